@@ -1,0 +1,18 @@
+"""The derivation: one chapter per file, in the paper's order; ledger.json is their sealed result.
+
+Each chapter has a `derive(book)` that states its claims to the kernel, in an order in which every
+claim rests on what stands before it.
+"""
+
+CHAPTERS = (
+    "lie_algebra",
+    "euler_lax",
+    "conjugacy",
+    "kinematics",
+    "phi1_integral",
+    "attitude",
+    "regular_form",
+    "descended_form",
+    "steady",
+    "publish",
+)

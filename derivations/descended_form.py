@@ -1,0 +1,150 @@
+"""The form the numbers are made of: Landen's descent, after which nothing cancels anywhere.
+
+With k' = sqrt(1 - m) and k_1 = (1 - k')/(1 + k'), sn, cn and dn of (u | m) are rational in s, c, d
+of (u_1 | k_1^2), u = (1 + k_1) u_1 (DLMF 22.7(i)).  In the new functions psi of the attitude is
+
+    psi = psi_0 t + kappa (J(u_1, n | k_1^2) - J_0),      n = -k_1 (K - c_a A_a)/(K + c_a A_a),
+
+J being the integral of sn^2/(1 - n sn^2) (Fukushima 2012) with -1 < n <= 0: all terms have one
+sign, and the limits (separatrix k_1 = 1, symmetric body k_1 = 0) are regular points.  This context
+is a model of the regular form and of the attitude at once, so whatever was proved there holds here.
+"""
+
+from derivations.attitude import HANDEDNESS, PULL_BACK, SENSE, SHORTEST, TURN
+from derivations.regular_form import (
+    AMPLITUDES,
+    CIRCULATION,
+    INVARIANTS,
+    POLHODE,
+    ROTATING,
+)
+from rigidsym.algebra import Book, Part, half_angle, jacobi, join
+
+DESCENT = Part(
+    witness={"k_1": "1", "C_b": "50"},
+    units=(
+        "1 + k_1",
+        "C_b",
+        "(1 + k_1)**2*B_d**2 + 4*k_1*B_a**2",
+        "i_a*((1 + k_1)**2*B_d**2 + 4*k_1*B_a**2) + rho*Delta*(1 + k_1)**2*B_d**2",
+    ),
+    relations=("C_b**2 - (1 + k_1)**2*B_d**2 - 4*k_1*B_a**2",),
+    definitions={
+        "m": "4*k_1/(1 + k_1)**2",
+        "B_b": "C_b/(1 + k_1)",
+        "k_c": "(1 - k_1)/(1 + k_1)",
+        "m_c": "1 - k_1**2",
+    },
+    nonnegative=("B_b", "k_c", "K", "nu"),
+    reading={
+        "k_1": "modulus after one descent",
+        "C_b": "(1 + k_1) B_b",
+        "k_c": "complementary modulus k' of (u | m)",
+        "m_c": "complementary parameter of (u_1 | k_1^2)",
+    },
+)
+ARGUMENT = Part(
+    witness={"t": "0", "phase": "0"},
+    definitions={"mu": "lambda_/(1 + k_1)", "u_1": "mu*t + phase", "u": "(1 + k_1)*u_1"},
+    rates={"t": "1"},
+    reading={
+        "t": "time, s",
+        "phase": "u_1 at t = 0",
+        "u": "jacobi_argument(sn, cn, dn, 1 - m_1)",
+    },
+)
+LANDEN = Part(
+    units=("1 + k_1*s**2",),
+    definitions={
+        "sn": "(1 + k_1)*s/(1 + k_1*s**2)",
+        "cn": "c*d/(1 + k_1*s**2)",
+        "dn": "(1 - k_1*s**2)/(1 + k_1*s**2)",
+    },
+)
+# w is nu (1 + k_1 s^2), whose square is a polynomial.
+MOMENTUM = Part(
+    witness={"K": "25", "w": "40"},
+    units=("K", "w", "K + B_a", "K*(1 + k_1*s**2) + B_a*(1 - k_1*s**2)"),
+    relations=(
+        "K**2 - B_a**2 - B_d**2",
+        "w**2 - 2*K*(K*(1 + k_1*s**2) + B_a*(1 - k_1*s**2))*(1 + k_1*s**2)",
+    ),
+    definitions={"nu": "w/(1 + k_1*s**2)"} | dict(SHORTEST.definitions),
+    rates={
+        "w": "w*k_1*s*mu*c*d*((K - B_a)/(K*(1 + k_1*s**2) + B_a*(1 - k_1*s**2)) + 1/(1 + k_1*s**2))"
+    },
+    reading={**SHORTEST.reading, "w": "nu (1 + k_1 s^2)"},
+)
+SECULAR = Part(
+    witness={"J": "0", "J_0": "0"},
+    definitions={
+        "n": "-k_1*(K - B_a)/(K + B_a)",
+        "psi_0": "(2*H + K*A_a)/(K + B_a)",
+        "kappa": "2*E_a*A_a*k_1/((K + B_a)**2*mu)",
+        "psi": "psi_0*t + kappa*(J - J_0)",
+    },
+    rates={"J": "mu*s**2/(1 - n*s**2)"},
+    reading={
+        "J": "elliptic_j(u_1, n, 1 - m_c)",
+        "J_0": "elliptic_j(phase, n, 1 - m_c)",
+    },
+)
+HALF_PSI = half_angle("psi", "psi_rate")
+
+
+def derive(book: Book) -> None:
+    """The descent is a model of what came before; then each formula in its stable form."""
+    functions = jacobi("s", "c", "d", "u_1", "k_1**2", "mu")
+    book.open(
+        join(
+            "descended",
+            HANDEDNESS,
+            SENSE,
+            CIRCULATION,
+            POLHODE,
+            DESCENT,
+            AMPLITUDES,
+            ARGUMENT,
+            functions,
+            LANDEN,
+            ROTATING,
+            INVARIANTS,
+            MOMENTUM,
+            SECULAR,
+            TURN,
+            HALF_PSI,
+            PULL_BACK,
+        )
+    )
+    for claim in (_descent, _argument, _secular):
+        claim(book)
+    book.model("descended", "regular")
+    book.model("descended", "attitude")
+    book.carry("descended", ["regular.euler", "attitude.solution"])
+
+
+def _descent(book: Book) -> None:
+    """The modulus, its complement, and Landen's three functions, none with a difference."""
+    book.root("descended.k_c", "k_c", "m_1", ["22.7.1"])
+    book.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["22.7.1"])
+    book.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["22.7.1"])
+    book.claim("descended.sn", {"sn": "(1 + k_1)*s/(1 + k_1*s**2)"}, ["22.7.2"])
+    book.claim("descended.cn", {"cn": "c*d/(1 + k_1*s**2)"}, ["22.7.3"])
+    book.claim("descended.dn", {"dn": "(c**2 + 2*k_c/(1 + k_c)*s**2)/(1 + k_1*s**2)"}, ["22.7.4"])
+
+
+def _argument(book: Book) -> None:
+    """u_1 and its rate."""
+    book.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["22.7.2"])
+    book.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["22.7.2"])
+    book.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
+    book.claim("descended.u_1", {"u_1": "mu*t + phase"}, ["20", "21"])
+
+
+def _secular(book: Book) -> None:
+    """psi by quadrature: its derivative is psi_rate of the attitude."""
+    book.claim("descended.n", {"n": "-k_1*(c_d*A_d)**2/(K + c_a*A_a)**2"}, ["34"])
+    book.claim("descended.psi_0", {"psi_0": "(2*H + K*A_a)/(K + c_a*A_a)"}, ["33", "34"])
+    book.claim("descended.kappa", {"kappa": "2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)"}, ["34"])
+    book.claim("descended.psi", {"psi": "psi_0*t + kappa*(J - J_0)"}, ["33", "34"])
+    book.claim("descended.psi_is_the_angle", {"D(psi)": "psi_rate"}, ["33", "34"])

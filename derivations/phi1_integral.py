@@ -1,0 +1,55 @@
+"""phi1 as an elliptic integral of the third kind: equations (34) and (35).
+
+The split (34) is exact wherever Omega1 = zeta sn.  (35) is right only when its mu is read as the
+modulus; Lemma 1, and zeta sn(xi t + gamma, mu) of (34), read it as the parameter.
+"""
+
+from rigidsym.algebra import Book, Part, jacobi, join
+
+CONSTANTS = Part(
+    witness={"c1": "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
+    units=("c1", "K"),
+    reading={
+        "H": "kinetic energy, J",
+        "K": "|M|, kg m^2 rad/s",
+        "zeta": "amplitude of Omega1, rad/s",
+        "xi": "rate of the argument, rad/s",
+        "mu": "parameter (k^2) of the Jacobi functions",
+    },
+)
+SINE = Part(
+    units=("K - c1*zeta*sn", "K + c1*zeta*sn"),
+    definitions={"Omega1": "zeta*sn"},
+)
+THIRD_KIND = Part(
+    witness={"Pi": "0", "t": "0"},
+    definitions={
+        "n": "(c1*zeta/K)**2",
+        "kappa": "(2*H*c1 - K**2)/(K*c1*xi)",
+        "phi1": "K/c1*t + kappa*Pi",
+    },
+    rates={"Pi": "xi/(1 - n*sn**2)", "t": "1"},
+    units=("xi",),
+    reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
+)
+
+
+def derive(book: Book) -> None:
+    """(34), its integral, and (35) with mu as modulus and as parameter."""
+    functions = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
+    book.open(join("third_kind", CONSTANTS, functions, SINE, THIRD_KIND))
+    integrand = "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)"
+    split = "K/c1 + (2*H*c1 - K**2)/(K*c1)/(1 - (c1*zeta/K)**2*sn**2)"
+    book.claim("third_kind.split", {integrand: split}, ["34"])
+    book.claim("third_kind.phi1", {"D(phi1)": integrand}, ["19", "33"])
+
+    amplitude = Part(
+        witness={"theta": "0"},
+        rates={"theta": "xi*dn"},
+        reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
+    )
+    book.open(join("amplitude", CONSTANTS, functions, amplitude))
+    printed = {"D(theta)**2": "xi**2*(1 - mu**2*sn**2)"}
+    point = {"sn": "4/5", "cn": "3/5", "dn": "4/5"}
+    book.refute("amplitude.printed", printed, point, ["35"])
+    book.claim("amplitude.repaired", {"D(theta)**2": "xi**2*(1 - mu*sn**2)"}, ["35"])

@@ -1,0 +1,42 @@
+"""What the number wing may use: three programmes of proved formulas, in order of evaluation.
+
+`plan` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns the
+constants and a time into rates and attitude, `steady` serves the motions with constant rates.
+An entry `context:name` stands for the reading of a name: a standard function of known quantities.
+"""
+
+from rigidsym.algebra import Book
+
+INVARIANTS = "regular.H regular.E_a regular.E_b regular.E_d attitude.M_a attitude.M_b attitude.M_d"
+MOMENTA = "attitude.M_a attitude.M_b attitude.M_d"
+SHORTEST = "attitude.nu attitude.s_0 attitude.s_b attitude.s_d"
+PARTICULAR = "attitude.qbar_0 attitude.qbar_a attitude.qbar_b attitude.qbar_d"
+PROGRAMMES = {
+    "plan": f"""
+        {INVARIANTS} attitude.K
+        regular.A_a regular.A_b regular.A_d regular.lambda_ regular.m regular.m_1 regular.tau
+        descended.k_c descended.k_1 descended.m_c descended.mu
+        descended.n descended.psi_0 descended.kappa
+        regular.sn regular.cn regular.dn
+        descended:u descended.u_1_of_u descended.phase descended:J_0
+        {SHORTEST} {PARTICULAR} attitude.p_0 attitude.p_a attitude.p_b attitude.p_d
+    """,
+    "state": f"""
+        descended.u_1 descended:s descended:c descended:d
+        descended.sn descended.cn descended.dn
+        regular.Omega_a regular.Omega_b regular.Omega_d {MOMENTA} {SHORTEST}
+        descended:J descended.psi attitude:cos_half_psi attitude:sin_half_psi {PARTICULAR}
+        attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
+    """,
+    "steady": """
+        steady.omega steady.axis1 steady.axis2 steady.axis3 steady.theta
+        steady:cos_half_theta steady:sin_half_theta steady.r1 steady.r2 steady.r3
+        steady.q0 steady.q1 steady.q2 steady.q3
+    """,
+}
+
+
+def derive(book: Book) -> None:
+    """Publish the programmes; the kernel refuses entries that are not proved."""
+    for name, entries in PROGRAMMES.items():
+        book.publish(name, entries.split())

@@ -1,0 +1,164 @@
+"""The rates in Jacobi's functions, for every order of the axes, both circulations and all signs.
+
+    Omega_a = sigma A_a dn,    Omega_b = A_b sn,    Omega_d = tau A_d cn,    of (u | m), u' = lambda
+
+with 0 <= m <= 1 always.  The motion is described by the amplitudes B of the momentum, with
+B_b^2 = B_d^2 + m B_a^2, and by 1/c_a and 1/c_d = 1/c_a + rho Delta; the middle inertia follows.
+rho is the sign of c_a - c_d and tells the two circulations apart; tau = -rho epsilon sigma makes
+lambda positive.  m = 1 is the separatrix, m = 0 a symmetric body: neither is excluded, and neither
+needs a formula of its own.
+"""
+
+from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
+from rigidsym.algebra import Book, Part, jacobi, join, sign
+
+CIRCULATION = sign("rho", "the sign of c_a - c_d")
+POLHODE = Part(
+    witness={"i_a": "1/6", "Delta": "5/6", "B_a": "7", "B_d": "24"},
+    units=("i_a", "i_a + rho*Delta", "Delta", "B_a", "B_d", "rho"),
+    definitions={"c_a": "1/i_a", "i_d": "i_a + rho*Delta", "c_d": "1/i_d"},
+    reading={
+        "i_a": "1/c_a",
+        "Delta": "|1/c_d - 1/c_a|",
+        "B_a": "amplitude of c_a |Omega_a|",
+        "B_d": "amplitude of c_d |Omega_d|",
+    },
+)
+PARAMETER = Part(
+    witness={"m": "1", "B_b": "25"},
+    units=("B_b", "B_d**2 + m*B_a**2", "i_a*(B_d**2 + m*B_a**2) + rho*Delta*B_d**2"),
+    relations=("B_b**2 - B_d**2 - m*B_a**2",),
+    nonnegative=("B_b",),
+    reading={"m": "parameter (k^2) of the Jacobi functions", "B_b": "amplitude of c_b |Omega_b|"},
+)
+AMPLITUDES = Part(
+    definitions={
+        "i_b": "i_a + rho*Delta*B_d**2/B_b**2",
+        "c_b": "1/i_b",
+        "A_a": "B_a/c_a",
+        "A_b": "B_b/c_b",
+        "A_d": "B_d/c_d",
+        "lambda_": "Delta*B_a*B_d/B_b",
+        "tau": "-rho*epsilon*sigma",
+        "m_1": "1 - m",
+    },
+    nonnegative=("A_a", "A_b", "A_d", "lambda_"),
+    reading={
+        "lambda_": "rate of the argument u, rad/s",
+        **{f"A_{x}": f"amplitude of |Omega_{x}|, rad/s" for x in "abd"},
+    },
+)
+ROTATING = Part(
+    definitions={"Omega_a": "sigma*A_a*dn", "Omega_b": "A_b*sn", "Omega_d": "tau*A_d*cn"},
+)
+# The invariants by the amplitudes; the claims show that they are those of the rates.
+INVARIANTS = Part(
+    definitions={
+        "H": "(c_a*A_a**2 + c_d*A_d**2)/2",
+        "E_a": "c_d*(c_a - c_d)*A_d**2",
+        "E_b": "c_a*(c_a - c_b)*A_a**2*m_1",
+        "E_d": "c_a*(c_a - c_d)*A_a**2",
+        "M_a": "c_a*Omega_a",
+        "M_b": "c_b*Omega_b",
+        "M_d": "c_d*Omega_d",
+    },
+)
+EULER = {f"D({name})": rate for name, rate in RATES.rates.items()}
+# 2 H and the differences 2 H c_a - K^2, K^2 - 2 H c_b, K^2 - 2 H c_d, by rates: no cancellation
+# but the one in E_b, whose sign tells the circulations apart.
+BY_RATES = {
+    "H": "(c_a*Omega_a**2 + c_b*Omega_b**2 + c_d*Omega_d**2)/2",
+    "E_a": "c_b*(c_a - c_b)*Omega_b**2 + c_d*(c_a - c_d)*Omega_d**2",
+    "E_b": "c_a*(c_a - c_b)*Omega_a**2 - c_d*(c_b - c_d)*Omega_d**2",
+    "E_d": "c_a*(c_a - c_d)*Omega_a**2 + c_b*(c_b - c_d)*Omega_b**2",
+}
+# What the number wing evaluates: each amplitude, rate and parameter from inertia and invariants.
+FORMULAS = {
+    "A_a": "E_d/(c_a*(c_a - c_d))",
+    "A_b": "E_a/(c_b*(c_a - c_b))",
+    "A_d": "E_a/(c_d*(c_a - c_d))",
+    "lambda_": "(c_a - c_b)*E_d/(c_a*c_b*c_d)",
+}
+
+
+def derive(book: Book) -> None:
+    """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
+    functions = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
+    book.open(
+        join(
+            "regular",
+            HANDEDNESS,
+            SENSE,
+            CIRCULATION,
+            POLHODE,
+            PARAMETER,
+            AMPLITUDES,
+            functions,
+            ROTATING,
+            INVARIANTS,
+        )
+    )
+    book.claim("regular.euler", EULER, ["5", "10"])
+    for name, form in BY_RATES.items():
+        book.claim(f"regular.{name}", {name: form}, ["6", "15"])
+    square = "(M_a**2 + M_b**2 + M_d**2)"
+    book.claim(
+        "regular.differences",
+        {
+            "E_a": f"2*H*c_a - {square}",
+            "E_b": f"{square} - 2*H*c_b",
+            "E_d": f"{square} - 2*H*c_d",
+        },
+        ["6", "15"],
+    )
+    for name, radicand in FORMULAS.items():
+        book.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
+    book.claim("regular.m", {"m": "E_a*(c_d - c_b)/(E_d*(c_b - c_a))"}, ["10", "13", "14"])
+    book.claim("regular.m_1", {"m_1": "(c_a - c_d)*E_b/((c_a - c_b)*E_d)"}, ["10", "13", "14"])
+    book.claim("regular.tau", {"tau": "-rho*epsilon*sigma"}, ["16", "17"])
+    for name, form in ROTATING.definitions.items():
+        book.claim(f"regular.{name}", {name: form}, ["10"])
+    # At t = 0 these say where on the polhode the motion starts.
+    book.claim("regular.sn", {"sn": "Omega_b/A_b"}, ["12"])
+    book.claim("regular.cn", {"cn": "tau*Omega_d/A_d"}, ["12"])
+    book.claim("regular.dn", {"dn": "sigma*Omega_a/A_a"}, ["12"])
+    _every_motion(book)
+
+
+def _every_motion(book: Book) -> None:
+    """Conversely, any inertia and rates give amplitudes and m that meet the hypotheses above."""
+    squares = Part(
+        units=(
+            "c_a - c_b",
+            "c_a - c_d",
+            "c_b*(c_a - c_b)*Omega_b**2 + c_d*(c_a - c_d)*Omega_d**2",
+            "c_a*(c_a - c_d)*Omega_a**2 + c_b*(c_b - c_d)*Omega_b**2",
+        ),
+        definitions={
+            **{f"{name}_squared": form for name, form in FORMULAS.items()},
+            "m": "E_a*(c_d - c_b)/(E_d*(c_b - c_a))",
+            "B_a_squared": "c_a**2*A_a_squared",
+            "B_b_squared": "c_b**2*A_b_squared",
+            "B_d_squared": "c_d**2*A_d_squared",
+        },
+    )
+    moving = Part(witness={"Omega_a": "1", "Omega_b": "0", "Omega_d": "1"})
+    by_rates = Part(definitions=BY_RATES)
+    book.open(join("any_motion", INERTIA, moving, by_rates, squares, static=True))
+    book.claim("any_motion.parameter", {"B_b_squared": "B_d_squared + m*B_a_squared"}, ["14"])
+    book.claim(
+        "any_motion.inertia", {"1/c_b": "1/c_a + (1/c_d - 1/c_a)*B_d_squared/B_b_squared"}, ["14"]
+    )
+    book.claim(
+        "any_motion.rate",
+        {"lambda__squared": "(1/c_d - 1/c_a)**2*B_a_squared*B_d_squared/B_b_squared"},
+        ["14"],
+    )
+    book.claim(
+        "any_motion.start",
+        {
+            "Omega_b**2/A_b_squared + Omega_d**2/A_d_squared": "1",
+            "Omega_a**2/A_a_squared + m*Omega_b**2/A_b_squared": "1",
+        },
+        ["12"],
+    )

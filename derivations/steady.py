@@ -1,0 +1,60 @@
+"""Motions with constant rates: rest, pure spin about any axis, the sphere, and the equatorial spin
+of a symmetric body.  There M and Omega commute, and the attitude is one exponential.
+"""
+
+from derivations.euler_lax import BODY, INERTIA
+from rigidsym.algebra import Book, Part, equal, half_angle, join, names
+from rigidsym.algebra.quaternion import product
+
+CONSTANT = Part(
+    witness={"Omega1": "1", "Omega2": "0", "Omega3": "0"},
+    definitions=BODY.definitions,
+    relations=("(c2 - c3)*Omega2*Omega3", "(c3 - c1)*Omega3*Omega1", "(c1 - c2)*Omega1*Omega2"),
+    reading=BODY.reading,
+)
+SPIN = Part(
+    witness={"omega": "1", "t": "0"},
+    units=("omega",),
+    relations=("omega**2 - Omega1**2 - Omega2**2 - Omega3**2",),
+    definitions={"theta": "omega*t"},
+    rates={"t": "1"},
+    nonnegative=("omega",),
+    reading={"omega": "|Omega|, rad/s", "t": "time, s", "theta": "angle turned, rad"},
+)
+AXIS = Part(
+    witness={f"p{k}": str(int(k == 0)) for k in range(4)},
+    definitions={f"axis{k}": f"Omega{k}/omega" for k in (1, 2, 3)},
+    relations=("p3**2 + p2**2 + p1**2 + p0**2 - 1",),
+    reading={f"p{k}": f"component {k} of the attitude at t = 0" for k in range(4)},
+)
+PULL_BACK = Part(
+    definitions={
+        "r1": "sin_half_theta*axis1",
+        "r2": "sin_half_theta*axis2",
+        "r3": "sin_half_theta*axis3",
+        "q0": "p0*cos_half_theta - p1*r1 - p2*r2 - p3*r3",
+        "q1": "p0*r1 + p1*cos_half_theta + p2*r3 - p3*r2",
+        "q2": "p0*r2 + p2*cos_half_theta + p3*r1 - p1*r3",
+        "q3": "p0*r3 + p3*cos_half_theta + p1*r2 - p2*r1",
+    },
+)
+
+
+def derive(book: Book) -> None:
+    """Euler's equations, and |q| = 1 and q' = (1/2) q (0, Omega) for q = p exp(t Omega)."""
+    turn = half_angle("theta", "omega")
+    book.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
+    euler = {f"D(Omega{k})": BODY.rates[f"Omega{k}"] for k in (1, 2, 3)}
+    book.claim("steady.euler", euler, ["5"])
+    ring = book.ledger.rings["steady"]
+    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "Omega1 Omega2 Omega3")
+    book.claim("steady.norm", [(sum(x * x for x in q), 1)], ["1"])
+    half_turn = [x / 2 for x in product(q, (ring.element(0), *rates))]
+    book.claim("steady.solution", equal(map(ring.rate, q), half_turn), ["3"])
+
+    book.root("steady.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2")
+    book.claim("steady.theta", {"theta": "omega*t"})
+    for k in (1, 2, 3):
+        book.claim(f"steady.axis{k}", {f"axis{k}": f"Omega{k}/omega"})
+    for name, form in PULL_BACK.definitions.items():
+        book.claim(f"steady.{name}", {name: form}, ["37"])

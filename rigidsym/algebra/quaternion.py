@@ -1,0 +1,21 @@
+"""Hamilton's quaternions, scalar first, over any commutative ring."""
+
+from collections.abc import Sequence
+from typing import Any
+
+
+def product(p: Sequence[Any], q: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+    """The Hamilton product: i j = k."""
+    p0, p1, p2, p3 = p
+    q0, q1, q2, q3 = q
+    return (
+        p0 * q0 - p1 * q1 - p2 * q2 - p3 * q3,
+        p0 * q1 + p1 * q0 + p2 * q3 - p3 * q2,
+        p0 * q2 + p2 * q0 + p3 * q1 - p1 * q3,
+        p0 * q3 + p3 * q0 + p1 * q2 - p2 * q1,
+    )
+
+
+def conjugate(q: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
+    """The inverse of a unit quaternion."""
+    return q[0], -1 * q[1], -1 * q[2], -1 * q[3]
