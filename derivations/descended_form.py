@@ -55,6 +55,7 @@ ARGUMENT = Part(
 )
 LANDEN = Part(
     units=("1 + k_1*s**2",),
+    reading={f"{x}": f"jacobi_{x}n(u_1, 1 - m_c)" for x in "scd"},
     definitions={
         "sn": "(1 + k_1)*s/(1 + k_1*s**2)",
         "cn": "c*d/(1 + k_1*s**2)",
@@ -125,18 +126,20 @@ def derive(book: Book) -> None:
 
 def _descent(book: Book) -> None:
     """The modulus, its complement, and Landen's three functions, none with a difference."""
-    book.root("descended.k_c", "k_c", "m_1", ["22.7.1"])
-    book.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["22.7.1"])
-    book.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["22.7.1"])
-    book.claim("descended.sn", {"sn": "(1 + k_1)*s/(1 + k_1*s**2)"}, ["22.7.2"])
-    book.claim("descended.cn", {"cn": "c*d/(1 + k_1*s**2)"}, ["22.7.3"])
-    book.claim("descended.dn", {"dn": "(c**2 + 2*k_c/(1 + k_c)*s**2)/(1 + k_1*s**2)"}, ["22.7.4"])
+    book.root("descended.k_c", "k_c", "m_1", ["DLMF 22.7.1"])
+    book.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["DLMF 22.7.1"])
+    book.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["DLMF 22.7.1"])
+    book.claim("descended.sn", {"sn": "(1 + k_1)*s/(1 + k_1*s**2)"}, ["DLMF 22.7.2"])
+    book.claim("descended.cn", {"cn": "c*d/(1 + k_1*s**2)"}, ["DLMF 22.7.3"])
+    book.claim(
+        "descended.dn", {"dn": "(c**2 + 2*k_c/(1 + k_c)*s**2)/(1 + k_1*s**2)"}, ["DLMF 22.7.4"]
+    )
 
 
 def _argument(book: Book) -> None:
     """u_1 and its rate."""
-    book.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["22.7.2"])
-    book.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["22.7.2"])
+    book.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
+    book.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     book.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
     book.claim("descended.u_1", {"u_1": "mu*t + phase"}, ["20", "21"])
 

@@ -2,7 +2,8 @@
 
 `plan` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns the
 constants and a time into rates and attitude, `steady` serves the motions with constant rates.
-An entry `context:name` stands for the reading of a name: a standard function of known quantities.
+An entry `context:name:equation` stands for the reading of a name: a standard function of known
+quantities, used where the paper's equation does.
 """
 
 from rigidsym.algebra import Book
@@ -18,19 +19,19 @@ PROGRAMMES = {
         descended.k_c descended.k_1 descended.m_c descended.mu
         descended.n descended.psi_0 descended.kappa
         regular.sn regular.cn regular.dn
-        descended:u descended.u_1_of_u descended.phase descended:J_0
+        descended:u:12 descended.u_1_of_u descended.phase descended:J_0:36
         {SHORTEST} {PARTICULAR} attitude.p_0 attitude.p_a attitude.p_b attitude.p_d
     """,
     "state": f"""
-        descended.u_1 descended:s descended:c descended:d
+        descended.u_1 descended:s:10 descended:c:10 descended:d:10
         descended.sn descended.cn descended.dn
         regular.Omega_a regular.Omega_b regular.Omega_d {MOMENTA} {SHORTEST}
-        descended:J descended.psi attitude:cos_half_psi attitude:sin_half_psi {PARTICULAR}
+        descended:J:36 descended.psi attitude:cos_half_psi:18 attitude:sin_half_psi:18 {PARTICULAR}
         attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
     """,
     "steady": """
         steady.omega steady.axis1 steady.axis2 steady.axis3 steady.theta
-        steady:cos_half_theta steady:sin_half_theta steady.r1 steady.r2 steady.r3
+        steady:cos_half_theta:3 steady:sin_half_theta:3 steady.r1 steady.r2 steady.r3
         steady.q0 steady.q1 steady.q2 steady.q3
     """,
 }

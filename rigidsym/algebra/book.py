@@ -57,10 +57,10 @@ class Book:
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
     def publish(self, programme: str, entries: Iterable[str]) -> None:
-        """Offer proved facts, and readings as `context:name`, to the number wing under a name."""
+        """Offer proved facts, and readings as `context:name:equation`, to the number wing."""
         ledger, listed = self.ledger, list(entries)
         for entry in listed:
-            context, _, name = entry.partition(":")
+            context, name, *_ = [*entry.split(":"), ""]
             proved = entry in ledger.facts and ledger.facts[entry].grade == Grade.PROVED
             if not proved and name not in getattr(ledger.contexts.get(context), "reading", ()):
                 raise KernelError(f"{programme}: {entry} is neither a proved fact nor a reading")

@@ -1,0 +1,160 @@
+"""Expressions as small immutable trees: what formulas are made of, and what code is printed from.
+
+The text form is Python's own, so `parse` and `to_text` are inverse to each other and a formula
+printed into a generated Python module can be read back and compared.
+"""
+
+import ast
+import operator
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "**": operator.pow,
+}
+_SYMBOL = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**"}
+_BINDING = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "**": 4}
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """An integer constant."""
+
+    value: int
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A quantity by its name."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """left operator right, the operator one of + - * / **."""
+
+    operator: str
+    left: "Expression"
+    right: "Expression"
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """function(arguments); negation is the function `neg`."""
+
+    function: str
+    arguments: tuple["Expression", ...]
+
+
+Expression = Number | Name | Operation | Call
+
+
+def parse(text: str) -> Expression:
+    """Read Python's syntax for an expression; raises ValueError on anything else."""
+    return _parse(ast.parse(text, mode="eval").body)
+
+
+def _parse(node: ast.expr) -> Expression:
+    match node:
+        case ast.Constant(value=int(value)):
+            return Number(value)
+        case ast.Name(id=name):
+            return Name(name)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return Call("neg", (_parse(operand),))
+        case ast.BinOp(left=left, op=op, right=right) if type(op) in _SYMBOL:
+            return Operation(_SYMBOL[type(op)], _parse(left), _parse(right))
+        case ast.Call(func=ast.Name(id=function), args=arguments, keywords=[]):
+            return Call(function, tuple(map(_parse, arguments)))
+    raise ValueError(f"{ast.unparse(node)}: not part of an expression")
+
+
+def to_text(expression: Expression, rename: Mapping[str, str] | None = None) -> str:
+    """Python text with no more parentheses than needed; `rename` maps function names."""
+    return _print(expression, rename or {})[0]
+
+
+def _print(expression: Expression, rename: Mapping[str, str]) -> tuple[str, int]:
+    match expression:
+        case Number(value):
+            return str(value), 5
+        case Name(name):
+            return name, 5
+        case Call("neg", (operand,)):
+            return f"-{_within(operand, 3, rename)}", _BINDING["neg"]
+        case Call(function, arguments):
+            inside = ", ".join(_print(a, rename)[0] for a in arguments)
+            return f"{rename.get(function, function)}({inside})", 5
+        case Operation(symbol, left, right):
+            bound = _BINDING[symbol]
+            tight = symbol == "**"
+            before = _within(left, bound + tight, rename)
+            after = _within(right, bound + (not tight), rename)
+            return f"{before}{symbol}{after}" if tight else f"{before} {symbol} {after}", bound
+    raise TypeError(f"{expression!r} is not an expression")
+
+
+def _within(expression: Expression, bound: int, rename: Mapping[str, str]) -> str:
+    text, own = _print(expression, rename)
+    return text if own >= bound else f"({text})"
+
+
+def children(expression: Expression) -> tuple[Expression, ...]:
+    """The direct parts of an expression."""
+    match expression:
+        case Operation(_, left, right):
+            return left, right
+        case Call(_, arguments):
+            return arguments
+    return ()
+
+
+def rebuild(expression: Expression, parts: tuple[Expression, ...]) -> Expression:
+    """The same node with other parts."""
+    match expression:
+        case Operation(symbol, _, _):
+            return Operation(symbol, *parts)
+        case Call(function, _):
+            return Call(function, parts)
+    return expression
+
+
+def names(expression: Expression) -> Iterator[str]:
+    """The names an expression uses, from left to right, repeated as they occur."""
+    if isinstance(expression, Name):
+        yield expression.name
+    for part in children(expression):
+        yield from names(part)
+
+
+def evaluate(
+    expression: Expression,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Callable[..., Any]],
+) -> Any:
+    """The value over any number type; raises KeyError for an unknown name or function."""
+    match expression:
+        case Number(value):
+            return value
+        case Name(name):
+            return values[name]
+        case Call("neg", (operand,)):
+            return -evaluate(operand, values, functions)
+    parts = [evaluate(part, values, functions) for part in children(expression)]
+    if isinstance(expression, Operation):
+        return OPERATORS[expression.operator](*parts)
+    return functions[expression.function](*parts)
+
+
+def complement(parameter: Expression) -> Expression:
+    """x where the parameter is written 1 - x, so that nobody has to form the difference."""
+    match parameter:
+        case Operation("-", Number(1), right):
+            return right
+    return Operation("-", Number(1), parameter)
