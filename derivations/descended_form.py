@@ -14,6 +14,7 @@ from derivations.attitude import HANDEDNESS, PULL_BACK, SENSE, SHORTEST, TURN
 from derivations.regular_form import (
     AMPLITUDES,
     CIRCULATION,
+    HALF,
     INVARIANTS,
     POLHODE,
     ROTATING,
@@ -50,7 +51,7 @@ ARGUMENT = Part(
     reading={
         "t": "time, s",
         "phase": "u_1 at t = 0",
-        "u": "jacobi_argument(sn, cn, dn, 1 - m_1)",
+        "u": "jacobi_argument(sn, cn, dn)",
     },
 )
 LANDEN = Part(
@@ -102,6 +103,7 @@ def derive(book: Book) -> None:
             HANDEDNESS,
             SENSE,
             CIRCULATION,
+            HALF,
             POLHODE,
             DESCENT,
             AMPLITUDES,

@@ -1,11 +1,11 @@
 """The rates in Jacobi's functions, for every order of the axes, both circulations and all signs.
 
-    Omega_a = sigma A_a dn,    Omega_b = A_b sn,    Omega_d = tau A_d cn,    of (u | m), u' = lambda
+    Omega_a = sigma A_a dn,  Omega_b = chi A_b sn,  Omega_d = chi tau A_d cn,  of (u | m), u' = lambda
 
 with 0 <= m <= 1 always.  The motion is described by the amplitudes B of the momentum, with
 B_b^2 = B_d^2 + m B_a^2, and by 1/c_a and 1/c_d = 1/c_a + rho Delta; the middle inertia follows.
 rho is the sign of c_a - c_d and tells the two circulations apart; tau = -rho epsilon sigma makes
-lambda positive.  m = 1 is the separatrix, m = 0 a symmetric body: neither is excluded, and neither
+lambda positive, and chi = +-1 lets a motion start with |u| <= K(m).  m = 1 is the separatrix, m = 0 a symmetric body: neither is excluded, and neither
 needs a formula of its own.
 """
 
@@ -13,6 +13,7 @@ from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
 from rigidsym.algebra import Book, Part, jacobi, join, sign
 
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
+HALF = sign("chi", "+1 when cn > 0 describes the start, -1 when the other half period does")
 POLHODE = Part(
     witness={"i_a": "1/6", "Delta": "5/6", "B_a": "7", "B_d": "24"},
     units=("i_a", "i_a + rho*Delta", "Delta", "B_a", "B_d", "rho"),
@@ -49,7 +50,7 @@ AMPLITUDES = Part(
     },
 )
 ROTATING = Part(
-    definitions={"Omega_a": "sigma*A_a*dn", "Omega_b": "A_b*sn", "Omega_d": "tau*A_d*cn"},
+    definitions={"Omega_a": "sigma*A_a*dn", "Omega_b": "chi*A_b*sn", "Omega_d": "chi*tau*A_d*cn"},
 )
 # The invariants by the amplitudes; the claims show that they are those of the rates.
 INVARIANTS = Part(
@@ -90,6 +91,7 @@ def derive(book: Book) -> None:
             HANDEDNESS,
             SENSE,
             CIRCULATION,
+            HALF,
             POLHODE,
             PARAMETER,
             AMPLITUDES,
@@ -119,8 +121,8 @@ def derive(book: Book) -> None:
     for name, form in ROTATING.definitions.items():
         book.claim(f"regular.{name}", {name: form}, ["10"])
     # At t = 0 these say where on the polhode the motion starts.
-    book.claim("regular.sn", {"sn": "Omega_b/A_b"}, ["12"])
-    book.claim("regular.cn", {"cn": "tau*Omega_d/A_d"}, ["12"])
+    book.claim("regular.sn", {"sn": "chi*Omega_b/A_b"}, ["12"])
+    book.claim("regular.cn", {"cn": "chi*tau*Omega_d/A_d"}, ["12"])
     book.claim("regular.dn", {"dn": "sigma*Omega_a/A_a"}, ["12"])
     _every_motion(book)
 

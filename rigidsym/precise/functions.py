@@ -40,7 +40,8 @@ class EllipticFunctions:
             return ctx.tanh(u), ctx.sech(u), ctx.sech(u)
         if (u, mc) not in self._reduced:
             turns, v = self._reduce(u, mc)
-            sn, cn, dn = (ctx.ellipfun(kind, v, m=1 - mc) for kind in ("sn", "cn", "dn"))
+            m = max(ctx.zero, 1 - mc)
+            sn, cn, dn = (ctx.ellipfun(kind, v, m=m) for kind in ("sn", "cn", "dn"))
             sign = -1 if turns % 2 else 1
             self._reduced = {(u, mc): (sign * sn, sign * cn, dn)}
         return self._reduced[u, mc]
@@ -51,12 +52,9 @@ class EllipticFunctions:
         turns = int(self.ctx.nint(u / period))
         return turns, u - turns * period
 
-    def argument(self, sn: Any, cn: Any, dn: Any, mc: Any) -> Any:
-        """The u in (-2K, 2K] with these sn, cn, dn (DLMF 19.25.31)."""
-        u = sn * self.ctx.elliprf(cn**2, dn**2, 1)
-        if cn >= 0:
-            return u
-        return (2 * self.quarter_period(mc)) * (-1 if sn < 0 else 1) - u
+    def argument(self, sn: Any, cn: Any, dn: Any) -> Any:
+        """The u in [-K, K] with these sn, cn >= 0, dn (DLMF 19.25.5)."""
+        return sn * self.ctx.elliprf(cn**2, dn**2, 1)
 
     def elliptic_j(self, u: Any, n: Any, mc: Any) -> Any:
         """J by Carlson's R_J (DLMF 19.25.14), whole periods added; needs -1 < n <= 0."""

@@ -101,7 +101,7 @@ class Evaluation:
     def _constants(self) -> dict[str, Any]:
         polhode, motion = self.motion.polhode, self.motion
         q0, *vector = self.start[0]
-        signs = {"epsilon": polhode.epsilon, "sigma": polhode.sigma, "rho": polhode.rho}
+        signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
         begin = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
         for x, k in zip(AXES, polhode.axes, strict=True):
             begin |= {f"c_{x}": motion.inertia[k], f"Omega_{x}": motion.omega0[k]}

@@ -20,18 +20,18 @@ INPUTS = {
     "plan": (
         *(f"c_{x}" for x in AXES),
         *(f"Omega_{x}" for x in AXES),
-        *("epsilon", "sigma", "rho"),
+        *("epsilon", "sigma", "rho", "chi"),
         *(f"q_{x}" for x in ("0", *AXES)),
         *("t", "cos_half_psi", "sin_half_psi"),
     ),
     "state": (
         *(f"c_{x}" for x in AXES),
-        *("A_a", "A_b", "A_d", "K", "epsilon", "sigma", "tau", "k_1", "k_c", "m_c", "mu"),
+        *("A_a", "A_b", "A_d", "K", "epsilon", "sigma", "tau", "chi", "k_1", "k_c", "m_c", "mu"),
         *("phase", "n", "psi_0", "kappa", "J_0", "p_0", "p_a", "p_b", "p_d", "t"),
     ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
 }
-_OF_PARAMETER = {"jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_argument", "elliptic_j"}
+_OF_PARAMETER = {"jacobi_sn", "jacobi_cn", "jacobi_dn", "elliptic_j"}
 
 
 @dataclass(frozen=True, slots=True)

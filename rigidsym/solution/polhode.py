@@ -35,8 +35,8 @@ class Polhode:
     """The regime, and the axes by what they do.
 
     `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
-    `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a and `rho` the sign of
-    c_a - c_d.
+    `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
+    c_a - c_d, and `chi` that of -rho epsilon sigma Omega_d (+1 for zeros).
     """
 
     regime: Regime
@@ -44,6 +44,7 @@ class Polhode:
     epsilon: int
     sigma: int
     rho: int
+    chi: int
 
 
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
@@ -60,7 +61,8 @@ def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     epsilon = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     sigma = -1 if omega[axes[0]] < 0 else 1
     rho = 1 if axes[0] == high else -1
-    return Polhode(regime, axes, epsilon, sigma, rho)
+    chi = -1 if -rho * epsilon * sigma * omega[axes[2]] < 0 else 1
+    return Polhode(regime, axes, epsilon, sigma, rho, chi)
 
 
 def _steady(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> bool:

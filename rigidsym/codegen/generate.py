@@ -1,0 +1,54 @@
+"""`generate(target)`: the files of a numeric module, as values; writing them is separate."""
+
+import hashlib
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from rigidsym.codegen import emit_numpy
+from rigidsym.codegen.functions import functions
+from rigidsym.errors import InputError
+from rigidsym.files import write_text
+from rigidsym.solution import Solution, sealed
+
+
+@dataclass(frozen=True, slots=True)
+class Generated:
+    """The files of a target by name, the map from lines to equations, and a manifest."""
+
+    files: Mapping[str, str]
+    map: Mapping[str, list[dict]]
+    manifest: Mapping[str, object]
+
+    def texts(self) -> dict[str, str]:
+        """Every file to write, the map among them."""
+        stem = str(self.manifest["target"])
+        described = {"manifest": self.manifest, "lines": self.map}
+        return {**self.files, f"{stem}.map.json": json.dumps(described, indent=1) + "\n"}
+
+    def write(self, directory: str | Path) -> list[Path]:
+        """Write all files into a directory, each moved into place whole; returns their paths."""
+        return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
+
+
+def _numpy(solution: Solution) -> tuple[dict[str, str], dict[str, list[dict]]]:
+    text, places = emit_numpy.emit(functions(solution), solution.digest)
+    return {emit_numpy.FILE: text}, {emit_numpy.FILE: places}
+
+
+TARGETS: dict[str, Callable[[Solution], tuple[dict[str, str], dict[str, list[dict]]]]] = {
+    "numpy": _numpy,
+}
+
+
+def generate(target: str, solution: Solution | None = None) -> Generated:
+    """The numeric module of a target, from the sealed ledger unless a solution is given.
+
+    Raises InputError (a ValueError) for an unknown target.
+    """
+    if target not in TARGETS:
+        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+    files, places = TARGETS[target](solution or sealed())
+    digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
+    return Generated(files, places, {"target": target, "sha256": digests})
