@@ -37,10 +37,11 @@ THIRD_KIND = Part(
 def derive(book: Book) -> None:
     """(34), its integral, and (35) with mu as modulus and as parameter."""
     functions = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
-    book.open(join("third_kind", CONSTANTS, functions, SINE, THIRD_KIND))
+    book.open(join("sine_motion", CONSTANTS, functions, SINE, static=True))
     integrand = "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)"
     split = "K/c1 + (2*H*c1 - K**2)/(K*c1)/(1 - (c1*zeta/K)**2*sn**2)"
-    book.claim("third_kind.split", {integrand: split}, ["34"])
+    book.claim("sine_motion.split", {integrand: split}, ["34"])
+    book.open(join("third_kind", CONSTANTS, functions, SINE, THIRD_KIND))
     book.claim("third_kind.phi1", {"D(phi1)": integrand}, ["19", "33"])
 
     amplitude = Part(

@@ -1,12 +1,13 @@
 """The rates in Jacobi's functions, for every order of the axes, both circulations and all signs.
 
-    Omega_a = sigma A_a dn,  Omega_b = chi A_b sn,  Omega_d = chi tau A_d cn,  of (u | m), u' = lambda
+    Omega_a = sigma A_a dn,    Omega_b = chi A_b sn,    Omega_d = chi tau A_d cn
 
-with 0 <= m <= 1 always.  The motion is described by the amplitudes B of the momentum, with
-B_b^2 = B_d^2 + m B_a^2, and by 1/c_a and 1/c_d = 1/c_a + rho Delta; the middle inertia follows.
-rho is the sign of c_a - c_d and tells the two circulations apart; tau = -rho epsilon sigma makes
-lambda positive, and chi = +-1 lets a motion start with |u| <= K(m).  m = 1 is the separatrix, m = 0 a symmetric body: neither is excluded, and neither
-needs a formula of its own.
+of (u | m) with u' = lambda and always 0 <= m <= 1.  The motion is described by the amplitudes B of
+the momentum, with B_b^2 = B_d^2 + m B_a^2, and by 1/c_a and 1/c_d = 1/c_a + rho Delta; the middle
+inertia follows.  rho is the sign of c_a - c_d and tells the two circulations apart; tau = -rho
+epsilon sigma makes lambda positive, and chi = +-1 lets a motion start with |u| <= K(m).  m = 1 is
+the separatrix, m = 0 a symmetric body: neither is excluded, and neither needs a formula of its
+own.
 """
 
 from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE

@@ -1,0 +1,37 @@
+"""A symbolic derivation and verification workbench for the exact free motion of a rigid body.
+
+Quaternions are scalar first, unit, body to inertial: q' = q (0, omega) / 2 with omega in body axes
+(rad/s), inertia in kg m^2 about principal axes, time in s.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rigidsym.codegen import Generated, generate
+    from rigidsym.errors import InputError
+    from rigidsym.motion import TorqueFreeMotion, propagate
+    from rigidsym.solution.polhode import Regime
+
+__version__ = "0.1.0"
+__all__ = ["Generated", "InputError", "Regime", "TorqueFreeMotion", "generate", "propagate"]
+
+# Imported at first use, so that `import rigidsym` and the command line's help cost nothing.
+_HOMES = {
+    "Generated": "rigidsym.codegen",
+    "InputError": "rigidsym.errors",
+    "Regime": "rigidsym.solution.polhode",
+    "TorqueFreeMotion": "rigidsym.motion",
+    "generate": "rigidsym.codegen",
+    "propagate": "rigidsym.motion",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'rigidsym' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

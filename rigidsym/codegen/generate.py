@@ -5,6 +5,7 @@ import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from rigidsym.codegen import emit_numpy
 from rigidsym.codegen.functions import functions
@@ -19,7 +20,7 @@ class Generated:
 
     files: Mapping[str, str]
     map: Mapping[str, list[dict]]
-    manifest: Mapping[str, object]
+    manifest: Mapping[str, Any]
 
     def texts(self) -> dict[str, str]:
         """Every file to write, the map among them."""

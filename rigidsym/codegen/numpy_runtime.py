@@ -14,6 +14,7 @@ from rigidsym.codegen.numpy_stubs import RESULTS, _excess, _plan, _state, _stead
 # Rates below this fraction of the largest one cannot change a state by an ulp, unless they decide
 # on which side of the separatrix a motion is: then the motion is refused.
 _NEGLIGIBLE = 2.0**-460
+_BLOCK = 8192
 
 
 def plan(inertia: Any, omega0: Any, attitude0: Any = (1.0, 0.0, 0.0, 0.0)) -> dict[str, Any]:
@@ -26,8 +27,8 @@ def plan(inertia: Any, omega0: Any, attitude0: Any = (1.0, 0.0, 0.0, 0.0)) -> di
     """
     inertia, omega0, attitude0 = (np.asarray(x, float) for x in (inertia, omega0, attitude0))
     _check(inertia, omega0, attitude0)
-    batch = np.broadcast_shapes(inertia.shape[:-1], omega0.shape[:-1], attitude0.shape[:-1])
-    c, unit_c = _scaled(np.broadcast_to(inertia, (*batch, 3)))
+    batch = _batch(inertia, omega0, attitude0)
+    c, _ = _scaled(np.broadcast_to(inertia, (*batch, 3)))
     omega, rate = _scaled(np.broadcast_to(omega0, (*batch, 3)))
     q, _ = _scaled(np.broadcast_to(attitude0, (*batch, 4)))
     q = q / np.sqrt(np.sum(q * q, axis=-1, keepdims=True))
@@ -54,6 +55,16 @@ def states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
     t = np.asarray(t, float)
     if t.ndim > 1 or not np.all(np.isfinite(t)):
         raise ValueError("t: times must be one finite number or a one-dimensional array of them")
+    pieces = -(-t.size * plan["rate"].size // _BLOCK)
+    if t.ndim and pieces > 1:
+        blocks = [_block(plan, part) for part in np.array_split(t, min(pieces, t.size))]
+        q, omega = (np.concatenate(parts, axis=-2) for parts in zip(*blocks, strict=True))
+        return q, omega
+    return _block(plan, t)
+
+
+def _block(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
+    """The states of one block of times, whose intermediate arrays fit the cache."""
     widened = {name: _widened(value, name, t.ndim) for name, value in plan.items()}
     t = t * widened["rate"]
     steady = widened["steady"]
@@ -82,6 +93,15 @@ def _check(inertia: Any, omega0: Any, attitude0: Any) -> None:
         raise ValueError("inertia: principal moments must be positive")
     if not np.all(np.any(attitude0 != 0, axis=-1)):
         raise ValueError("attitude0: a zero quaternion is no attitude")
+
+
+def _batch(inertia: Any, omega0: Any, attitude0: Any) -> tuple[int, ...]:
+    shapes = [x.shape[:-1] for x in (inertia, omega0, attitude0)]
+    try:
+        return np.broadcast_shapes(*shapes)
+    except ValueError:
+        rule = f"leading shapes {shapes[1]} and {shapes[2]} must broadcast with {shapes[0]}"
+        raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
 
 
 def _check_distance(lost: Any, axes: Any, omega: Any, excess: Any) -> None:

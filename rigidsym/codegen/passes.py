@@ -34,7 +34,9 @@ def select(
 
 def specialise(lets: Iterable[Let], values: Mapping[str, int]) -> tuple[Let, ...]:
     """Input: lets, and integers for some names.  Output: the lets with those put in and folded."""
-    constants = {Name(name): Number(value) for name, value in values.items()}
+    constants: dict[Expression, Expression] = {
+        Name(n): Number(value) for n, value in values.items()
+    }
     return tuple(
         Let(let.targets, _folded(let.expression, constants), let.source, let.facts) for let in lets
     )

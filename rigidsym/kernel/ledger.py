@@ -80,7 +80,7 @@ def replay(text: str) -> Ledger:
         for context in data["contexts"]:
             ledger.open(Context(**_frozen(context)))
         for fact in data["facts"]:
-            ledger.add(Fact(**_frozen(fact) | {"grade": Grade(fact["grade"])}))
+            ledger.add(Fact(**_frozen({**fact, "grade": Grade(fact["grade"])})))
         ledger.published = data["published"]
     except KernelError:
         raise

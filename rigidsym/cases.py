@@ -1,0 +1,79 @@
+"""Case files: one motion and the times at which it is wanted, as TOML."""
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from rigidsym import inputs
+from rigidsym.errors import InputError
+from rigidsym.motion import IDENTITY, TorqueFreeMotion
+
+PAPER = "paper.toml"
+_KEYS = {"inertia", "omega0", "attitude0", "times"}
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A motion and its times, both exact."""
+
+    motion: TorqueFreeMotion
+    times: tuple[Fraction, ...]
+
+
+def paper_case() -> Case:
+    """The paper's spacecraft, as it ships with the package."""
+    return parse_case(resources.files("rigidsym").joinpath(PAPER).read_text("utf-8"))
+
+
+def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
+    """Read a case file; raises InputError with one line about the first thing that is wrong."""
+    try:
+        text = Path(path).read_text("utf-8")
+    except OSError as error:
+        raise InputError("case", path, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError("case", path, "is not UTF-8 text") from None
+    return parse_case(text, allow_nonphysical)
+
+
+def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
+    """A case from TOML text; numbers may be floats or strings, strings being exact decimals."""
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError("case", "the file", f"is not TOML: {error}") from None
+    for key in data:
+        if key not in _KEYS:
+            raise InputError("case", key, f"is not one of: {', '.join(sorted(_KEYS))}")
+    for key in ("inertia", "omega0", "times"):
+        if key not in data:
+            raise InputError(key, "missing", "a case needs it")
+    motion = TorqueFreeMotion(
+        data["inertia"],
+        data["omega0"],
+        data.get("attitude0", IDENTITY),
+        allow_nonphysical=allow_nonphysical,
+    )
+    return Case(motion, _times(data["times"]))
+
+
+def _times(value: Any) -> tuple[Fraction, ...]:
+    if isinstance(value, Mapping):
+        return _grid(value)
+    return inputs.times(inputs.sequence("times", value))[0]
+
+
+def _grid(table: Mapping[str, Any]) -> tuple[Fraction, ...]:
+    """count times from start to stop, both included."""
+    if set(table) != {"start", "stop", "count"}:
+        raise InputError("times", sorted(table), "a table of times has start, stop and count")
+    start, stop = (inputs.exact(f"times.{key}", table[key]) for key in ("start", "stop"))
+    count = table["count"]
+    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+        raise InputError("times.count", repr(count), "must be a whole number, at least 1")
+    step = (stop - start) / max(count - 1, 1)
+    return tuple(start + k * step for k in range(count))

@@ -1,0 +1,323 @@
+"""The `rigidsym` command: parses, calls, prints.  Heavy modules are imported by the commands.
+
+Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad input or usage.
+"""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NoReturn
+
+from rigidsym.errors import InputError
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: {message}\n")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; returns the exit status."""
+    options = _parser().parse_args(arguments)
+    try:
+        status = options.run(options)
+        sys.stdout.flush()
+        return status
+    except InputError as error:
+        print(f"rigidsym {options.command}: {error}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:  # the reader went away, as `head` does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except KeyboardInterrupt:
+        print(f"rigidsym {options.command}: interrupted", file=sys.stderr)
+        return 130
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="rigidsym", description="Exact torque-free motion of a rigid body.")
+    parser.add_argument("--version", action="version", version=f"%(prog)s {_version()}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    def command(name: str, run: Callable[[Any], int], summary: str) -> argparse.ArgumentParser:
+        added = commands.add_parser(name, help=summary, description=summary)
+        added.set_defaults(run=run)
+        return added
+
+    reproduce = command("reproduce", _reproduce, "derive, check, generate, validate and report")
+    reproduce.add_argument("-o", "--output", metavar="DIR", default="reproduce", type=Path)
+
+    derive = command("derive", _derive, "prove the claims and write the ledger")
+    derive.add_argument("chapters", metavar="CHAPTER", nargs="*", help="all, unless some are named")
+    derive.add_argument("-o", "--output", metavar="LEDGER", type=Path)
+    derive.add_argument("--json", action="store_true")
+
+    check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
+    check.add_argument("ledger", metavar="LEDGER", nargs="?", type=Path)
+
+    errata = command("errata", _errata, "the verdict on each printed equation")
+    errata.add_argument("--json", action="store_true")
+
+    codegen = command("codegen", _codegen, "write a numeric module")
+    codegen.add_argument("target", metavar="TARGET", help="numpy")
+    codegen.add_argument("-o", "--output", metavar="DIR", type=Path)
+    codegen.add_argument("--check", action="store_true", help="compare with what is there")
+    codegen.add_argument("--stdout", action="store_true", help="print the module")
+
+    trace = command("trace", _trace, "a generated line's equations; an equation's generated lines")
+    trace.add_argument("place", metavar="FILE:LINE", nargs="?")
+    trace.add_argument("--equation", metavar="NUMBER")
+
+    validate = command("validate", _validate, "measure generated modules against the derivation")
+    validate.add_argument("targets", metavar="TARGET", nargs="*", default=["numpy"])
+    validate.add_argument("--cases", metavar="N", type=_positive, help="samples of each stratum")
+    validate.add_argument("--digits", metavar="D", type=_positive, help="digits of the oracle")
+    validate.add_argument("--seed", metavar="S", type=int)
+    validate.add_argument("-o", "--output", metavar="DIR", type=Path)
+    validate.add_argument("--json", action="store_true")
+
+    propagate = command("propagate", _propagate, "states of one motion")
+    propagate.add_argument("case", metavar="CASE.toml", help="a case file, or `paper`")
+    propagate.add_argument("--digits", metavar="D", type=_positive, help="by mpmath")
+    propagate.add_argument("--format", choices=("csv", "json", "npz"), default="csv")
+    propagate.add_argument("-o", "--output", metavar="FILE", type=Path)
+    propagate.add_argument("--allow-nonphysical", action="store_true")
+    return parser
+
+
+def _version() -> str:
+    import rigidsym
+
+    return rigidsym.__version__
+
+
+def _positive(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} must be a whole number, at least 1")
+    return int(text)
+
+
+def _progress(label: str) -> Callable[[int, int], None]:
+    """A progress bar on a terminal, silence elsewhere; called with what is done and the total."""
+    if not sys.stderr.isatty():
+        return lambda done, total: None
+
+    def show(done: int, total: int) -> None:
+        filled = 30 * done // total
+        end = "\r\x1b[K" if done == total else ""
+        print(
+            f"\r{label} [{'#' * filled}{'.' * (30 - filled)}] {done}/{total}",
+            end=end,
+            file=sys.stderr,
+            flush=True,
+        )
+
+    return show
+
+
+def _table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(title=title, title_justify="left")
+    for column in columns:
+        table.add_column(column)
+    for row in rows:
+        table.add_row(*map(Text, row))
+    Console(width=None if sys.stdout.isatty() else 120).print(table)
+
+
+def _say(message: str) -> None:
+    print(message, file=sys.stderr)
+
+
+def _reproduce(options: Any) -> int:
+    from rigidsym.derive import DerivationError
+    from rigidsym.reproduce import reproduce
+
+    rows: list[tuple[str, str, str, str]] = []
+
+    def say(stage: str, found: str, seconds: float, passed: bool) -> None:
+        _say(f"{stage}: {found} ({seconds:.1f} s)")
+        rows.append((stage, found, f"{seconds:.1f} s", "ok" if passed else "FAILED"))
+
+    try:
+        result = reproduce(options.output, say)
+    except DerivationError as error:
+        _say(f"rigidsym reproduce: {error}")
+        return 1
+    _table("rigidsym reproduce", ("stage", "result", "time", ""), rows)
+    print(f"report: {options.output / 'report.md'}")
+    return 0 if result.passed else 1
+
+
+def _derive(options: Any) -> int:
+    from rigidsym.derive import DerivationError, derive, sealed_path
+    from rigidsym.files import write_text
+
+    try:
+        derivation = derive(options.chapters, _progress("derive"))
+    except DerivationError as error:
+        _say(f"rigidsym derive: {error}")
+        return 1
+    if options.chapters and options.output is None:
+        _say("the ledger is sealed by all chapters together: not written")
+    else:
+        _say(f"ledger: {write_text(options.output or sealed_path(), derivation.ledger)}")
+    if options.json:
+        print(derivation.to_json(), end="")
+    else:
+        rows = [
+            (chapter.name, chapter.title, str(len(chapter.facts)), f"{chapter.seconds:.2f} s")
+            for chapter in derivation.chapters
+        ]
+        _table("rigidsym derive", ("chapter", "", "facts", "time"), rows)
+    return 0
+
+
+def _check(options: Any) -> int:
+    from rigidsym.kernel import KernelError, replay
+
+    try:
+        ledger = replay(_ledger_text(options.ledger))
+    except KernelError as error:
+        _say(f"rigidsym check: refused: {error}")
+        return 1
+    print(f"{len(ledger.facts)} facts in {len(ledger.contexts)} contexts: accepted")
+    return 0
+
+
+def _ledger_text(path: Path | None) -> str:
+    from rigidsym.solution import LedgerError, ledger_text
+
+    try:
+        return ledger_text() if path is None else path.read_text("utf-8")
+    except (OSError, UnicodeDecodeError, LedgerError) as error:
+        raise InputError("ledger", path or "sealed", f"cannot be read: {error}") from None
+
+
+def _errata(options: Any) -> int:
+    import json
+
+    from rigidsym.paper import verdicts
+
+    ruled = verdicts(json.loads(_ledger_text(None)))
+    if options.json:
+        data = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
+        print(json.dumps(data, indent=1))
+        return 0
+    rows = [
+        (
+            f"({v.equation.number})",
+            " ".join((v.ruling, ", ".join(v.conditions))).strip(),
+            v.equation.repair or v.equation.reading,
+            ", ".join(f"{k} = {x}" for k, x in (v.counterexample or {}).items()),
+        )
+        for v in ruled
+    ]
+    _table(
+        "rigidsym errata",
+        ("equation", "verdict", "repair, or how it is read", "counterexample"),
+        rows,
+    )
+    return 0
+
+
+def _codegen(options: Any) -> int:
+    from rigidsym.codegen import generate
+
+    generated = generate(options.target)
+    if options.stdout:
+        print("".join(generated.files.values()), end="")
+        return 0
+    directory = options.output or _generated_directory()
+    if options.check:
+        return _differences(generated.texts(), directory)
+    for path in generated.write(directory):
+        _say(f"wrote {path}")
+    return 0
+
+
+def _generated_directory() -> Path:
+    import rigidsym.generated
+
+    return Path(rigidsym.generated.__path__[0])
+
+
+def _differences(texts: dict[str, str], directory: Path) -> int:
+    """Print a diff against the files that are there; 1 where there is one."""
+    from difflib import unified_diff
+
+    status = 0
+    for name, text in texts.items():
+        path = directory / name
+        there = path.read_text("utf-8") if path.is_file() else ""
+        if there != text:
+            status = 1
+            lines = unified_diff(there.splitlines(True), text.splitlines(True), str(path), "new")
+            sys.stdout.writelines(lines)
+    print("differs" if status else "current", file=sys.stderr)
+    return status
+
+
+def _trace(options: Any) -> int:
+    from rigidsym.trace import lines_of_equation, origin_of_line
+
+    if (options.place is None) == (options.equation is None):
+        raise InputError("trace", options.place, "takes either FILE:LINE or --equation NUMBER")
+    found = (
+        lines_of_equation(options.equation)
+        if options.place is None
+        else origin_of_line(options.place)
+    )
+    for line in found:
+        print(line)
+    if not found:
+        _say(f"rigidsym trace: nothing for {options.place or options.equation}")
+    return 0 if found else 1
+
+
+def _validate(options: Any) -> int:
+    from rigidsym.codegen import TARGETS
+    from rigidsym.files import write_text
+    from rigidsym.validate import validate
+
+    for target in options.targets:
+        if target not in TARGETS:
+            raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+    chosen = {name: getattr(options, name) for name in ("cases", "digits", "seed")}
+    given = {name: value for name, value in chosen.items() if value is not None}
+    status = 0
+    for target in dict.fromkeys(options.targets):
+        report = validate(target, progress=_progress(f"validate {target}"), **given)
+        print(report.to_json() if options.json else report.to_markdown(), end="")
+        if options.output:
+            write_text(options.output / f"validation-{target}.json", report.to_json())
+            write_text(options.output / f"validation-{target}.md", report.to_markdown())
+        status |= not report.passed
+    return int(status)
+
+
+def _propagate(options: Any) -> int:
+    from rigidsym.cases import load_case, paper_case
+    from rigidsym.files import write_bytes
+    from rigidsym.states import FORMATS, rows
+
+    if options.format == "npz" and (options.output is None or options.digits):
+        rule = "holds doubles and goes to a file: give -o FILE and no --digits"
+        raise InputError("format", "npz", rule)
+    if options.case == "paper":
+        case = paper_case()
+    else:
+        case = load_case(options.case, options.allow_nonphysical)
+    data = FORMATS[options.format](rows(case, options.digits))
+    if options.output:
+        write_bytes(options.output, data)
+    else:
+        sys.stdout.write(data.decode())
+    return 0

@@ -1,0 +1,1 @@
+"""The generated numeric modules; `rigidsym codegen TARGET --check` proves them current."""

@@ -1,0 +1,109 @@
+"""Numbers as users give them, turned into exact rationals, with one clear line when they are wrong.
+
+Floats mean the exact binary64 value; strings ("0.0109", "1/3", "0x1.8p+1"), Fraction, Decimal and
+mpf mean exactly what they say.
+"""
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Rational, Real
+from typing import Any
+
+from rigidsym.errors import InputError
+
+_HEX = re.compile(r"[+-]?0[xX]")
+# Room for the rounding of c1 + c2 when all three are doubles.
+_ROUNDING = Fraction(1, 2**50)
+_LARGEST_EXPONENT = 10_000
+
+
+def exact(field: str, value: Any) -> Fraction:
+    """The exact rational a number stands for; raises InputError unless it is finite and real."""
+    if isinstance(value, str):
+        return _exact_text(field, value)
+    if isinstance(value, bool):
+        raise InputError(field, value, "must be a number")
+    if isinstance(value, Rational):
+        return Fraction(value)
+    if isinstance(value, Real | Decimal):
+        if not math.isfinite(value):
+            raise InputError(field, value, "must be finite")
+        return Fraction(*value.as_integer_ratio())  # type: ignore[union-attr]
+    mantissa = getattr(value, "_mpf_", None)
+    if mantissa is not None:
+        sign, man, exponent, _ = mantissa
+        if not man and exponent:
+            raise InputError(field, value, "must be finite")
+        return (-1) ** sign * Fraction(int(man)) * Fraction(2) ** int(exponent)
+    raise InputError(field, repr(value), "must be a number")
+
+
+def _exact_text(field: str, text: str) -> Fraction:
+    exponent = re.search(r"[eE]([+-]?\d+)\s*$", text)
+    if exponent and not _HEX.match(text) and abs(int(exponent[1])) > _LARGEST_EXPONENT:
+        raise InputError(field, repr(text), f"exponents go up to {_LARGEST_EXPONENT}")
+    try:
+        if _HEX.match(text.strip()):
+            return Fraction(float.fromhex(text))
+        return Fraction(text)
+    except (ValueError, OverflowError, ZeroDivisionError):
+        raise InputError(field, repr(text), "must be a finite decimal number") from None
+
+
+def vector(field: str, values: Any, length: int) -> tuple[Fraction, ...]:
+    """A vector of exact rationals; raises InputError for a wrong length or number."""
+    items = sequence(field, values)
+    if len(items) != length:
+        raise InputError(field, values, f"must have {length} numbers, not {len(items)}")
+    return tuple(exact(f"{field}[{k}]", item) for k, item in enumerate(items))
+
+
+def sequence(field: str, values: Any) -> Sequence[Any]:
+    """The items of a list, tuple or one-dimensional array; raises InputError for anything else."""
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InputError(field, repr(values), "must be a list of numbers")
+    return list(values)
+
+
+def inertia(values: Any, allow_nonphysical: bool = False) -> tuple[Fraction, ...]:
+    """Three principal moments of a body that can exist, or of any positive ones if so allowed."""
+    moments = vector("inertia", values, 3)
+    given = sequence("inertia", values)
+    for k, moment in enumerate(moments):
+        if moment <= 0:
+            raise InputError(f"inertia[{k}]", given[k], "principal moments must be positive")
+    low, middle, high = sorted(moments)
+    if not allow_nonphysical and low + middle < high * (1 - _ROUNDING):
+        rule = (
+            "no body has a principal moment larger than the sum of the other two "
+            "(allow_nonphysical=True or --allow-nonphysical lets it pass)"
+        )
+        raise InputError("inertia", [str(x) for x in given], rule)
+    return moments
+
+
+def attitude(values: Any) -> tuple[Fraction, ...]:
+    """A quaternion of any length but zero, scalar first."""
+    quaternion = vector("attitude0", values, 4)
+    if not any(quaternion):
+        raise InputError("attitude0", [str(x) for x in quaternion], "must not be zero")
+    return quaternion
+
+
+def times(values: Any) -> tuple[tuple[Fraction, ...], bool]:
+    """Times exactly, and whether one number was given rather than a list."""
+    if isinstance(values, str | Real | Decimal) or hasattr(values, "_mpf_"):
+        return (exact("t", values),), True
+    if getattr(values, "ndim", 1) == 0:
+        return (exact("t", values.item()),), True
+    return tuple(exact(f"t[{k}]", x) for k, x in enumerate(sequence("t", values))), False
+
+
+def digits(value: Any) -> int:
+    """A number of significant digits."""
+    if isinstance(value, bool) or not isinstance(value, int) or value < 1:
+        raise InputError("digits", repr(value), "must be a whole number, at least 1")
+    return value

@@ -1,0 +1,156 @@
+"""Torque-free motion of a rigid body: the public class, on the generated NumPy module."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rigidsym import inputs
+from rigidsym.errors import InputError
+from rigidsym.generated import torque_free
+
+if TYPE_CHECKING:
+    from rigidsym.precise import PreciseMotion
+    from rigidsym.solution.polhode import Regime
+
+IDENTITY = (1, 0, 0, 0)
+
+
+class TorqueFreeMotion:
+    """The motion of a free rigid body from its state at t = 0.
+
+    inertia: three principal moments in kg m^2, positive, none larger than the sum of the other
+    two unless `allow_nonphysical`.  omega0: body rates in rad/s.  attitude0: quaternion, scalar
+    first, body to inertial, normalised here.  Numbers may be floats (exact binary64 values) or
+    strings, Fraction, Decimal and mpf, which `precise` takes exactly.  Raises InputError.
+
+    >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
+    >>> q, omega = motion(180.0)
+    >>> q.shape, omega.shape
+    ((4,), (3,))
+    >>> print(motion.regime)
+    circulation about the axis of smallest inertia
+    """
+
+    def __init__(
+        self,
+        inertia: Any,
+        omega0: Any,
+        attitude0: Any = IDENTITY,
+        *,
+        allow_nonphysical: bool = False,
+    ) -> None:
+        self.inertia = inputs.inertia(inertia, allow_nonphysical)
+        self.omega0 = inputs.vector("omega0", omega0, 3)
+        self.attitude0 = inputs.attitude(attitude0)
+
+    def __repr__(self) -> str:
+        fields = ("inertia", "omega0", "attitude0")
+        inside = ", ".join(f"{name}={_floats(name, getattr(self, name))}" for name in fields)
+        return f"TorqueFreeMotion({inside})"
+
+    def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Attitude and body rates at t (s): (4,), (3,) for a number, (N, 4), (N, 3) for N of them.
+
+        Raises InputError for times that are not finite or not at most one-dimensional, and for
+        motions nearer to the separatrix than binary64 can follow (`precise` follows them).
+        """
+        return torque_free.states(self._plan, _times(t))
+
+    @cached_property
+    def _plan(self) -> dict[str, Any]:
+        state = [_floats(name, getattr(self, name)) for name in ("inertia", "omega0", "attitude0")]
+        try:
+            return torque_free.plan(*state)
+        except ValueError as error:
+            field, rule = str(error).split(": ", 1)
+            raise InputError(field, _floats(field, getattr(self, field)), rule) from None
+
+    @property
+    def regime(self) -> "Regime":
+        """The kind of motion, decided exactly from the numbers given."""
+        return self._precise.polhode.regime
+
+    @cached_property
+    def _precise(self) -> "PreciseMotion":
+        from rigidsym.precise import PreciseMotion
+
+        return PreciseMotion(self.inertia, self.omega0, self.attitude0)
+
+    def precise(self, t: Any, digits: int = 50) -> tuple[np.ndarray, np.ndarray]:
+        """Like a call, as object arrays of mpmath numbers with `digits` significant digits.
+
+        Times are taken exactly, as the other inputs are.  Two evaluations at different working
+        precision have to agree; raises PrecisionError where they do not, InputError for bad input.
+        """
+        times, single = inputs.times(t)
+        states = list(self._precise.states(times, inputs.digits(digits)))
+        q = np.array([state[0] for state in states], dtype=object).reshape(-1, 4)
+        omega = np.array([state[1] for state in states], dtype=object).reshape(-1, 3)
+        return (q[0], omega[0]) if single else (q, omega)
+
+    def rotation(self, t: Any) -> Any:
+        """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
+        try:
+            from scipy.spatial.transform import Rotation
+        except ImportError:
+            raise ImportError("rotation needs SciPy: pip install 'rigidsym[app]'") from None
+        return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
+
+
+def propagate(
+    inertia: Any,
+    omega0: Any,
+    t: Any,
+    attitude0: Any = IDENTITY,
+    *,
+    allow_nonphysical: bool = False,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
+
+    Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  Units,
+    conventions and errors are those of `TorqueFreeMotion`.
+    """
+    arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
+    checked = {name: _array(name, value) for name, value in arrays.items()}
+    if not allow_nonphysical:
+        _check_triangle(checked["inertia"])
+    try:
+        plan = torque_free.plan(*checked.values())
+    except ValueError as error:
+        field, rule = str(error).split(": ", 1)
+        shapes = ", ".join(str(array.shape) for array in checked.values())
+        value = checked[field].tolist() if field in checked else f"arrays of shapes {shapes}"
+        raise InputError(field, value, rule) from None
+    return torque_free.states(plan, _times(t))
+
+
+def _array(name: str, value: Any) -> np.ndarray:
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise InputError(name, repr(value), "must be an array of numbers") from None
+
+
+def _check_triangle(inertia: np.ndarray) -> None:
+    if inertia.ndim and inertia.shape[-1] == 3 and np.all(inertia > 0):
+        for row in inertia.reshape(-1, 3)[
+            2 * inertia.reshape(-1, 3).max(-1) > inertia.sum(-1).ravel()
+        ]:
+            inputs.inertia(row.tolist())
+
+
+def _times(t: Any) -> np.ndarray:
+    times = _array("t", t)
+    if times.ndim > 1:
+        raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")
+    for k in np.flatnonzero(~np.isfinite(times)):
+        raise InputError(f"t[{k}]" if times.ndim else "t", times.flat[k], "must be finite")
+    return times
+
+
+def _floats(name: str, values: tuple[Any, ...]) -> list[float]:
+    try:
+        return [float(value) for value in values]
+    except OverflowError:
+        raise InputError(name, list(map(str, values)), "is too large for binary64") from None

@@ -1,0 +1,85 @@
+"""The verdict on each printed equation, computed from the facts of a ledger."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from rigidsym.paper.equations import EQUATIONS, Equation
+
+# What the paper assumes throughout: a body with inertia that moves.
+STANDING = {"c1", "c2", "c3", "K"}
+# Contexts whose units are positive in every motion: K + sigma M_a never falls below K.
+_UNCONDITIONAL = {"attitude"}
+
+
+class Ruling(StrEnum):
+    """What a verdict can be."""
+
+    HOLDS = "holds"
+    CONDITIONAL = "holds if"
+    MISPRINT = "misprint"
+    OPEN = "open"
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """The ruling on one equation, with the conditions and the counterexample that belong to it."""
+
+    equation: Equation
+    ruling: Ruling
+    conditions: tuple[str, ...] = ()
+    counterexample: Mapping[str, str] | None = None
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for programs."""
+        return {
+            "equation": self.equation.number,
+            "latex": self.equation.latex,
+            "reading": self.equation.reading,
+            "verdict": self.ruling.value,
+            "conditions": list(self.conditions),
+            "repair": self.equation.repair,
+            "counterexample": self.counterexample,
+            "proved_by": list(self.equation.proved_by),
+            "refuted_by": list(self.equation.refuted_by),
+        }
+
+
+def verdicts(ledger: Mapping[str, Any]) -> list[Verdict]:
+    """A verdict for every printed equation, from a ledger as it stands in JSON."""
+    facts = {fact["id"]: fact for fact in ledger["facts"]}
+    contexts = {context["name"]: context for context in ledger["contexts"]}
+    return [_verdict(equation, facts, contexts) for equation in EQUATIONS]
+
+
+def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Verdict:
+    if not equation.proved_by or not _proved(equation.proved_by, facts, ("equal", "root")):
+        return Verdict(equation, Ruling.OPEN)
+    point = None
+    if equation.refuted_by:
+        if not _proved(equation.refuted_by, facts, ("unequal",)):
+            return Verdict(equation, Ruling.OPEN)
+        point = facts[equation.refuted_by[0]]["certificate"]["point"]
+        if equation.repair:
+            return Verdict(equation, Ruling.MISPRINT, (), point)
+    conditions = _conditions(equation, facts, contexts)
+    ruling = Ruling.CONDITIONAL if conditions else Ruling.HOLDS
+    return Verdict(equation, ruling, conditions, point)
+
+
+def _proved(ids: Sequence[str], facts: Mapping[str, Any], kinds: Sequence[str]) -> bool:
+    return all(
+        name in facts and facts[name]["grade"] == "PROVED" and facts[name]["kind"] in kinds
+        for name in ids
+    )
+
+
+def _conditions(
+    equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]
+) -> tuple[str, ...]:
+    """What has to be nonzero beyond the standing assumptions, and the stated condition."""
+    named = {facts[name]["context"] for name in equation.proved_by} - _UNCONDITIONAL
+    units = dict.fromkeys(unit for name in sorted(named) for unit in contexts[name]["units"])
+    found = [f"{unit} != 0" for unit in units if unit not in STANDING]
+    return tuple(([equation.condition] if equation.condition else []) + found)

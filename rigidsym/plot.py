@@ -1,0 +1,86 @@
+"""Line plots as SVG text: no dependency, and the same bytes everywhere.
+
+Kept to what a report needs; notebooks and anything richer use matplotlib (extra `lab`).
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 250, 70, 90, 28, 42
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """Lines over common abscissae, with a title and axis labels in units."""
+
+    title: str
+    x_label: str
+    y_label: str
+    x: Sequence[float]
+    lines: dict[str, Sequence[float]]
+
+
+def svg(panels: Sequence[Panel]) -> str:
+    """Panels under each other, as one SVG document."""
+    height = HEIGHT * len(panels)
+    body = [_panel(panel, k * HEIGHT) for k, panel in enumerate(panels)]
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {height}" '
+        f'width="{WIDTH}" height="{height}" font-family="sans-serif" font-size="12">'
+    )
+    background = f'<rect width="{WIDTH}" height="{height}" fill="white"/>'
+    return "\n".join([head, background, *body, "</svg>", ""])
+
+
+def _panel(panel: Panel, offset: int) -> str:
+    values = [y for line in panel.lines.values() for y in line]
+    x_ticks, y_ticks = _ticks(min(panel.x), max(panel.x)), _ticks(min(values), max(values))
+    x_of = _scale(x_ticks, LEFT, WIDTH - RIGHT)
+    y_of = _scale(y_ticks, offset + HEIGHT - BOTTOM, offset + TOP)
+    parts = [_text((LEFT + WIDTH - RIGHT) / 2, offset + 18, panel.title, "middle")]
+    for tick in x_ticks:
+        parts.append(_line(x_of(tick), y_of(y_ticks[0]), x_of(tick), y_of(y_ticks[-1])))
+        parts.append(_text(x_of(tick), offset + HEIGHT - BOTTOM + 16, f"{tick:g}", "middle"))
+    for tick in y_ticks:
+        parts.append(_line(LEFT, y_of(tick), WIDTH - RIGHT, y_of(tick)))
+        parts.append(_text(LEFT - 6, y_of(tick) + 4, f"{tick:g}", "end"))
+    parts.append(_text((LEFT + WIDTH - RIGHT) / 2, offset + HEIGHT - 8, panel.x_label, "middle"))
+    middle = offset + (TOP + HEIGHT - BOTTOM) / 2
+    turned = f' transform="rotate(-90 16 {middle:.1f})"'
+    parts.append(_text(16, middle, panel.y_label, "middle", turned))
+    for k, (name, line) in enumerate(panel.lines.items()):
+        points = " ".join(
+            f"{x_of(x):.2f},{y_of(y):.2f}" for x, y in zip(panel.x, line, strict=True)
+        )
+        colour = COLOURS[k % len(COLOURS)]
+        parts.append(
+            f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
+        )
+        label = _text(WIDTH - RIGHT + 10, offset + TOP + 16 + 18 * k, name, "start")
+        parts.append(label.replace("<text", f'<text fill="{colour}"'))
+    return "\n".join(parts)
+
+
+def _scale(ticks: Sequence[float], first: float, last: float):
+    span = ticks[-1] - ticks[0]
+    return lambda value: first + (value - ticks[0]) / span * (last - first)
+
+
+def _ticks(low: float, high: float) -> list[float]:
+    """About six round numbers that cover low to high."""
+    span = (high - low) or abs(high) or 1.0
+    raw = span / 5
+    power = 10.0 ** math.floor(math.log10(raw))
+    step = next(power * k for k in (1, 2, 5, 10) if power * k >= raw * (1 - 1e-9))
+    first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
+    return [k * step for k in range(first, max(last, first + 1) + 1)]
+
+
+def _line(x1: float, y1: float, x2: float, y2: float) -> str:
+    return f'<line x1="{x1:.2f}" y1="{y1:.2f}" x2="{x2:.2f}" y2="{y2:.2f}" stroke="#ddd"/>'
+
+
+def _text(x: float, y: float, text: str, anchor: str, extra: str = "") -> str:
+    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}"{extra}>{text}</text>'
