@@ -18,7 +18,7 @@ ULP = 2.0**-53
 class Measurement:
     """The worst errors of one sample, in units of 2^-53, and the largest part of the bound used.
 
-    angle: rotation angle error with the sign of q; omega: |difference| / |omega|; norm of q minus 1;
+    angle: rotation angle error with the sign of q; omega: |difference| / |omega|; norm: of q;
     energy and momentum: relative drift of H and K^2.  share: angle or omega over `bound`.
     """
 
