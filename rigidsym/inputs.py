@@ -26,19 +26,22 @@ def exact(field: str, value: Any) -> Fraction:
         return _exact_text(field, value)
     if isinstance(value, bool):
         raise InputError(field, value, "must be a number")
+    if hasattr(value, "_mpf_"):
+        return _exact_mpf(field, value)
     if isinstance(value, Rational):
         return Fraction(value)
     if isinstance(value, Real | Decimal):
         if not math.isfinite(value):
             raise InputError(field, value, "must be finite")
         return Fraction(*value.as_integer_ratio())  # type: ignore[union-attr]
-    mantissa = getattr(value, "_mpf_", None)
-    if mantissa is not None:
-        sign, man, exponent, _ = mantissa
-        if not man and exponent:
-            raise InputError(field, value, "must be finite")
-        return (-1) ** sign * Fraction(int(man)) * Fraction(2) ** int(exponent)
     raise InputError(field, repr(value), "must be a number")
+
+
+def _exact_mpf(field: str, value: Any) -> Fraction:
+    sign, mantissa, exponent, _ = value._mpf_
+    if not mantissa and exponent:  # mpmath's way to write nan and the infinities
+        raise InputError(field, value, "must be finite")
+    return (-1) ** sign * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def _exact_text(field: str, text: str) -> Fraction:

@@ -98,7 +98,7 @@ class Ring:
             if rest and rest.is_ground:
                 above = Element(self, self.poly(1 / rest.LC), (0,) * len(powers))
                 return Element(self, above.over(element.powers), tuple(powers))
-        raise KernelError(f"1/({element}): not a product of the declared units")
+        raise KernelError(f"1/({element!s:.120}): not a product of the declared units")
 
     def reduce(self, polynomial: Any) -> tuple[list[Any], Any]:
         """Cofactors and remainder of division by the relations; remainder 0 proves membership."""

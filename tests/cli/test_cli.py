@@ -1,0 +1,317 @@
+"""The `rigidsym` command: what it prints, what it leaves behind, and how it says no."""
+
+import csv
+import json
+import os
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rigidsym
+from rigidsym.cases import paper_case
+from rigidsym.cli import main
+
+CASE = """
+inertia = ["0.0109", "0.04", "0.0506"]
+omega0 = [0.05, 0.03, -0.02]
+times = [0, "0.5", 180.0]
+"""
+
+
+def run(*arguments, **environment):
+    return subprocess.run(
+        [sys.executable, "-m", "rigidsym", *map(str, arguments)],
+        capture_output=True, text=True, check=False, env={**os.environ, **environment},
+    )  # fmt: skip
+
+
+@pytest.fixture
+def case(tmp_path):
+    path = tmp_path / "case.toml"
+    path.write_text(CASE)
+    return path
+
+
+def test_help_is_cheap():
+    code = (
+        "import sys\nfrom rigidsym.cli import main\n"
+        "try: main(['--help'])\nexcept SystemExit: pass\n"
+        "print(*{'sympy', 'numpy', 'mpmath', 'rich'} & set(sys.modules))"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.rstrip().endswith("bad input") or found.stdout.endswith("\n\n")
+    for command in ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate"):
+        assert command in found.stdout
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate"],
+)
+def test_every_command_explains_itself(command, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main([command, "--help"])
+    assert stop.value.code == 0
+    assert "usage: rigidsym " + command in capsys.readouterr().out
+
+
+def test_reproduce_writes_the_same_bytes_twice(tmp_path):
+    """The main job, whole, under two hash seeds."""
+    first, second = tmp_path / "first", tmp_path / "second"
+    for directory, seed in ((first, "1"), (second, "2")):
+        found = run("reproduce", "-o", directory, PYTHONHASHSEED=seed)
+        assert found.returncode == 0, found.stderr
+        for stage in ("derive", "check", "codegen", "validate"):
+            assert stage in found.stdout
+    names = sorted(path.name for path in first.iterdir())
+    assert names == ["ledger.json", "motion.svg", "numpy.map.json", "report.md", "torque_free.py",
+                     "validation.json", "validation.md"]  # fmt: skip
+    for name in names:
+        assert (first / name).read_bytes() == (second / name).read_bytes(), name
+        assert str(tmp_path) not in (first / name).read_text()
+    assert ET.parse(first / "motion.svg").getroot().tag.endswith("svg")
+    sealed = Path(rigidsym.__path__[0]).parent / "derivations" / "ledger.json"
+    assert (first / "ledger.json").read_bytes() == sealed.read_bytes()
+
+
+def test_derive_some_chapters_reports_them_and_writes_nothing(capsys):
+    assert main(["derive", "euler_lax", "--json"]) == 0
+    captured = capsys.readouterr()
+    data = json.loads(captured.out)
+    assert [chapter["chapter"] for chapter in data["chapters"]] == ["euler_lax"]
+    assert any(fact["source"] == ["6", "15"] for fact in data["chapters"][0]["facts"])
+    assert "not written" in captured.err
+
+
+def test_a_failing_claim_exits_1_and_leaves_the_ledger(monkeypatch, tmp_path, capsys):
+    from derivations import euler_lax
+
+    ledger = tmp_path / "ledger.json"
+    ledger.write_text("old")
+    monkeypatch.setitem(euler_lax.BODY.rates, "Omega1", "delta1*Omega2*Omega3/2")
+    assert main(["derive", "-o", str(ledger)]) == 1
+    error = capsys.readouterr().err
+    assert "chapter euler_lax: fact body." in error
+    assert "Traceback" not in error
+    assert ledger.read_text() == "old"
+
+
+def test_a_chapter_that_raises_is_one_line(monkeypatch, capsys):
+    from derivations import conjugacy
+
+    monkeypatch.setattr(conjugacy, "derive", lambda book: 1 / 0)
+    assert main(["derive", "conjugacy"]) == 1
+    assert "chapter conjugacy: ZeroDivisionError" in capsys.readouterr().err.splitlines()[-1]
+
+
+def test_check_accepts_the_sealed_ledger_and_refuses_a_changed_one(tmp_path, capsys):
+    sealed = Path(rigidsym.__path__[0]).parent / "derivations" / "ledger.json"
+    assert main(["check", str(sealed)]) == 0
+    assert "accepted" in capsys.readouterr().out
+    changed = tmp_path / "ledger.json"
+    data = json.loads(sealed.read_text())
+    (fact,) = (fact for fact in data["facts"] if fact["id"] == "regular.E_a")
+    fact["rhs"] = [fact["rhs"][0].replace("c_a - c_b", "c_a + c_b")]
+    changed.write_text(json.dumps(data))
+    assert main(["check", str(changed)]) == 1
+    assert "refused: fact regular.E_a" in capsys.readouterr().err
+
+
+def test_errata_tells_the_misprint_in_35(capsys):
+    assert main(["errata", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    verdicts = {entry["equation"]: entry for entry in data["equations"]}
+    assert verdicts["6"]["verdict"] == "holds"
+    assert verdicts["9"]["conditions"] == ["R(0) = e"]
+    assert verdicts["35"]["verdict"] == "misprint"
+    assert verdicts["35"]["counterexample"]["mu"] == "9/16"
+    assert main(["errata"]) == 0
+    assert "misprint" in capsys.readouterr().out
+
+
+def test_codegen_writes_checks_and_shows_a_difference(tmp_path, capsys):
+    assert main(["codegen", "numpy", "-o", str(tmp_path)]) == 0
+    assert main(["codegen", "numpy", "-o", str(tmp_path), "--check"]) == 0
+    module = tmp_path / "torque_free.py"
+    module.write_text(module.read_text().replace("x1 = ", "x1 = 2 * ", 1))
+    capsys.readouterr()
+    assert main(["codegen", "numpy", "-o", str(tmp_path), "--check"]) == 1
+    assert "-    x1 = 2 * " in capsys.readouterr().out
+    assert main(["codegen", "numpy", "--stdout"]) == 0
+    assert capsys.readouterr().out.startswith('"""Torque-free motion')
+
+
+def test_trace_goes_both_ways(capsys):
+    assert main(["trace", "--equation", "34"]) == 0
+    places = [line.split(": ")[0] for line in capsys.readouterr().out.splitlines()]
+    assert places
+    for place in places:
+        assert main(["trace", place]) == 0
+        assert "(34)" in capsys.readouterr().out
+    assert main(["trace", "torque_free.py:1"]) == 1
+    assert main(["trace", "--equation", "99"]) == 1
+
+
+def test_validate_prints_json_and_writes_files(tmp_path, capsys):
+    arguments = ["validate", "numpy", "--cases", "1", "--digits", "20", "--seed", "3", "--json"]
+    assert main([*arguments, "-o", str(tmp_path)]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert (data["cases"], data["digits"], data["seed"]) == (1, 20, 3)
+    assert (tmp_path / "validation-numpy.json").exists()
+
+
+def test_a_broken_bound_exits_1(monkeypatch, capsys):
+    from rigidsym.validate import measure
+
+    monkeypatch.setattr(measure, "bound", lambda sample, time: 1e-3)
+    assert main(["validate", "--cases", "1"]) == 1
+    assert "BROKEN" in capsys.readouterr().out
+
+
+def test_propagate_in_three_formats_agrees(case, tmp_path, capsys):
+    assert main(["propagate", str(case)]) == 0
+    table = list(csv.DictReader(capsys.readouterr().out.splitlines()))
+    assert main(["propagate", str(case), "--format", "json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["schema"] == "rigidsym.states/1"
+    out = tmp_path / "states.npz"
+    assert main(["propagate", str(case), "--format", "npz", "-o", str(out)]) == 0
+    arrays = np.load(out)
+    for k, (row, state) in enumerate(zip(table, data["states"], strict=True)):
+        assert (
+            [row[f"q{i}"] for i in range(4)]
+            == state["q"]
+            == [repr(float(x)) for x in arrays["q"][k]]
+        )
+        assert [row[f"omega{i}"] for i in (1, 2, 3)] == state["omega"]
+        assert float(row["t"]) == float(state["t"]) == arrays["t"][k]
+    before = out.read_bytes()
+    assert main(["propagate", str(case), "--format", "npz", "-o", str(out)]) == 0
+    assert out.read_bytes() == before
+
+
+def test_propagate_to_fifty_digits(case, capsys):
+    assert main(["propagate", str(case), "--digits", "50", "--format", "json"]) == 0
+    fifty = json.loads(capsys.readouterr().out)["states"]
+    assert main(["propagate", str(case), "--digits", "80", "--format", "json"]) == 0
+    eighty = json.loads(capsys.readouterr().out)["states"]
+    for few, many in zip(fifty[1:], eighty[1:], strict=True):
+        for a, b in zip(few["q"] + few["omega"], many["q"] + many["omega"], strict=True):
+            assert len(a.lstrip("-0.").replace(".", "")) == 50
+            assert b.startswith(a[:-2])
+
+
+def test_the_papers_case_ships_with_the_package(capsys):
+    assert main(["propagate", "paper"]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == 182
+    assert [float(x) for x in paper_case().motion.inertia] == [0.0109, 0.04, 0.0506]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("inertia = [1, 2", "case = the file: is not TOML"),
+        (CASE.replace("times", "time"), "case = time: is not one of"),
+        (CASE.replace("inertia", "# inertia"), "inertia = missing"),
+        (CASE.replace('"0.04"', '"-0.04"'), "inertia[1] = -0.04: principal moments must be positive"),
+        (CASE.replace('"0.04"', '"0.4"'), "larger than the sum"),
+        (CASE.replace('"0.04"', "true"), "inertia[1] = True: must be a number"),
+        (CASE.replace("[0.05", "[nan"), "omega0[0] = nan: must be finite"),
+        (CASE.replace("180.0", "inf"), "t[2] = inf: must be finite"),
+        (CASE + "attitude0 = [0, 0, 0, 0]", "attitude0 = "),
+        (CASE + "attitude0 = [1, 0, 0]", "must have 4 numbers, not 3"),
+        (CASE.replace("[0, \"0.5\", 180.0]", "3"), "times = 3: must be a list"),
+        (CASE.replace("[0, \"0.5\", 180.0]", "{start = 0, stop = 1}"), "start, stop and count"),
+        (CASE.replace("[0, \"0.5\", 180.0]", "{start = 0, stop = 1, count = 0}"),
+         "times.count = 0: must be a whole number"),
+    ],
+)  # fmt: skip
+def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
+    path = tmp_path / "case.toml"
+    path.write_text(text)
+    out = tmp_path / "out.csv"
+    assert main(["propagate", str(path), "-o", str(out)]) == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert len(error.splitlines()) == 1
+    assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["propagate", "nowhere.toml"], "cannot be read"),
+        (["propagate", "paper", "--format", "npz"], "give -o FILE"),
+        (["check", "nowhere.json"], "cannot be read"),
+        (["derive", "nowhere"], "chapter = nowhere: must be one of: lie_algebra"),
+        (["codegen", "fortran"], "target = fortran: must be one of: numpy"),
+        (["validate", "fortran"], "target = fortran: must be one of: numpy"),
+        (["trace"], "takes either"),
+        (["trace", "torque_free.py"], "must be FILE:LINE"),
+    ],
+)
+def test_bad_input_exits_2_with_one_line(arguments, message, capsys):
+    assert main(arguments) == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert len(error.splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ([], "COMMAND"),
+        (["launch"], "invalid choice: 'launch'"),
+        (["validate", "--cases", "0"], "'0' must be a whole number, at least 1"),
+        (["propagate", "paper", "--digits", "many"], "'many' must be a whole number"),
+        (["propagate", "paper", "--format", "xml"], "invalid choice: 'xml'"),
+    ],
+)
+def test_usage_errors_exit_2_with_one_line(arguments, message, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main(arguments)
+    assert stop.value.code == 2
+    error = capsys.readouterr().err
+    assert message in error
+    assert len(error.splitlines()) == 1
+
+
+@pytest.mark.parametrize("command", [["propagate", "paper"], ["codegen", "numpy"]])
+def test_an_output_that_cannot_be_written_is_one_line(command, tmp_path, capsys):
+    blocker = tmp_path / "file"
+    blocker.write_text("here first")
+    assert main([*command, "-o", str(blocker / "inside")]) == 2
+    error = capsys.readouterr().err
+    assert "output = " in error
+    assert "cannot be written" in error
+    assert len(error.splitlines()) == 1
+    assert blocker.read_text() == "here first"
+
+
+def test_an_interrupted_write_leaves_the_old_file(monkeypatch, tmp_path):
+    from rigidsym import files
+
+    path = tmp_path / "report.md"
+    path.write_text("old")
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(files.os, "replace", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        files.write_text(path, "new")
+    assert path.read_text() == "old"
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_reader_that_goes_away_is_no_error():
+    found = subprocess.run(
+        f"{sys.executable} -m rigidsym propagate paper | head -1",
+        shell=True, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert found.stdout.startswith("t,q0")
+    assert found.stderr == ""

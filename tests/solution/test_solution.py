@@ -1,0 +1,129 @@
+"""The formulas as data: read from the ledger, refused where it does not prove them."""
+
+import ast
+import json
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import rigidsym
+from rigidsym.solution import LedgerError, ledger_text, load, sealed
+from rigidsym.solution.expression import (
+    Call,
+    Name,
+    Number,
+    Operation,
+    complement,
+    evaluate,
+    parse,
+    to_text,
+)
+
+PACKAGE = Path(rigidsym.__path__[0])
+LEDGER = json.loads(ledger_text())
+
+leaves = st.one_of(st.integers(0, 9).map(Number), st.sampled_from("abc").map(Name))
+expressions = st.recursive(
+    leaves,
+    lambda inner: st.one_of(
+        st.builds(Operation, st.sampled_from("+-*/"), inner, inner),
+        st.builds(lambda base, n: Operation("**", base, Number(n)), inner, st.integers(0, 4)),
+        st.builds(lambda x: Call("neg", (x,)), inner),
+        st.builds(lambda x, y: Call("f", (x, y)), inner, inner),
+    ),
+    max_leaves=12,
+)
+
+
+@given(expressions)
+def test_text_and_tree_are_inverse(expression):
+    assert parse(to_text(expression)) == expression
+
+
+def test_evaluation_is_exact_over_rationals():
+    values = {"a": Fraction(1, 3), "b": Fraction(2)}
+    assert evaluate(parse("(a - b)**2/-a"), values, {}) == Fraction(-25, 3)
+
+
+@pytest.mark.parametrize(
+    "text", ["a if b else c", "a.b", "a[0]", "a == b", "f(x=1)", "1.5", "lambda: 1"]
+)
+def test_nothing_else_is_an_expression(text):
+    with pytest.raises(ValueError, match="not part of an expression"):
+        parse(text)
+
+
+def test_complements_are_taken_off_not_computed():
+    assert complement(parse("1 - m_c")) == Name("m_c")
+    assert complement(Name("m")) == parse("1 - m")
+
+
+def test_every_formula_is_a_proved_fact_or_a_reading():
+    facts = {fact["id"]: fact for fact in LEDGER["facts"]}
+    readings = {
+        f"{context['name']}.{name}" for context in LEDGER["contexts"] for name in context["reading"]
+    }
+    for formulas in sealed().programmes.values():
+        for formula in formulas:
+            assert formula.fact in readings or facts[formula.fact]["grade"] == "PROVED"
+            assert formula.source
+
+
+def changed(**published):
+    return json.dumps({**LEDGER, "published": {**LEDGER["published"], **published}})
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("{", "not readable"),
+        ("[]", "not readable"),
+        ('{"facts": []}', "not readable"),
+        (changed(state=["no.such"]), "not readable"),
+        (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
+        (changed(state=["regular.euler"]), "not one proved formula"),
+        (ledger_text().replace('"PROVED"', '"ASSUMED"'), "not one proved formula"),
+    ],
+)
+def test_a_ledger_that_proves_less_is_refused(text, message):
+    with pytest.raises(LedgerError, match=message):
+        load(text)
+
+
+PROOF_WING = {"kernel", "algebra", "paper", "derive"}
+NUMBER_WING = ("solution", "precise", "codegen", "validate", "generated")
+ALLOWED = {
+    "kernel": {"kernel"},
+    "algebra": {"algebra", "kernel"},
+    "paper": {"paper"},
+    "solution": {"solution"},
+    "precise": {"precise", "solution"},
+    "codegen": {"codegen", "solution", "errors", "files"},
+    "generated": set(),
+    "validate": {"validate", "motion", "cases"},
+}
+
+
+def imports(path):
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.ImportFrom) and node.module:
+            yield node.module
+        elif isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+
+
+@pytest.mark.parametrize("room", ALLOWED)
+def test_imports_run_downwards_only(room):
+    for path in (PACKAGE / room).rglob("*.py"):
+        used = {name.split(".")[1] for name in imports(path) if name.startswith("rigidsym.")}
+        assert used <= ALLOWED[room], path
+
+
+@pytest.mark.parametrize("room", NUMBER_WING)
+def test_the_number_wing_does_not_import_sympy_or_the_proofs(room):
+    for path in (PACKAGE / room).rglob("*.py"):
+        top = {name.split(".")[0] for name in imports(path)}
+        assert not top & {"sympy", "derivations"}, path

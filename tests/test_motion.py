@@ -1,0 +1,278 @@
+"""The public class and `propagate` on the generated module."""
+
+import math
+import subprocess
+import sys
+from decimal import Decimal
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import rigidsym
+from rigidsym import InputError, TorqueFreeMotion, propagate
+from rigidsym.generated import torque_free
+from rigidsym.solution.polhode import classify
+from rigidsym.validate.strata import STRATA, draw
+
+BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
+MOTION = TorqueFreeMotion(BODY, RATES)
+
+
+def product(p, q):
+    return np.array(
+        [
+            p[0] * q[0] - p[1:] @ q[1:],
+            *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:])),
+        ]
+    )
+
+
+@pytest.mark.parametrize(
+    ("t", "shape"),
+    [(1, ()), (1.0, ()), (np.float64(2), ()), (np.array(3.0), ()), ([], (0,)), ([1], (1,)),
+     (range(5), (5,)), (np.linspace(0, 1, 20_001), (20_001,))],
+)  # fmt: skip
+def test_shapes_follow_the_times(t, shape):
+    q, omega = MOTION(t)
+    assert q.shape == (*shape, 4)
+    assert omega.shape == (*shape, 3)
+    assert q.dtype == omega.dtype == np.float64
+
+
+def test_blocks_do_not_show():
+    t = np.linspace(-300, 300, 20_001)
+    q, omega = MOTION(t)
+    for k in (0, 8191, 8192, 12_345, 20_000):
+        one_q, one_omega = MOTION(t[k])
+        np.testing.assert_allclose(q[k], one_q, rtol=0, atol=1e-15)
+        np.testing.assert_allclose(omega[k], one_omega, rtol=0, atol=1e-17)
+
+
+def test_neighbouring_times_are_on_one_sheet_of_the_double_cover():
+    q, _ = TorqueFreeMotion((1.0, 2.0, 2.5), (1.0, 2.0, 3.0))(np.linspace(0, 60, 6001))
+    assert np.max(np.linalg.norm(np.diff(q, axis=0), axis=1)) < 0.03
+
+
+def test_propagate_is_the_same_as_one_motion_at_a_time():
+    drawn = [draw(name, k, seed=3) for name in STRATA for k in range(3)]
+    inertia, omega, attitude = (
+        np.array([getattr(s, field) for s in drawn]) for field in ("inertia", "omega0", "attitude0")
+    )
+    t = np.array([0.0, 0.5, -2.0])
+    q, w = propagate(inertia, omega, t, attitude, allow_nonphysical=True)
+    assert q.shape == (len(drawn), 3, 4)
+    for k in range(len(drawn)):
+        one = TorqueFreeMotion(inertia[k], omega[k], attitude[k], allow_nonphysical=True)(t)
+        np.testing.assert_allclose(q[k], one[0], rtol=0, atol=1e-13)
+        np.testing.assert_allclose(w[k], one[1], rtol=1e-13, atol=1e-13 * np.max(np.abs(omega[k])))
+
+
+def test_propagate_broadcasts():
+    q, w = propagate(BODY, [RATES, (0, 0, 0)], 1.0)
+    assert q.shape == (2, 4)
+    np.testing.assert_array_equal(q[1], [1, 0, 0, 0])
+    assert propagate(np.empty((0, 3)), np.empty((0, 3)), [1.0])[0].shape == (0, 1, 4)
+    assert propagate(BODY, RATES, [])[1].shape == (0, 3)
+    assert not w[1].any()
+
+
+@pytest.mark.parametrize("stratum", list(STRATA))
+def test_the_generated_module_sees_the_regime_that_exact_arithmetic_sees(stratum):
+    for index in range(30):
+        sample = draw(stratum, index, seed=11)
+        plan = torque_free.plan(sample.inertia, sample.omega0, sample.attitude0)
+        exact = classify(*(list(map(Fraction, x)) for x in (sample.inertia, sample.omega0)))
+        assert plan["steady"] == exact.regime.steady
+        if not exact.regime.steady:
+            inertia = np.array(sample.inertia)
+            assert inertia[plan["axes"][0]] == inertia[exact.axes[0]]
+            assert plan["sigma"] == exact.sigma
+
+
+def test_exact_decision_survives_total_cancellation():
+    """One ulp on either side of an exact separatrix is circulation about different axes."""
+    for omega, axis in ((1.0, 2), (math.nextafter(1.0, 2), 2), (math.nextafter(1.0, 0), 0)):
+        plan = torque_free.plan((1.0, 2.0, 2.25), (0.75, 0.5, omega))
+        assert plan["axes"][0] == axis
+    exact = Fraction(math.nextafter(1.0, 0))
+    motion = TorqueFreeMotion((1.0, 2.0, 2.25), (0.75, 0.5, float(exact)))
+    q, _ = motion([40.0, 100.0])
+    precise = motion.precise([40, 100], 20)[0]
+    np.testing.assert_allclose(q, precise.astype(float), rtol=0, atol=1e-13)
+
+
+rates = st.floats(-10, 10).map(lambda x: round(x, 6))
+halves = st.tuples(*[st.floats(0.01, 10)] * 3)
+
+
+@settings(max_examples=150, deadline=None)
+@given(halves, st.tuples(rates, rates, rates), st.floats(-20, 20), st.floats(-20, 20))
+def test_motion_from_a_later_state_is_the_rest_of_the_motion(halves, omega, first, second):
+    x, y, z = halves
+    body = (y + z, z + x, x + y)
+    motion = TorqueFreeMotion(body, omega)
+    q, w = motion(first)
+    later = TorqueFreeMotion(body, w, q)(second)[0]
+    direct = motion(first + second)[0]
+    size = 1 + max(map(abs, omega)) * 40
+    # Rounding the later state moves it off its polhode, which a nearby separatrix amplifies.
+    spread = math.exp(min(30.0, size))
+    assert np.linalg.norm(later - direct) < 1e-14 * size * spread
+    assert abs(np.linalg.norm(q) - 1) < 1e-15
+    c = np.array(body)
+    if any(omega):
+        assert abs(c @ (w * w) / (c @ np.square(omega)) - 1) < 1e-14
+
+
+@settings(max_examples=60, deadline=None)
+@given(halves, st.tuples(rates, rates, rates), st.permutations(range(3)))
+def test_relabelling_the_axes_cyclically_relabels_the_motion(halves, omega, order):
+    x, y, z = halves
+    body = np.array((y + z, z + x, x + y))
+    order = list(order)
+    q, w = TorqueFreeMotion(body, omega)(1.5)
+    moved_q, moved_w = TorqueFreeMotion(body[order], np.array(omega)[order])(1.5)
+    even = order in ([0, 1, 2], [1, 2, 0], [2, 0, 1])
+    if even:
+        np.testing.assert_allclose(moved_q[1:], q[1:][order], atol=1e-13)
+        np.testing.assert_allclose(moved_w, w[order], atol=1e-12)
+    else:  # a reflection runs the motion backwards
+        back_q, back_w = TorqueFreeMotion(body, omega)(-1.5)
+        np.testing.assert_allclose(moved_q[0], back_q[0], atol=1e-13)
+        np.testing.assert_allclose(moved_q[1:], -back_q[1:][order], atol=1e-13)
+        np.testing.assert_allclose(moved_w, back_w[order], atol=1e-12)
+
+
+@pytest.mark.parametrize("power", [-60, -3, 5, 40])
+def test_scaling_rates_scales_time_exactly(power):
+    factor = 2.0**power
+    q, omega = MOTION([1.0, 50.0])
+    fast = TorqueFreeMotion(BODY, np.array(RATES) * factor)
+    scaled_q, scaled_omega = fast(np.array([1.0, 50.0]) / factor)
+    np.testing.assert_array_equal(scaled_q, q)
+    np.testing.assert_array_equal(scaled_omega, omega * factor)
+
+
+def test_rotation_is_body_to_inertial():
+    _, omega = MOTION([10.0, 20.0])
+    momentum = np.array(BODY) * omega
+    turned = MOTION.rotation([10.0, 20.0]).apply(momentum)
+    np.testing.assert_allclose(turned, [np.array(BODY) * RATES] * 2, atol=1e-17)
+
+
+def test_momentum_stays_where_it_was_by_quaternion_products():
+    q, omega = TorqueFreeMotion(BODY, RATES, (0.1, 0.2, -0.3, 0.4))(77.0)
+    start = np.array((0.1, 0.2, -0.3, 0.4)) / np.linalg.norm((0.1, 0.2, -0.3, 0.4))
+
+    def inertial(q, omega):
+        conjugate = q * [1, -1, -1, -1]
+        return product(product(q, np.array([0, *(np.array(BODY) * omega)])), conjugate)
+
+    np.testing.assert_allclose(inertial(q, omega), inertial(start, np.array(RATES)), atol=1e-17)
+
+
+@pytest.mark.parametrize("kind", [str, Fraction, Decimal, mpmath.mpf, float, np.float32])
+def test_numbers_of_every_kind(kind):
+    motion = TorqueFreeMotion([kind("1.5")] * 2 + [kind("0.75")], [kind("0.25")] * 3)
+    assert motion.inertia == (Fraction(3, 2), Fraction(3, 2), Fraction(3, 4))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (((1, 2, -0.05), RATES), r"inertia\[2\] = -0.05: principal moments must be positive"),
+        (((1, 0, 1), RATES), r"inertia\[1\] = 0: principal moments must be positive"),
+        (((1, 2, math.inf), RATES), r"inertia\[2\] = inf: must be finite"),
+        (((1, 2), RATES), r"inertia = \(1, 2\): must have 3 numbers, not 2"),
+        (((1, 2, 5), RATES), r"inertia = .*larger than the sum.*allow_nonphysical"),
+        ((("1", "x", "2"), RATES), r"inertia\[1\] = 'x': must be a finite decimal number"),
+        ((("1", "1e999999999", "2"), RATES), r"inertia\[1\] = .*exponents go up to"),
+        ((7, RATES), r"inertia = 7: must be a list of numbers"),
+        ((BODY, (1, math.nan, 2)), r"omega0\[1\] = nan: must be finite"),
+        ((BODY, (1, None, 2)), r"omega0\[1\] = None: must be a number"),
+        ((BODY, (1, 1j, 2)), r"omega0\[1\] = 1j: must be a number"),
+        ((BODY, (True, 1, 2)), r"omega0\[0\] = True: must be a number"),
+        ((BODY, RATES, (0, 0, 0, 0)), r"attitude0 = .*must not be zero"),
+        ((BODY, RATES, (1, 0, 0)), r"attitude0 = .*must have 4 numbers"),
+    ],
+)
+def test_bad_input_is_one_line_with_field_value_and_rule(arguments, message):
+    with pytest.raises(InputError, match=f"^{message}") as caught:
+        TorqueFreeMotion(*arguments)
+    assert "\n" not in str(caught.value)
+    assert isinstance(caught.value, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("t", "message"),
+    [
+        (math.nan, "t = nan: must be finite"),
+        ([0, math.inf], r"t\[1\] = inf: must be finite"),
+        ([[0.0]], "t = an array of shape .*must be one-dimensional"),
+        ("soon", "t = 'soon': must be an array of numbers"),
+        (None, "t = nan: must be finite"),
+    ],
+)
+def test_bad_times(t, message):
+    with pytest.raises(InputError, match=message):
+        MOTION(t)
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega", "message"),
+    [
+        ([BODY, (1, 2, 9)], RATES, "larger than the sum"),
+        ([BODY, (1, -2, 2)], RATES, "inertia = .*positive"),
+        ([BODY] * 2, [RATES] * 3, "must broadcast"),
+        ([BODY], [(1, math.nan, 1)], "omega0 = .*finite"),
+        ([1, 2], RATES, "last axis must have 3 numbers"),
+        ("body", RATES, "inertia = 'body'"),
+    ],
+)
+def test_bad_batches(inertia, omega, message):
+    with pytest.raises(InputError, match=message):
+        propagate(inertia, omega, [0.0])
+
+
+def test_what_binary64_cannot_follow_is_refused_and_precise_follows_it():
+    motion = TorqueFreeMotion((1.0, 2.0, 2.5), (1e-200, 1.0, 1e-200))
+    with pytest.raises(InputError, match="nearer to the separatrix than binary64 can follow"):
+        motion(1.0)
+    _, omega = motion.precise(800, 10)
+    assert 1e-50 < abs(omega[0]) < 1e-40  # it has left the middle axis by e^(lambda t)
+
+
+def test_flat_bodies_pass_and_nonphysical_ones_on_request():
+    assert TorqueFreeMotion((0.1, 0.2, 0.1 + 0.2), RATES).inertia
+    q, _ = TorqueFreeMotion((1, 2, 9), RATES, allow_nonphysical=True)(1.0)
+    assert abs(np.linalg.norm(q) - 1) < 1e-15
+
+
+@pytest.mark.parametrize(
+    ("code", "absent"),
+    [
+        ("import rigidsym", {"sympy", "numpy", "mpmath", "rich"}),
+        ("import rigidsym; rigidsym.TorqueFreeMotion((1, 2, 2.5), (1, 2, 3))(1.0)", {"sympy"}),
+        ("import rigidsym; rigidsym.TorqueFreeMotion((1, 2, 2.5), (1, 2, 3)).precise(1)",
+         {"sympy"}),
+        ("import rigidsym; rigidsym.generate('numpy')", {"sympy"}),
+        ("import rigidsym.generated.torque_free", {"sympy", "mpmath"}),
+    ],
+)  # fmt: skip
+def test_what_is_not_imported(code, absent):
+    check = f"{code}; import sys; print(*sorted(sys.modules))"
+    found = subprocess.run(
+        [sys.executable, "-c", check], capture_output=True, text=True, check=True
+    )
+    assert not absent & set(found.stdout.split())
+
+
+def test_the_public_names():
+    assert set(rigidsym.__all__) <= set(dir(rigidsym))
+    assert all(getattr(rigidsym, name) for name in rigidsym.__all__)
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = rigidsym.nothing
