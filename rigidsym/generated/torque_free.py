@@ -188,21 +188,15 @@ def _excess(c_a, c_b, c_d, Omega_a, Omega_d):
     return E_b
 
 
-def _plan(
-    c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, epsilon, sigma, rho, chi, q_0, q_a, q_b, q_d, E_b
-):
+def _plan(c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, epsilon, sigma, rho, chi, q_0, q_a, q_b, q_d, E_b):
     """The constants of a motion from its state at t = 0; E_b comes from `_excess`."""
     x1 = Omega_a**2  # (6), (15); regular.H regular.E_d
     x2 = Omega_b**2  # (6), (15); regular.H regular.E_a regular.E_d
     x3 = Omega_d**2  # (6), (15); regular.H regular.E_a
     H = (c_a * x1 + c_b * x2 + c_d * x3) / 2  # (6), (15); regular.H
-    x4 = (
-        c_a - c_b
-    )  # (6), (15), (10), (13), (14); regular.E_a regular.A_b regular.lambda_ regular.m_1
+    x4 = c_a - c_b  # (6), (15), (10), (13), (14); regular.E_a regular.A_b regular.lambda_ regular.m_1
     x5 = c_b * x4  # (6), (15), (10), (13), (14); regular.E_a regular.A_b
-    x6 = (
-        c_a - c_d
-    )  # (6), (15), (10), (13), (14); regular.E_a regular.E_d regular.A_a regular.A_d regular.m_1
+    x6 = c_a - c_d  # (6), (15), (10), (13), (14); regular.E_a regular.E_d regular.A_a regular.A_d regular.m_1
     x7 = c_d * x6  # (6), (15), (10), (13), (14); regular.E_a regular.A_d
     E_a = x5 * x2 + x7 * x3  # (6), (15); regular.E_a
     x8 = c_a * x6  # (6), (15), (10), (13), (14); regular.E_d regular.A_a
@@ -220,16 +214,14 @@ def _plan(
     m_1 = x6 * E_b / x9  # (10), (13), (14); regular.m_1
     tau = -rho * epsilon * sigma  # (16), (17); regular.tau
     k_c = np.sqrt(m_1)  # DLMF 22.7.1; descended.k_c
-    x10 = (
-        1 + k_c
-    )  # DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.m_c descended.mu descended.u_1_of_u
+    x10 = 1 + k_c  # DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.m_c descended.mu descended.u_1_of_u
     x11 = x10**2  # DLMF 22.7.1; descended.k_1 descended.m_c
     k_1 = m / x11  # DLMF 22.7.1; descended.k_1
     m_c = 4 * k_c / x11  # DLMF 22.7.1; descended.m_c
     mu = lambda_ * x10 / 2  # DLMF 22.7.2; descended.mu
     x12 = K + c_a * A_a  # (34), (33); descended.n descended.psi_0 descended.kappa
     x13 = x12**2  # (34); descended.n descended.kappa
-    n = -k_1 * (c_d * A_d) ** 2 / x13  # (34); descended.n
+    n = -k_1 * (c_d * A_d)**2 / x13  # (34); descended.n
     psi_0 = (2 * H + K * A_a) / x12  # (33), (34); descended.psi_0
     kappa = 2 * E_a * A_a * k_1 / (x13 * mu)  # (34); descended.kappa
     sn = chi * Omega_b / A_b  # (12); regular.sn
@@ -252,81 +244,18 @@ def _plan(
     qbar_b = s_b  # (18), (25); attitude.qbar_b
     qbar_d = s_d  # (18), (25); attitude.qbar_d
     p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # (37); attitude.p_0
-    p_a = (
-        q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)
-    )  # (37); attitude.p_a
-    p_b = (
-        q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)
-    )  # (37); attitude.p_b
-    p_d = (
-        q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)
-    )  # (37); attitude.p_d
-    return (
-        c_a,
-        c_b,
-        c_d,
-        A_a,
-        A_b,
-        A_d,
-        K,
-        epsilon,
-        sigma,
-        tau,
-        chi,
-        k_1,
-        k_c,
-        m_c,
-        mu,
-        phase,
-        n,
-        psi_0,
-        kappa,
-        J_0,
-        p_0,
-        p_a,
-        p_b,
-        p_d,
-        quarter_m_c,
-        complete_n,
-    )
+    p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # (37); attitude.p_a
+    p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # (37); attitude.p_b
+    p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # (37); attitude.p_d
+    return (c_a, c_b, c_d, A_a, A_b, A_d, K, epsilon, sigma, tau, chi, k_1, k_c, m_c, mu, phase, n, psi_0, kappa, J_0, p_0, p_a, p_b, p_d, quarter_m_c, complete_n)
 
 
-def _state(
-    t,
-    c_a,
-    c_b,
-    c_d,
-    A_a,
-    A_b,
-    A_d,
-    K,
-    epsilon,
-    sigma,
-    tau,
-    chi,
-    k_1,
-    k_c,
-    m_c,
-    mu,
-    phase,
-    n,
-    psi_0,
-    kappa,
-    J_0,
-    p_0,
-    p_a,
-    p_b,
-    p_d,
-    quarter_m_c,
-    complete_n,
-):
+def _state(t, c_a, c_b, c_d, A_a, A_b, A_d, K, epsilon, sigma, tau, chi, k_1, k_c, m_c, mu, phase, n, psi_0, kappa, J_0, p_0, p_a, p_b, p_d, quarter_m_c, complete_n):
     """The state at time t."""
     u_1 = mu * t + phase  # (20), (21); descended.u_1
     s, c, d = _jacobi(u_1, m_c, quarter_m_c)  # (10); descended.s
     x1 = s**2  # DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4; descended.sn descended.cn descended.dn
-    x2 = (
-        1 + k_1 * x1
-    )  # DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4; descended.sn descended.cn descended.dn
+    x2 = 1 + k_1 * x1  # DLMF 22.7.2, DLMF 22.7.3, DLMF 22.7.4; descended.sn descended.cn descended.dn
     sn = (1 + k_1) * s / x2  # DLMF 22.7.2; descended.sn
     cn = c * d / x2  # DLMF 22.7.3; descended.cn
     dn = (c**2 + 2 * k_c / (1 + k_c) * x1) / x2  # DLMF 22.7.4; descended.dn
@@ -352,15 +281,9 @@ def _state(
     qbar_b = cos_half_psi * s_b - x5 * s_d  # (18), (25); attitude.qbar_b
     qbar_d = cos_half_psi * s_d + x5 * s_b  # (18), (25); attitude.qbar_d
     q_0 = p_0 * qbar_0 - p_a * qbar_a - p_b * qbar_b - p_d * qbar_d  # (37); attitude.q_0
-    q_a = (
-        p_0 * qbar_a + p_a * qbar_0 + epsilon * (p_b * qbar_d - p_d * qbar_b)
-    )  # (37); attitude.q_a
-    q_b = (
-        p_0 * qbar_b + p_b * qbar_0 + epsilon * (p_d * qbar_a - p_a * qbar_d)
-    )  # (37); attitude.q_b
-    q_d = (
-        p_0 * qbar_d + p_d * qbar_0 + epsilon * (p_a * qbar_b - p_b * qbar_a)
-    )  # (37); attitude.q_d
+    q_a = p_0 * qbar_a + p_a * qbar_0 + epsilon * (p_b * qbar_d - p_d * qbar_b)  # (37); attitude.q_a
+    q_b = p_0 * qbar_b + p_b * qbar_0 + epsilon * (p_d * qbar_a - p_a * qbar_d)  # (37); attitude.q_b
+    q_d = p_0 * qbar_d + p_d * qbar_0 + epsilon * (p_a * qbar_b - p_b * qbar_a)  # (37); attitude.q_d
     return (q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d)
 
 
@@ -384,34 +307,8 @@ def _steady(Omega1, Omega2, Omega3, p0, p1, p2, p3, t):
     return (q0, q1, q2, q3)
 
 
-RESULTS = (
-    "c_a",
-    "c_b",
-    "c_d",
-    "A_a",
-    "A_b",
-    "A_d",
-    "K",
-    "epsilon",
-    "sigma",
-    "tau",
-    "chi",
-    "k_1",
-    "k_c",
-    "m_c",
-    "mu",
-    "phase",
-    "n",
-    "psi_0",
-    "kappa",
-    "J_0",
-    "p_0",
-    "p_a",
-    "p_b",
-    "p_d",
-    "quarter_m_c",
-    "complete_n",
-)
+
+RESULTS = ("c_a", "c_b", "c_d", "A_a", "A_b", "A_d", "K", "epsilon", "sigma", "tau", "chi", "k_1", "k_c", "m_c", "mu", "phase", "n", "psi_0", "kappa", "J_0", "p_0", "p_a", "p_b", "p_d", "quarter_m_c", "complete_n")
 
 
 # Rates below this fraction of the largest one cannot change a state by an ulp, unless they decide
@@ -420,7 +317,7 @@ _NEGLIGIBLE = 2.0**-460
 _BLOCK = 8192
 
 
-def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
+def plan(inertia, omega0, attitude0 = (1.0, 0.0, 0.0, 0.0)):
     """Constants of free motions, for `states`.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
