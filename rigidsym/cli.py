@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, LedgerError, PrecisionError
 
 
 class _Parser(argparse.ArgumentParser):
@@ -27,9 +27,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         status = options.run(options)
         sys.stdout.flush()
         return status
-    except InputError as error:
+    except (InputError, LedgerError, PrecisionError) as error:
         print(f"rigidsym {options.command}: {error}", file=sys.stderr)
-        return 2
+        return 1 if isinstance(error, PrecisionError) else 2
     except BrokenPipeError:  # the reader went away, as `head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
@@ -193,12 +193,14 @@ def _check(options: Any) -> int:
 
 
 def _ledger_text(path: Path | None) -> str:
-    from rigidsym.solution import LedgerError, ledger_text
+    from rigidsym.solution import ledger_text
 
     try:
         return ledger_text() if path is None else path.read_text("utf-8")
-    except (OSError, UnicodeDecodeError, LedgerError) as error:
-        raise InputError("ledger", path or "sealed", f"cannot be read: {error}") from None
+    except OSError as error:
+        raise InputError("ledger", path, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError("ledger", path, "is not UTF-8 text") from None
 
 
 def _errata(options: Any) -> int:

@@ -1,4 +1,4 @@
-"""What users get to see when something they gave cannot be used."""
+"""What users get to see when something cannot be done: always one line."""
 
 from typing import Any
 
@@ -9,3 +9,11 @@ class InputError(ValueError):
     def __init__(self, field: str, value: Any, rule: str) -> None:
         super().__init__(f"{field} = {value}: {rule}")
         self.field, self.value, self.rule = field, value, rule
+
+
+class LedgerError(ValueError):
+    """The ledger is missing, damaged, or does not prove what it publishes."""
+
+
+class PrecisionError(ArithmeticError):
+    """The digits asked for were not reached."""

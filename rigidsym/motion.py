@@ -55,7 +55,7 @@ class TorqueFreeMotion:
         Raises InputError for times that are not finite or not at most one-dimensional, and for
         motions nearer to the separatrix than binary64 can follow (`precise` follows them).
         """
-        return torque_free.states(self._plan, _times(t))
+        return _states(self._plan, _times(t))
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
@@ -122,7 +122,14 @@ def propagate(
         shapes = ", ".join(str(array.shape) for array in checked.values())
         value = checked[field].tolist() if field in checked else f"arrays of shapes {shapes}"
         raise InputError(field, value, rule) from None
-    return torque_free.states(plan, _times(t))
+    return _states(plan, _times(t))
+
+
+def _states(plan: dict[str, Any], t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        return torque_free.states(plan, t)
+    except ValueError as error:
+        raise InputError("t", f"up to {np.max(np.abs(t))}", str(error).split(": ", 1)[1]) from None
 
 
 def _array(name: str, value: Any) -> np.ndarray:

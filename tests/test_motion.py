@@ -238,6 +238,17 @@ def test_bad_batches(inertia, omega, message):
         propagate(inertia, omega, [0.0])
 
 
+@pytest.mark.parametrize("scale", [1e-308, 5e-324, 1e300, 1.7e308])
+def test_rates_at_the_ends_of_binary64(scale):
+    motion = TorqueFreeMotion((1, 2, 2.5), (scale, 0, 0))
+    t = 1 / scale if scale > 1e-307 else 1e307
+    q, omega = motion(t)
+    assert q[0] == pytest.approx(math.cos(scale * t / 2))
+    assert omega[0] == scale
+    with pytest.raises(InputError, match="overflows"):
+        TorqueFreeMotion((1, 2, 2.5), (1e300, 1e300, 0))([0.0, 1e300])
+
+
 def test_what_binary64_cannot_follow_is_refused_and_precise_follows_it():
     motion = TorqueFreeMotion((1.0, 2.0, 2.5), (1e-200, 1.0, 1e-200))
     with pytest.raises(InputError, match="nearer to the separatrix than binary64 can follow"):

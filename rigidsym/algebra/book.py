@@ -61,7 +61,8 @@ class Book:
         ledger, listed = self.ledger, list(entries)
         for entry in listed:
             context, name, *_ = [*entry.split(":"), ""]
-            proved = entry in ledger.facts and ledger.facts[entry].grade == Grade.PROVED
+            fact = ledger.facts.get(entry)
+            proved = fact and fact.grade == Grade.PROVED and fact.kind in ("equal", "root")
             if not proved and name not in getattr(ledger.contexts.get(context), "reading", ()):
                 raise KernelError(f"{programme}: {entry} is neither a proved fact nor a reading")
         ledger.published[programme] = listed

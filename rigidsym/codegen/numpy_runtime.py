@@ -66,7 +66,10 @@ def states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
 def _block(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
     """The states of one block of times, whose intermediate arrays fit the cache."""
     widened = {name: _widened(value, name, t.ndim) for name, value in plan.items()}
-    t = t * widened["rate"]
+    with np.errstate(over="ignore"):
+        t = t * widened["rate"]
+    if not np.all(np.isfinite(t)):
+        raise ValueError("t: the angle |omega| t overflows binary64")
     steady = widened["steady"]
     if np.all(steady):
         q, omega = _steady_states(widened, t)
@@ -112,10 +115,9 @@ def _check_distance(lost: Any, axes: Any, omega: Any, excess: Any) -> None:
 
 
 def _scaled(x: Any) -> tuple[Any, Any]:
-    """x over a power of two that brings its largest component into [1/2, 1), and that power."""
-    largest = np.max(np.abs(x), axis=-1, keepdims=True)
-    unit = np.ldexp(1.0, np.frexp(largest)[1])
-    return np.ldexp(x, -np.frexp(largest)[1]), unit
+    """x over a power of two that brings its largest component into [1, 2), and that power."""
+    exponent = np.frexp(np.max(np.abs(x), axis=-1, keepdims=True))[1] - 1
+    return np.ldexp(x, -exponent), np.ldexp(1.0, exponent)
 
 
 def _is_steady(c: Any, omega: Any) -> Any:

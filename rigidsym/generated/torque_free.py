@@ -14,7 +14,7 @@ that prove it.  Formulas: proved by normal form.  Kernels (_quarter_period to _j
 tested against mpmath, not proved.
 
 emitter numpy/1
-digest 887a1692b46e765078590993dcab3074267536456bee3bdaf8c58a7d19f5c222
+digest 687b325f6fa9d7175592aca89eb910ac5b48c05f9f4eb8d25d84d3b341be1003
 """
 
 # ruff: noqa
@@ -366,7 +366,10 @@ def states(plan, t):
 def _block(plan, t):
     """The states of one block of times, whose intermediate arrays fit the cache."""
     widened = {name: _widened(value, name, t.ndim) for name, value in plan.items()}
-    t = t * widened["rate"]
+    with np.errstate(over="ignore"):
+        t = t * widened["rate"]
+    if not np.all(np.isfinite(t)):
+        raise ValueError("t: the angle |omega| t overflows binary64")
     steady = widened["steady"]
     if np.all(steady):
         q, omega = _steady_states(widened, t)
@@ -412,10 +415,9 @@ def _check_distance(lost, axes, omega, excess):
 
 
 def _scaled(x):
-    """x over a power of two that brings its largest component into [1/2, 1), and that power."""
-    largest = np.max(np.abs(x), axis=-1, keepdims=True)
-    unit = np.ldexp(1.0, np.frexp(largest)[1])
-    return np.ldexp(x, -np.frexp(largest)[1]), unit
+    """x over a power of two that brings its largest component into [1, 2), and that power."""
+    exponent = np.frexp(np.max(np.abs(x), axis=-1, keepdims=True))[1] - 1
+    return np.ldexp(x, -exponent), np.ldexp(1.0, exponent)
 
 
 def _is_steady(c, omega):

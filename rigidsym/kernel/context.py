@@ -7,10 +7,7 @@ would be "proved" about nothing).
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
-
-from sympy.polys.domains import QQ
 
 from rigidsym.kernel.ring import KernelError, Ring
 
@@ -19,9 +16,8 @@ from rigidsym.kernel.ring import KernelError, Ring
 class Context:
     """generators, relations = 0, units != 0, nonnegative names >= 0  |-  ...
 
-    `definitions` abbreviate expressions in earlier names.  `rates` maps a generator to its time
-    derivative: what it does not name is constant, "?" says unknown, None an instant without one.
-    `reading` says in words or standard notation what a name stands for; nothing is proved from it.
+    `definitions` abbreviate expressions.  `rates` maps generators to time derivatives: what it does
+    not name is constant, "?" says unknown, None is an instant.  `reading` proves nothing.
     """
 
     name: str
@@ -36,9 +32,10 @@ class Context:
 
     def open(self) -> Ring:
         """The ring of this context; raises KernelError unless it is closed and inhabited."""
-        if set(self.generators) & set(self.definitions):
-            raise KernelError(f"context {self.name}: a generator is defined a second time")
+        names, moving = [*self.generators, *self.definitions], {*(self.rates or ())}
         ring = Ring(self.generators, self.definitions)
+        if len({*names}) < len(names) or not moving <= {*ring.names} == {*self.generators}:
+            raise KernelError(f"context {self.name}: a name is no name, or means two things")
         for unit in self.units:
             ring.units += (ring.read(unit).numerator,)
         ring.relations = tuple(ring.read(relation).numerator for relation in self.relations)
@@ -56,8 +53,8 @@ class Context:
         if set(values) != set(self.generators):
             wrong = sorted(set(values) ^ set(self.generators))
             raise KernelError(f"context {self.name}: a point must give each generator: {wrong}")
-        rational = {name: Fraction(text).as_integer_ratio() for name, text in values.items()}
-        point = [(ring.names[name].numerator, QQ(*ratio)) for name, ratio in rational.items()]
+        number = Ring((), {}).read  # without generators only rational numbers can be read
+        point = [(ring.names[n].numerator, number(v).numerator.coeff(1)) for n, v in values.items()]
         broken = [f"{unit} = 0" for unit in ring.units if not unit.evaluate(point)]
         broken += [f"{relation} != 0" for relation in ring.relations if relation.evaluate(point)]
         for name in self.nonnegative:

@@ -14,6 +14,7 @@ from rigidsym.kernel.ring import KernelError, Ring
 from rigidsym.kernel.rules import RULES, differences
 
 SCHEMA = "rigidsym.ledger/1"
+_LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
 
 
 @dataclass(slots=True)
@@ -41,10 +42,10 @@ class Ledger:
             raise KernelError(f"fact {fact.id} is there already, or rests on {sorted(unknown)}")
         try:
             grade = RULES[fact.rule](self, fact)
-        except (KernelError, KeyError) as error:
+        except Exception as error:
             raise KernelError(f"fact {fact.id}: {error}") from None
-        grades = list(Grade)
-        earned = min([grade, *(self.facts[p].grade for p in fact.premises)], key=grades.index)
+        grades = [grade, *(self.facts[premise].grade for premise in fact.premises)]
+        earned = min(grades, key=list(Grade).index)
         if fact.grade != earned:
             raise KernelError(f"fact {fact.id}: claims {fact.grade}, has earned {earned}")
         self.facts[fact.id] = fact
@@ -84,10 +85,12 @@ def replay(text: str) -> Ledger:
         ledger.published = data["published"]
     except KernelError:
         raise
-    except (ValueError, TypeError, KeyError, AttributeError, ArithmeticError) as error:
+    except Exception as error:
         raise KernelError(f"not a ledger: {error!r}") from None
+    if ledger.to_text() != text:
+        raise KernelError("not a ledger as this kernel writes it")
     return ledger
 
 
 def _frozen(fields: dict[str, Any]) -> dict[str, Any]:
-    return {key: tuple(x) if isinstance(x, list) else x for key, x in fields.items()}
+    return {key: tuple(x) if key in _LISTS else x for key, x in fields.items()}

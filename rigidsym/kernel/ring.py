@@ -54,9 +54,10 @@ class Element:
         return self * self.ring.inverse(self.ring.element(other))
 
     def __pow__(self, exponent: int) -> "Element":
-        base = self if exponent >= 0 else self.ring.inverse(self)
-        powers = tuple(abs(exponent) * power for power in base.powers)
-        return Element(self.ring, base.numerator ** abs(exponent), powers)
+        if not 0 < exponent <= 64 or len(self.numerator) * (exponent - 1) > 1000:
+            raise KernelError(f"power {exponent} of {len(self.numerator)} terms: not from 1 to 64")
+        powers = tuple(exponent * power for power in self.powers)
+        return Element(self.ring, self.numerator**exponent, powers)
 
     __radd__, __rmul__ = __add__, __mul__
 
@@ -129,7 +130,7 @@ class Ring:
         """Parse text into an element; every name must be known and every division covered."""
         try:
             return self._read(ast.parse(text, mode="eval").body)
-        except (SyntaxError, RecursionError, TypeError) as error:
+        except (SyntaxError, RecursionError, MemoryError, TypeError, UnicodeError) as error:
             raise KernelError(f"{text!r}: not an expression ({error})") from None
 
     def _read(self, node: ast.expr) -> Element:

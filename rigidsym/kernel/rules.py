@@ -56,8 +56,9 @@ def model(ledger: "Ledger", fact: Fact) -> Grade:
     Delta |- model of Gamma
     """
     target = ledger.rings[_expect(fact, "model", premises=0).context]
-    source = ledger.contexts[fact.rhs[0]]
-    zeros = [target.read(relation) for relation in source.relations]
+    (name,) = fact.lhs + fact.rhs
+    source = ledger.contexts[name]
+    zeros = [target.read(t) for t in (*source.relations, *(f"0*{n}" for n in source.generators))]
     zeros += [target.read(f"{name} - ({text})") for name, text in source.definitions.items()]
     if source.rates is not None:
         rates = {name: source.rates.get(name, "0") for name in source.generators}

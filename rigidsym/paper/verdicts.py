@@ -69,9 +69,12 @@ def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str
 
 
 def _proved(ids: Sequence[str], facts: Mapping[str, Any], kinds: Sequence[str]) -> bool:
-    return all(
-        name in facts and facts[name]["grade"] == "PROVED" and facts[name]["kind"] in kinds
-        for name in ids
+    found = [facts[name] for name in ids if name in facts]
+    return len(found) == len(ids) and all(
+        fact["grade"] == "PROVED"
+        and fact["kind"] in kinds
+        and fact["id"].startswith(fact["context"] + ".")
+        for fact in found
     )
 
 

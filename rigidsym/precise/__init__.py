@@ -1,5 +1,5 @@
 """Any number of digits: the derived solution evaluated by mpmath."""
 
-from rigidsym.precise.motion import PreciseMotion, PrecisionError
+from rigidsym.precise.motion import PreciseMotion
 
-__all__ = ["PreciseMotion", "PrecisionError"]
+__all__ = ["PreciseMotion"]

@@ -14,6 +14,7 @@ from typing import Any
 from mpmath import mp
 from mpmath.ctx_mp import MPContext
 
+from rigidsym.errors import PrecisionError
 from rigidsym.precise.functions import EllipticFunctions
 from rigidsym.solution import sealed
 from rigidsym.solution.expression import evaluate, names
@@ -26,10 +27,6 @@ MOST_ROUNDS = 12
 ZERO_ROUND = 5
 
 State = tuple[list[Any], list[Any]]
-
-
-class PrecisionError(ArithmeticError):
-    """The digits asked for were not reached."""
 
 
 @dataclass(frozen=True)
@@ -60,8 +57,11 @@ class PreciseMotion:
             if round_ not in evaluations:
                 evaluations[round_] = Evaluation(self, _working_digits(digits, round_))
             fine = evaluations[round_].state(time)
-            if rough and _agree(rough, fine, digits, zero=round_ >= ZERO_ROUND):
-                return [_plain(x) for x in fine[0]], [_plain(x) for x in fine[1]]
+            if rough is not None:
+                sides = zip(rough, fine, strict=True)
+                q, omega = (_settled(a, b, digits, round_ >= ZERO_ROUND) for a, b in sides)
+                if q is not None and omega is not None:
+                    return q, omega
             rough = fine
         raise PrecisionError(f"t = {time}: not settled to {digits} digits")
 
@@ -126,14 +126,17 @@ def _working_digits(digits: int, round_: int) -> int:
     return int((digits + GUARD_DIGITS) * 1.5**round_)
 
 
-def _agree(rough: State, fine: State, digits: int, zero: bool) -> bool:
-    return all(
-        abs(x - y) * 10 ** (digits + 1) <= abs(y) or (zero and abs(y) <= abs(x) / 10**digits)
-        for side in (0, 1)
-        for x, y in zip(rough[side], fine[side], strict=True)
-    )
+def _settled(rough: list[Any], fine: list[Any], digits: int, zeros: bool) -> list[Any] | None:
+    """The fine numbers as mpmath's own mpf, not rounded, where all agree with the rough ones.
 
-
-def _plain(value: Any) -> Any:
-    """The same number as an mpf of mpmath's own context, not rounded."""
-    return mp.make_mpf(value._mpf_)
+    Where `zeros` are allowed, a number that fell with the working precision is one.
+    """
+    settled = []
+    for x, y in zip(rough, fine, strict=True):
+        if abs(x - y) * 10 ** (digits + 1) <= abs(y):
+            settled.append(mp.make_mpf(y._mpf_))
+        elif zeros and abs(y) * 10**digits <= abs(x):
+            settled.append(mp.zero)
+        else:
+            return None
+    return settled

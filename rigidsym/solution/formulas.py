@@ -12,6 +12,7 @@ from functools import cache
 from importlib import resources
 from typing import Any
 
+from rigidsym.errors import LedgerError
 from rigidsym.solution.expression import Call, Expression, complement, names, parse, to_text
 
 AXES = ("a", "b", "d")
@@ -55,10 +56,6 @@ class Solution:
     digest: str
 
 
-class LedgerError(ValueError):
-    """The ledger is missing, damaged, or does not prove what it publishes."""
-
-
 def ledger_text() -> str:
     """The sealed ledger that came with this installation."""
     try:
@@ -96,7 +93,8 @@ def _formula(entry: str, facts: Mapping[str, Any], contexts: Mapping[str, Any]) 
         expression = _by_complement(parse(contexts[context]["reading"][name]))
         return Formula(name, expression, f"{context}.{name}", tuple(source))
     fact = facts[entry]
-    if fact["grade"] != "PROVED" or len(fact["lhs"]) != 1:
+    proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
+    if not proved or len(fact["lhs"]) != 1:
         raise LedgerError(f"ledger: {entry} is published but is not one proved formula")
     (name,), (text,) = fact["lhs"], fact["rhs"]
     expression = parse(text)

@@ -13,7 +13,7 @@ from rigidsym.solution.formulas import sealed
 class Regime(StrEnum):
     """The family a motion belongs to; every motion is in exactly one.
 
-    The last five move: the others have constant rates.
+    The first three have constant rates, the last four move.
     """
 
     REST = "rest"

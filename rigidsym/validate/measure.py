@@ -36,9 +36,10 @@ class Measurement:
 def bound(sample: Sample, time: float) -> float:
     """The documented bound on angle and omega errors, in units of 2^-53.
 
-    Constants are rounded to doubles, so errors grow with the angle |omega| |t| turned.
+    Constants are rounded to doubles, so errors grow with the angle |omega| |t| turned; near the
+    separatrix they start from the quarter period, which grows like the logarithm of the distance.
     """
-    return 64 + 8 * math.hypot(*sample.omega0) * abs(time)
+    return 256 + 8 * math.hypot(*sample.omega0) * abs(time)
 
 
 def measure(sample: Sample, digits: int) -> Measurement:

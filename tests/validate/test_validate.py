@@ -86,5 +86,5 @@ def test_a_missing_winding_is_noticed(monkeypatch):
 def test_the_bound_grows_with_the_angle_turned():
     sample = draw("uniform", 0, 5)
     far = dataclasses.replace(sample, times=(0.0, 1e3))
-    assert bound(far, 1e3) > bound(far, 1.0) > 64
+    assert bound(far, 1e3) > bound(far, 1.0) > 256
     assert measure(far, 25).share < 1

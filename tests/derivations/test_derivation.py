@@ -1,0 +1,193 @@
+import ast
+import importlib
+from pathlib import Path
+
+import pytest
+
+import derivations
+import rigidsym
+from derivations import CHAPTERS
+from rigidsym.algebra import Book
+from rigidsym.kernel import Fact, KernelError, Ledger, replay
+
+SEALED = Path(derivations.__file__).with_name("ledger.json").read_text("utf-8")
+PACKAGE = Path(rigidsym.__file__).parent
+
+
+@pytest.fixture(scope="module")
+def book() -> Book:
+    written = Book()
+    for chapter in CHAPTERS:
+        importlib.import_module(f"derivations.{chapter}").derive(written)
+    return written
+
+
+@pytest.fixture(scope="module")
+def decide(book):
+    """Tries equations ``lhs = rhs`` in a context of the book, leaving the book as it is."""
+
+    def attempt(context: str, equation: str) -> Fact:
+        lhs, rhs = equation.split(" = ")
+        scratch = Ledger(contexts=book.ledger.contexts, rings=book.ledger.rings)
+        return scratch.prove(Fact("try", context, "equal", (lhs,), (rhs,), "identity"))
+
+    return attempt
+
+
+def test_every_chapter_file_is_a_chapter():
+    files = {path.stem for path in Path(derivations.__file__).parent.glob("*.py")}
+    assert files - {"__init__"} == set(CHAPTERS)
+
+
+def test_the_chapters_write_the_sealed_ledger_byte_for_byte(book):
+    assert book.ledger.to_text() == SEALED
+
+
+def test_the_sealed_ledger_replays_to_itself():
+    assert replay(SEALED).to_text() == SEALED
+
+
+def test_nothing_sealed_is_weaker_than_proved(book):
+    assert {fact.grade.value for fact in book.ledger.facts.values()} == {"PROVED"}
+
+
+MUTANTS = [
+    # Euler's equations and the invariants
+    ("body", "D(Omega1) = (c2 - c3)/c1*Omega2*Omega3", "D(Omega1) = (c3 - c2)/c1*Omega2*Omega3"),
+    ("body", "D(Omega2) = (c3 - c1)/c2*Omega1*Omega3", "D(Omega2) = (c3 - c1)/c1*Omega1*Omega3"),
+    ("body", "D(M3) = (c1 - c2)*Omega1*Omega2", "D(M3) = (c1 - c2)*Omega1*Omega3"),
+    ("body", "H = (M1*Omega1 + M2*Omega2 + M3*Omega3)/2", "H = M1*Omega1 + M2*Omega2 + M3*Omega3"),
+    ("body", "D(M1**2 + M2**2 + M3**2) = 0", "D(M1**2 + M2**2 - M3**2) = 0"),
+    ("body", "D(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2) = 0", "D(c1*Omega1 + c2*Omega2) = 0"),
+    # the attitude, on axes of either handedness
+    (
+        "attitude",
+        "D(q_0) = (-q_a*Omega_a - q_b*Omega_b - q_d*Omega_d)/2",
+        "D(q_0) = -q_a*Omega_a - q_b*Omega_b - q_d*Omega_d",
+    ),
+    (
+        "attitude",
+        "D(q_a) = (q_0*Omega_a + epsilon*(q_b*Omega_d - q_d*Omega_b))/2",
+        "D(q_a) = (q_0*Omega_a - epsilon*(q_b*Omega_d - q_d*Omega_b))/2",
+    ),
+    (
+        "attitude",
+        "D(qbar_b) = (qbar_0*Omega_b + epsilon*(qbar_d*Omega_a - qbar_a*Omega_d))/2",
+        "D(qbar_b) = (qbar_0*Omega_b + qbar_d*Omega_a - qbar_a*Omega_d)/2",
+    ),
+    ("attitude", "s_0**2 + s_b**2 + s_d**2 = 1", "s_0**2 + s_b**2 - s_d**2 = 1"),
+    ("attitude", "nu**2 = 2*K*(K + sigma*M_a)", "nu**2 = 2*K*(K - sigma*M_a)"),
+    ("attitude", "M_d = 2*sigma*epsilon*K*s_0*s_b", "M_b = 2*sigma*epsilon*K*s_0*s_b"),
+    (
+        "attitude",
+        "D(sin_psi) = psi_rate*cos_psi",
+        "D(sin_psi) = psi_rate*sin_psi",
+    ),
+    # the rates in Jacobi's functions
+    (
+        "regular",
+        "D(Omega_d) = epsilon*(c_a - c_b)/c_d*Omega_a*Omega_b",
+        "D(Omega_d) = epsilon*(c_b - c_a)/c_d*Omega_a*Omega_b",
+    ),
+    (
+        "regular",
+        "m = E_a*(c_d - c_b)/(E_d*(c_b - c_a))",
+        "m**2 = E_a*(c_d - c_b)/(E_d*(c_b - c_a))",
+    ),
+    (
+        "regular",
+        "m_1 = (c_a - c_d)*E_b/((c_a - c_b)*E_d)",
+        "m_1 = (c_a - c_b)*E_b/((c_a - c_d)*E_d)",
+    ),
+    (
+        "regular",
+        "lambda_**2 = (c_a - c_b)*E_d/(c_a*c_b*c_d)",
+        "lambda_**2 = 2*(c_a - c_b)*E_d/(c_a*c_b*c_d)",
+    ),
+    ("regular", "Omega_b = chi*A_b*sn", "Omega_b = chi*A_b*cn"),
+    ("regular", "Omega_d = -chi*rho*epsilon*sigma*A_d*cn", "Omega_d = -chi*rho*sigma*A_d*cn"),
+    ("regular", "D(dn) = -lambda_*m*sn*cn", "D(dn) = -lambda_*m**2*sn*cn"),
+    ("regular", "A_a**2 = E_d/(c_a*(c_a - c_d))", "A_a**2 = E_d/(c_a*(c_a - c_b))"),
+    # Landen's descent and the secular angle
+    ("descended", "k_1 = m/(1 + k_c)**2", "k_1 = m**2/(1 + k_c)**2"),
+    ("descended", "k_c**2 = 1 - m", "k_c**2 = 1 - m**2"),
+    ("descended", "m_c = 4*k_c/(1 + k_c)**2", "m_c = 2*k_c/(1 + k_c)**2"),
+    ("descended", "cn = c*d/(1 + k_1*s**2)", "dn = c*d/(1 + k_1*s**2)"),
+    ("descended", "D(sn) = lambda_*cn*dn", "D(sn) = mu*cn*dn"),
+    (
+        "descended",
+        "n = -k_1*(c_d*A_d)**2/(K + c_a*A_a)**2",
+        "n = k_1*(c_d*A_d)**2/(K + c_a*A_a)**2",
+    ),
+    ("descended", "D(psi) = psi_rate", "D(psi) = -psi_rate"),
+    ("descended", "D(u) = lambda_", "D(u_1) = lambda_"),
+    (
+        "descended",
+        "kappa = 2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)",
+        "kappa = E_a*A_a*k_1/((K + c_a*A_a)**2*mu)",
+    ),
+    # phi1 as an integral of the third kind
+    (
+        "third_kind",
+        "D(phi1) = K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)",
+        "D(phi1) = K*(2*H + c1*Omega1**2)/(K**2 - (c1*Omega1)**2)",
+    ),
+    ("third_kind", "D(Pi)*(1 - n*sn**2) = xi", "D(Pi)*(1 - n*sn) = xi"),
+    ("third_kind", "D(phi1) = K/c1 + kappa*D(Pi)", "D(phi1) = K/c1 - kappa*D(Pi)"),
+    ("third_kind", "D(Omega1)**2 = (zeta*xi*cn*dn)**2", "D(Omega1)**2 = (zeta*xi*sn*dn)**2"),
+    # the three angles
+    (
+        "three_angle_motion",
+        "c1*D(Omega1) = (c2 - c3)*Omega2*Omega3",
+        "c1*D(Omega1) = (c3 - c2)*Omega2*Omega3",
+    ),
+    (
+        "three_angle_motion",
+        "K**2 - (c1*Omega1)**2 = K**2*sin_phi2**2",
+        "K**2 - (c1*Omega1)**2 = K**2*cos_phi2**2",
+    ),
+    (
+        "three_angle_motion",
+        "phi1_rate*K*sin_phi2**2 = c2*Omega2**2 + c3*Omega3**2",
+        "phi1_rate*K*sin_phi2**2 = c3*Omega2**2 + c2*Omega3**2",
+    ),
+    (
+        "three_angle_motion",
+        "phi1_rate*sin_phi2 = Omega2*sin_phi3 + Omega3*cos_phi3",
+        "phi1_rate*sin_phi2 = Omega2*cos_phi3 + Omega3*sin_phi3",
+    ),
+]
+
+
+@pytest.mark.parametrize(("context", "equation", "mutant"), MUTANTS, ids=[m[2] for m in MUTANTS])
+def test_an_equation_is_proved_and_its_mutant_is_not(decide, context, equation, mutant):
+    assert decide(context, equation).grade == "PROVED"
+    with pytest.raises(KernelError, match="undecided"):
+        decide(context, mutant)
+
+
+def test_trying_equations_left_the_book_alone(book, decide):
+    decide("body", "H = H")
+    assert "try" not in book.ledger.facts
+
+
+BANNED = {"simplify", "nsimplify", "trigsimp", "equals", "subs"}
+TRUSTED = [
+    path
+    for folder in (Path(derivations.__file__).parent, PACKAGE / "kernel", PACKAGE / "algebra")
+    for path in sorted(folder.glob("*.py"))
+]
+
+
+@pytest.mark.parametrize("path", TRUSTED, ids=lambda path: f"{path.parent.name}/{path.name}")
+def test_no_heuristic_simplifier_is_named(path):
+    nodes = list(ast.walk(ast.parse(path.read_text("utf-8"))))
+    named = {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+    named |= {node.id for node in nodes if isinstance(node, ast.Name)}
+    named |= {
+        alias.name
+        for node in nodes
+        if isinstance(node, ast.ImportFrom | ast.Import)
+        for alias in node.names
+    }
+    assert not named & BANNED
