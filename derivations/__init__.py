@@ -12,6 +12,8 @@ CHAPTERS = (
     "phi1_integral",
     "attitude",
     "regular_form",
+    "lemma1",
+    "theorem1",
     "descended_form",
     "steady",
     "publish",

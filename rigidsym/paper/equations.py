@@ -91,36 +91,49 @@ EQUATIONS: tuple[Equation, ...] = (
         "10",
         r"\Omega_i(t)=\frac{\sqrt{s_i}}{c_i}\,\mathrm{sn}\!\left(\pm\sqrt{\alpha s_j}\,t+C_i,\ "
         r"\frac{s_i}{s_j}\right)\ \text{when}\ \left|\frac{s_i}{s_j}\right|\le1",
-        "",
+        "Omega_i = sqrt(s_i) sn solves the quartic of (14); divided by c_i it does not",
+        ("sine.solves",),
+        ("sine.over_inertia",),
+        repair=r"\Omega_i(t)=\sqrt{s_i}\,\mathrm{sn}(\pm\sqrt{\alpha s_j}\,t+C_i,\ s_i/s_j)",
     ),
     Equation(
         "11",
         r"\Omega_i(t)=\frac{\sqrt{s_j}}{c_i}\,\mathrm{sn}\!\left(\pm\sqrt{\alpha s_i}\,t+"
         r"\sqrt{\tfrac{s_i}{s_j}}\,C_i,\ \frac{s_j}{s_i}\right)\ \text{otherwise}",
-        "",
+        "(10) by footnote 1",
+        ("sine.solves", "reciprocal.footnote"),
+        ("sine.over_inertia",),
+        repair=r"\Omega_i(t)=\sqrt{s_j}\,\mathrm{sn}(\pm\sqrt{\alpha s_i}\,t+"
+        r"\sqrt{s_i/s_j}\,C_i,\ s_j/s_i)",
     ),
     Equation(
         "footnote 1",
         r"\sqrt\mu\,\mathrm{sn}(\zeta,\mu)=\mathrm{sn}(\sqrt\mu\,\zeta,\mu^{-1})",
-        "",
+        "mu is the parameter; both sides satisfy the same equations and vanish together",
+        ("reciprocal.footnote",),
     ),
     Equation(
         "12",
         r"C_i=\mathrm{sn}^{-1}\!\left(\frac{c_i\Omega_i(0)}{\sqrt{s_i}},\ \frac{s_i}{s_j}\right)",
-        "",
+        "where (10) starts",
+        ("sine.start",),
+        ("sine.start_over_inertia",),
+        repair=r"C_i=\mathrm{sn}^{-1}(\Omega_i(0)/\sqrt{s_i},\ s_i/s_j)",
     ),
     Equation(
         "13",
         r"s_i=\frac{-\beta+\sqrt{\beta^2-4\alpha\chi}}{2\alpha},\ "
         r"s_j=\frac{-\beta-\sqrt{\beta^2-4\alpha\chi}}{2\alpha}",
-        "",
+        "roots in Omega_i^2 of the quadratic (14), not in (c_i Omega_i)^2",
+        ("distinct_axis.roots", "distinct_axis.discriminant"),
     ),
     Equation(
         "14",
         r"\alpha=-\frac{(c_i-c_j)(c_i-c_k)}{c_jc_k},\ "
         r"\beta=\frac{4c_jc_kH-2c_i(c_j+c_k)H+2c_iK^2-(c_j+c_k)K^2}{c_ic_jc_k},\ "
         r"\chi=-\frac{(2c_jH-K^2)(2c_kH-K^2)}{c_i^2c_jc_k}",
-        "",
+        "Omega_i'^2 = alpha Omega_i^4 + beta Omega_i^2 + chi",
+        ("axis.quartic",),
     ),
     Equation("15", r"H,\ K^2\ \text{of (6) at}\ t=0", "they are conserved", ("body.conserved",)),
     Equation(
@@ -130,16 +143,26 @@ EQUATIONS: tuple[Equation, ...] = (
         r"\pm\sqrt{\alpha s_i}\frac{\sqrt{s_j}}{c_i}\mathrm{cn}\!\left(\sqrt{\tfrac{s_i}{s_j}}"
         r"C_i,\tfrac{s_j}{s_i}\right)\mathrm{dn}\!\left(\sqrt{\tfrac{s_i}{s_j}}C_i,"
         r"\tfrac{s_j}{s_i}\right)\ \text{otherwise}",
-        "",
+        "the derivative of (10) at t = 0",
+        ("sine.slope",),
+        ("sine.slope_over_inertia",),
+        repair=r"\dot\Omega_i(0)=\pm\sqrt{\alpha s_j}\sqrt{s_i}\,\mathrm{cn}(C_i,s_i/s_j)\,"
+        r"\mathrm{dn}(C_i,s_i/s_j)",
     ),
-    Equation("17", r"\dot\Omega_i(0)=\delta_i\Omega_l(0)\Omega_k(0),\ l\ne k\ne i", ""),
+    Equation(
+        "17",
+        r"\dot\Omega_i(0)=\delta_i\Omega_l(0)\Omega_k(0),\ l\ne k\ne i",
+        "(5) at t = 0",
+        ("axis.rate",),
+    ),
     Equation(
         "18",
         r"q_0=F_1(\cos\tfrac{\phi_1}2F_3-\sin\tfrac{\phi_1}2F_4),\ "
         r"q_1=F_1(\sin\tfrac{\phi_1}2F_3+\cos\tfrac{\phi_1}2F_4),\ "
         r"q_2=F_2(\cos\tfrac{\phi_1}2F_3+\sin\tfrac{\phi_1}2F_4),\ "
         r"q_3=F_2(\sin\tfrac{\phi_1}2F_3-\cos\tfrac{\phi_1}2F_4)",
-        "",
+        "the quaternion of (25), F1 to F4 being cosines and sines of half angles",
+        ("theorem1.quaternion",),
     ),
     Equation(
         "19",
@@ -148,20 +171,37 @@ EQUATIONS: tuple[Equation, ...] = (
         r"F_4=S_4\frac{y^\star}{\sqrt{1+y^{\star2}}},\ S_i=\pm1;\ "
         r"y^\star=\frac{y}{1+\sqrt{1+y^2}},\ x=\frac{c_1\Omega_1}K,\ "
         r"y=\frac{c_2\Omega_2}{c_3\Omega_3}",
-        "",
+        "F3 and F4 are the cosine and sine of phi3/2 only while cos(phi3) > 0",
+        ("theorem1.outer_halves", "half_angle_right.tangent", "half_angle_right.squares"),
+        ("half_angle_step.everywhere",),
+        condition="c3*Omega3 > 0",
     ),
     Equation(
         "20",
         r"n=s_1/K^2,\ f=\pm\sqrt{s_2\alpha}\,t+C_{11},\ m=s_1/s_2,\ \vartheta=\mathrm{am}(f,m),\ "
         r"\kappa=\pm(2Hc_1-K^2)/(Kc_1\sqrt{s_2\alpha})\ \text{when}\ |s_1/s_2|\le1",
-        "",
+        "the integral of (34), s1 being a root in Omega_1^2; C_11 is C_1 of (12)",
+        ("theorem1_phi1.n", "theorem1_phi1.rate"),
+        ("theorem1_phi1.printed_n",),
+        repair=r"n=c_1^2s_1/K^2",
     ),
     Equation(
         "21",
         r"n=s_2/K^2,\ f=\pm\sqrt{s_1\alpha}\,t+\sqrt{\tfrac{s_1}{s_2}}\,C_{11},\ m=s_2/s_1,\ "
         r"\vartheta=\mathrm{am}(f,m),\ \kappa=\pm(2Hc_1-K^2)/(Kc_1\sqrt{s_1\alpha})\ "
         r"\text{when}\ |s_1/s_2|>1",
-        "",
+        "as (20), with the roots exchanged",
+        ("theorem1_phi1.n", "theorem1_phi1.rate", "reciprocal.footnote"),
+        ("theorem1_phi1.printed_n",),
+        repair=r"n=c_1^2s_2/K^2",
+    ),
+    Equation(
+        "Remark 2",
+        r"S_i=\pm1\ \text{constant}",
+        "where c3 Omega3 < 0 even the squares of F3 and F4 are exchanged: no signs mend that",
+        ("half_angle_left.cotangent", "half_angle_left.squares"),
+        ("half_angle_step.everywhere",),
+        repair=r"\text{the regular form, which has no signs}",
     ),
     Equation(
         "22",
@@ -270,7 +310,11 @@ EQUATIONS: tuple[Equation, ...] = (
         r"\dot\phi_1=\int\frac K{c_1}dt+\sigma\int\frac1{1-(\frac{c_1\zeta}K)^2\mathrm{sn}^2"
         r"(\xi t+\gamma,\mu)}\frac1{\sqrt{1-\mu^2\mathrm{sn}^2(\xi t+\gamma,\mu)}}d\vartheta,\ "
         r"\sigma=\frac{2Hc_1-K^2}{Kc_1\xi}",
-        "",
+        "the left side is phi1, and mu is the parameter",
+        ("theorem1_phi1.by_amplitude",),
+        ("theorem1_phi1.modulus",),
+        repair=r"\phi_1(t)=\int\frac K{c_1}dt+\sigma\int\frac1{1-(c_1\zeta/K)^2\sin^2\vartheta}"
+        r"\frac{d\vartheta}{\sqrt{1-\mu\sin^2\vartheta}}",
     ),
     Equation(
         "37",

@@ -8,9 +8,10 @@ from typing import Any
 from rigidsym.paper.equations import EQUATIONS, Equation
 
 # What the paper assumes throughout: a body with inertia that moves.
-STANDING = {"c1", "c2", "c3", "K"}
+STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "K"}
 # Contexts whose units are positive in every motion: K + sigma M_a never falls below K.
-_UNCONDITIONAL = {"attitude"}
+# half_angle_right supposes what the condition on (19) says.
+_UNCONDITIONAL = {"attitude", "half_angle_right", "theorem1_phi1"}
 
 
 class Ruling(StrEnum):
