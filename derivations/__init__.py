@@ -15,6 +15,7 @@ CHAPTERS = (
     "lemma1",
     "theorem1",
     "descended_form",
+    "edges",
     "steady",
     "publish",
 )

@@ -33,8 +33,8 @@ class Element:
     def over(self, powers: tuple[int, ...]) -> Any:
         """The numerator this element has when written over a larger denominator."""
         scaled = self.numerator
-        for unit, have, want in zip(self.ring.units, self.powers, powers, strict=True):
-            scaled = scaled * unit ** (want - have)
+        for unit, gap in zip(self.ring.units, map(sub, powers, self.powers), strict=True):
+            scaled = scaled * unit**gap if gap else scaled
         return scaled
 
     def __add__(self, other: Any) -> "Element":

@@ -1,0 +1,77 @@
+"""The edges of the regular form, each with its own closed form: separatrix and symmetric bodies.
+
+At m = 1 Jacobi's functions are tanh and sech, at m = 0 they are sin, cos and 1 (DLMF 22.5(ii)).
+Both are models of the regular form, so everything proved there holds; nothing is a limit that would
+have to be taken.  The integral J of the descended form is elementary on the separatrix, and on a
+symmetric body the circulation rate is constant.  Motions with constant rates are the next chapter.
+"""
+
+from derivations.attitude import HANDEDNESS, SENSE
+from derivations.regular_form import (
+    AMPLITUDES,
+    CIRCULATION,
+    HALF,
+    INVARIANTS,
+    POLHODE,
+    ROTATING,
+)
+from rigidsym.algebra import Book, Part, join
+
+BODY = (HANDEDNESS, SENSE, CIRCULATION, HALF, POLHODE)
+SEPARATRIX = Part(
+    witness={"B_b": "25"},
+    units=("B_b", "B_d**2 + B_a**2", "i_a*(B_d**2 + B_a**2) + rho*Delta*B_d**2"),
+    definitions={"m": "1"},
+    relations=("B_b**2 - B_d**2 - B_a**2",),
+    nonnegative=("B_b",),
+    reading={"B_b": "amplitude of c_b |Omega_b|"},
+)
+HYPERBOLIC = Part(
+    witness={"sech": "1", "tanh": "0"},
+    definitions={"sn": "tanh", "cn": "sech", "dn": "sech"},
+    relations=("tanh**2 + sech**2 - 1",),
+    rates={"tanh": "lambda_*sech**2", "sech": "-lambda_*tanh*sech"},
+    reading={"tanh": "tanh(u)", "sech": "1/cosh(u)"},
+)
+SYMMETRIC = Part(
+    units=("i_a*B_d**2 + rho*Delta*B_d**2",),
+    definitions={"m": "0", "B_b": "B_d"},
+    nonnegative=("B_b",),
+)
+CIRCULAR = Part(
+    witness={"cosine": "1", "sine": "0"},
+    definitions={"sn": "sine", "cn": "cosine", "dn": "1"},
+    relations=("sine**2 + cosine**2 - 1",),
+    rates={"sine": "lambda_*cosine", "cosine": "-lambda_*sine"},
+    reading={"sine": "sin(u)", "cosine": "cos(u)"},
+)
+# J at k_1 = 1: x stands for sqrt(-n), A for arctan(x tanh u_1).
+ELEMENTARY = Part(
+    witness={"x": "1/2", "mu": "1", "u_1": "0", "sech": "1", "tanh": "0", "A": "0"},
+    units=("x", "1 + x**2", "1 + x**2*tanh**2"),
+    definitions={"n": "-x**2", "J": "(u_1 - A/x)/(1 - n)"},
+    relations=("tanh**2 + sech**2 - 1",),
+    rates={
+        "u_1": "mu",
+        "tanh": "mu*sech**2",
+        "sech": "-mu*tanh*sech",
+        "A": "x*mu*sech**2/(1 + x**2*tanh**2)",
+    },
+    reading={"A": "atan(x*tanh)", "J": "elliptic_j(u_1, n, 1)"},
+)
+
+
+def derive(book: Book) -> None:
+    """Both edges are models of the regular form; their rates and their psi in closed form."""
+    book.open(join("separatrix", *BODY, SEPARATRIX, AMPLITUDES, HYPERBOLIC, ROTATING, INVARIANTS))
+    book.model("separatrix", "regular")
+    book.carry("separatrix", ["regular.euler"])
+    book.claim("separatrix.middle_axis", {"E_b": "0", "m_1": "0"}, ["10"])
+    book.open(join("separatrix_integral", ELEMENTARY))
+    book.claim("separatrix_integral.j", {"D(J)": "mu*tanh**2/(1 - n*tanh**2)"}, ["36"])
+
+    book.open(join("symmetric", *BODY, SYMMETRIC, AMPLITUDES, CIRCULAR, ROTATING, INVARIANTS))
+    book.model("symmetric", "regular")
+    book.carry("symmetric", ["regular.euler"])
+    book.claim("symmetric.body", {"c_b": "c_d", "A_b": "A_d", "D(Omega_a)": "0"}, ["5"])
+    book.claim("symmetric.rate", {"lambda_": "rho*(c_a - c_d)*A_a/c_d"}, ["10"])
