@@ -129,7 +129,11 @@ def derive(book: Book) -> None:
 
 
 def _every_motion(book: Book) -> None:
-    """Conversely, any inertia and rates give amplitudes and m that meet the hypotheses above."""
+    """Conversely, inertia and rates give m and squares of amplitudes that meet the relations above.
+
+    That the squares are positive and 0 <= m <= 1 is the choice of the axis a, not proved here;
+    where E_a or E_d vanish the rates are constant.
+    """
     squares = Part(
         units=(
             "c_a - c_b",

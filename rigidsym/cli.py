@@ -4,6 +4,7 @@ Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad
 """
 
 import argparse
+import io
 import os
 import sys
 from collections.abc import Callable, Sequence
@@ -22,6 +23,7 @@ class _Parser(argparse.ArgumentParser):
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command line; returns the exit status."""
+    _prepare_output()
     options = _parser().parse_args(arguments)
     try:
         status = options.run(options)
@@ -33,9 +35,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # the reader went away, as `head` does
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except OSError as error:
+        print(f"rigidsym {options.command}: output: {error.strerror}", file=sys.stderr)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 2
     except KeyboardInterrupt:
         print(f"rigidsym {options.command}: interrupted", file=sys.stderr)
         return 130
+
+
+def _prepare_output() -> None:
+    """Closed streams and encodings without our letters are no reason to fail."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, io.StringIO())
+        elif isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -58,6 +74,7 @@ def _parser() -> argparse.ArgumentParser:
 
     check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
     check.add_argument("ledger", metavar="LEDGER", nargs="?", type=Path)
+    check.add_argument("--independent", action="store_true", help="by the checker on python-flint")
 
     errata = command("errata", _errata, "the verdict on each printed equation")
     errata.add_argument("--json", action="store_true")
@@ -65,8 +82,9 @@ def _parser() -> argparse.ArgumentParser:
     codegen = command("codegen", _codegen, "write a numeric module")
     codegen.add_argument("target", metavar="TARGET", help="numpy")
     codegen.add_argument("-o", "--output", metavar="DIR", type=Path)
-    codegen.add_argument("--check", action="store_true", help="compare with what is there")
-    codegen.add_argument("--stdout", action="store_true", help="print the module")
+    instead = codegen.add_mutually_exclusive_group()
+    instead.add_argument("--check", action="store_true", help="compare with what is there")
+    instead.add_argument("--stdout", action="store_true", help="print the module")
 
     trace = command("trace", _trace, "a generated line's equations; an equation's generated lines")
     trace.add_argument("place", metavar="FILE:LINE", nargs="?")
@@ -126,10 +144,13 @@ def _table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) ->
 
     table = Table(title=title, title_justify="left")
     for column in columns:
-        table.add_column(column)
+        table.add_column(column, overflow="fold")
     for row in rows:
         table.add_row(*map(Text, row))
-    Console(width=None if sys.stdout.isatty() else 120).print(table)
+    console = Console(width=None if sys.stdout.isatty() else 120)
+    with console.capture() as text:
+        console.print(table)
+    sys.stdout.write(text.get())
 
 
 def _say(message: str) -> None:
@@ -138,8 +159,10 @@ def _say(message: str) -> None:
 
 def _reproduce(options: Any) -> int:
     from rigidsym.derive import DerivationError
+    from rigidsym.files import probe
     from rigidsym.reproduce import reproduce
 
+    probe(options.output)
     rows: list[tuple[str, str, str, str]] = []
 
     def say(stage: str, found: str, seconds: float, passed: bool) -> None:
@@ -147,7 +170,7 @@ def _reproduce(options: Any) -> int:
         rows.append((stage, found, f"{seconds:.1f} s", "ok" if passed else "FAILED"))
 
     try:
-        result = reproduce(options.output, say)
+        result = reproduce(options.output, say, _progress)
     except DerivationError as error:
         _say(f"rigidsym reproduce: {error}")
         return 1
@@ -165,10 +188,6 @@ def _derive(options: Any) -> int:
     except DerivationError as error:
         _say(f"rigidsym derive: {error}")
         return 1
-    if options.chapters and options.output is None:
-        _say("the ledger is sealed by all chapters together: not written")
-    else:
-        _say(f"ledger: {write_text(options.output or sealed_path(), derivation.ledger)}")
     if options.json:
         print(derivation.to_json(), end="")
     else:
@@ -177,10 +196,17 @@ def _derive(options: Any) -> int:
             for chapter in derivation.chapters
         ]
         _table("rigidsym derive", ("chapter", "", "facts", "time"), rows)
+    sys.stdout.flush()
+    if options.chapters and options.output is None:
+        _say("the ledger is sealed by all chapters together: not written")
+    else:
+        _say(f"ledger: {write_text(options.output or sealed_path(), derivation.ledger)}")
     return 0
 
 
 def _check(options: Any) -> int:
+    if options.independent:
+        return _check_independently(options.ledger)
     from rigidsym.kernel import KernelError, replay
 
     try:
@@ -189,6 +215,18 @@ def _check(options: Any) -> int:
         _say(f"rigidsym check: refused: {error}")
         return 1
     print(f"{len(ledger.facts)} facts in {len(ledger.contexts)} contexts: accepted")
+    return 0
+
+
+def _check_independently(path: Path | None) -> int:
+    from rigidsym.independent import Refused, check
+
+    try:
+        facts = check(_ledger_text(path))
+    except Refused as error:
+        _say(f"rigidsym check: refused by the independent checker: {error}")
+        return 1
+    print(f"{facts} facts: accepted by the independent checker")
     return 0
 
 
@@ -207,8 +245,9 @@ def _errata(options: Any) -> int:
     import json
 
     from rigidsym.paper import verdicts
+    from rigidsym.solution import ledger_data
 
-    ruled = verdicts(json.loads(_ledger_text(None)))
+    ruled = verdicts(ledger_data(_ledger_text(None)))
     if options.json:
         data = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
         print(json.dumps(data, indent=1))
@@ -258,7 +297,7 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
     status = 0
     for name, text in texts.items():
         path = directory / name
-        there = path.read_text("utf-8") if path.is_file() else ""
+        there = path.read_text("utf-8", errors="replace") if path.is_file() else ""
         if there != text:
             status = 1
             lines = unified_diff(there.splitlines(True), text.splitlines(True), str(path), "new")
@@ -285,13 +324,11 @@ def _trace(options: Any) -> int:
 
 
 def _validate(options: Any) -> int:
-    from rigidsym.codegen import TARGETS
-    from rigidsym.files import write_text
+    from rigidsym.files import probe, write_text
     from rigidsym.validate import validate
 
-    for target in options.targets:
-        if target not in TARGETS:
-            raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+    if options.output:
+        probe(options.output)
     chosen = {name: getattr(options, name) for name in ("cases", "digits", "seed")}
     given = {name: value for name, value in chosen.items() if value is not None}
     status = 0

@@ -70,9 +70,12 @@ def derive(
             raise InputError("chapter", name, f"must be one of: {', '.join(CHAPTERS)}")
     last = max(map(CHAPTERS.index, chosen), default=len(CHAPTERS) - 1)
     book, ran = Book(), []
-    for done, name in enumerate(CHAPTERS[: last + 1]):
-        progress(done, last + 1)
-        ran.append(_run(book, name))
+    try:
+        for done, name in enumerate(CHAPTERS[: last + 1]):
+            progress(done, last + 1)
+            ran.append(_run(book, name))
+    finally:
+        progress(last + 1, last + 1)
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
     return Derivation(reported, book.ledger.to_text())
 

@@ -2,12 +2,17 @@
 
 from typing import Any
 
+_LONGEST = 120
+
 
 class InputError(ValueError):
     """One line: the field, the value it has, and the rule that the value breaks."""
 
     def __init__(self, field: str, value: Any, rule: str) -> None:
-        super().__init__(f"{field} = {value}: {rule}")
+        shown = str(value).replace("\n", "\\n")
+        if len(shown) > _LONGEST:
+            shown = f"{shown[:_LONGEST]}..."
+        super().__init__(f"{field} = {shown}: {rule}")
         self.field, self.value, self.rule = field, value, rule
 
 

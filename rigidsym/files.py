@@ -7,6 +7,16 @@ from pathlib import Path
 from rigidsym.errors import InputError
 
 
+def probe(directory: Path) -> None:
+    """Raise InputError where a directory cannot be written, before work is spent."""
+    try:
+        directory.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=directory):
+            pass
+    except OSError as error:
+        raise InputError("output", directory, f"cannot be written: {error.strerror}") from None
+
+
 def write_text(path: Path, text: str) -> Path:
     """Write under a temporary name and move into place; raises InputError where that fails."""
     return write_bytes(path, text.encode("utf-8"))

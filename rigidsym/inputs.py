@@ -5,6 +5,7 @@ mpf mean exactly what they say.
 """
 
 import math
+import operator
 import re
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
@@ -31,7 +32,7 @@ def exact(field: str, value: Any) -> Fraction:
     if isinstance(value, Rational):
         return Fraction(value)
     if isinstance(value, Real | Decimal):
-        if not math.isfinite(value):
+        if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
             raise InputError(field, value, "must be finite")
         return Fraction(*value.as_integer_ratio())  # type: ignore[union-attr]
     raise InputError(field, repr(value), "must be a number")
@@ -107,6 +108,10 @@ def times(values: Any) -> tuple[tuple[Fraction, ...], bool]:
 
 def digits(value: Any) -> int:
     """A number of significant digits."""
-    if isinstance(value, bool) or not isinstance(value, int) or value < 1:
+    try:
+        count = 0 if isinstance(value, bool) else operator.index(value)
+    except TypeError:
+        count = 0
+    if count < 1:
         raise InputError("digits", repr(value), "must be a whole number, at least 1")
-    return value
+    return count

@@ -1,6 +1,6 @@
 """Line plots as SVG text: no dependency, and the same bytes everywhere.
 
-Kept to what a report needs; notebooks and anything richer use matplotlib (extra `lab`).
+Kept to what a report needs: anything richer is for a plotting library.
 """
 
 import math

@@ -20,6 +20,7 @@ from rigidsym.solution import load
 from rigidsym.validate import ValidationReport, validate
 
 Say = Callable[[str, str, float, bool], None]
+Progress = Callable[[str], Callable[[int, int], None]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,13 +40,14 @@ class Reproduction:
         return self.checked and self.current and self.validation.passed
 
 
-def reproduce(directory: Path, say: Say) -> Reproduction:
-    """Run every stage and write the results into a directory; `say` hears of each stage.
+def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
+    """Run every stage and write the results into a directory; `say` hears of each stage,
+    `progress` names a stage and gets what is done of it and the total.
 
     Raises InputError where the directory cannot be written and DerivationError where a proof
     fails; what an earlier run has written stays until its successor is complete.
     """
-    derivation, seconds = _timed(derive)
+    derivation, seconds = _timed(lambda: derive(progress=progress("derive")))
     claims = sum(len(chapter.facts) for chapter in derivation.chapters)
     say("derive", f"{claims} facts in {len(derivation.chapters)} chapters", seconds, True)
     ledger = write_text(directory / "ledger.json", derivation.ledger)
@@ -58,7 +60,7 @@ def reproduce(directory: Path, say: Say) -> Reproduction:
     same = "the same as" if current else "NOT the same as"
     say("codegen", f"NumPy module, {same} the one installed", seconds, current)
 
-    validation, seconds = _timed(validate)
+    validation, seconds = _timed(lambda: validate(progress=progress("validate")))
     states = sum(stratum.states for stratum in validation.strata)
     share = max(stratum.worst["share"] for stratum in validation.strata)
     found = f"{states} states in {len(validation.strata)} strata, {share:.0%} of the bound used"

@@ -4,8 +4,6 @@ Its text stands in the generated module after the kernels and the derived functi
 `_plan`, `_state` and `_steady`; here it is importable only as far as linting goes.
 """
 
-from typing import Any
-
 import numpy as np
 
 from rigidsym.codegen.numpy_stubs import RESULTS, _excess, _plan, _state, _steady
@@ -15,27 +13,35 @@ from rigidsym.codegen.numpy_stubs import RESULTS, _excess, _plan, _state, _stead
 # on which side of the separatrix a motion is: then the motion is refused.
 _NEGLIGIBLE = 2.0**-460
 _BLOCK = 8192
+# Errors grow like 2^-50 |omega| t: here they reach a thousandth of a radian.
+_FARTHEST = 2.0**40
+# Products of four ratios of inertia stay normal numbers.
+_THINNEST = 2.0**-240
 
 
-def plan(inertia: Any, omega0: Any, attitude0: Any = (1.0, 0.0, 0.0, 0.0)) -> dict[str, Any]:
+def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), E_b=None):
     """Constants of free motions, for `states`.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
-    shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
-    positive where they have to be, or too near the separatrix for binary64.
+    shapes broadcast.  E_b (...), if given, is K^2 - 2 H c_b of motions that these doubles only
+    approximate: its sign decides the circulation.  Raises ValueError for wrong shapes and for
+    numbers that are not finite, not positive where they have to be, of too different size, or too
+    near the separatrix for binary64.
     """
     inertia, omega0, attitude0 = (np.asarray(x, float) for x in (inertia, omega0, attitude0))
     _check(inertia, omega0, attitude0)
     batch = _batch(inertia, omega0, attitude0)
-    c, _ = _scaled(np.broadcast_to(inertia, (*batch, 3)))
+    c, unit = _scaled(np.broadcast_to(inertia, (*batch, 3)))
     omega, rate = _scaled(np.broadcast_to(omega0, (*batch, 3)))
     q, _ = _scaled(np.broadcast_to(attitude0, (*batch, 4)))
     q = q / np.sqrt(np.sum(q * q, axis=-1, keepdims=True))
-    axes, excess = _axes(c, omega)
+    if E_b is not None:
+        E_b = np.broadcast_to(E_b / unit[..., 0] ** 2 / rate[..., 0] ** 2, batch)
+    axes, excess = _axes(c, omega, E_b)
     kept = np.where(np.abs(omega) < _NEGLIGIBLE, 0.0, omega)
     steady = _is_steady(c, kept)
-    _check_distance(steady & ~_is_steady(c, omega), axes, kept, excess)
+    _check_distance(c, steady & ~_is_steady(c, omega), axes, kept, excess)
     constants = {
         "axes": axes,
         "steady": steady,
@@ -48,7 +54,7 @@ def plan(inertia: Any, omega0: Any, attitude0: Any = (1.0, 0.0, 0.0, 0.0)) -> di
     return constants
 
 
-def states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
+def states(plan, t):
     """(q, omega) at the times t in s: (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and
     (..., N, 3) for t (N,).  q is continuous in the double cover from attitude0 on.
     """
@@ -63,13 +69,13 @@ def states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
     return _block(plan, t)
 
 
-def _block(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
+def _block(plan, t):
     """The states of one block of times, whose intermediate arrays fit the cache."""
     widened = {name: _widened(value, name, t.ndim) for name, value in plan.items()}
     with np.errstate(over="ignore"):
         t = t * widened["rate"]
-    if not np.all(np.isfinite(t)):
-        raise ValueError("t: the angle |omega| t overflows binary64")
+    if np.any(np.abs(t) > _FARTHEST):
+        raise ValueError("t: beyond |omega| t = 2^40 rad the angle is lost in binary64")
     steady = widened["steady"]
     if np.all(steady):
         q, omega = _steady_states(widened, t)
@@ -79,10 +85,13 @@ def _block(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
             still = _steady_states(widened, t)
             q = np.where(steady[..., None], still[0], q)
             omega = np.where(steady[..., None], still[1], omega)
+    start = (t == 0)[..., None]
+    q = np.where(start, widened["attitude0"], q)
+    omega = np.where(start, widened["omega0"], omega)
     return q, omega * widened["rate"][..., None]
 
 
-def _check(inertia: Any, omega0: Any, attitude0: Any) -> None:
+def _check(inertia, omega0, attitude0):
     for name, value, size in (
         ("inertia", inertia, 3),
         ("omega0", omega0, 3),
@@ -94,11 +103,13 @@ def _check(inertia: Any, omega0: Any, attitude0: Any) -> None:
             raise ValueError(f"{name}: every number must be finite")
     if np.any(inertia <= 0):
         raise ValueError("inertia: principal moments must be positive")
+    if np.any(np.min(inertia, axis=-1) < _THINNEST * np.max(inertia, axis=-1)):
+        raise ValueError("inertia: principal moments differ by more than binary64 can follow")
     if not np.all(np.any(attitude0 != 0, axis=-1)):
         raise ValueError("attitude0: a zero quaternion is no attitude")
 
 
-def _batch(inertia: Any, omega0: Any, attitude0: Any) -> tuple[int, ...]:
+def _batch(inertia, omega0, attitude0):
     shapes = [x.shape[:-1] for x in (inertia, omega0, attitude0)]
     try:
         return np.broadcast_shapes(*shapes)
@@ -107,20 +118,22 @@ def _batch(inertia: Any, omega0: Any, attitude0: Any) -> tuple[int, ...]:
         raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
 
 
-def _check_distance(lost: Any, axes: Any, omega: Any, excess: Any) -> None:
+def _check_distance(c, lost, axes, omega, excess):
     """Refuse what binary64 cannot tell from the separatrix or from spin about the middle axis."""
+    distinct = np.all(np.diff(np.sort(c, axis=-1), axis=-1) != 0, axis=-1)
     spin = np.take_along_axis(omega, axes[..., 1:2], -1)[..., 0] != 0
-    if np.any(lost & spin) or np.any((excess != 0) & (np.abs(excess) < 2.0**-950)):
+    faint = (excess != 0) & (np.abs(excess) < 2.0**-950)
+    if np.any(distinct & (lost & spin | faint)):
         raise ValueError("omega0: nearer to the separatrix than binary64 can follow")
 
 
-def _scaled(x: Any) -> tuple[Any, Any]:
+def _scaled(x):
     """x over a power of two that brings its largest component into [1, 2), and that power."""
     exponent = np.frexp(np.max(np.abs(x), axis=-1, keepdims=True))[1] - 1
     return np.ldexp(x, -exponent), np.ldexp(1.0, exponent)
 
 
-def _is_steady(c: Any, omega: Any) -> Any:
+def _is_steady(c, omega):
     """True where M and Omega are parallel, decided without rounding."""
     steady = np.ones(c.shape[:-1], bool)
     for j, k in ((0, 1), (1, 2), (2, 0)):
@@ -128,14 +141,20 @@ def _is_steady(c: Any, omega: Any) -> Any:
     return steady
 
 
-def _axes(c: Any, omega: Any) -> tuple[Any, Any]:
-    """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
+def _axes(c, omega, given):
+    """The indices of the axes (a, b, d), and E_b, whose sign chooses a.
+
+    Where two moments are the same double the third axis is a, whatever E_b was given.
+    """
     order = np.argsort(c, axis=-1, kind="stable")
     excess = _exact_excess(c, omega, order[..., ::-1])
+    if given is not None:
+        distinct = np.all(np.diff(np.take_along_axis(c, order, -1), axis=-1) != 0, axis=-1)
+        excess = np.where(distinct, given, excess)
     return np.where(excess[..., None] >= 0, order[..., ::-1], order), excess
 
 
-def _exact_excess(c: Any, omega: Any, axes: Any) -> Any:
+def _exact_excess(c, omega, axes):
     """E_b to double precision: where its terms cancel, from integers."""
     c, omega = (np.take_along_axis(x, axes, -1) for x in (c, omega))
     zero = np.zeros_like(omega[..., 0])
@@ -149,7 +168,7 @@ def _exact_excess(c: Any, omega: Any, axes: Any) -> Any:
     return excess
 
 
-def _integer_excess(c: Any, omega: Any) -> float:
+def _integer_excess(c, omega):
     """E_b of one motion in integer arithmetic, rounded once."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
     excess = _excess(*c, omega[0], omega[2])
@@ -157,7 +176,7 @@ def _integer_excess(c: Any, omega: Any) -> float:
     return float(np.ldexp(float(excess >> shift), shift + 2 * (scale_c + scale_omega)))
 
 
-def _integers(x: Any) -> tuple[list[int], int]:
+def _integers(x):
     """Python integers and the power of two that turns them into x."""
     mantissa, exponent = np.frexp(x)
     exponent = np.where(x == 0, np.max(exponent), exponent)
@@ -166,12 +185,12 @@ def _integers(x: Any) -> tuple[list[int], int]:
     return [m << int(e) - least for m, e in zip(whole, exponent, strict=True)], least - 53
 
 
-def _columns(x: Any) -> tuple[Any, ...]:
+def _columns(x):
     return tuple(x[..., k] for k in range(x.shape[-1]))
 
 
 @np.errstate(all="ignore")
-def _moving_plan(c: Any, omega: Any, q: Any, axes: Any, excess: Any) -> dict[str, Any]:
+def _moving_plan(c, omega, q, axes, excess):
     """The derived constants; without meaning where the rates are constant."""
     inertia = _columns(np.take_along_axis(c, axes, -1))
     rates = _columns(np.take_along_axis(omega, axes, -1))
@@ -184,14 +203,14 @@ def _moving_plan(c: Any, omega: Any, q: Any, axes: Any, excess: Any) -> dict[str
     return dict(zip(RESULTS, np.broadcast_arrays(*values), strict=True))
 
 
-def _widened(value: Any, name: str, ndim: int) -> Any:
+def _widened(value, name, ndim):
     """A constant with room for the time axis, which comes before the components of a vector."""
     axis = value.ndim - (name in ("axes", "omega0", "attitude0"))
     return np.expand_dims(value, axis) if ndim else value
 
 
 @np.errstate(all="ignore")
-def _moving_states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
+def _moving_states(plan, t):
     *q, omega_a, omega_b, omega_d = _state(t, *(plan[name] for name in RESULTS))
     rates = np.stack(np.broadcast_arrays(omega_a, omega_b, omega_d), axis=-1)
     vector = np.stack(np.broadcast_arrays(*q[1:]), axis=-1)
@@ -202,7 +221,7 @@ def _moving_states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
 
 
 @np.errstate(all="ignore")
-def _steady_states(plan: dict[str, Any], t: Any) -> tuple[Any, Any]:
+def _steady_states(plan, t):
     omega, attitude = plan["omega0"], plan["attitude0"]
     q = np.stack(np.broadcast_arrays(*_steady(*_columns(omega), *_columns(attitude), t)), axis=-1)
     rest = np.all(omega == 0, axis=-1, keepdims=True)

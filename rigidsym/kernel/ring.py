@@ -54,7 +54,7 @@ class Element:
         return self * self.ring.inverse(self.ring.element(other))
 
     def __pow__(self, exponent: int) -> "Element":
-        if not 0 < exponent <= 64 or len(self.numerator) * (exponent - 1) > 1000:
+        if not 0 < exponent <= 64 or len(self.numerator) ** min(exponent, 9) > 10**6:
             raise KernelError(f"power {exponent} of {len(self.numerator)} terms: not from 1 to 64")
         powers = tuple(exponent * power for power in self.powers)
         return Element(self.ring, self.numerator**exponent, powers)

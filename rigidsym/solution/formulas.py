@@ -6,7 +6,8 @@ that are not backed by a proved fact, or that use a name before it is known, are
 
 import hashlib
 import json
-from collections.abc import Mapping
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib import resources
@@ -31,6 +32,19 @@ INPUTS = {
         *("phase", "n", "psi_0", "kappa", "J_0", "p_0", "p_a", "p_b", "p_d", "t"),
     ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
+}
+# The standard functions that numbers may use, and the quantities they stand for.
+READINGS = {
+    "s": "jacobi_sn(u_1, 1 - m_c)",
+    "c": "jacobi_cn(u_1, 1 - m_c)",
+    "d": "jacobi_dn(u_1, 1 - m_c)",
+    "u": "jacobi_argument(sn, cn, dn)",
+    "J": "elliptic_j(u_1, n, 1 - m_c)",
+    "J_0": "elliptic_j(phase, n, 1 - m_c)",
+    "cos_half_psi": "cos(psi/2)",
+    "sin_half_psi": "sin(psi/2)",
+    "cos_half_theta": "cos(theta/2)",
+    "sin_half_theta": "sin(theta/2)",
 }
 _OF_PARAMETER = {"jacobi_sn", "jacobi_cn", "jacobi_dn", "elliptic_j"}
 
@@ -64,6 +78,18 @@ def ledger_text() -> str:
         raise LedgerError(f"ledger: {error}: run `rigidsym derive` to write it") from None
 
 
+def ledger_data(text: str) -> dict[str, Any]:
+    """A ledger as plain data; raises LedgerError unless it has the parts of one."""
+    try:
+        data = json.loads(text)
+        for part, key in (("facts", "id"), ("contexts", "name")):
+            if any(not isinstance(entry[key], str) for entry in data[part]):
+                raise LedgerError(f"ledger: {part} have no {key}")
+    except (KeyError, TypeError, json.JSONDecodeError) as error:
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/1: {error!r}") from None
+    return data
+
+
 @cache
 def sealed() -> Solution:
     """The solution of the sealed ledger."""
@@ -72,18 +98,21 @@ def sealed() -> Solution:
 
 def load(text: str) -> Solution:
     """The solution that a ledger publishes; raises LedgerError where it proves less."""
+    data = ledger_data(text)
     try:
-        data = json.loads(text)
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
         programmes = {
             name: tuple(_formula(entry, facts, contexts) for entry in entries)
             for name, entries in data["published"].items()
         }
-    except (KeyError, TypeError, AttributeError, json.JSONDecodeError) as error:
+    except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/1: {error!r}") from None
-    for name, formulas in programmes.items():
-        _check_order(name, formulas)
+    for name in INPUTS:
+        if name not in programmes:
+            raise LedgerError(f"ledger: it does not publish the programme {name}")
+        _check_order(name, programmes[name])
+        _check_together(name, data["published"][name], facts)
     return Solution(programmes, _digest(programmes))
 
 
@@ -91,7 +120,9 @@ def _formula(entry: str, facts: Mapping[str, Any], contexts: Mapping[str, Any]) 
     if ":" in entry:
         context, name, *source = entry.split(":")
         expression = _by_complement(parse(contexts[context]["reading"][name]))
-        return Formula(name, expression, f"{context}.{name}", tuple(source))
+        if READINGS.get(name) != contexts[context]["reading"][name]:
+            raise LedgerError(f"ledger: {entry}: its reading is not the one that numbers know")
+        return Formula(name, expression, f"reading {context}.{name}", tuple(source))
     fact = facts[entry]
     proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
     if not proved or len(fact["lhs"]) != 1:
@@ -117,6 +148,16 @@ def _check_order(programme: str, formulas: tuple[Formula, ...]) -> None:
         if missing:
             raise LedgerError(f"ledger: {programme}: {formula.name} needs {', '.join(missing)}")
         known.add(formula.name)
+
+
+def _check_together(programme: str, entries: Sequence[str], facts: Mapping[str, Any]) -> None:
+    """All formulas hold at once: one context is a model of every other they come from."""
+    contexts = {re.split("[.:]", entry)[0] for entry in entries}
+    for context in contexts:
+        models = {f"{context}.models_{other}" for other in contexts - {context}}
+        if all(facts.get(m, {}).get("grade") == "PROVED" for m in models):
+            return
+    raise LedgerError(f"ledger: {programme}: no context is a model of all: {sorted(contexts)}")
 
 
 def _digest(programmes: Mapping[str, tuple[Formula, ...]]) -> str:

@@ -36,7 +36,8 @@ class Polhode:
 
     `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
     `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
-    c_a - c_d, and `chi` that of -rho epsilon sigma Omega_d (+1 for zeros).
+    c_a - c_d, and `chi` that of -rho epsilon sigma Omega_d (+1 for zeros); `excess` is
+    E_b = K^2 - 2 H c_b.
     """
 
     regime: Regime
@@ -45,24 +46,25 @@ class Polhode:
     sigma: int
     rho: int
     chi: int
+    excess: Fraction
 
 
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     """Decide the regime from exact inertia (3 numbers) and body rates (3 numbers)."""
     low, middle, high = sorted(range(3), key=lambda k: inertia[k])
     axes = (high, middle, low)
+    excess = _excess(inertia, omega, axes)
+    if excess < 0:
+        axes = (low, middle, high)
     if _steady(inertia, omega):
         regime = _steady_regime(inertia, omega)
     else:
-        excess = _excess(inertia, omega, axes)
-        if excess < 0:
-            axes = (low, middle, high)
         regime = _moving_regime(inertia, excess)
     epsilon = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     sigma = -1 if omega[axes[0]] < 0 else 1
     rho = 1 if axes[0] == high else -1
     chi = -1 if -rho * epsilon * sigma * omega[axes[2]] < 0 else 1
-    return Polhode(regime, axes, epsilon, sigma, rho, chi)
+    return Polhode(regime, axes, epsilon, sigma, rho, chi, excess)
 
 
 def _steady(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> bool:

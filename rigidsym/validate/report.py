@@ -5,11 +5,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+from rigidsym.errors import InputError
+from rigidsym.generated import torque_free
 from rigidsym.validate.measure import Measurement, measure
 from rigidsym.validate.strata import STRATA, Sample, samples
 
 SCHEMA = "rigidsym.validation/1"
 FIELDS = ("angle", "omega", "norm", "energy", "momentum", "share")
+MODULES = {"numpy": torque_free}
 CASES, DIGITS, SEED = 15, 25, 1
 
 
@@ -116,11 +119,16 @@ def validate(
     seed: int = SEED,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure the generated module on `cases` samples of every stratum and on the paper's body."""
+    """Measure a generated module on `cases` samples of every stratum and on the paper's body.
+
+    Raises InputError for an unknown target.
+    """
+    if target not in MODULES:
+        raise InputError("target", target, f"must be one of: {', '.join(MODULES)}")
     drawn = list(samples(cases, seed))
     measured: dict[str, list[Measurement]] = {name: [] for name in ("paper", *STRATA)}
     for done, sample in enumerate(drawn):
-        measured[sample.stratum].append(measure(sample, digits))
+        measured[sample.stratum].append(measure(sample, digits, MODULES[target]))
         progress(done + 1, len(drawn))
     strata = tuple(_summary(name, results) for name, results in measured.items())
     return ValidationReport(target, cases, digits, seed, strata)

@@ -108,17 +108,20 @@ def test_a_chapter_that_raises_is_one_line(monkeypatch, capsys):
     assert "chapter conjugacy: ZeroDivisionError" in capsys.readouterr().err.splitlines()[-1]
 
 
-def test_check_accepts_the_sealed_ledger_and_refuses_a_changed_one(tmp_path, capsys):
+@pytest.mark.parametrize("checker", [[], ["--independent"]])
+def test_check_accepts_the_sealed_ledger_and_refuses_a_changed_one(checker, tmp_path, capsys):
     sealed = Path(rigidsym.__path__[0]).parent / "derivations" / "ledger.json"
-    assert main(["check", str(sealed)]) == 0
+    assert main(["check", str(sealed), *checker]) == 0
     assert "accepted" in capsys.readouterr().out
     changed = tmp_path / "ledger.json"
     data = json.loads(sealed.read_text())
     (fact,) = (fact for fact in data["facts"] if fact["id"] == "regular.E_a")
     fact["rhs"] = [fact["rhs"][0].replace("c_a - c_b", "c_a + c_b")]
-    changed.write_text(json.dumps(data))
-    assert main(["check", str(changed)]) == 1
-    assert "refused: fact regular.E_a" in capsys.readouterr().err
+    changed.write_text(json.dumps(data, indent=1) + "\n")
+    assert main(["check", str(changed), *checker]) == 1
+    error = capsys.readouterr().err
+    assert "refused" in error
+    assert "fact regular.E_a" in error
 
 
 def test_errata_tells_the_misprint_in_35(capsys):
@@ -205,6 +208,59 @@ def test_propagate_to_fifty_digits(case, capsys):
             assert b.startswith(a[:-2])
 
 
+def test_times_are_printed_as_correct_decimals(case, capsys):
+    case.write_text(CASE.replace('[0, "0.5", 180.0]', '["0.1", "1/3", 0.1, 1e3]'))
+    assert main(["propagate", str(case), "--digits", "30"]) == 0
+    times = [line.split(",")[0] for line in capsys.readouterr().out.splitlines()[1:]]
+    double = "0.100000000000000005551115123126"
+    assert times == ["0.1", "0." + "3" * 30, double, "1000"]
+
+
+@pytest.mark.parametrize(
+    "command", ["errata", "check", "propagate paper", "codegen numpy --stdout"]
+)
+@pytest.mark.parametrize("output", ["| true", ">&-", "> /dev/null"])
+def test_readers_that_do_not_listen(command, output):
+    shell = f"set -o pipefail; {sys.executable} -m rigidsym {command} {output}"
+    found = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False)
+    assert found.returncode == 0
+    assert found.stderr == ""
+
+
+def test_a_full_disk_is_one_line():
+    shell = f"{sys.executable} -m rigidsym propagate paper > /dev/full"
+    found = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, check=False)
+    assert found.returncode == 2
+    assert found.stderr.splitlines() == ["rigidsym propagate: output: No space left on device"]
+
+
+def test_terminals_without_our_letters():
+    found = run("errata", PYTHONIOENCODING="ascii")
+    assert found.returncode == 0
+    assert "misprint" in found.stdout
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"facts": [], "contexts": []}'])
+def test_a_damaged_sealed_ledger_is_one_line(text, monkeypatch, capsys):
+    from rigidsym.solution import formulas
+
+    monkeypatch.setattr("rigidsym.solution.ledger_text", lambda: text)
+    monkeypatch.setattr(formulas, "ledger_text", lambda: text)
+    formulas.sealed.cache_clear()
+    try:
+        for arguments in (
+            ["errata"],
+            ["codegen", "numpy"],
+            ["propagate", "paper", "--digits", "9"],
+        ):
+            status = main(arguments)
+            error = capsys.readouterr().err
+            assert status == 2 or (arguments == ["errata"] and "facts" in text)
+            assert len(error.splitlines()) == (1 if status else 0)
+    finally:
+        formulas.sealed.cache_clear()
+
+
 def test_the_papers_case_ships_with_the_package(capsys):
     assert main(["propagate", "paper"]) == 0
     assert len(capsys.readouterr().out.splitlines()) == 182
@@ -251,6 +307,8 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
         (["codegen", "fortran"], "target = fortran: must be one of: numpy"),
         (["validate", "fortran"], "target = fortran: must be one of: numpy"),
         (["trace"], "takes either"),
+        (["reproduce", "-o", "/dev/null/inside"], "cannot be written"),
+        (["validate", "-o", "/dev/null/inside"], "cannot be written"),
         (["trace", "torque_free.py"], "must be FILE:LINE"),
     ],
 )

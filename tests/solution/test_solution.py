@@ -65,7 +65,9 @@ def test_complements_are_taken_off_not_computed():
 def test_every_formula_is_a_proved_fact_or_a_reading():
     facts = {fact["id"]: fact for fact in LEDGER["facts"]}
     readings = {
-        f"{context['name']}.{name}" for context in LEDGER["contexts"] for name in context["reading"]
+        f"reading {context['name']}.{name}"
+        for context in LEDGER["contexts"]
+        for name in context["reading"]
     }
     for formulas in sealed().programmes.values():
         for formula in formulas:
@@ -84,6 +86,9 @@ def changed(**published):
         ("[]", "not readable"),
         ('{"facts": []}', "not readable"),
         (changed(state=["no.such"]), "not readable"),
+        ('{"facts": [], "contexts": [], "published": {}}', "does not publish the programme plan"),
+        (ledger_text().replace("jacobi_argument(sn, cn, dn)", "2*sn"), "reading is not the one"),
+        (ledger_text().replace("descended.models_regular", "m"), "no context is a model of all"),
         (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
         (changed(state=["regular.euler"]), "not one proved formula"),
         (changed(state=["amplitude.printed"]), "not one proved formula"),
@@ -104,7 +109,8 @@ ALLOWED = {
     "precise": {"precise", "solution", "errors"},
     "codegen": {"codegen", "solution", "errors", "files"},
     "generated": set(),
-    "validate": {"validate", "motion", "cases"},
+    "validate": {"validate", "motion", "cases", "generated", "errors"},
+    "independent": {"independent"},
 }
 
 

@@ -6,6 +6,7 @@ import json
 import numpy as np
 import pytest
 
+from rigidsym import InputError
 from rigidsym.generated import torque_free
 from rigidsym.validate import validate
 from rigidsym.validate.measure import bound, measure
@@ -88,3 +89,8 @@ def test_the_bound_grows_with_the_angle_turned():
     far = dataclasses.replace(sample, times=(0.0, 1e3))
     assert bound(far, 1e3) > bound(far, 1.0) > 256
     assert measure(far, 25).share < 1
+
+
+def test_a_target_that_does_not_exist():
+    with pytest.raises(InputError, match="target = rust: must be one of: numpy"):
+        validate("rust")

@@ -1,0 +1,83 @@
+"""What a ledger file is before it means anything: JSON of one exact shape and spelling."""
+
+import json
+from dataclasses import dataclass, fields
+from typing import Any
+
+KEYS = ["schema", "contexts", "facts", "published"]
+
+
+class Refused(ValueError):  # noqa: N818 (a verdict rather than an error)
+    """The ledger is not in order; one line says where and why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hypotheses:
+    """The record of a context."""
+
+    name: str
+    generators: list[str]
+    witness: dict[str, str]
+    units: list[str]
+    definitions: dict[str, str]
+    relations: list[str]
+    rates: dict[str, str] | None
+    nonnegative: list[str]
+    reading: dict[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """The record of a fact; what its certificate must hold depends on the rule."""
+
+    id: str
+    context: str
+    kind: str
+    lhs: list[str]
+    rhs: list[str]
+    rule: str
+    grade: str
+    premises: list[str]
+    source: list[str]
+    certificate: dict[str, Any]
+
+
+def fits(value: Any, kind: Any) -> bool:
+    """Whether a JSON value has the type of a field above."""
+    if kind == list[str]:
+        return isinstance(value, list) and all(isinstance(item, str) for item in value)
+    if kind == dict[str, str]:
+        return isinstance(value, dict) and fits([*value.values()], list[str])
+    if kind == dict[str, str] | None:
+        return value is None or fits(value, dict[str, str])
+    return isinstance(value, str if kind is str else dict)
+
+
+def fill(kind: Any, entry: Any) -> Any:
+    """The entry as a record: exactly its fields, in order, each of exactly its type."""
+    if not isinstance(entry, dict) or [*entry] != [field.name for field in fields(kind)]:
+        raise Refused("not the fields that the schema gives it")
+    if wrong := [field.name for field in fields(kind) if not fits(entry[field.name], field.type)]:
+        raise Refused(f"{wrong[0]} has the wrong type")
+    return kind(**entry)
+
+
+def load(text: str) -> tuple[list[Any], list[Any]]:
+    """The entries of contexts and facts, still unread, of a file spelled as ledgers are."""
+    data = json.loads(text, object_pairs_hook=_once)
+    if not isinstance(data, dict) or [*data] != KEYS or data["schema"] != "rigidsym.ledger/1":
+        raise Refused("not a ledger of schema rigidsym.ledger/1")
+    index, lists = data["published"], (data["contexts"], data["facts"])
+    if not isinstance(index, dict) or not all(fits(ids, list[str]) for ids in index.values()):
+        raise Refused("published is not an index")
+    if not all(isinstance(entries, list) for entries in lists):
+        raise Refused("contexts and facts are not lists")
+    if json.dumps(data, indent=1, ensure_ascii=False) + "\n" != text:
+        raise Refused("not spelled as ledgers are")
+    return lists
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    if len(table := dict(pairs)) < len(pairs):
+        raise Refused("an object gives a key twice")
+    return table
