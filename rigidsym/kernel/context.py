@@ -42,6 +42,7 @@ class Context:
         if self.rates is not None:
             rates = self.rates.items()
             ring.rates = {name: None if text == "?" else ring.read(text) for name, text in rates}
+        ring.names |= {name: ring.read(name) for name in self.definitions}
         self.check_point(ring, self.witness)
         for relation in ring.relations if ring.rates is not None else ():
             if ring.reduce(ring.rate(ring.element(relation)).numerator)[1]:

@@ -56,8 +56,7 @@ def model(ledger: "Ledger", fact: Fact) -> Grade:
     Delta |- model of Gamma
     """
     target = ledger.rings[_expect(fact, "model", premises=0).context]
-    (name,) = fact.lhs + fact.rhs
-    source = ledger.contexts[name]
+    (source,) = (ledger.contexts[name] for name in fact.lhs + fact.rhs)
     zeros = [target.read(t) for t in (*source.relations, *(f"0*{n}" for n in source.generators))]
     zeros += [target.read(f"{name} - ({text})") for name, text in source.definitions.items()]
     if source.rates is not None:
@@ -117,7 +116,7 @@ def _vanishes(ledger: "Ledger", fact: Fact) -> Grade:
     ring = ledger.rings[fact.context]
     for rest, cofactors in _pair(differences(ring, fact), fact.certificate.get("cofactors", ())):
         for cofactor, relation in _pair(cofactors, ring.relations):
-            rest -= ring.read(cofactor).numerator * relation
+            rest -= ring.read(cofactor).over((0,) * len(ring.units)) * relation
         if rest:
             raise KernelError("the cofactors do not give lhs - rhs")
     return Grade.PROVED

@@ -1,0 +1,68 @@
+"""What the README says is what the project does."""
+
+import json
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rigidsym
+from rigidsym.cases import parse_case
+from rigidsym.cli import main
+from rigidsym.paper import Ruling, verdicts
+from rigidsym.solution import ledger_text
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text()
+LEDGER = json.loads(ledger_text())
+
+
+def blocks(language):
+    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+
+
+def test_the_counts_are_those_of_the_ledger():
+    definitions = {c["name"]: c["definitions"] for c in LEDGER["contexts"]}
+    restated = sum(
+        len(f["lhs"]) == 1 and definitions[f["context"]].get(f["lhs"][0]) == f["rhs"][0]
+        for f in LEDGER["facts"]
+        if f["kind"] == "equal"
+    )
+    words = " ".join(README.split())
+    assert f"{len(LEDGER['facts'])} facts in {len(LEDGER['contexts'])} contexts" in words
+    assert f"{restated} of them definitions restated" in words
+    rulings = [verdict.ruling for verdict in verdicts(LEDGER)]
+    counts = [rulings.count(r) for r in (Ruling.HOLDS, Ruling.CONDITIONAL, Ruling.MISPRINT)]
+    assert "{} hold, {} hold under a condition, {} are misprints".format(*counts) in words
+    assert "@@" not in README
+
+
+def test_the_five_lines_run():
+    (code,) = blocks("python")
+    scope = {}
+    exec(code, scope)
+    assert scope["q"].shape == (3, 4)
+    assert np.isfinite(scope["omega"]).all()
+
+
+def test_the_case_file_is_one():
+    (text,) = blocks("toml")
+    assert tomllib.loads(text)
+    assert len(parse_case(text).times) == 181
+
+
+@pytest.mark.parametrize("command", re.findall(r"^\| `rigidsym (\w+)", README, re.MULTILINE))
+def test_every_command_in_the_table_exists(command, capsys):
+    with pytest.raises(SystemExit) as stop:
+        main([command, "--help"])
+    assert stop.value.code == 0
+
+
+@pytest.mark.parametrize(
+    "room", re.findall(r"^(rigidsym/\w+(?:\.py)?|derivations/) ", README, re.M)
+)
+def test_every_room_of_the_house_is_there(room):
+    assert (ROOT / room).exists()
+    assert rigidsym.__version__ in (ROOT / "CHANGELOG.md").read_text()
