@@ -23,7 +23,7 @@ class Fact:
 
     The statement is, by `kind` and componentwise: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
     "unequal", lhs and rhs differ at some point of the context; "model", the context is a model of
-    the context named in rhs.  `source` lists the equations of the paper (or DLMF) it settles.
+    the context named in rhs.  `source` lists the equations of the paper (or DLMF) it is about.
     """
 
     id: str

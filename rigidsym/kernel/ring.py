@@ -91,8 +91,8 @@ class Ring:
 
     def inverse(self, element: Element) -> Element:
         """1/element; refused unless its numerator is a number times a product of units."""
-        for rest in (element.numerator, self.reduce(element.numerator)[1]):
-            powers = [0] * len(self.units)
+        for form in (lambda polynomial: polynomial, lambda polynomial: self.reduce(polynomial)[1]):
+            rest, powers = form(element.numerator), [0] * len(self.units)
             for k, unit in enumerate(self.units):
                 while rest and not unit.is_ground and not (divided := rest.div(unit))[1]:
                     rest, powers[k] = divided[0], powers[k] + 1
