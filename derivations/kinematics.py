@@ -30,6 +30,10 @@ MOTION = Part(
 )
 
 
+MOTION_RATES = {key: MOTION.definitions[key] for key in ("Omega1", "Omega2", "Omega3", "H")}
+ON_CIRCLES = ("cos_phi2**2 + sin_phi2**2 - 1", "sin_phi3**2 + cos_phi3**2 - 1")
+
+
 def derive(book: Book) -> None:
     """The display, (30), (31), (32), (33), and that they add up to a motion."""
     ring = book.open(join("turning", RATES, BODY_RATES, *ANGLES))
@@ -50,6 +54,7 @@ def derive(book: Book) -> None:
     )
     _divided(book, ring)
     _phi1_rate(book)
+    _poles(book)
     _motion(book)
 
 
@@ -108,10 +113,9 @@ def _phi1_rate(book: Book) -> None:
             "phi1_rate": "2/5",
         },
         units=("sin_phi2",),
-        definitions={key: MOTION.definitions[key] for key in ("Omega1", "Omega2", "Omega3", "H")},
+        definitions=MOTION_RATES,
         relations=(
-            "cos_phi2**2 + sin_phi2**2 - 1",
-            "sin_phi3**2 + cos_phi3**2 - 1",
+            *ON_CIRCLES,
             "c2*c3*sin_phi2*phi1_rate - K*sin_phi2*(c3*sin_phi3**2 + c2*cos_phi3**2)",
         ),
         reading={"phi1_rate": "d phi1/dt where (31) holds: its sum times c2 c3 is a relation"},
@@ -124,6 +128,32 @@ def _phi1_rate(book: Book) -> None:
     book.claim("line32.rate", {"phi1_rate": quotient}, ["32"])
     quotient = "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)"
     book.claim("line32.by_invariants", {"phi1_rate": quotient}, ["33"])
+
+
+def _poles(book: Book) -> None:
+    """Where sin(phi2) or cos(phi3) vanish, so do the denominators of (29), (32) and (33)."""
+    on_axis = Part(
+        witness={"sin_phi2": "0", "cos_phi2": "1", "cos_phi3": "1", "sin_phi3": "0"},
+        definitions=MOTION_RATES,
+        relations=("sin_phi2",),
+    )
+    book.open(join("on_axis", INERTIA, MOMENTUM, on_axis, Part(relations=ON_CIRCLES), static=True))
+    book.claim(
+        "on_axis.denominators",
+        {
+            "c3*Omega3": "0",
+            "(c2*Omega2)**2 + (c3*Omega3)**2": "0",
+            "K**2 - (c1*Omega1)**2": "0",
+        },
+        ["29", "32", "33"],
+    )
+    across = Part(
+        witness={"cos_phi2": "0", "sin_phi2": "1", "cos_phi3": "0", "sin_phi3": "1"},
+        definitions=MOTION_RATES,
+        relations=("cos_phi3",),
+    )
+    book.open(join("across", INERTIA, MOMENTUM, across, Part(relations=ON_CIRCLES), static=True))
+    book.claim("across.denominator", {"c3*Omega3": "0"}, ["29"])
 
 
 def _motion(book: Book) -> None:

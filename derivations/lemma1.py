@@ -90,9 +90,18 @@ def derive(book: Book) -> None:
     )
     in_momentum = {"alpha*(c_i**2*root_j)**2 + beta*c_i**2*root_j + chi": "0"}
     book.refute("distinct_axis.not_roots_in_momentum", in_momentum, {}, ["13"])
+    _coinciding(book)
     _sine(book)
     _reciprocal(book)
     _imaginary(book)
+
+
+def _coinciding(book: Book) -> None:
+    """Where c_i equals another moment, alpha = 0 and (13) divides by zero."""
+    for other, witness in (("j", {"c_j": "2"}), ("k", {"c_k": "2"})):
+        equal = Part(witness=witness, relations=(f"c_i - c_{other}",))
+        book.open(join(f"equal_axes_{other}", INERTIA, MOVING, QUARTIC, equal, static=True))
+        book.claim(f"equal_axes_{other}.alpha", {"alpha": "0"}, ["13"])
 
 
 def _sine(book: Book) -> None:

@@ -41,6 +41,22 @@ def derive(book: Book) -> None:
     integrand = "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)"
     split = "K/c1 + (2*H*c1 - K**2)/(K*c1)/(1 - (c1*zeta/K)**2*sn**2)"
     book.claim("sine_motion.split", {integrand: split}, ["34"])
+    for name, side in (("plus", "K - c1*zeta*sn"), ("minus", "K + c1*zeta*sn")):
+        pole = Part(
+            witness={
+                "K": "1",
+                "c1": "1",
+                "zeta": "1",
+                "sn": "1" if name == "plus" else "-1",
+                "cn": "0",
+                "mu": "0",
+                "dn": "1",
+            },
+            definitions=SINE.definitions,
+            relations=(side,),
+        )
+        book.open(join(f"pole_{name}", CONSTANTS, functions, pole, static=True))
+        book.claim(f"pole_{name}.denominator", {"K**2 - (c1*Omega1)**2": "0"}, ["34"])
     book.open(join("third_kind", CONSTANTS, functions, SINE, THIRD_KIND))
     book.claim("third_kind.phi1", {"D(phi1)": integrand}, ["19", "33"])
 

@@ -1,7 +1,8 @@
 """The paper's equations as printed, misprints kept: values, never functions.
 
 `proved_by` names the facts that together say what the equation says; `refuted_by` names
-counterexamples to the equation as printed, and `condition` or `repair` what mends it.  The verdict
+counterexamples to the equation as printed, and `condition` or `repair` what mends it.  `needed_by`
+names the facts that a condition cannot be dropped: without it a denominator is zero.  The verdict
 is computed from the ledger by `rigidsym.paper.verdicts`; it is not written here.
 """
 
@@ -19,6 +20,7 @@ class Equation:
     refuted_by: tuple[str, ...] = ()
     condition: str = ""
     repair: str = ""
+    needed_by: tuple[str, ...] = ()
 
 
 EQUATIONS: tuple[Equation, ...] = (
@@ -126,6 +128,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"s_j=\frac{-\beta-\sqrt{\beta^2-4\alpha\chi}}{2\alpha}",
         "roots in Omega_i^2 of the quadratic (14), not in (c_i Omega_i)^2",
         ("distinct_axis.roots", "distinct_axis.discriminant"),
+        needed_by=("equal_axes_j.alpha", "equal_axes_k.alpha"),
     ),
     Equation(
         "14",
@@ -249,6 +252,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"\tan\phi_3=\frac{c_2\Omega_2}{c_3\Omega_3}",
         "the quotient of the two parts of (28)",
         ("tangent.phi3",),
+        needed_by=("on_axis.denominators", "across.denominator"),
     ),
     Equation(
         "R^-1 dR/dt",
@@ -282,12 +286,14 @@ EQUATIONS: tuple[Equation, ...] = (
         r"{(c_2\Omega_2)^2+(c_3\Omega_3)^2}\right)",
         "the sum of (31), with (28)",
         ("line32.sum_of_31", "line32.rate"),
+        needed_by=("on_axis.denominators",),
     ),
     Equation(
         "33",
         r"\phi_1(t)=\int K\left(\frac{2H-c_1\Omega_1^2}{K^2-(c_1\Omega_1)^2}\right)dt",
         "the derivative of phi1, by (6)",
         ("line32.by_invariants",),
+        needed_by=("on_axis.denominators",),
     ),
     Equation(
         "34",
@@ -295,6 +301,7 @@ EQUATIONS: tuple[Equation, ...] = (
         r"\frac{2Hc_1-K^2}{Kc_1}\,\frac1{1-(\frac{c_1\zeta}K)^2\mathrm{sn}^2(\xi t+\gamma,\mu)}",
         "with Omega_1 = zeta sn(xi t + gamma, mu)",
         ("sine_motion.split",),
+        needed_by=("pole_plus.denominator", "pole_minus.denominator"),
     ),
     Equation(
         "35",

@@ -44,6 +44,7 @@ class Verdict:
             "counterexample": self.counterexample,
             "proved_by": list(self.equation.proved_by),
             "refuted_by": list(self.equation.refuted_by),
+            "needed_by": list(self.equation.needed_by),
         }
 
 
@@ -55,7 +56,8 @@ def verdicts(ledger: Mapping[str, Any]) -> list[Verdict]:
 
 
 def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Verdict:
-    if not equation.proved_by or not _proved(equation.proved_by, facts, ("equal", "root")):
+    backing = equation.proved_by + equation.needed_by
+    if not equation.proved_by or not _proved(backing, facts, ("equal", "root")):
         return Verdict(equation, Ruling.OPEN)
     point = None
     if equation.refuted_by:

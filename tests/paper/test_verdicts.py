@@ -14,7 +14,7 @@ LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_tex
 FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}
 DECIDED = [equation for equation in EQUATIONS if equation.proved_by]
-NEEDED = [(e.number, name) for e in DECIDED for name in (*e.proved_by, *e.refuted_by)]
+NEEDED = [(e.number, name) for e in DECIDED for name in (*e.proved_by, *e.refuted_by, *e.needed_by)]
 
 
 def ruling(number, ledger=LEDGER):
@@ -49,7 +49,7 @@ def test_latex_is_balanced(equation):
 @pytest.mark.parametrize(("number", "name"), NEEDED)
 def test_named_facts_are_sealed_with_the_right_kind(number, name):
     (equation,) = (e for e in EQUATIONS if e.number == number)
-    kinds = ("equal", "root") if name in equation.proved_by else ("unequal",)
+    kinds = ("unequal",) if name in equation.refuted_by else ("equal", "root")
     assert FACTS[name]["grade"] == "PROVED"
     assert FACTS[name]["kind"] in kinds
 
