@@ -18,4 +18,5 @@ CHAPTERS = (
     "edges",
     "steady",
     "publish",
+    "mutants",
 )

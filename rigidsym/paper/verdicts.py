@@ -1,7 +1,8 @@
 """The verdict on each printed equation, computed from the facts of a ledger."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
@@ -31,6 +32,7 @@ class Verdict:
     ruling: Ruling
     conditions: tuple[str, ...] = ()
     counterexample: Mapping[str, str] | None = None
+    mutants: Mapping[str, int] = field(default_factory=dict)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for programs."""
@@ -45,6 +47,7 @@ class Verdict:
             "proved_by": list(self.equation.proved_by),
             "refuted_by": list(self.equation.refuted_by),
             "needed_by": list(self.equation.needed_by),
+            "mutants": dict(self.mutants),
         }
 
 
@@ -52,7 +55,24 @@ def verdicts(ledger: Mapping[str, Any]) -> list[Verdict]:
     """A verdict for every printed equation, from a ledger as it stands in JSON."""
     facts = {fact["id"]: fact for fact in ledger["facts"]}
     contexts = {context["name"]: context for context in ledger["contexts"]}
-    return [_verdict(equation, facts, contexts) for equation in EQUATIONS]
+    ruled = [_verdict(equation, facts, contexts) for equation in EQUATIONS]
+    counts = _mutants(ledger.get("published", {}).get("mutants", ()))
+    return [replace(v, mutants=_total(counts, v.equation)) for v in ruled]
+
+
+def _mutants(lines: Iterable[str]) -> dict[str, Counter[str]]:
+    """The fate of each fact's mutants, from lines like "body.lax: 10 refuted, 2 equivalent"."""
+    counts = {}
+    for line in lines:
+        fact, fates = line.split(": ")
+        pairs = (fate.split() for fate in fates.split(", "))
+        counts[fact] = Counter({fate: int(count) for count, fate in pairs})
+    return counts
+
+
+def _total(counts: Mapping[str, Counter[str]], equation: Equation) -> dict[str, int]:
+    total = sum((counts.get(name, Counter()) for name in equation.proved_by), Counter())
+    return dict(sorted(total.items()))
 
 
 def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Verdict:

@@ -103,8 +103,9 @@ def load(text: str) -> Solution:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
         programmes = {
-            name: tuple(_formula(entry, facts, contexts) for entry in entries)
-            for name, entries in data["published"].items()
+            name: tuple(_formula(entry, facts, contexts) for entry in data["published"][name])
+            for name in INPUTS
+            if name in data["published"]
         }
     except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/1: {error!r}") from None

@@ -1,0 +1,17 @@
+"""Mutants: every statement decided by normal form, made wrong in up to sixteen places.
+
+The same decision refutes a mutant, refuses it because it divides by what the hypotheses do not
+cover, or shows that it is equivalent, an identity too.  The ledger keeps the count for every fact;
+none is left unaccounted for.
+"""
+
+from rigidsym.algebra import Book
+from rigidsym.algebra.mutants import tally
+
+
+def derive(book: Book) -> None:
+    """Count the mutants of everything decided so far."""
+    book.ledger.published["mutants"] = [
+        f"{fact}: {', '.join(f'{count} {fate}' for fate, count in fates.items())}"
+        for fact, fates in tally(book.ledger).items()
+    ]
