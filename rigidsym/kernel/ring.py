@@ -64,7 +64,7 @@ class Element:
     def __str__(self) -> str:
         factors = zip(self.ring.units, self.powers, strict=True)
         below = "*".join(f"({unit})**{power}" for unit, power in factors if power)
-        return f"({self.numerator})/({below})" if below else str(self.numerator)
+        return f"({self.numerator})/({below})" if below and self.numerator else str(self.numerator)
 
 
 class Ring:

@@ -76,7 +76,9 @@ def test_the_rate_obeys_leibniz(a, b):
 def test_printing_and_reading_again_changes_nothing(text):
     element = RING.read(text)
     again = RING.read(str(element))
-    assert (again.numerator, again.powers) == (element.numerator, element.powers)
+    zero = (0,) * len(element.powers)  # 0/u prints as 0
+    assert again.numerator == element.numerator
+    assert again.powers == (element.powers if element.numerator else zero)
 
 
 def test_elements_are_exact():
