@@ -44,7 +44,7 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
     """A case from TOML text; numbers may be floats or strings, strings being exact decimals."""
     try:
         data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError("case", "the file", f"is not TOML: {error}") from None
     for key in data:
         if key not in _KEYS:
@@ -73,7 +73,9 @@ def _grid(table: Mapping[str, Any]) -> tuple[Fraction, ...]:
         raise InputError("times", sorted(table), "a table of times has start, stop and count")
     start, stop = (inputs.exact(f"times.{key}", table[key]) for key in ("start", "stop"))
     count = table["count"]
-    if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-        raise InputError("times.count", repr(count), "must be a whole number, at least 1")
+    whole = isinstance(count, int) and not isinstance(count, bool)
+    if not whole or not 1 <= count <= inputs.MOST_TIMES:
+        rule = f"must be a whole number, at least 1 and at most {inputs.MOST_TIMES}"
+        raise InputError("times.count", repr(count), rule)
     step = (stop - start) / max(count - 1, 1)
     return tuple(start + k * step for k in range(count))

@@ -65,15 +65,15 @@ def _parser() -> argparse.ArgumentParser:
         return added
 
     reproduce = command("reproduce", _reproduce, "derive, check, generate, validate and report")
-    reproduce.add_argument("-o", "--output", metavar="DIR", default="reproduce", type=Path)
+    reproduce.add_argument("-o", "--output", metavar="DIR", default="reproduce", type=_path)
 
     derive = command("derive", _derive, "prove the claims and write the ledger")
     derive.add_argument("chapters", metavar="CHAPTER", nargs="*", help="all, unless some are named")
-    derive.add_argument("-o", "--output", metavar="LEDGER", type=Path)
+    derive.add_argument("-o", "--output", metavar="LEDGER", type=_path)
     derive.add_argument("--json", action="store_true")
 
     check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
-    check.add_argument("ledger", metavar="LEDGER", nargs="?", type=Path)
+    check.add_argument("ledger", metavar="LEDGER", nargs="?", type=_path)
     check.add_argument("--independent", action="store_true", help="by the checker on python-flint")
 
     errata = command("errata", _errata, "the verdict on each printed equation")
@@ -81,7 +81,7 @@ def _parser() -> argparse.ArgumentParser:
 
     codegen = command("codegen", _codegen, "write a numeric module")
     codegen.add_argument("target", metavar="TARGET", help="numpy")
-    codegen.add_argument("-o", "--output", metavar="DIR", type=Path)
+    codegen.add_argument("-o", "--output", metavar="DIR", type=_path)
     instead = codegen.add_mutually_exclusive_group()
     instead.add_argument("--check", action="store_true", help="compare with what is there")
     instead.add_argument("--stdout", action="store_true", help="print the module")
@@ -95,14 +95,14 @@ def _parser() -> argparse.ArgumentParser:
     validate.add_argument("--cases", metavar="N", type=_positive, help="samples of each stratum")
     validate.add_argument("--digits", metavar="D", type=_positive, help="digits of the oracle")
     validate.add_argument("--seed", metavar="S", type=int)
-    validate.add_argument("-o", "--output", metavar="DIR", type=Path)
+    validate.add_argument("-o", "--output", metavar="DIR", type=_path)
     validate.add_argument("--json", action="store_true")
 
     propagate = command("propagate", _propagate, "states of one motion")
     propagate.add_argument("case", metavar="CASE.toml", help="a case file, or `paper`")
     propagate.add_argument("--digits", metavar="D", type=_positive, help="by mpmath")
     propagate.add_argument("--format", choices=("csv", "json", "npz"), default="csv")
-    propagate.add_argument("-o", "--output", metavar="FILE", type=Path)
+    propagate.add_argument("-o", "--output", metavar="FILE", type=_path)
     propagate.add_argument("--allow-nonphysical", action="store_true")
     return parser
 
@@ -113,9 +113,15 @@ def _version() -> str:
     return rigidsym.__version__
 
 
+def _path(text: str) -> Path:
+    if not text:
+        raise argparse.ArgumentTypeError("'' must name a file or directory")
+    return Path(text)
+
+
 def _positive(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} must be a whole number, at least 1")
+    if not text.isdecimal() or len(text) > 9 or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r:.40} must be a whole number, at least 1")
     return int(text)
 
 
@@ -310,7 +316,8 @@ def _trace(options: Any) -> int:
     from rigidsym.trace import lines_of_equation, origin_of_line
 
     if (options.place is None) == (options.equation is None):
-        raise InputError("trace", options.place, "takes either FILE:LINE or --equation NUMBER")
+        given = options.place or options.equation or "nothing"
+        raise InputError("trace", given, "takes either FILE:LINE or --equation NUMBER")
     found = (
         lines_of_equation(options.equation)
         if options.place is None
@@ -325,8 +332,10 @@ def _trace(options: Any) -> int:
 
 def _validate(options: Any) -> int:
     from rigidsym.files import probe, write_text
-    from rigidsym.validate import validate
+    from rigidsym.validate import check_target, validate
 
+    for target in options.targets:
+        check_target(target)
     if options.output:
         probe(options.output)
     chosen = {name: getattr(options, name) for name in ("cases", "digits", "seed")}

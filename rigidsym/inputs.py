@@ -8,7 +8,7 @@ import math
 import operator
 import re
 from collections.abc import Iterable, Sequence
-from decimal import Decimal
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from numbers import Rational, Real
 from typing import Any
@@ -19,6 +19,8 @@ _HEX = re.compile(r"[+-]?0[xX]")
 # Room for the rounding of c1 + c2 when all three are doubles.
 _ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
+MOST_DIGITS = 100_000
+MOST_TIMES = 10_000_000
 
 
 def exact(field: str, value: Any) -> Fraction:
@@ -85,7 +87,7 @@ def inertia(values: Any, allow_nonphysical: bool = False) -> tuple[Fraction, ...
             "no body has a principal moment larger than the sum of the other two "
             "(allow_nonphysical=True or --allow-nonphysical lets it pass)"
         )
-        raise InputError("inertia", [str(x) for x in given], rule)
+        raise InputError("inertia", shown(moments), rule)
     return moments
 
 
@@ -93,7 +95,7 @@ def attitude(values: Any) -> tuple[Fraction, ...]:
     """A quaternion of any length but zero, scalar first."""
     quaternion = vector("attitude0", values, 4)
     if not any(quaternion):
-        raise InputError("attitude0", [str(x) for x in quaternion], "must not be zero")
+        raise InputError("attitude0", shown(quaternion), "must not be zero")
     return quaternion
 
 
@@ -112,6 +114,22 @@ def digits(value: Any) -> int:
         count = 0 if isinstance(value, bool) else operator.index(value)
     except TypeError:
         count = 0
-    if count < 1:
-        raise InputError("digits", repr(value), "must be a whole number, at least 1")
+    if not 1 <= count <= MOST_DIGITS:
+        rule = f"must be a whole number, at least 1 and at most {MOST_DIGITS}"
+        raise InputError("digits", repr(value), rule)
     return count
+
+
+def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
+    """The nearest doubles; raises InputError where they overflow."""
+    try:
+        return [float(value) for value in values]
+    except OverflowError:
+        raise InputError(field, shown(values), "is beyond the range of binary64") from None
+
+
+def shown(values: Sequence[Fraction]) -> str:
+    """Exact numbers for a message, to a dozen digits."""
+    context = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
+    quotients = (context.divide(Decimal(x.numerator), Decimal(x.denominator)) for x in values)
+    return f"[{', '.join(map(str, quotients))}]"

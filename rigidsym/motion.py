@@ -8,6 +8,7 @@ import numpy as np
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
+from rigidsym.exact_plan import exact_plan
 from rigidsym.generated import torque_free
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ class TorqueFreeMotion:
 
     def __repr__(self) -> str:
         fields = ("inertia", "omega0", "attitude0")
-        inside = ", ".join(f"{name}={[*map(str, getattr(self, name))]}" for name in fields)
+        inside = ", ".join(f"{name}={inputs.shown(getattr(self, name))}" for name in fields)
         return f"TorqueFreeMotion({inside})"
 
     def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -62,24 +63,15 @@ class TorqueFreeMotion:
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
-        given = {name: getattr(self, name) for name in ("inertia", "omega0", "attitude0")}
-        doubles = {name: _floats(name, values) for name, values in given.items()}
-        rounded = any(tuple(map(Fraction, doubles[name])) != given[name] for name in given)
+        given = {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
+        doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
+        if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
+            return exact_plan(*given.values())
         try:
-            return torque_free.plan(*doubles.values(), self._excess() if rounded else None)
+            return torque_free.plan(*doubles.values())
         except ValueError as error:
             field, rule = str(error).split(": ", 1)
             raise InputError(field, doubles[field], rule) from None
-
-    def _excess(self) -> float:
-        """E_b of the numbers as given: rounded to doubles they may be on another polhode."""
-        polhode = self._precise.polhode
-        excess = float(polhode.excess)
-        rates = _floats("omega0", self.omega0)
-        lost = not polhode.regime.steady and not any(rates[k] for k in polhode.axes[::2])
-        if lost or (polhode.excess and not 1e-290 < abs(excess) < 1e290):
-            raise ValueError("omega0: nearer to the separatrix than binary64 can follow")
-        return excess
 
     @property
     def regime(self) -> "Regime":
@@ -179,10 +171,3 @@ def _times(t: Any) -> np.ndarray:
     if times.ndim > 1:
         raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")
     return times
-
-
-def _floats(name: str, values: tuple[Any, ...]) -> list[float]:
-    try:
-        return [float(value) for value in values]
-    except OverflowError:
-        raise InputError(name, list(map(str, values)), "is too large for binary64") from None

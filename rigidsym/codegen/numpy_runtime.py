@@ -6,7 +6,15 @@ Its text stands in the generated module after the kernels and the derived functi
 
 import numpy as np
 
-from rigidsym.codegen.numpy_stubs import RESULTS, _excess, _plan, _state, _steady
+from rigidsym.codegen.numpy_stubs import (
+    RESULTS,
+    _complete_j,
+    _excess,
+    _plan,
+    _quarter_period,
+    _state,
+    _steady,
+)
 
 # --- frame ---
 # Rates below this fraction of the largest one cannot change a state by an ulp, unless they decide
@@ -19,26 +27,22 @@ _FARTHEST = 2.0**40
 _THINNEST = 2.0**-240
 
 
-def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), E_b=None):
+def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
     """Constants of free motions, for `states`.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
-    shapes broadcast.  E_b (...), if given, is K^2 - 2 H c_b of motions that these doubles only
-    approximate: its sign decides the circulation.  Raises ValueError for wrong shapes and for
-    numbers that are not finite, not positive where they have to be, of too different size, or too
-    near the separatrix for binary64.
+    shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
+    positive where they have to be, of too different size, or too near the separatrix for binary64.
     """
     inertia, omega0, attitude0 = (np.asarray(x, float) for x in (inertia, omega0, attitude0))
     _check(inertia, omega0, attitude0)
     batch = _batch(inertia, omega0, attitude0)
-    c, unit = _scaled(np.broadcast_to(inertia, (*batch, 3)))
+    c, _ = _scaled(np.broadcast_to(inertia, (*batch, 3)))
     omega, rate = _scaled(np.broadcast_to(omega0, (*batch, 3)))
     q, _ = _scaled(np.broadcast_to(attitude0, (*batch, 4)))
     q = q / np.sqrt(np.sum(q * q, axis=-1, keepdims=True))
-    if E_b is not None:
-        E_b = np.broadcast_to(E_b / unit[..., 0] ** 2 / rate[..., 0] ** 2, batch)
-    axes, excess = _axes(c, omega, E_b)
+    axes, excess = _axes(c, omega)
     kept = np.where(np.abs(omega) < _NEGLIGIBLE, 0.0, omega)
     steady = _is_steady(c, kept)
     _check_distance(c, steady & ~_is_steady(c, omega), axes, kept, excess)
@@ -52,6 +56,27 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), E_b=None):
     if not np.all(steady):
         constants |= _moving_plan(c, kept, q, axes, excess)
     return constants
+
+
+def plan_from_constants(axes, rate, omega0, attitude0, constants):
+    """The plan of one motion whose constants were computed elsewhere, more exactly than here.
+
+    axes: the indices of (a, b, d); rate: a power of two, the unit of rates; omega0 (3,) over that
+    unit; attitude0 (4,) of length one; constants: by the names in RESULTS, of the motion with rates
+    over their unit, or None where the rates are constant.
+    """
+    plan = {
+        "axes": np.array(axes),
+        "steady": np.array(constants is None),
+        "rate": np.array(rate),
+        "omega0": np.array(omega0),
+        "attitude0": np.array(attitude0),
+    }
+    known = {name: np.array(float(value)) for name, value in (constants or {}).items()}
+    if known:
+        known["quarter_m_c"] = _quarter_period(known["m_c"])
+        known["complete_n"] = _complete_j(known["n"], known["m_c"])
+    return plan | known
 
 
 def states(plan, t):
@@ -141,16 +166,10 @@ def _is_steady(c, omega):
     return steady
 
 
-def _axes(c, omega, given):
-    """The indices of the axes (a, b, d), and E_b, whose sign chooses a.
-
-    Where two moments are the same double the third axis is a, whatever E_b was given.
-    """
+def _axes(c, omega):
+    """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
     order = np.argsort(c, axis=-1, kind="stable")
     excess = _exact_excess(c, omega, order[..., ::-1])
-    if given is not None:
-        distinct = np.all(np.diff(np.take_along_axis(c, order, -1), axis=-1) != 0, axis=-1)
-        excess = np.where(distinct, given, excess)
     return np.where(excess[..., None] >= 0, order[..., ::-1], order), excess
 
 

@@ -15,5 +15,13 @@ def _state(t, *values):
     raise NotImplementedError
 
 
+def _quarter_period(mc):
+    raise NotImplementedError
+
+
+def _complete_j(n, mc):
+    raise NotImplementedError
+
+
 def _steady(*values):
     raise NotImplementedError

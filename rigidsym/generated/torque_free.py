@@ -16,7 +16,7 @@ that proves it (`reading`: the standard function that a proved quantity is).  Fo
 normal form.  Kernels (_quarter_period to _jacobi_argument): tested against mpmath, not proved.
 
 emitter numpy/1
-digest c9a5bd1f2323115c72217315d2c068323495abf61933d5f474b8abfb6fc3e667
+digest 0f7d6ba7674c3408d23f8d071bf41b680b3235762e0409a8cda3471e5d031d22
 """
 
 # ruff: noqa
@@ -323,26 +323,22 @@ _FARTHEST = 2.0**40
 _THINNEST = 2.0**-240
 
 
-def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), E_b=None):
+def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
     """Constants of free motions, for `states`.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
-    shapes broadcast.  E_b (...), if given, is K^2 - 2 H c_b of motions that these doubles only
-    approximate: its sign decides the circulation.  Raises ValueError for wrong shapes and for
-    numbers that are not finite, not positive where they have to be, of too different size, or too
-    near the separatrix for binary64.
+    shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
+    positive where they have to be, of too different size, or too near the separatrix for binary64.
     """
     inertia, omega0, attitude0 = (np.asarray(x, float) for x in (inertia, omega0, attitude0))
     _check(inertia, omega0, attitude0)
     batch = _batch(inertia, omega0, attitude0)
-    c, unit = _scaled(np.broadcast_to(inertia, (*batch, 3)))
+    c, _ = _scaled(np.broadcast_to(inertia, (*batch, 3)))
     omega, rate = _scaled(np.broadcast_to(omega0, (*batch, 3)))
     q, _ = _scaled(np.broadcast_to(attitude0, (*batch, 4)))
     q = q / np.sqrt(np.sum(q * q, axis=-1, keepdims=True))
-    if E_b is not None:
-        E_b = np.broadcast_to(E_b / unit[..., 0] ** 2 / rate[..., 0] ** 2, batch)
-    axes, excess = _axes(c, omega, E_b)
+    axes, excess = _axes(c, omega)
     kept = np.where(np.abs(omega) < _NEGLIGIBLE, 0.0, omega)
     steady = _is_steady(c, kept)
     _check_distance(c, steady & ~_is_steady(c, omega), axes, kept, excess)
@@ -356,6 +352,27 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), E_b=None):
     if not np.all(steady):
         constants |= _moving_plan(c, kept, q, axes, excess)
     return constants
+
+
+def plan_from_constants(axes, rate, omega0, attitude0, constants):
+    """The plan of one motion whose constants were computed elsewhere, more exactly than here.
+
+    axes: the indices of (a, b, d); rate: a power of two, the unit of rates; omega0 (3,) over that
+    unit; attitude0 (4,) of length one; constants: by the names in RESULTS, of the motion with rates
+    over their unit, or None where the rates are constant.
+    """
+    plan = {
+        "axes": np.array(axes),
+        "steady": np.array(constants is None),
+        "rate": np.array(rate),
+        "omega0": np.array(omega0),
+        "attitude0": np.array(attitude0),
+    }
+    known = {name: np.array(float(value)) for name, value in (constants or {}).items()}
+    if known:
+        known["quarter_m_c"] = _quarter_period(known["m_c"])
+        known["complete_n"] = _complete_j(known["n"], known["m_c"])
+    return plan | known
 
 
 def states(plan, t):
@@ -445,16 +462,10 @@ def _is_steady(c, omega):
     return steady
 
 
-def _axes(c, omega, given):
-    """The indices of the axes (a, b, d), and E_b, whose sign chooses a.
-
-    Where two moments are the same double the third axis is a, whatever E_b was given.
-    """
+def _axes(c, omega):
+    """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
     order = np.argsort(c, axis=-1, kind="stable")
     excess = _exact_excess(c, omega, order[..., ::-1])
-    if given is not None:
-        distinct = np.all(np.diff(np.take_along_axis(c, order, -1), axis=-1) != 0, axis=-1)
-        excess = np.where(distinct, given, excess)
     return np.where(excess[..., None] >= 0, order[..., ::-1], order), excess
 
 

@@ -51,6 +51,22 @@ class PreciseMotion:
         for time in times:
             yield self._state(time, digits, evaluations)
 
+    def start(self, digits: int) -> list[float]:
+        """The attitude at t = 0, normalised and rounded to doubles."""
+        return [float(x) for x in Evaluation(self, digits).start[0]]
+
+    def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
+        """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
+        rough: list[Any] | None = None
+        for round_ in range(MOST_ROUNDS):
+            evaluation = Evaluation(self, _working_digits(digits, round_))
+            fine = [evaluation.constant(name) for name in names]
+            settled = rough and _settled(rough, fine, digits, round_ >= ZERO_ROUND)
+            if settled:
+                return dict(zip(names, settled, strict=True))
+            rough = fine
+        raise PrecisionError(f"constants: not settled to {digits} digits")
+
     def _state(self, time: Fraction, digits: int, evaluations: dict[int, "Evaluation"]) -> State:
         rough: State | None = None
         for round_ in range(MOST_ROUNDS):
@@ -96,6 +112,10 @@ class Evaluation:
                 used = {name: self._number(value) for name, value in used.items()}
             known[formula.name] = evaluate(formula.expression, used, self.functions)
         return known
+
+    def constant(self, name: str) -> Any:
+        """One constant of the plan as a number of this precision."""
+        return self._number(self._constants[name])
 
     @cached_property
     def _constants(self) -> dict[str, Any]:

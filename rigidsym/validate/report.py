@@ -3,8 +3,10 @@
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
+from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.generated import torque_free
 from rigidsym.validate.measure import Measurement, measure
@@ -107,9 +109,15 @@ def _stratum_json(stratum: StratumReport) -> dict[str, Any]:
     return data
 
 
-def _hex(values: Iterable[float]) -> list[str]:
-    """Doubles without loss, as case files take them."""
-    return [float(value).hex() for value in values]
+def _hex(values: Iterable[float | Fraction]) -> list[str]:
+    """Numbers without loss, as case files take them."""
+    return [str(x) if isinstance(x, Fraction) else float(x).hex() for x in values]
+
+
+def check_target(target: str) -> None:
+    """Raise InputError for a target there is no module of."""
+    if target not in MODULES:
+        raise InputError("target", target, f"must be one of: {', '.join(MODULES)}")
 
 
 def validate(
@@ -123,8 +131,8 @@ def validate(
 
     Raises InputError for an unknown target.
     """
-    if target not in MODULES:
-        raise InputError("target", target, f"must be one of: {', '.join(MODULES)}")
+    check_target(target)
+    inputs.digits(digits)
     drawn = list(samples(cases, seed))
     measured: dict[str, list[Measurement]] = {name: [] for name in ("paper", *STRATA)}
     for done, sample in enumerate(drawn):

@@ -1,17 +1,19 @@
 """Named strata of cases: where a numeric module could go wrong, sampled on purpose.
 
 Every case is drawn from its own generator, seeded by seed, stratum and index, so that any case can
-be drawn again alone.  Numbers are doubles and mean their exact values.
+be drawn again alone.  Numbers are doubles, or fractions, and mean their exact values.
 """
 
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from random import Random
 
 from rigidsym.cases import paper_case
 
 Floats = tuple[float, ...]
+Numbers = tuple[float | Fraction, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,13 +22,13 @@ class Sample:
 
     stratum: str
     index: int
-    inertia: Floats
-    omega0: Floats
+    inertia: Numbers
+    omega0: Numbers
     attitude0: Floats
     times: Floats
 
 
-Draw = Callable[[Random, int], tuple[Sequence[float], Sequence[float]]]
+Draw = Callable[[Random, int], tuple[Sequence[float | Fraction], Sequence[float | Fraction]]]
 
 
 def _body(random: Random) -> list[float]:
@@ -90,6 +92,19 @@ def _near_sphere(random: Random, index: int) -> tuple[Floats, Floats]:
     return _mixed(random, [1 + size * random.uniform(-1, 1) for _ in range(3)], _rates(random))
 
 
+def _decimals(random: Random, index: int) -> tuple[Numbers, Numbers]:
+    """Exact decimals that doubles only approximate: moments that nearly agree, or a separatrix."""
+    if index % 3 == 0:
+        body = [Fraction(x, 10) for x in (4, 5, 9)]
+        rates = [Fraction(3, 10), Fraction(random.randint(-99, 99), 100), Fraction(1, 10)]
+    else:
+        step = Fraction(1, 10 ** (1 + index % 19))
+        body = [1 + random.randint(-9, 9) * step for _ in range(3)]
+        rates = [Fraction(random.randint(-999, 999), 1000) for _ in range(3)]
+    order = random.sample(range(3), 3)
+    return tuple(body[k] for k in order), tuple(rates[k] for k in order)
+
+
 def _spin(random: Random, index: int) -> tuple[Floats, Floats]:
     rates = [0.0, 0.0, 0.0]
     rates[index % 3] = random.gauss(0, 1)
@@ -125,17 +140,17 @@ def _scaled(inertia: float, rate: float) -> Draw:
     return draw
 
 
-def _turns(most: float) -> Callable[[Random, Sequence[float]], Floats]:
+def _turns(most: float) -> Callable[[Random, Sequence[float | Fraction]], Floats]:
     """Times at which the body has turned by up to `most` radians, either way, and t = 0."""
 
-    def times(random: Random, rates: Sequence[float]) -> Floats:
+    def times(random: Random, rates: Sequence[float | Fraction]) -> Floats:
         rate = math.hypot(*rates) or 1.0
         return (0.0, *(random.uniform(-most, most) / rate for _ in range(3)))
 
     return times
 
 
-STRATA: dict[str, tuple[Draw, Callable[[Random, Sequence[float]], Floats]]] = {
+STRATA: dict[str, tuple[Draw, Callable[[Random, Sequence[float | Fraction]], Floats]]] = {
     "uniform": (_uniform, _turns(50)),
     "near separatrix": (_near_separatrix, _turns(300)),
     "separatrix": (_separatrix, _turns(300)),
@@ -150,6 +165,7 @@ STRATA: dict[str, tuple[Draw, Callable[[Random, Sequence[float]], Floats]]] = {
     "rod": (_rod, _turns(50)),
     "small scales": (_scaled(1e-9, 1e-12), _turns(50)),
     "large scales": (_scaled(1e12, 1e6), _turns(50)),
+    "decimals": (_decimals, _turns(100)),
     "long times": (_uniform, _turns(1e6)),
 }
 

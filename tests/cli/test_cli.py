@@ -284,6 +284,10 @@ def test_the_papers_case_ships_with_the_package(capsys):
         (CASE.replace("[0, \"0.5\", 180.0]", "{start = 0, stop = 1}"), "start, stop and count"),
         (CASE.replace("[0, \"0.5\", 180.0]", "{start = 0, stop = 1, count = 0}"),
          "times.count = 0: must be a whole number"),
+        (CASE.replace('[0, "0.5", 180.0]', "{start = 0, stop = 1, count = 99999999999}"),
+         "times.count = 99999999999: must be a whole number"),
+        ("a = " + "[" * 3000, "case = the file: is not TOML"),
+        ("a = " + "1" * 5000, "case = the file: is not TOML"),
     ],
 )  # fmt: skip
 def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
@@ -306,6 +310,8 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
         (["derive", "nowhere"], "chapter = nowhere: must be one of: lie_algebra"),
         (["codegen", "fortran"], "target = fortran: must be one of: numpy"),
         (["validate", "fortran"], "target = fortran: must be one of: numpy"),
+        (["validate", "numpy", "fortran"], "target = fortran: must be one of: numpy"),
+        (["propagate", "paper", "--digits", "100001"], "digits = 100001: must be a whole number"),
         (["trace"], "takes either"),
         (["reproduce", "-o", "/dev/null/inside"], "cannot be written"),
         (["validate", "-o", "/dev/null/inside"], "cannot be written"),
@@ -327,6 +333,8 @@ def test_bad_input_exits_2_with_one_line(arguments, message, capsys):
         (["validate", "--cases", "0"], "'0' must be a whole number, at least 1"),
         (["propagate", "paper", "--digits", "many"], "'many' must be a whole number"),
         (["propagate", "paper", "--format", "xml"], "invalid choice: 'xml'"),
+        (["propagate", "paper", "-o", ""], "must name a file or directory"),
+        (["propagate", "paper", "--digits", "99999999999999999999"], "must be a whole number"),
     ],
 )
 def test_usage_errors_exit_2_with_one_line(arguments, message, capsys):
