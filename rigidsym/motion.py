@@ -54,7 +54,8 @@ class TorqueFreeMotion:
     def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
         """Attitude and body rates at t (s): (4,), (3,) for a number, (N, 4), (N, 3) for N of them.
 
-        Errors stay below (256 + 8 |omega0 t|) 2^-53, as `rigidsym validate` measures.  Raises
+        Errors stay below (256 + 8 |omega0 t|) 2^-53 for bodies that can exist, as `rigidsym
+        validate` measures; rates of others can outgrow omega0, and errors with them.  Raises
         InputError for times that are not finite, not at most one-dimensional or beyond
         |omega0 t| = 2^40 rad, and for motions nearer to the separatrix than binary64 can follow;
         `precise` follows both.

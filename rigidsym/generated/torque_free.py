@@ -8,15 +8,15 @@ Domain: positive principal moments of inertia, none 2^240 times another; finite 
 to 2^40 rad; not within about 2^-460 of spin about the middle axis.  What lies outside is refused by
 a ValueError.  Conventions: quaternions are scalar first, unit, body to inertial, with
 q' = q (0, omega) / 2; omega in body axes, rad/s; inertia in kg m^2; t in s; elliptic functions take
-the complementary parameter mc = 1 - m.  Angle and rate errors stay below (256 + 8 |omega| t) 2^-53
-in all that `rigidsym validate numpy` measures.
+the complementary parameter mc = 1 - m.  For bodies that can exist, angle and rate errors stay below
+(256 + 8 |omega| t) 2^-53 in all that `rigidsym validate numpy` measures.
 
 A comment gives the equations of the paper that its line corresponds to, and the fact of the ledger
 that proves it (`reading`: the standard function that a proved quantity is).  Formulas: proved by
 normal form.  Kernels (_quarter_period to _jacobi_argument): tested against mpmath, not proved.
 
 emitter numpy/1
-digest 0f7d6ba7674c3408d23f8d071bf41b680b3235762e0409a8cda3471e5d031d22
+digest 6176230c5aa5f54ba50c35979c97c425cfa76b3bf3367ab0843601f47fc852ac
 """
 
 # ruff: noqa

@@ -35,7 +35,7 @@ class Measurement:
 
 
 def bound(sample: Sample, time: float) -> float:
-    """The documented bound on angle and omega errors, in units of 2^-53.
+    """The documented bound on angle and omega errors of bodies that can exist, in units of 2^-53.
 
     Constants are rounded to doubles, so errors grow with the angle |omega| |t| turned.  They start
     from 256 for the neighbourhood of the middle axis, where u0 is as large as the quarter period.
