@@ -10,15 +10,8 @@ sign, and the limits (separatrix k_1 = 1, symmetric body k_1 = 0) are regular po
 is a model of the regular form and of the attitude at once, so whatever was proved there holds here.
 """
 
-from derivations.attitude import HANDEDNESS, PULL_BACK, SENSE, SHORTEST, TURN
-from derivations.regular_form import (
-    AMPLITUDES,
-    CIRCULATION,
-    HALF,
-    INVARIANTS,
-    POLHODE,
-    ROTATING,
-)
+from derivations.attitude import PULL_BACK, SHORTEST, TURN
+from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
 from rigidsym.algebra import Book, Part, half_angle, jacobi, join
 
 DESCENT = Part(
@@ -100,11 +93,7 @@ def derive(book: Book) -> None:
     book.open(
         join(
             "descended",
-            HANDEDNESS,
-            SENSE,
-            CIRCULATION,
-            HALF,
-            POLHODE,
+            *BODY,
             DESCENT,
             AMPLITUDES,
             ARGUMENT,

@@ -6,18 +6,9 @@ have to be taken.  The integral J of the descended form is elementary on the sep
 symmetric body the circulation rate is constant.  Motions with constant rates are the next chapter.
 """
 
-from derivations.attitude import HANDEDNESS, SENSE
-from derivations.regular_form import (
-    AMPLITUDES,
-    CIRCULATION,
-    HALF,
-    INVARIANTS,
-    POLHODE,
-    ROTATING,
-)
+from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
 from rigidsym.algebra import Book, Part, join
 
-BODY = (HANDEDNESS, SENSE, CIRCULATION, HALF, POLHODE)
 SEPARATRIX = Part(
     witness={"B_b": "25"},
     units=("B_b", "B_d**2 + B_a**2", "i_a*(B_d**2 + B_a**2) + rho*Delta*B_d**2"),

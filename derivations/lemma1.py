@@ -8,16 +8,7 @@ and dropping the c_i mends it.  On the circulation axis the printed form is real
 complex constants: there alpha s_j is minus a square for either root.
 """
 
-from derivations.attitude import HANDEDNESS, SENSE
-from derivations.regular_form import (
-    AMPLITUDES,
-    CIRCULATION,
-    HALF,
-    INVARIANTS,
-    PARAMETER,
-    POLHODE,
-    ROTATING,
-)
+from derivations.regular_form import REGULAR
 from rigidsym.algebra import Book, Part, jacobi, join
 
 INERTIA = Part(
@@ -168,7 +159,6 @@ def _reciprocal(book: Book) -> None:
 
 def _imaginary(book: Book) -> None:
     """On the circulation axis, alpha s is minus a square for both roots: xi is imaginary."""
-    functions = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
     printed = Part(
         definitions={
             "alpha_a": "-(c_a - c_b)*(c_a - c_d)/(c_b*c_d)",
@@ -176,21 +166,6 @@ def _imaginary(book: Book) -> None:
             "root_d": "E_d/(c_a*(c_a - c_d))",
         },
     )
-    book.open(
-        join(
-            "circulating_axis",
-            HANDEDNESS,
-            SENSE,
-            CIRCULATION,
-            HALF,
-            POLHODE,
-            PARAMETER,
-            AMPLITUDES,
-            functions,
-            ROTATING,
-            INVARIANTS,
-            printed,
-        )
-    )
+    book.open(join("circulating_axis", *REGULAR, printed))
     book.claim("circulating_axis.outer", {"alpha_a*root_d": "-(lambda_)**2"}, ["10", "16"])
     book.claim("circulating_axis.inner", {"alpha_a*root_b": "-(lambda_)**2*m_1"}, ["10", "16"])

@@ -65,6 +65,9 @@ INVARIANTS = Part(
         "M_d": "c_d*Omega_d",
     },
 )
+BODY = (HANDEDNESS, SENSE, CIRCULATION, HALF, POLHODE)
+FUNCTIONS = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
+REGULAR = (*BODY, PARAMETER, AMPLITUDES, FUNCTIONS, ROTATING, INVARIANTS)
 EULER = {f"D({name})": rate for name, rate in RATES.rates.items()}
 # 2 H and the differences 2 H c_a - K^2, K^2 - 2 H c_b, K^2 - 2 H c_d, by rates: no cancellation
 # but the one in E_b, whose sign tells the circulations apart.
@@ -85,22 +88,7 @@ FORMULAS = {
 
 def derive(book: Book) -> None:
     """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
-    functions = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
-    book.open(
-        join(
-            "regular",
-            HANDEDNESS,
-            SENSE,
-            CIRCULATION,
-            HALF,
-            POLHODE,
-            PARAMETER,
-            AMPLITUDES,
-            functions,
-            ROTATING,
-            INVARIANTS,
-        )
-    )
+    book.open(join("regular", *REGULAR))
     book.claim("regular.euler", EULER, ["5", "10"])
     for name, form in BY_RATES.items():
         book.claim(f"regular.{name}", {name: form}, ["6", "15"])

@@ -33,11 +33,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"rigidsym {options.command}: {error}", file=sys.stderr)
         return 1 if isinstance(error, PrecisionError) else 2
     except BrokenPipeError:  # the reader went away, as `head` does
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _discard_output()
         return 0
     except OSError as error:
         print(f"rigidsym {options.command}: output: {error.strerror}", file=sys.stderr)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _discard_output()
         return 2
     except KeyboardInterrupt:
         print(f"rigidsym {options.command}: interrupted", file=sys.stderr)
@@ -52,6 +52,11 @@ def _prepare_output() -> None:
             setattr(sys, name, io.StringIO())
         elif isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
+
+
+def _discard_output() -> None:
+    """What is still buffered goes nowhere, so that leaving does not fail again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _parser() -> argparse.ArgumentParser:

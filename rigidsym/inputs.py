@@ -130,6 +130,10 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
 
 def shown(values: Sequence[Fraction]) -> str:
     """Exact numbers for a message, to a dozen digits."""
-    context = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
-    quotients = (context.divide(Decimal(x.numerator), Decimal(x.denominator)) for x in values)
-    return f"[{', '.join(map(str, quotients))}]"
+    return f"[{', '.join(decimal(value, 12) for value in values)}]"
+
+
+def decimal(value: Fraction, digits: int) -> str:
+    """A rational correctly rounded to `digits` digits, without zeros that say nothing."""
+    context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
+    return str(context.divide(Decimal(value.numerator), Decimal(value.denominator)))

@@ -9,6 +9,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from rigidsym import inputs
 from rigidsym.cases import Case, paper_case
 from rigidsym.codegen import Generated, generate
 from rigidsym.derive import Derivation, derive
@@ -104,6 +105,7 @@ def plot(case: Case) -> str:
 
 def report(result: Reproduction) -> str:
     """One page: what is proved, what the paper's equations are worth, how good the module is."""
+    paper = paper_case().motion
     rulings = {ruling: sum(v.ruling == ruling for v in result.verdicts) for ruling in Ruling}
     counted = ", ".join(f"{count} {ruling}" for ruling, count in rulings.items() if count)
     chapters = [
@@ -115,7 +117,8 @@ def report(result: Reproduction) -> str:
             "# rigidsym reproduce",
             "",
             "Written by `rigidsym reproduce`.  The motion below is the paper's spacecraft: inertia "
-            "(0.0109, 0.04, 0.0506) kg m^2, rates (0.05, 0.03, -0.02) rad/s at t = 0.",
+            f"{inputs.shown(paper.inertia)} kg m^2, rates {inputs.shown(paper.omega0)} rad/s at "
+            "t = 0.",
             "",
             "![attitude and rates](motion.svg)",
             "",

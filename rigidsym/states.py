@@ -2,15 +2,13 @@
 
 import io
 import json
-from collections.abc import Callable, Iterable, Sequence
-from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
-from fractions import Fraction
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
 
+from rigidsym import inputs
 from rigidsym.cases import Case
-from rigidsym.errors import InputError
 
 COLUMNS = ("t", "q0", "q1", "q2", "q3", "omega1", "omega2", "omega3")
 SCHEMA = "rigidsym.states/1"
@@ -21,7 +19,7 @@ Row = tuple[str, list[str], list[str]]
 def rows(case: Case, digits: int | None) -> list[Row]:
     """Time, attitude and rates as decimal strings: repr of the doubles, or `digits` digits."""
     if digits is None:
-        times = _doubles(case.times)
+        times = inputs.doubles("times", case.times)
         q, omega = case.motion(times)
         return [
             (repr(t), [repr(float(x)) for x in a], [repr(float(x)) for x in w])
@@ -30,28 +28,15 @@ def rows(case: Case, digits: int | None) -> list[Row]:
     text = _printer(digits)
     q, omega = case.motion.precise(list(case.times), digits)
     return [
-        (_decimal(t, digits), [text(x) for x in a], [text(x) for x in w])
+        (inputs.decimal(t, digits), [text(x) for x in a], [text(x) for x in w])
         for t, a, w in zip(case.times, q, omega, strict=True)
     ]
-
-
-def _doubles(times: Sequence[Fraction]) -> list[float]:
-    try:
-        return [float(t) for t in times]
-    except OverflowError:
-        raise InputError("times", max(times, key=abs), "is too large for binary64") from None
 
 
 def _printer(digits: int) -> Callable[[Any], str]:
     from mpmath import mp
 
     return lambda x: mp.nstr(x, digits, strip_zeros=False, min_fixed=-4, max_fixed=digits + 1)
-
-
-def _decimal(t: Fraction, digits: int) -> str:
-    """A time correctly rounded to `digits` digits, without zeros that say nothing."""
-    context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
-    return str(context.divide(Decimal(t.numerator), Decimal(t.denominator)))
 
 
 def to_csv(table: Iterable[Row]) -> bytes:

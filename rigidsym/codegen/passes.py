@@ -16,7 +16,6 @@ from rigidsym.solution.expression import (
     rebuild,
 )
 
-_ZERO, _ONE = Number(0), Number(1)
 _JACOBI = ("jacobi_sn", "jacobi_cn", "jacobi_dn")
 
 
@@ -48,7 +47,7 @@ def _folded(expression: Expression, constants: Mapping[Expression, Expression]) 
     parts = tuple(_folded(part, constants) for part in children(expression))
     match rebuild(expression, parts):
         case Operation("*", Number(0), _) | Operation("*", _, Number(0)):
-            return _ZERO
+            return Number(0)
         case Operation("*", Number(1), other) | Operation("*", other, Number(1)):
             return other
         case Operation("+", Number(0), other) | Operation("+" | "-", other, Number(0)):
@@ -68,8 +67,10 @@ def lower(lets: Iterable[Let]) -> tuple[Let, ...]:
     for let in lets:
         match let.expression:
             case Call(function, arguments) if function in _JACOBI:
-                kind = _JACOBI.index(function)
-                _jacobi_targets(jacobi, arguments, let, lowered)[kind]
+                values = _jacobi_targets(jacobi, arguments, let, lowered)
+                value = values[_JACOBI.index(function)]
+                if let.targets != (value,):
+                    lowered.append(Let(let.targets, Name(value), let.source, let.facts))
             case Call("elliptic_j", (u, n, mc)):
                 values = _jacobi_targets(jacobi, (u, mc), let, lowered)
                 complete = Name(f"complete_{_label(n)}")

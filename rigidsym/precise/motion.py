@@ -5,7 +5,7 @@ exactly.  The rest is evaluated at two working precisions, which rise until both
 digits asked for: a strong check, though not a proof.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -49,7 +49,9 @@ class PreciseMotion:
         """
         evaluations: dict[int, Evaluation] = {}
         for time in times:
-            yield self._state(time, digits, evaluations)
+            what = f"t = {time}"
+            numbers = self._rise(lambda e, t=time: e.numbers(t), digits, evaluations, what)
+            yield numbers[:4], numbers[4:]
 
     def start(self, digits: int) -> list[float]:
         """The attitude at t = 0, normalised and rounded to doubles."""
@@ -57,29 +59,27 @@ class PreciseMotion:
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
         """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
-        rough: list[Any] | None = None
-        for round_ in range(MOST_ROUNDS):
-            evaluation = Evaluation(self, _working_digits(digits, round_))
-            fine = [evaluation.constant(name) for name in names]
-            settled = rough and _settled(rough, fine, digits, round_ >= ZERO_ROUND)
-            if settled:
-                return dict(zip(names, settled, strict=True))
-            rough = fine
-        raise PrecisionError(f"constants: not settled to {digits} digits")
+        numbers = self._rise(lambda e: [e.constant(n) for n in names], digits, {}, "constants")
+        return dict(zip(names, numbers, strict=True))
 
-    def _state(self, time: Fraction, digits: int, evaluations: dict[int, "Evaluation"]) -> State:
-        rough: State | None = None
+    def _rise(
+        self,
+        read: Callable[["Evaluation"], list[Any]],
+        digits: int,
+        evaluations: dict[int, "Evaluation"],
+        what: str,
+    ) -> list[Any]:
+        """Read numbers at rising precision until two rounds agree; rounds are kept and shared."""
+        rough: list[Any] | None = None
         for round_ in range(MOST_ROUNDS):
             if round_ not in evaluations:
                 evaluations[round_] = Evaluation(self, _working_digits(digits, round_))
-            fine = evaluations[round_].state(time)
-            if rough is not None:
-                sides = zip(rough, fine, strict=True)
-                q, omega = (_settled(a, b, digits, round_ >= ZERO_ROUND) for a, b in sides)
-                if q is not None and omega is not None:
-                    return q, omega
+            fine = read(evaluations[round_])
+            settled = rough and _settled(rough, fine, digits, round_ >= ZERO_ROUND)
+            if settled:
+                return settled
             rough = fine
-        raise PrecisionError(f"t = {time}: not settled to {digits} digits")
+        raise PrecisionError(f"{what}: not settled to {digits} digits")
 
 
 class Evaluation:
@@ -96,6 +96,11 @@ class Evaluation:
 
     def _number(self, value: Any) -> Any:
         return self.ctx.convert(value)
+
+    def numbers(self, time: Fraction) -> list[Any]:
+        """The four numbers of q and the three of omega at one time."""
+        q, omega = self.state(time)
+        return [*q, *omega]
 
     def state(self, time: Fraction) -> State:
         """(q, omega) at one time; the given state itself at t = 0."""

@@ -36,8 +36,7 @@ class Polhode:
 
     `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
     `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
-    c_a - c_d, and `chi` that of -rho epsilon sigma Omega_d (+1 for zeros); `excess` is
-    E_b = K^2 - 2 H c_b.
+    c_a - c_d, and `chi` that of -rho epsilon sigma Omega_d (+1 for zeros).
     """
 
     regime: Regime
@@ -46,7 +45,6 @@ class Polhode:
     sigma: int
     rho: int
     chi: int
-    excess: Fraction
 
 
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
@@ -64,7 +62,7 @@ def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     sigma = -1 if omega[axes[0]] < 0 else 1
     rho = 1 if axes[0] == high else -1
     chi = -1 if -rho * epsilon * sigma * omega[axes[2]] < 0 else 1
-    return Polhode(regime, axes, epsilon, sigma, rho, chi, excess)
+    return Polhode(regime, axes, epsilon, sigma, rho, chi)
 
 
 def _steady(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> bool:

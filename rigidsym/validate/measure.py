@@ -13,6 +13,8 @@ from rigidsym.motion import TorqueFreeMotion
 from rigidsym.validate.strata import Sample
 
 ULP = 2.0**-53
+# The documented bound, in units of 2^-53.
+AT_START, PER_RADIAN = 256, 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,9 +40,9 @@ def bound(sample: Sample, time: float) -> float:
     """The documented bound on angle and omega errors of bodies that can exist, in units of 2^-53.
 
     Constants are rounded to doubles, so errors grow with the angle |omega| |t| turned.  They start
-    from 256 for the neighbourhood of the middle axis, where u0 is as large as the quarter period.
+    from AT_START for the neighbourhood of the middle axis, where u0 nears the quarter period.
     """
-    return 256 + 8 * math.hypot(*sample.omega0) * abs(time)
+    return AT_START + PER_RADIAN * math.hypot(*sample.omega0) * abs(time)
 
 
 def measure(sample: Sample, digits: int, module: Any = torque_free) -> Measurement:

@@ -9,7 +9,7 @@ from typing import Any
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.generated import torque_free
-from rigidsym.validate.measure import Measurement, measure
+from rigidsym.validate.measure import AT_START, PER_RADIAN, Measurement, measure
 from rigidsym.validate.strata import STRATA, Sample, samples
 
 SCHEMA = "rigidsym.validation/1"
@@ -75,7 +75,8 @@ class ValidationReport:
             "",
             "Worst errors against the derivation evaluated by mpmath, in units of 2^-53 "
             "(1.1e-16): rotation angle (rad), |domega|/|omega|, | |q| - 1 |, drift of H and K^2. "
-            "Share: the part of the documented bound 256 + 8 |omega0 t| that was used.",
+            "Share: the part of the documented bound "
+            f"{AT_START} + {PER_RADIAN} |omega0 t| that was used.",
             "",
             "| stratum | cases | states | angle | omega | norm | H | K^2 | share | |",
             "|---|---|---|---|---|---|---|---|---|---|",
