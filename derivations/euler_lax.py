@@ -7,7 +7,7 @@ motions start at R(0) = e: for another start it is R(0) M(0) R(0)^-1, as the cou
 """
 
 from derivations.lie_algebra import UNIT_QUATERNION
-from rigidsym.algebra import Book, Part, equal, join, names
+from rigidsym.algebra import Book, Part, equal, join, names, text
 from rigidsym.algebra.quaternion import product
 from rigidsym.algebra.su2 import combination, commutator, from_quaternion
 
@@ -93,7 +93,7 @@ def _conjugation(book: Book) -> None:
     book.claim("moving_body.kinematics", equal(R.rate(), R @ combination(rates)), ["3"])
     book.claim("moving_body.quaternion", equal(map(moving.rate, q), kinematics), ["3"])
     conjugated = R @ M @ R.inverse()
-    constant = [(f"D({entry})", 0) for entry in conjugated]
+    constant = [(f"D({text(entry)})", 0) for entry in conjugated]
     book.claim("moving_body.momentum_is_constant", constant, ["9", "22"])
     quarter_turn = {"q0": "3/5", "q2": "4/5"}
     book.refute("moving_body.any_start", equal(conjugated, M), quarter_turn, ["9", "22"])

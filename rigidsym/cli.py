@@ -218,14 +218,19 @@ def _derive(options: Any) -> int:
 def _check(options: Any) -> int:
     if options.independent:
         return _check_independently(options.ledger)
+    from collections import Counter
+
+    from rigidsym.algebra.enclosures import encloses
     from rigidsym.kernel import KernelError, replay
 
     try:
-        ledger = replay(_ledger_text(options.ledger))
+        ledger = replay(_ledger_text(options.ledger), encloses)
     except KernelError as error:
         _say(f"rigidsym check: refused: {error}")
         return 1
-    print(f"{len(ledger.facts)} facts in {len(ledger.contexts)} contexts: accepted")
+    grades = Counter(fact.grade for fact in ledger.facts.values())
+    counts = ", ".join(f"{count} {grade}" for grade, count in grades.most_common())
+    print(f"{counts} facts in {len(ledger.contexts)} contexts: accepted")
     return 0
 
 
@@ -255,7 +260,7 @@ def _ledger_text(path: Path | None) -> str:
 def _errata(options: Any) -> int:
     import json
 
-    from rigidsym.paper import verdicts
+    from rigidsym.paper import row, verdicts
     from rigidsym.solution import ledger_data
 
     ruled = verdicts(ledger_data(_ledger_text(None)))
@@ -263,20 +268,8 @@ def _errata(options: Any) -> int:
         data = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
         print(json.dumps(data, indent=1))
         return 0
-    rows = [
-        (
-            f"({v.equation.number})",
-            " ".join((v.ruling, ", ".join(v.conditions))).strip(),
-            v.equation.repair or v.equation.reading,
-            ", ".join(f"{k} = {x}" for k, x in (v.counterexample or {}).items()),
-        )
-        for v in ruled
-    ]
-    _table(
-        "rigidsym errata",
-        ("equation", "verdict", "repair, or how it is read", "counterexample"),
-        rows,
-    )
+    columns = ("equation", "verdict", "repair, or how it is read", "counterexample")
+    _table("rigidsym errata", columns, [row(verdict) for verdict in ruled])
     return 0
 
 

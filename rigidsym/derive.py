@@ -96,7 +96,14 @@ def _run(book: Book, name: str) -> Chapter:
 
 def statement(fact: Fact) -> str:
     """A fact's statement in one line of text."""
-    form = {"equal": "{} = {}", "unequal": "{} != {}", "root": "{} = sqrt({})"}.get(fact.kind)
+    form = {
+        "equal": "{} = {}",
+        "unequal": "{} != {}",
+        "root": "{} = sqrt({})",
+        "nonnegative": "{} = {} >= 0",
+    }.get(fact.kind)
+    if fact.kind == "partition":
+        return f"{fact.context}, by the sign of {fact.lhs[0]}: one of {', '.join(fact.rhs)}"
     if form is None:
         return f"{fact.context} is a model of {fact.rhs[0]}"
     return "; ".join(form.format(*sides) for sides in zip(fact.lhs, fact.rhs, strict=True))

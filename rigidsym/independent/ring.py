@@ -4,17 +4,15 @@ A denominator is always a product of declared units, because `Ring.inverse` make
 Monomials are ordered lexicographically, later generators larger, as ledgers are written for.
 """
 
-import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import comb
 from operator import add, mul, sub
 
 from flint import fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
+from rigidsym.independent.language import Language
 from rigidsym.independent.records import Refused
-
-_TOKEN = re.compile(r" *(0|[1-9][0-9]*|[A-Za-z_][A-Za-z_0-9]*|\*\*|[-+*/()])")
-_BINDS = {"+": 1, "-": 1, "*": 2, "/": 2, "**": 3}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,7 +45,7 @@ class Quotient:
         return Quotient(self.above**exponent, self.below**exponent)
 
 
-class Ring:
+class Ring(Language[Quotient]):
     """The arithmetic of a context: what names mean, what may be divided by, what vanishes."""
 
     def __init__(self, generators: list[str], definitions: dict[str, str]) -> None:
@@ -63,48 +61,31 @@ class Ring:
         """A polynomial as a quotient."""
         return Quotient(polynomial, self.one)
 
-    def read(self, text: str) -> Quotient:
-        """The value of an expression, all of it."""
-        if text.startswith(" ") or _TOKEN.sub("", text).strip(" "):
-            raise Refused(f"{text!r:.80} is not made of what expressions are made of")
-        tokens = ["", *reversed(_TOKEN.findall(text))]
-        value = self._read(tokens)
-        return self._after(tokens, "", value)
+    def number(self, number: int) -> Quotient:
+        """A natural number."""
+        return self.over_one(self.polynomials.constant(number))
 
-    def _read(self, tokens: list[str], binding: int = 0) -> Quotient:
-        """Read on, up to an operator that binds no tighter than the one before."""
-        value = self._operand(tokens)
-        while _BINDS.get(tokens[-1], 0) > binding:
-            match operator := tokens.pop():
-                case "**" if tokens[-1].isdigit() and tokens[-2] != "**":
-                    value = value ** int(tokens.pop())
-                case "/":
-                    value *= self.inverse(self._read(tokens, _BINDS["/"]))
-                case "+" | "-" | "*":
-                    operation = {"+": add, "-": sub, "*": mul}[operator]
-                    value = operation(value, self._read(tokens, _BINDS[operator]))
-                case _:
-                    raise Refused("an exponent is not written as an integer")
-        return value
+    def call(self, function: str, arguments: list[Quotient]) -> Quotient:
+        """D(x), the only function."""
+        if function != "D" or len(arguments) != 1:
+            raise Refused(f"{function} of {len(arguments)} is no function here")
+        return self.rate(arguments[0])
 
-    def _operand(self, tokens: list[str]) -> Quotient:
-        token = tokens.pop()
-        if token == "-":  # takes the whole power after it: -x**2 is -(x**2)
-            return -self._read(tokens, _BINDS["*"])
-        if token == "(":
-            return self._after(tokens, ")", self._read(tokens))
-        if token == "D" and tokens[-1] == "(":
-            return self.rate(self._operand(tokens))
-        if token.isdigit():
-            return self.over_one(self.polynomials.constant(int(token)))
-        return self.value(token)
+    def combine(self, operator: str, left: Quotient, right: Quotient) -> Quotient:
+        """Arithmetic; only what is invertible divides."""
+        if operator == "/":
+            return left * self.inverse(right)
+        return {"+": add, "-": sub, "*": mul}[operator](left, right)
 
-    def _after(self, tokens: list[str], end: str, value: Quotient) -> Quotient:
-        if (token := tokens.pop()) != end:
-            raise Refused(f"{token!r} stands where {end!r} is due")
-        return value
+    def negative(self, operand: Quotient) -> Quotient:
+        """The opposite."""
+        return -operand
 
-    def value(self, name: str) -> Quotient:
+    def power(self, base: Quotient, exponent: int) -> Quotient:
+        """A power, if it is positive and not too large."""
+        return base**exponent
+
+    def name(self, name: str) -> Quotient:
         """What a name means.  A definition is read once; inside itself it means nothing."""
         if name not in self.values:
             if name not in self.unread:
@@ -130,16 +111,19 @@ class Ring:
         constant = polynomial and polynomial.is_constant()
         return polynomial.leading_coefficient() if constant else fmpq(0)
 
-    def remainder(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """The polynomial divided by each relation in turn until none changes it.
+    def remainder(self, polynomial: fmpq_mpoly, given: Sequence[fmpq_mpoly] = ()) -> fmpq_mpoly:
+        """The polynomial divided by what vanishes, in turn, until nothing changes it.
 
         It ends, since a change replaces a monomial by smaller ones; 0 proves ideal membership.
+        What is left depends on whose turn it is, so they take turns both ways.
         """
-        previous = None
-        while polynomial != previous:
-            previous = polynomial
-            for relation in filter(None, reversed(self.relations)):
-                polynomial = polynomial % relation
+        divisors = [*filter(None, self.relations), *filter(None, given)]
+        for turns in (divisors[::-1], divisors):
+            previous = None
+            while polynomial != previous:
+                previous = polynomial
+                for divisor in turns:
+                    polynomial = polynomial % divisor
         return polynomial
 
     def rate(self, quotient: Quotient) -> Quotient:

@@ -1,11 +1,11 @@
 """A context, opened: its hypotheses are read, closed under d/dt, and hold at its witness."""
 
-import re
-
 from flint import fmpq
 
+from rigidsym.independent.language import NAME
 from rigidsym.independent.records import Hypotheses, Refused
 from rigidsym.independent.ring import Ring
+from rigidsym.independent.signs import Signs
 
 
 class Theory:
@@ -21,8 +21,8 @@ class Theory:
             rates = given.rates.items()
             ring.rates = {name: None if rate == "?" else ring.read(rate) for name, rate in rates}
         for name in given.definitions:  # now, lest one that nothing uses go unread
-            ring.value(name)
-        self.signs = [ring.read(sign) for sign in given.nonnegative]
+            ring.name(name)
+        self.signs, self.seen = [*map(ring.read, given.nonnegative)], Signs(given)
         self._check_closed()
         self.point(given.witness)
 
@@ -30,7 +30,7 @@ class Theory:
         """The rational point with these coordinates, seen to satisfy every hypothesis."""
         if values.keys() != {*self.given.generators}:
             raise Refused("a point gives other names than the generators")
-        at = [_rational(values[name]) for name in self.ring.polynomials.names()]
+        at = [rational(values[name]) for name in self.ring.polynomials.names()]
         if not all(unit(*at) for unit in self.ring.units):
             raise Refused("a unit is zero at the point")
         if any(relation(*at) for relation in self.ring.relations):
@@ -50,11 +50,12 @@ class Theory:
 def _check_names(given: Hypotheses) -> None:
     """Each name is a name and means one thing, and only generators have rates of their own."""
     names = [*given.generators, *given.definitions]
-    if len({*names}) < len(names) or not all(re.fullmatch(r"(?a)[^\W\d]\w*", n) for n in names):
+    if len({*names}) < len(names) or not all(map(NAME.fullmatch, names)):
         raise Refused("a name is no name, or means two things")
     if not (given.rates or {}).keys() <= {*given.generators}:
         raise Refused("a rate is given to what is not a generator")
 
 
-def _rational(text: str) -> fmpq:
+def rational(text: str) -> fmpq:
+    """The number that a text without names means."""
     return Ring([], {}).read(text).above.leading_coefficient()

@@ -1,13 +1,11 @@
 """The trusted core: contexts, facts, rules, grades, certificates and their replay.
 
-It imports `sympy.polys` and the standard library only.  What it guarantees: every fact of a
-replayed ledger follows from the hypotheses of its context by polynomial arithmetic over Q.
-What it does not: that a context says what its author had in mind (read its `reading`).
+It imports `sympy.polys` and the standard library.  What a replayed ledger grades PROVED follows by
+polynomial arithmetic over Q from a context; whether that says what is meant, `reading` must tell.
 """
 
-from rigidsym.kernel.context import Context
-from rigidsym.kernel.fact import Fact, Grade
 from rigidsym.kernel.ledger import Ledger, replay
 from rigidsym.kernel.ring import Element, KernelError, Ring
+from rigidsym.kernel.statement import Context, Fact, Grade
 
 __all__ = ["Context", "Element", "Fact", "Grade", "KernelError", "Ledger", "Ring", "replay"]

@@ -1,13 +1,13 @@
 """Elements of a differential ring: a polynomial over a product of declared units.
 
-Every statement is read into this form; no division happens that the hypotheses do not cover.
-Text has Python's syntax, cut down to names, integers, ``+ - * /``, integer powers and ``D(...)``,
-the time derivative.
+Text is Python's, cut down to names, integers, ``+ - * /``, integer powers and ``D(...)``, d/dt;
+no division happens that the hypotheses do not cover.
 """
 
 import ast
 from collections.abc import Mapping
 from dataclasses import dataclass
+from math import prod
 from operator import add, mul, sub, truediv
 from typing import Any
 
@@ -16,6 +16,11 @@ from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyRing
 
 _BINARY: dict[type, Any] = {ast.Add: add, ast.Sub: sub, ast.Mult: mul, ast.Div: truediv}
+
+
+def at(polynomial: Any, point: list[Any]) -> Any:
+    """The value at a rational point, given in the order of the ring's generators."""
+    return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.terms())
 
 
 class KernelError(ValueError):
@@ -61,11 +66,6 @@ class Element:
 
     __radd__, __rmul__ = __add__, __mul__
 
-    def __str__(self) -> str:
-        factors = zip(self.ring.units, self.powers, strict=True)
-        below = "*".join(f"({unit})**{power}" for unit, power in factors if power)
-        return f"({self.numerator})/({below})" if below and self.numerator else str(self.numerator)
-
 
 class Ring:
     """Q[generators] localised at the units, with the names and the derivation of a context.
@@ -84,10 +84,9 @@ class Ring:
 
     def element(self, value: Any) -> Element:
         """Coerce a number, a polynomial, or an element made before all units were declared."""
-        if isinstance(value, Element):
-            padding = (0,) * (len(self.units) - len(value.powers))
-            return Element(self, value.numerator, value.powers + padding)
-        return Element(self, self.poly(value), (0,) * len(self.units))
+        ready = isinstance(value, Element)
+        numerator, powers = (value.numerator, value.powers) if ready else (self.poly(value), ())
+        return Element(self, numerator, powers + (0,) * (len(self.units) - len(powers)))
 
     def inverse(self, element: Element) -> Element:
         """1/element; refused unless its numerator is a number times a product of units."""
@@ -97,15 +96,15 @@ class Ring:
                 while rest and not unit.is_ground and not (divided := rest.div(unit))[1]:
                     rest, powers[k] = divided[0], powers[k] + 1
             if rest and rest.is_ground:
-                above = Element(self, self.poly(1 / rest.LC), (0,) * len(powers))
-                return Element(self, above.over(element.powers), tuple(powers))
-        raise KernelError(f"1/({element!s:.120}): not a product of the declared units")
+                return Element(self, self.element(1 / rest.LC).over(element.powers), tuple(powers))
+        raise KernelError(f"1/({element.numerator!s:.120}): not a product of the declared units")
 
-    def reduce(self, polynomial: Any) -> tuple[list[Any], Any]:
+    def reduce(self, polynomial: Any, *given: Any) -> tuple[list[Any], Any]:
         """Cofactors and remainder of division by the relations; remainder 0 proves membership."""
-        if not self.relations or not polynomial:
-            return [self.poly(0)] * len(self.relations), polynomial
-        return polynomial.div(list(self.relations))
+        divisors = [*given, *self.relations]
+        if not divisors or not polynomial:
+            return [self.poly(0)] * len(divisors), polynomial
+        return polynomial.div(divisors)
 
     def rate(self, element: Element) -> Element:
         """D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k"""

@@ -1,14 +1,15 @@
-"""The rules of inference.  Each checks one fact against its premises and its certificate.
+"""The rules of inference: each checks one fact against its premises and its certificate.
 
-A checker gets the ledger so far and the fact; it returns the grade the rule itself gives, or
-raises KernelError.  Whoever proposes a fact may be wrong or lying: nothing here trusts it.
+It returns the grade that the rule itself gives, or raises; whoever proposes a fact may be lying.
 """
 
-from collections.abc import Callable
+import ast
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from rigidsym.kernel.fact import Fact, Grade
-from rigidsym.kernel.ring import KernelError, Ring
+from rigidsym.kernel.ring import KernelError, Ring, at
+from rigidsym.kernel.statement import Context, Fact, Grade
 
 if TYPE_CHECKING:
     from rigidsym.kernel.ledger import Ledger
@@ -18,20 +19,19 @@ def identity(ledger: "Ledger", fact: Fact) -> Grade:
     """
     numerator(lhs_k - rhs_k) = sum_j cofactor_kj * relation_j     for every component k
     -----------------------------------------------------------------------------------
-    relations = 0, units != 0  |-  lhs = rhs
-    """
-    return _vanishes(ledger, _expect(fact, "equal", premises=0))
+    Gamma |- lhs = rhs
 
-
-def root(ledger: "Ledger", fact: Fact) -> Grade:
+    If lhs >= 0 is visible, and with lhs**2 for lhs:    Gamma |- lhs = sqrt(rhs)
+    If rhs >= 0 is visible:                             Gamma |- lhs = rhs >= 0
     """
-    numerator(x_k**2 - y_k) = sum_j cofactor_kj * relation_j        Gamma says x_k >= 0
-    -----------------------------------------------------------------------------------
-    Gamma |- x = sqrt(y)
-    """
-    if not set(fact.lhs) <= set(ledger.contexts[fact.context].nonnegative):
-        raise KernelError("the left side is not declared nonnegative")
-    return _vanishes(ledger, _expect(fact, "root", premises=0))
+    ring, signs = ledger.rings[fact.context], {"root": fact.lhs, "nonnegative": fact.rhs}
+    _check_signs(signs.get(fact.kind, ()), ledger.contexts[fact.context])
+    for rest, cofactors in zip(differences(ring, fact), fact.certificate["cofactors"], strict=True):
+        for cofactor, relation in zip(cofactors, ring.relations, strict=True):
+            rest -= ring.read(cofactor).over((0,) * len(ring.units)) * relation
+        if rest:
+            raise KernelError("the cofactors do not give lhs - rhs")
+    return Grade.PROVED
 
 
 def counterexample(ledger: "Ledger", fact: Fact) -> Grade:
@@ -40,35 +40,32 @@ def counterexample(ledger: "Ledger", fact: Fact) -> Grade:
     -------------------------------------------------------
     Gamma |- lhs != rhs at some point
     """
-    ring = ledger.rings[_expect(fact, "unequal", premises=0).context]
-    values = fact.certificate.get("point", {})
-    point = ledger.contexts[fact.context].check_point(ring, values)
-    if not any(difference.evaluate(point) for difference in differences(ring, fact)):
+    ring = ledger.rings[fact.context]
+    point = ledger.contexts[fact.context].check_point(ring, fact.certificate["point"])
+    if not any(at(difference, point) for difference in differences(ring, fact)):
         raise KernelError("both sides agree at this point")
     return Grade.PROVED
 
 
 def model(ledger: "Ledger", fact: Fact) -> Grade:
     """
-    every name of Gamma is a name of Delta, where the relations of Gamma vanish, its units are
-    units, its nonnegative names are nonnegative, its definitions hold and D reads the same
-    -------------------------------------------------------------------------------------------
+    every name of Gamma is a name of Delta, where, by the premises, the relations of Gamma vanish,
+    its units are units, its signs are visible, its definitions hold and D reads the same
+    ----------------------------------------------------------------------------------------------
     Delta |- model of Gamma
     """
-    target = ledger.rings[_expect(fact, "model", premises=0).context]
+    target, given = ledger.rings[fact.context], []
+    for premise in (ledger.facts[name] for name in fact.premises):
+        if (premise.kind, premise.context) != ("equal", fact.context):
+            raise KernelError(f"{premise.id} is not an equation of {fact.context}")
+        given += filter(None, differences(target, premise))
     (source,) = (ledger.contexts[name] for name in fact.lhs + fact.rhs)
-    zeros = [target.read(t) for t in (*source.relations, *(f"0*{n}" for n in source.generators))]
-    zeros += [target.read(f"{name} - ({text})") for name, text in source.definitions.items()]
-    if source.rates is not None:
-        rates = {name: source.rates.get(name, "0") for name in source.generators}
-        known = [f"D({name}) - ({text})" for name, text in rates.items() if text != "?"]
-        zeros += [target.read(text) for text in known]
-    if any(target.reduce(zero.numerator)[1] for zero in zeros):
+    zeros = _zeros(source) - _zeros(ledger.contexts[fact.context])
+    if any(target.reduce(target.read(text).numerator, *given)[1] for text in zeros):
         raise KernelError(f"a relation, definition or rate of {source.name} does not hold")
     for unit in source.units:
         target.inverse(target.read(unit))
-    if not set(source.nonnegative) <= set(ledger.contexts[fact.context].nonnegative):
-        raise KernelError(f"a sign that {source.name} supposes is not declared")
+    _check_signs(source.nonnegative, ledger.contexts[fact.context])
     return Grade.PROVED
 
 
@@ -78,57 +75,87 @@ def transfer(ledger: "Ledger", fact: Fact) -> Grade:
     -------------------------------------------------
     Delta |- statement
     """
-    if len(fact.premises) != 2 or fact.kind not in ("equal", "root"):
-        raise KernelError("transfer takes an equation and a model")
     there, bridge = (ledger.facts[premise] for premise in fact.premises)
-    if (bridge.kind, bridge.rhs, bridge.context) != ("model", (there.context,), fact.context):
-        raise KernelError(f"the second premise is not a model of {there.context}")
-    if (there.kind, there.lhs, there.rhs) != (fact.kind, fact.lhs, fact.rhs):
-        raise KernelError("transfer must keep the statement")
+    due = ("model", (there.context,), fact.context, fact.kind, fact.lhs, fact.rhs)
+    if (bridge.kind, bridge.rhs, bridge.context, there.kind, there.lhs, there.rhs) != due:
+        raise KernelError("the premises are not the same statement and a model of its context")
+    return Grade.PROVED
+
+
+def partition(ledger: "Ledger", fact: Fact) -> Grade:
+    """
+    Gamma, x = 0        Gamma, x > 0        Gamma, -x > 0 (not where x >= 0 is visible)
+    -----------------------------------------------------------------------------------
+    Gamma |- exactly one of these contexts, or of those that premises split them into
+    """
+    whole, (x,), cases = ledger.contexts[fact.context], fact.lhs, fact.certificate["cases"]
+    _check_signs((x,) if len(cases) == 2 else (), whole)
+    for name, sign in zip(cases, ("", x, f"-{x}"), strict=len(cases) != 2):
+        more = {"units": (*whole.units, x), "nonnegative": (*whole.nonnegative, sign)}
+        more = more if sign else {"relations": (*whole.relations, x)}
+        part = ledger.contexts[name]
+        if part != replace(whole, name=name, witness=part.witness, **more) or not x.isidentifier():
+            raise KernelError(f"{name} is not this case of {whole.name}")
+    given = (ledger.facts[name] for name in fact.premises)
+    finer = {premise.context: premise.rhs for premise in given if premise.kind == "partition"}
+    if fact.rhs != tuple(leaf for case in cases for leaf in finer.get(case, (case,))):
+        raise KernelError("these are not the cases")
     return Grade.PROVED
 
 
 def assumption(ledger: "Ledger", fact: Fact) -> Grade:
     """
-    a reference that states it
-    --------------------------
-    Gamma |- statement                 (grade ASSUMED)
+    a reference that states it, and points where balls, if there are points, do not exclude it
+    ------------------------------------------------------------------------------------------
+    Gamma |- statement                 (grade ASSUMED, with points ENCLOSED)
     """
-    differences(ledger.rings[_expect(fact, "equal", premises=0).context], fact)
-    if not fact.certificate.get("reference"):
-        raise KernelError("an assumption needs a reference")
-    return Grade.ASSUMED
+    context, points = ledger.contexts[fact.context], fact.certificate.get("points", ())
+    differences(ledger.rings[fact.context], fact)
+    agreed = not points or (ledger.encloses and ledger.encloses(context, fact, points))
+    if not fact.certificate.get("reference") or not agreed:
+        raise KernelError("an assumption needs a reference, and balls that agree at the points")
+    return Grade.ENCLOSED if points else Grade.ASSUMED
 
 
-RULES: dict[str, Callable[["Ledger", Fact], Grade]] = {
-    rule.__name__: rule for rule in (identity, root, counterexample, model, transfer, assumption)
+RULES: dict[str, tuple[str, Callable[["Ledger", Fact], Grade]]] = {
+    "identity": ("equal root nonnegative", identity),
+    "counterexample": ("unequal", counterexample),
+    "model": ("model", model),
+    "transfer": ("equal root nonnegative", transfer),
+    "partition": ("partition", partition),
+    "assumption": ("equal", assumption),
 }
 
 
 def differences(ring: Ring, fact: Fact) -> list[Any]:
     """The numerators of lhs - rhs (of lhs**2 - rhs for a root): zero where the statement holds."""
     power = 2 if fact.kind == "root" else 1
-    sides = _pair(fact.lhs, fact.rhs)
+    sides = zip(fact.lhs, fact.rhs, strict=True)
     return [(ring.read(lhs) ** power - ring.read(rhs)).numerator for lhs, rhs in sides]
 
 
-def _vanishes(ledger: "Ledger", fact: Fact) -> Grade:
-    ring = ledger.rings[fact.context]
-    for rest, cofactors in _pair(differences(ring, fact), fact.certificate.get("cofactors", ())):
-        for cofactor, relation in _pair(cofactors, ring.relations):
-            rest -= ring.read(cofactor).over((0,) * len(ring.units)) * relation
-        if rest:
-            raise KernelError("the cofactors do not give lhs - rhs")
-    return Grade.PROVED
+def _zeros(context: Context) -> set[str]:
+    """What a context says is zero, as texts."""
+    rates = {**dict.fromkeys(context.generators, "0"), **(context.rates or {})}
+    moving = rates.items() if context.rates is not None else ()
+    zeros = [*context.relations, *(f"0*{name}" for name in context.generators)]
+    zeros += [f"{name} - ({text})" for name, text in context.definitions.items()]
+    return {*zeros, *(f"D({name}) - ({text})" for name, text in moving if text != "?")}
 
 
-def _expect(fact: Fact, kind: str, premises: int) -> Fact:
-    if fact.kind != kind or not fact.rhs or len(fact.premises) != premises:
-        raise KernelError(f"rule {fact.rule} makes {kind!r} from {premises} premises")
-    return fact
-
-
-def _pair(left: Any, right: Any) -> list[tuple[Any, Any]]:
-    if len(left) != len(right):
-        raise KernelError(f"{len(left)} items do not match {len(right)}")
-    return list(zip(left, right, strict=True))
+def _check_signs(texts: Iterable[str], context: Context) -> None:
+    """Refuse what is not made of nonnegative things by + * /, and of anything by even powers."""
+    waiting, done = [*texts], {*context.nonnegative}
+    while waiting:
+        if (text := waiting.pop()) in done or text.isdecimal():
+            continue
+        done.add(text)
+        match ast.parse(text, mode="eval").body:
+            case ast.Name(id=name) if name in context.definitions:
+                waiting.append(context.definitions[name])
+            case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
+                waiting += [ast.unparse(base)] * (exponent % 2)
+            case ast.BinOp(left=left, op=ast.Add() | ast.Mult() | ast.Div(), right=right):
+                waiting += [ast.unparse(left), ast.unparse(right)]
+            case _:
+                raise KernelError(f"{text} >= 0 is not visible in {context.name}")

@@ -129,7 +129,7 @@ def test_errata_tells_the_misprint_in_35(capsys):
     data = json.loads(capsys.readouterr().out)
     verdicts = {entry["equation"]: entry for entry in data["equations"]}
     assert verdicts["6"]["verdict"] == "holds"
-    assert verdicts["9"]["conditions"] == ["R(0) = e"]
+    assert verdicts["9"]["conditions"] == ["R(0) M(0) = M(0) R(0)"]
     assert verdicts["35"]["verdict"] == "misprint"
     assert verdicts["35"]["counterexample"]["mu"] == "9/16"
     assert main(["errata"]) == 0

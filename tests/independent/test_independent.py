@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from ledgers import prove, written
 
 import rigidsym.independent
 from rigidsym.independent import Refused, check
@@ -16,10 +17,6 @@ from rigidsym.kernel import Context, Fact, Grade, KernelError, Ledger, replay
 HOME = Path(rigidsym.independent.__file__).parent
 SEALED = (HOME.parents[1] / "derivations" / "ledger.json").read_text(encoding="utf-8")
 GONE = object()
-
-
-def written(data: Any) -> str:
-    return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
 
 
 def tampered(text: str, path: str, value: Any) -> str:
@@ -56,8 +53,8 @@ def small_ledger() -> str:
     names, point = (*at, "v"), {**at, "v": "4"}
     ledger.open(Context("point", names, point, relations=(circle, "v - w**2"), **fields))
     statement = (("D(double)*w1", "s"), ("2*(1 - 2*s**2)", "s"))
-    ledger.prove(Fact("rate", "circle", "equal", *statement, "identity"))
-    ledger.prove(Fact("length", "point", "root", ("w",), ("v",), "root"))
+    prove(ledger, Fact("rate", "circle", "equal", *statement, "identity"))
+    prove(ledger, Fact("length", "point", "root", ("w",), ("v",), "identity"))
     apart = {"point": {"w": "2", "s": "3/5", "c": "4/5"}}
     differ = ("unequal", ("s",), ("0",), "counterexample")
     ledger.add(Fact("apart", "circle", *differ, certificate=apart))

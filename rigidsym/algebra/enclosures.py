@@ -1,0 +1,167 @@
+"""Whether balls agree with a fact: the evidence for classical identities, by Arb.
+
+A name stands for the number that a point gives it, or for its definition, or for its reading.
+Readings are then texts of the kernel's syntax with the functions of `FUNCTIONS` in them.  Jacobi's
+functions are found by inverting Legendre's F, never from theta functions: the identities that
+relate the two are what is to be checked.  A fact is agreed with where the ball of lhs - rhs
+contains zero and is small, at every point.
+"""
+
+import ast
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from operator import add, mul, sub, truediv
+from typing import Any
+
+from flint import acb, arb, ctx, fmpq
+
+from rigidsym.kernel import Context, Fact, KernelError
+
+BITS = 192
+SMALL = arb(2) ** -128
+_BINARY: dict[type, Any] = {ast.Add: add, ast.Sub: sub, ast.Mult: mul, ast.Div: truediv}
+STEPS = 32
+
+
+def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
+    """Whether lhs - rhs is enclosed near zero at every point; KernelError for what has no value."""
+    with ctx.workprec(BITS):
+        for point in points:
+            at = Evaluation(context, point)
+            for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
+                left = at.value(lhs)
+                gap = left - at.value(rhs)
+                if not gap.contains(0) or not gap.abs_upper() < SMALL * (1 + left.abs_upper()):
+                    return False
+            at.check()
+    return True
+
+
+class Evaluation:
+    """The balls of the names of a context at one rational point, each found once."""
+
+    def __init__(self, context: Context, point: Mapping[str, str]) -> None:
+        self.context = context
+        self.texts = {**context.reading, **context.definitions}
+        self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1)}
+        for name, number in point.items():
+            if name not in context.generators:
+                raise KernelError(f"a point gives {name}, which is no generator")
+            fraction = Fraction(number)
+            self.known[name] = acb(fmpq(fraction.numerator, fraction.denominator))
+
+    def check(self) -> None:
+        """Refuse a point at which a hypothesis about names met so far is broken."""
+        for text in (*self.context.relations, *self.context.units):
+            names = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
+            broken = text in self.context.units
+            if names <= self.known.keys() and self.value(text).contains(0) == broken:
+                raise KernelError(f"the point is not one of the context: {text}")
+
+    def value(self, text: str) -> acb:
+        """The ball of a text; KernelError where it is no expression, or refers to itself."""
+        try:
+            return self._of(ast.parse(text, mode="eval").body)
+        except (SyntaxError, RecursionError) as error:
+            raise KernelError(f"{text!r} has no value: {error}") from None
+
+    def _of(self, node: ast.expr) -> acb:
+        match node:
+            case ast.Constant(value=int(number)):
+                return acb(number)
+            case ast.Name(id=name) if name in self.known or name in self.texts:
+                return self._named(name)
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return -self._of(operand)
+            case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
+                return self._of(base) ** exponent
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
+                return _BINARY[type(op)](self._of(left), self._of(right))
+            case ast.Call(func=ast.Name(id=name), args=arguments) if name in FUNCTIONS:
+                return FUNCTIONS[name](*map(self._of, arguments))
+        raise KernelError(f"{ast.unparse(node)!r} has no value")
+
+    def _named(self, name: str) -> acb:
+        if name not in self.known:
+            value = self.value(self.texts[name])
+            if name in self.context.generators and not value.imag.contains(0):
+                raise KernelError(f"{name} is not real")  # signs and even powers suppose that
+            self.known[name] = value
+        return self.known[name]
+
+
+def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
+    """theta_kind(z, q) or its z-derivative (DLMF 20.2(i)); Arb has z in units of pi."""
+
+    def evaluate(z: acb, q: acb) -> acb:
+        tau = q.log() / acb(0, 1) / acb.pi()
+        values = (z / acb.pi()).modular_theta(tau, derivative)
+        return values[kind - 1] / acb.pi() ** derivative
+
+    return evaluate
+
+
+def _nome(m: acb) -> acb:
+    return (-acb.pi() * (1 - m).elliptic_k() / m.elliptic_k()).exp()
+
+
+def _slope(phi: acb, m: acb) -> acb:
+    """dF/dphi."""
+    return 1 / (1 - m * phi.sin() ** 2).sqrt()
+
+
+def _amplitude(u: acb, m: acb) -> acb:
+    """phi with F(phi | m) = u (DLMF 22.16.10), seen to exist by a step of interval Newton."""
+    phi = _near(u, m)
+    radius = arb(0, SMALL / 2**32)
+    box = acb(phi.real + radius, phi.imag + radius)
+    found = phi - (acb.elliptic_f(phi, m) - u) / _slope(box, m)
+    if not box.contains_interior(found):
+        raise KernelError(f"the amplitude of {u} is not enclosed")
+    return found
+
+
+def _near(u: acb, m: acb) -> acb:
+    """An amplitude that is nearly right: dphi/du = dn along the segment to u, then Newton steps."""
+    phi, step = acb(0), u / STEPS
+    for _ in range(STEPS):
+        half = (phi + step / (2 * _slope(phi, m))).mid()
+        phi = (phi + step / _slope(half, m)).mid()
+    for _ in range(7):
+        phi = (phi - (acb.elliptic_f(phi, m) - u) / _slope(phi, m)).mid()
+    return phi
+
+
+def _incomplete_pi(n: acb, phi: acb, m: acb) -> acb:
+    """Pi(n; phi | m) along the real path from 0, free of poles for n < 1 (DLMF 19.2.7)."""
+
+    def integrand(angle: acb, analytic: bool) -> acb:
+        square = angle.sin() ** 2
+        root = (1 - m * square).sqrt(analytic=analytic)
+        return 1 / ((1 - n * square) * root)
+
+    return acb.integral(integrand, 0, phi)
+
+
+def _pi(n: acb, *rest: acb) -> acb:
+    return _incomplete_pi(n, *rest) if len(rest) == 2 else acb.elliptic_pi(n, *rest)
+
+
+FUNCTIONS: dict[str, Callable[..., acb]] = {
+    "re": lambda x: acb(x.real),
+    "im": lambda x: acb(x.imag),
+    "sqrt": acb.sqrt,
+    "exp": acb.exp,
+    "arcsc": lambda x, m: acb.elliptic_f(x.atan(), m),
+    "nome": _nome,
+    "elliptic_k": acb.elliptic_k,
+    "elliptic_e": acb.elliptic_e,
+    "elliptic_pi": _pi,
+    "elliptic_j": lambda u, n, m: (_incomplete_pi(n, _amplitude(u, m), m) - u) / n,
+    "jacobi_sn": lambda u, m: _amplitude(u, m).sin(),
+    "jacobi_cn": lambda u, m: _amplitude(u, m).cos(),
+    "jacobi_dn": lambda u, m: 1 / _slope(_amplitude(u, m), m),
+    "jacobi_epsilon": lambda u, m: acb.elliptic_e_inc(_amplitude(u, m), m),
+    **{f"theta{kind}": _theta(kind) for kind in (1, 2, 3, 4)},
+    "dtheta4": _theta(4, derivative=1),
+}

@@ -1,0 +1,43 @@
+"""Normal forms, and the cofactors that prove them: found here, multiplied out by the kernel."""
+
+from functools import lru_cache
+from operator import mul
+from typing import Any
+
+from rigidsym.kernel import Ring
+
+
+def divide(ring: Ring, polynomial: Any) -> tuple[list[Any], Any]:
+    """Cofactors and remainder by a context's relations; remainder 0 means that it vanishes there.
+
+    Where plain division leaves a remainder, the relations are reduced by each other first: one
+    that another can reduce may hide that the remainder is zero.
+    """
+    quotients, remainder = ring.reduce(polynomial)
+    basis, origins = _reduced(ring)
+    if not remainder or basis == ring.relations:
+        return quotients, remainder
+    parts, remainder = polynomial.div(list(basis))
+    return _combined(parts, origins, quotients), remainder
+
+
+@lru_cache(maxsize=128)
+def _reduced(ring: Ring) -> tuple[tuple[Any, ...], list[list[Any]]]:
+    """The relations, each reduced by those before it, and the cofactors that give them."""
+    basis: list[Any] = []
+    origins: list[list[Any]] = []
+    for k, relation in enumerate(ring.relations):
+        parts, reduced = relation.div(basis) if basis else ([], relation)
+        unit = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
+        known = _combined(parts, origins, unit)
+        basis.append(reduced)
+        origins.append([x - y for x, y in zip(unit, known, strict=True)])
+    return tuple(basis), origins
+
+
+def _combined(parts: list[Any], rows: list[list[Any]], like: list[Any]) -> list[Any]:
+    """The sum of part * row, entry by entry; `like` gives the zeros where there is no row."""
+    total = [0 * entry for entry in like]
+    for part, row in zip(parts, rows, strict=True):
+        total = [x + y for x, y in zip(total, map(mul, [part] * len(row), row), strict=True)]
+    return total
