@@ -1,4 +1,4 @@
-"""Reducing the momentum to K A1: equations (23) to (29).
+"""Reducing the momentum to K A1: equations (22) to (29).
 
 With R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), the matrix K R^-1 A1 R does not see phi1; compared
 with M of (8) it gives the angles phi2 and phi3.
@@ -6,7 +6,15 @@ with M of (8) it gives the angles phi2 and phi3.
 
 from derivations.euler_lax import INERTIA
 from rigidsym.algebra import Book, Part, equal, half_angle, join, names
-from rigidsym.algebra.su2 import Complex, Matrix, basis, combination, exponential
+from rigidsym.algebra.su2 import (
+    Complex,
+    Matrix,
+    basis,
+    combination,
+    commutator,
+    exponential,
+    from_quaternion,
+)
 from rigidsym.kernel import Ring
 
 MOMENTUM = Part(witness={"K": "1"}, units=("K",), reading={"K": "|M|, kg m^2 rad/s"})
@@ -45,7 +53,8 @@ def reduced_momentum(ring: Ring) -> Matrix:
 
 
 def derive(book: Book) -> None:
-    """(25) and (26) for free angles, then (23), (24), (27) to (29) with the momentum put in."""
+    """(22); (25), (26) for free angles; (23), (24), (27) to (29) with the momentum put in."""
+    _start(book)
     ring = book.open(join("three_angles", MOMENTUM, RATES, *ANGLES))
     A1, K = basis(ring)[0], ring.read("K")
     R = rotation(ring)
@@ -78,6 +87,14 @@ def derive(book: Book) -> None:
     book.claim("reduced.phi3", _off_diagonal(ring), ["28"])
     _converse(book)
     _tangent(book, body)
+
+
+def _start(book: Book) -> None:
+    """R M R^-1 = M, at t = 0 the claim of (9) and (22), says that R M = M R: no more, no less."""
+    ring = book.ledger.rings["moving_body"]
+    R, M = from_quaternion(names(ring, "q0 q1 q2 q3")), combination(names(ring, "M1 M2 M3"))
+    gap = R @ M @ R.inverse() - M
+    book.claim("moving_body.start", equal(gap @ R, commutator(R, M)), ["9", "22"])
 
 
 def _off_diagonal(ring: Ring) -> list[tuple[object, object]]:

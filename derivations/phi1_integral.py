@@ -1,7 +1,8 @@
-"""phi1 as an elliptic integral of the third kind: equations (34) and (35).
+"""phi1 as an elliptic integral of the third kind: equations (34) to (36).
 
 The split (34) is exact wherever Omega1 = zeta sn.  (35) is right only when its mu is read as the
-modulus; Lemma 1, and zeta sn(xi t + gamma, mu) of (34), read it as the parameter.
+modulus; Lemma 1, and zeta sn(xi t + gamma, mu) of (34), read it as the parameter.  The left side of
+(36) is phi1, not its derivative.
 """
 
 from rigidsym.algebra import Book, Part, jacobi, join
@@ -35,7 +36,7 @@ THIRD_KIND = Part(
 
 
 def derive(book: Book) -> None:
-    """(34), its integral, and (35) with mu as modulus and as parameter."""
+    """(34), its integral (36), and (35) with mu as modulus and as parameter."""
     functions = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
     book.open(join("sine_motion", CONSTANTS, functions, SINE, static=True))
     integrand = "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)"
@@ -59,7 +60,14 @@ def derive(book: Book) -> None:
         book.claim(f"pole_{name}.denominator", {"K**2 - (c1*Omega1)**2": "0"}, ["34"])
     book.open(join("third_kind", CONSTANTS, functions, SINE, THIRD_KIND))
     book.claim("third_kind.phi1", {"D(phi1)": integrand}, ["19", "33"])
+    integral = {"D(phi1)": "K/c1*t + kappa*Pi"}
+    book.refute("third_kind.left_side", integral, {}, ["36"])
+    book.claim("third_kind.integral", {"phi1": "K/c1*t + kappa*Pi"}, ["36"])
+    _amplitude(book, functions)
 
+
+def _amplitude(book: Book, functions: Part) -> None:
+    """(35): right where mu is the modulus, wrong where it is the parameter."""
     amplitude = Part(
         witness={"theta": "0"},
         rates={"theta": "xi*dn"},
@@ -70,3 +78,6 @@ def derive(book: Book) -> None:
     point = {"sn": "4/5", "cn": "3/5", "dn": "4/5"}
     book.refute("amplitude.printed", printed, point, ["35"])
     book.claim("amplitude.repaired", {"D(theta)**2": "xi**2*(1 - mu*sn**2)"}, ["35"])
+    of_modulus = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu**2", "xi")
+    book.open(join("amplitude_of_modulus", CONSTANTS, of_modulus, amplitude))
+    book.claim("amplitude_of_modulus.printed", printed, ["35"])

@@ -6,13 +6,13 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
-from rigidsym.paper.equations import EQUATIONS, Equation
+from rigidsym.paper.equation import Equation, Reading
+from rigidsym.paper.equations import EQUATIONS
 
 # What the paper assumes throughout: a body with inertia that moves.
-STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "K"}
-# Contexts whose units are positive in every motion: K + sigma M_a never falls below K.
-# half_angle_right supposes what the condition on (19) says.
-_UNCONDITIONAL = {"attitude", "half_angle_right", "theorem1_phi1"}
+STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "c_a", "c_b", "c_d", "K"}
+# Units that their contexts keep from zero: K and rho are nonnegative, |M_a| <= K, side is +-1.
+NEVER_ZERO = {"nu", "K + sigma*c_a*Omega_a", "side", "1 + side*(cos_half**2 - sin_half**2)"}
 
 
 class Ruling(StrEnum):
@@ -21,33 +21,59 @@ class Ruling(StrEnum):
     HOLDS = "holds"
     CONDITIONAL = "holds if"
     MISPRINT = "misprint"
+    AMBIGUOUS = "ambiguous"
     OPEN = "open"
 
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """The ruling on one equation, with the conditions and the counterexample that belong to it."""
+    """The ruling on one equation, with what belongs to it.
+
+    `conditions` are those of the equation, or of its repair where it is a misprint; `points` gives
+    the counterexample of each refuting fact, `repairs` what the repair search found.
+    """
 
     equation: Equation
     ruling: Ruling
     conditions: tuple[str, ...] = ()
-    counterexample: Mapping[str, str] | None = None
+    points: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    repairs: tuple[str, ...] = ()
     mutants: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def counterexample(self) -> Mapping[str, str] | None:
+        """Where the equation as printed fails, in exact numbers."""
+        return next((self.points.get(name) for name in self.equation.refuted_by), None)
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for programs."""
+        equation = self.equation
         return {
-            "equation": self.equation.number,
-            "latex": self.equation.latex,
-            "reading": self.equation.reading,
+            "equation": equation.number,
+            "latex": equation.latex,
+            "reading": equation.reading,
             "verdict": self.ruling.value,
             "conditions": list(self.conditions),
-            "repair": self.equation.repair,
+            "repair": equation.repair,
+            "repairs_found": list(self.repairs),
             "counterexample": self.counterexample,
-            "proved_by": list(self.equation.proved_by),
-            "refuted_by": list(self.equation.refuted_by),
-            "needed_by": list(self.equation.needed_by),
+            "proved_by": list(equation.proved_by),
+            "refuted_by": list(equation.refuted_by),
+            "needed_by": list(equation.needed_by),
+            "conditions_needed_by": {c.text: list(c.needed_by) for c in equation.conditions},
+            "readings": [self._reading(reading) for reading in equation.readings],
+            "flaws": {flaw.value: text for flaw, text in equation.flaws.items()},
             "mutants": dict(self.mutants),
+        }
+
+    def _reading(self, reading: Reading) -> dict[str, Any]:
+        return {
+            "reading": reading.text,
+            "implies": reading.implies,
+            "holds": not reading.refuted_by,
+            "proved_by": list(reading.proved_by),
+            "refuted_by": list(reading.refuted_by),
+            "counterexample": next((self.points.get(name) for name in reading.refuted_by), None),
         }
 
 
@@ -56,8 +82,18 @@ def verdicts(ledger: Mapping[str, Any]) -> list[Verdict]:
     facts = {fact["id"]: fact for fact in ledger["facts"]}
     contexts = {context["name"]: context for context in ledger["contexts"]}
     ruled = [_verdict(equation, facts, contexts) for equation in EQUATIONS]
-    counts = _mutants(ledger.get("published", {}).get("mutants", ()))
-    return [replace(v, mutants=_total(counts, v.equation)) for v in ruled]
+    published = ledger.get("published", {})
+    counts = _mutants(published.get("mutants", ()))
+    lines = published.get("repairs", ())
+    return [
+        replace(v, mutants=_total(counts, v.equation), repairs=_repairs(lines, v)) for v in ruled
+    ]
+
+
+def _repairs(lines: Iterable[str], verdict: Verdict) -> tuple[str, ...]:
+    """What a search found for a misprint, from lines like "amplitude.printed: left = right"."""
+    found = [line.split(": ") for line in lines if verdict.ruling == Ruling.MISPRINT]
+    return tuple(text for fact, text in found if fact in verdict.equation.refuted_by)
 
 
 def _mutants(lines: Iterable[str]) -> dict[str, Counter[str]]:
@@ -76,19 +112,31 @@ def _total(counts: Mapping[str, Counter[str]], equation: Equation) -> dict[str, 
 
 
 def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Verdict:
-    backing = equation.proved_by + equation.needed_by
-    if not equation.proved_by or not _proved(backing, facts, ("equal", "root")):
+    """Open unless every fact that is named is there, proved, and of the kind it has to be."""
+    sources = (equation, *equation.readings)
+    proving = [name for source in sources for name in source.proved_by]
+    refuting = [name for source in sources for name in source.refuted_by]
+    sealed = (
+        equation.proved_by
+        and _proved(proving, facts, ("equal", "root"))
+        and _proved(refuting, facts, ("unequal",))
+        and _proved(equation.needed_by, facts, ("equal", "root", "unequal"))
+    )
+    if not sealed:
         return Verdict(equation, Ruling.OPEN)
-    point = None
-    if equation.refuted_by:
-        if not _proved(equation.refuted_by, facts, ("unequal",)):
-            return Verdict(equation, Ruling.OPEN)
-        point = facts[equation.refuted_by[0]]["certificate"]["point"]
-        if equation.repair:
-            return Verdict(equation, Ruling.MISPRINT, (), point)
     conditions = _conditions(equation, facts, contexts)
-    ruling = Ruling.CONDITIONAL if conditions else Ruling.HOLDS
-    return Verdict(equation, ruling, conditions, point)
+    points = {name: facts[name]["certificate"]["point"] for name in refuting}
+    return Verdict(equation, _ruling(equation, conditions), conditions, points)
+
+
+def _ruling(equation: Equation, conditions: Sequence[str]) -> Ruling:
+    """Refuted and repaired is a misprint; readings that disagree are ambiguous."""
+    if equation.refuted_by and equation.repair:
+        return Ruling.MISPRINT
+    fails = {bool(reading.refuted_by) for reading in equation.readings}
+    if True in fails:
+        return Ruling.AMBIGUOUS if False in fails else Ruling.OPEN
+    return Ruling.CONDITIONAL if conditions else Ruling.HOLDS
 
 
 def _proved(ids: Sequence[str], facts: Mapping[str, Any], kinds: Sequence[str]) -> bool:
@@ -104,8 +152,17 @@ def _proved(ids: Sequence[str], facts: Mapping[str, Any], kinds: Sequence[str]) 
 def _conditions(
     equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]
 ) -> tuple[str, ...]:
-    """What has to be nonzero beyond the standing assumptions, and the stated condition."""
-    named = {facts[name]["context"] for name in equation.proved_by} - _UNCONDITIONAL
-    units = dict.fromkeys(unit for name in sorted(named) for unit in contexts[name]["units"])
-    found = [f"{unit} != 0" for unit in units if unit not in STANDING]
-    return tuple(([equation.condition] if equation.condition else []) + found)
+    """The stated conditions, and every unit of the proofs that none of them speaks for."""
+    stated = tuple(condition.text for condition in equation.conditions)
+    covered = {unit for condition in equation.conditions for unit in condition.units}
+    units = needed_units(equation, facts, contexts)
+    return stated + tuple(f"{unit} != 0" for unit in units if unit not in covered)
+
+
+def needed_units(
+    equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]
+) -> list[str]:
+    """What the proofs of an equation divide by, beyond the standing assumptions."""
+    named = sorted({facts[name]["context"] for name in equation.proved_by})
+    units = dict.fromkeys(unit for name in named for unit in contexts[name]["units"])
+    return [unit for unit in units if unit not in STANDING | NEVER_ZERO]

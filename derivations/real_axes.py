@@ -1,0 +1,121 @@
+"""Where Lemma 1 is real: the roots (13) of each axis, in a motion about axis a.
+
+On the middle axis both roots are squares, and so is alpha times either: the lemma is real.  On the
+third axis one root is minus a square; then the condition of (10), |s_i/s_j| <= 1, and that of (16),
+s_j >= s_i, differ, and the line that (10) chooses can have an imaginary amplitude.  On the
+circulation axis both roots are squares but alpha times either is minus a square: Omega_a never
+vanishes, and no real constants make it a sine amplitude.
+"""
+
+from derivations.lemma1 import INERTIA, MOVING, QUARTIC, ROOTS
+from derivations.regular_form import REGULAR
+from rigidsym.algebra import Book, Part, join
+
+# (13) calls s_i the root with + before the square root: the smaller one, where alpha < 0.
+NAMED = Part(
+    witness={"c_i": "3", "c_j": "2", "c_k": "1", "Omega_i": "1", "Omega_j": "0", "Omega_k": "4"},
+    definitions={
+        "s_i": "root_j",
+        "s_j": "root_k",
+        "root_of_discriminant": "alpha*(s_i - s_j)",
+    },
+    nonnegative=("root_of_discriminant",),
+)
+
+
+def derive(book: Book) -> None:
+    """The roots of the three axes, and the choice between (10) and (11) where one is negative."""
+    _circulating(book)
+    _middle(book)
+    _third(book)
+    _choice(book)
+
+
+def _circulating(book: Book) -> None:
+    """On the circulation axis, alpha s is minus a square for both roots: xi is imaginary."""
+    roots = Part(
+        definitions={
+            "alpha_a": "-(c_a - c_b)*(c_a - c_d)/(c_b*c_d)",
+            "root_b": "-E_b/(c_a*(c_b - c_a))",
+            "root_d": "E_d/(c_a*(c_a - c_d))",
+        },
+    )
+    book.open(join("circulating_axis", *REGULAR, roots))
+    book.claim("circulating_axis.outer", {"alpha_a*root_d": "-(lambda_)**2"}, ["10", "16"])
+    book.claim("circulating_axis.inner", {"alpha_a*root_b": "-(lambda_)**2*m_1"}, ["10", "16"])
+    book.claim("circulating_axis.roots", {"root_d": "A_a**2", "root_b": "m_1*A_a**2"}, ["10", "13"])
+    # sn(C) = Omega_a/sqrt(s) is beyond 1 for the inner root; for the outer, dn(C) is imaginary.
+    book.claim(
+        "circulating_axis.start",
+        {
+            "root_b - Omega_a**2": "-m*(A_a*cn)**2",
+            "root_d - Omega_a**2": "m*(A_a*sn)**2",
+        },
+        ["12", "footnote 2"],
+    )
+    real = {"alpha_a*root_d": "lambda_**2", "alpha_a*root_b": "lambda_**2*m_1"}
+    book.refute("circulating_axis.real_rate", real, {}, ["10", "20", "21"])
+    within = {"root_b - Omega_a**2": "m*(A_a*cn)**2"}
+    book.refute("circulating_axis.real_start", within, {}, ["12", "footnote 2"])
+
+
+def _middle(book: Book) -> None:
+    """On the middle axis both roots are squares, and so is alpha times either."""
+    roots = Part(
+        units=("m",),
+        definitions={
+            "alpha_b": "-(c_b - c_a)*(c_b - c_d)/(c_a*c_d)",
+            "root_a": "E_a/(c_b*(c_a - c_b))",
+            "root_d": "E_d/(c_b*(c_b - c_d))",
+        },
+    )
+    book.open(join("middle_axis", *REGULAR, roots))
+    book.claim("middle_axis.roots", {"root_a": "A_b**2", "m*root_d": "A_b**2"}, ["10", "13"])
+    book.claim(
+        "middle_axis.rates",
+        {"alpha_b*root_d": "lambda_**2", "alpha_b*root_a": "m*lambda_**2"},
+        ["10", "16"],
+    )
+
+
+def _third(book: Book) -> None:
+    """On the third axis one root is minus a square; alpha times it is a square."""
+    roots = Part(
+        units=("m",),
+        definitions={
+            "alpha_d": "-(c_d - c_a)*(c_d - c_b)/(c_a*c_b)",
+            "root_a": "E_a/(c_d*(c_a - c_d))",
+            "root_b": "E_b/(c_d*(c_d - c_b))",
+        },
+    )
+    book.open(join("third_axis", *REGULAR, roots))
+    book.claim("third_axis.roots", {"root_a": "A_d**2", "m*root_b": "-m_1*A_d**2"}, ["10", "13"])
+    book.claim(
+        "third_axis.rates",
+        {"alpha_d*root_b": "lambda_**2*m_1", "alpha_d*root_a": "-m*lambda_**2"},
+        ["10", "16"],
+    )
+
+
+def _choice(book: Book) -> None:
+    """Motions in which (10) and (16) choose differently, and in which (10) chooses sqrt(s_i < 0).
+
+    A point of such a context has the declared signs; that both sides differ there makes one strict.
+    """
+    differ = Part(
+        definitions={"s_j_above_s_i": "s_j - s_i", "ratio_above_1": "s_i**2 - s_j**2"},
+        nonnegative=("s_j_above_s_i", "ratio_above_1"),
+    )
+    body = (INERTIA, MOVING, QUARTIC, ROOTS, NAMED)
+    book.open(join("two_conditions", *body, differ))
+    book.root(
+        "two_conditions.names", "root_of_discriminant", "beta**2 - 4*alpha*chi", ["13", "Remark 1"]
+    )
+    book.refute("two_conditions.differ", {"s_i**2": "s_j**2"}, {}, ["10", "16", "Remark 1"])
+    negative = Part(
+        witness={"Omega_k": "2"},
+        definitions={"minus_s_i": "-s_i", "ratio_below_1": "s_j**2 - s_i**2"},
+        nonnegative=("minus_s_i", "ratio_below_1"),
+    )
+    book.open(join("negative_root", *body, negative))
+    book.refute("negative_root.amplitude", {"s_i": "0"}, {}, ["10", "13"])

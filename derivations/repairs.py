@@ -1,0 +1,30 @@
+"""Repairs: every refuted line of the paper, mended by one small edit where one does it.
+
+A sign, index, power, factor, divisor or derivative is changed in what the paper prints; the edits
+that agree at rational points are decided by the kernel.  The ledger keeps the shortest repairs
+that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
+"""
+
+from rigidsym.algebra import Book
+from rigidsym.algebra.repairs import repairs
+
+# Where each refuted fact holds what the paper prints: a side of it, or a definition.
+PRINTED = {
+    "sine.over_inertia": "Omega_printed",
+    "sine.slope_over_inertia": "rhs",
+    "start.over_inertia": "rhs",
+    "half_angle_step.everywhere": "y_star",
+    "theorem1_printed.n": "n_printed",
+    "amplitude.printed": "rhs",
+    "theorem1_printed.modulus": "root_printed",
+    "third_kind.left_side": "lhs",
+}
+
+
+def derive(book: Book) -> None:
+    """Search, and list what is found."""
+    book.ledger.published["repairs"] = [
+        f"{fact}: {repair}"
+        for fact, place in PRINTED.items()
+        for repair in repairs(book.ledger, fact, place)
+    ]
