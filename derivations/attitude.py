@@ -45,8 +45,8 @@ SHORTEST = Part(
         "s_d": "-sigma*epsilon*M_b/nu",
     },
     relations=(
-        "K**2 - (c_a*Omega_a)**2 - (c_b*Omega_b)**2 - (c_d*Omega_d)**2",
-        "nu**2 - 2*K*(K + sigma*c_a*Omega_a)",
+        "K**2 - M_a**2 - M_b**2 - M_d**2",
+        "nu**2 - 2*K*(K + sigma*M_a)",
     ),
     rates={"nu": "sigma*epsilon*(c_b - c_d)*Omega_b*Omega_d*nu/(2*(K + sigma*M_a))"},
     nonnegative=("K", "nu"),
@@ -124,4 +124,13 @@ def derive(book: Book) -> None:
     for name, form in PULL_BACK.definitions.items():
         book.claim(f"attitude.{name}", {name: form}, ["37"])
     book.claim("attitude.particular", kinematics("qbar"), ["3", "23"])
+    book.claim(
+        "attitude.momentum",
+        {
+            "M_a": "sigma*K*(qbar_0**2 + qbar_a**2 - qbar_b**2 - qbar_d**2)",
+            "M_b": "2*sigma*K*(qbar_a*qbar_b - epsilon*qbar_0*qbar_d)",
+            "M_d": "2*sigma*K*(qbar_a*qbar_d + epsilon*qbar_0*qbar_b)",
+        },
+        ["24"],
+    )
     book.claim("attitude.solution", kinematics("q"), ["3", "37"])

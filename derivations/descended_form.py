@@ -84,35 +84,30 @@ SECULAR = Part(
         "J_0": "elliptic_j(phase, n, 1 - m_c)",
     },
 )
-HALF_PSI = half_angle("psi", "psi_rate")
+MOTION = (
+    *BODY,
+    DESCENT,
+    AMPLITUDES,
+    ARGUMENT,
+    jacobi("s", "c", "d", "u_1", "k_1**2", "mu"),
+    LANDEN,
+    ROTATING,
+    INVARIANTS,
+    MOMENTUM,
+    SECULAR,
+    TURN,
+    PULL_BACK,
+)
 
 
 def derive(book: Book) -> None:
     """The descent is a model of what came before; then each formula in its stable form."""
-    functions = jacobi("s", "c", "d", "u_1", "k_1**2", "mu")
-    book.open(
-        join(
-            "descended",
-            *BODY,
-            DESCENT,
-            AMPLITUDES,
-            ARGUMENT,
-            functions,
-            LANDEN,
-            ROTATING,
-            INVARIANTS,
-            MOMENTUM,
-            SECULAR,
-            TURN,
-            HALF_PSI,
-            PULL_BACK,
-        )
-    )
+    book.open(join("descended", *MOTION, half_angle("psi", "psi_rate")))
     for claim in (_descent, _argument, _secular):
         claim(book)
     book.model("descended", "regular")
     book.model("descended", "attitude")
-    book.carry("descended", ["regular.euler", "attitude.solution"])
+    book.carry("descended", ["regular.euler", "attitude.solution", "attitude.momentum"])
 
 
 def _descent(book: Book) -> None:

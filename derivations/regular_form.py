@@ -56,13 +56,13 @@ ROTATING = Part(
 # The invariants by the amplitudes; the claims show that they are those of the rates.
 INVARIANTS = Part(
     definitions={
-        "H": "(c_a*A_a**2 + c_d*A_d**2)/2",
+        "H": "(i_a*B_a**2 + i_d*B_d**2)/2",
         "E_a": "c_d*(c_a - c_d)*A_d**2",
         "E_b": "c_a*(c_a - c_b)*A_a**2*m_1",
         "E_d": "c_a*(c_a - c_d)*A_a**2",
-        "M_a": "c_a*Omega_a",
-        "M_b": "c_b*Omega_b",
-        "M_d": "c_d*Omega_d",
+        "M_a": "sigma*B_a*dn",
+        "M_b": "chi*B_b*sn",
+        "M_d": "chi*tau*B_d*cn",
     },
 )
 BODY = (HANDEDNESS, SENSE, CIRCULATION, HALF, POLHODE)

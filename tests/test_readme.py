@@ -34,8 +34,13 @@ def test_the_counts_are_those_of_the_ledger():
     assert f"{len(LEDGER['facts'])} facts in {len(LEDGER['contexts'])} contexts" in words
     assert f"{restated} of them definitions restated" in words
     rulings = [verdict.ruling for verdict in verdicts(LEDGER)]
-    counts = [rulings.count(r) for r in (Ruling.HOLDS, Ruling.CONDITIONAL, Ruling.MISPRINT)]
-    assert "{} hold, {} hold under a condition, {} are misprints".format(*counts) in words
+    kinds = (Ruling.HOLDS, Ruling.CONDITIONAL, Ruling.MISPRINT, Ruling.AMBIGUOUS)
+    counts = [rulings.count(r) for r in kinds]
+    assert (
+        "{} hold, {} hold under a condition, {} are misprints, {} ambiguous".format(*counts)
+        in words
+    )
+    assert sum(counts) == len(rulings)
     assert "@@" not in README
 
 

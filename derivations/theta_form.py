@@ -1,0 +1,219 @@
+"""The theta form: the attitude is two theta functions of a time shifted off the real line.
+
+With v = pi u_1/(2 K_1), b = pi beta/(2 K_1) and the nome q^2 of k_1^2 (q being that of m),
+
+    qbar_0 + i sigma qbar_a         = e^(i Lambda t) theta_4(v - i rho b | q^2) / N
+    qbar_b + i epsilon sigma qbar_d = -i chi e^(i Lambda t) theta_1(v - i rho b | q^2) / N
+
+and N^2 is the sum of their squares.  beta is where sc(beta | 1 - k_1^2) = x; with Jacobi's zeta
+function, zeta = Z(i beta)/i, Lambda = psi_0/2 + rho mu zeta is half the mean rate of psi.
+
+What is classical in it, the sine as a quotient of thetas and the two addition theorems, stands in
+`theta_form` as definitions.  `theta_functions` has the functions themselves: there the classical
+identities are suppositions, each with its reference, which balls agree with at structured points.
+It is by them a model of the form, so the attitude solves (3) there too, at their grade.
+"""
+
+from derivations.attitude import HANDEDNESS, SENSE, TURN
+from derivations.descended_form import MOTION
+from derivations.regular_form import HALF
+from rigidsym.algebra import Book, Part, join
+
+# sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
+# polynomial.
+SHIFT = Part(
+    witness={"root_k": "1", "Y": "40", "zeta": "0", "e": "1"},
+    units=("root_k", "Y"),
+    definitions={
+        "x": "B_d/(root_k*(K + B_a))",
+        "y": "Y/(root_k*(K + B_a))",
+        "z": "C_b/Y",
+        "Lambda": "psi_0/2 + rho*mu*zeta",
+    },
+    relations=("root_k**2 - k_1", "Y**2 - (K + B_a)*(K - B_a + k_1*(K + B_a))"),
+    nonnegative=("root_k", "Y", "B_a"),
+    reading={
+        "root_k": "sqrt(k_1)",
+        "C_b": "sqrt((1 + k_1)**2*B_d**2 + 4*k_1*B_a**2)",
+        "Y": "sqrt((K + B_a)*(K - B_a + k_1*(K + B_a)))",
+        "beta": "arcsc(x, 1 - k_1**2)",
+        "zeta": "im(jacobi_epsilon(I*beta, k_1**2)) - e*beta",
+        "e": "elliptic_e(k_1**2)/elliptic_k(k_1**2)",
+    },
+)
+# sn and Z of (u_1 - i rho beta | k_1^2).
+ADDITION = {
+    "SN_re": "s*y*z/(1 - n*s**2)",
+    "SN_im": "-rho*x*c*d/(1 - n*s**2)",
+    "Z_re": "Z_u - rho*k_1**2*s*x*SN_im",
+    "Z_im": "rho*(k_1**2*s*x*SN_re - zeta)",
+}
+# Jacobi's zeta function on the real line, theta_4 off it, and its modulus.
+VALUES = Part(
+    witness={"Z_u": "0", "T4_re": "1", "T4_im": "0", "R": "1", "X_re": "1", "X_im": "0"},
+    units=("R",),
+    relations=("R**2 - T4_re**2 - T4_im**2", "X_im**2 + X_re**2 - 1"),
+    rates={
+        "Z_u": "mu*(d**2 - e)",
+        "X_re": "-Lambda*X_im",
+        "X_im": "Lambda*X_re",
+    },
+    definitions=ADDITION,
+    nonnegative=("R",),
+    reading={
+        "Z_u": "jacobi_epsilon(u_1, k_1**2) - e*u_1",
+        "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "R": "sqrt(T4_re**2 + T4_im**2)",
+        "X_re": "cos(Lambda*t)",
+        "X_im": "sin(Lambda*t)",
+    },
+)
+QUOTIENT = {
+    "T1_re": "root_k*(SN_re*T4_re - SN_im*T4_im)",
+    "T1_im": "root_k*(SN_re*T4_im + SN_im*T4_re)",
+}
+SLOPE = {"T4_re": "Z_re*T4_re - Z_im*T4_im", "T4_im": "Z_re*T4_im + Z_im*T4_re"}
+CLASSICAL = Part(
+    definitions=QUOTIENT,
+    rates={**{name: f"mu*({form})" for name, form in SLOPE.items()}, "R": "mu*Z_re*R"},
+)
+# The functions themselves; g = pi/(2 K_1) scales their argument.
+DERIVATIVE = {
+    **{f"g*d{name}": form for name, form in SLOPE.items()},
+    "g*(T4_re*dT4_re + T4_im*dT4_im)": "Z_re*R**2",
+}
+FREE = Part(
+    witness=dict.fromkeys(("T1_re", "T1_im", "g", "dT4_re", "dT4_im"), "0"),
+    rates={
+        **dict.fromkeys(("T1_re", "T1_im", "dT4_re", "dT4_im"), "?"),
+        "T4_re": "mu*g*dT4_re",
+        "T4_im": "mu*g*dT4_im",
+        "R": "mu*g*(T4_re*dT4_re + T4_im*dT4_im)/R",
+    },
+    reading={
+        "g": "pi/(2*elliptic_k(k_1**2))",
+        "s": "jacobi_sn(u_1, k_1**2)",
+        "c": "jacobi_cn(u_1, k_1**2)",
+        "d": "jacobi_dn(u_1, k_1**2)",
+        "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "dT4_re": "re(dtheta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "dT4_im": "im(dtheta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+    },
+)
+# psi/2 is the argument of e^(i Lambda t) theta_4.
+PHASE = Part(
+    definitions={
+        "P4_re": "X_re*T4_re - X_im*T4_im",
+        "P4_im": "X_re*T4_im + X_im*T4_re",
+        "P1_re": "X_re*T1_re - X_im*T1_im",
+        "P1_im": "X_re*T1_im + X_im*T1_re",
+        "N": "R/s_0",
+        "cos_half_psi": "P4_re/R",
+        "sin_half_psi": "P4_im/R",
+        "cos_psi": "cos_half_psi**2 - sin_half_psi**2",
+        "sin_psi": "2*sin_half_psi*cos_half_psi",
+    },
+)
+FORM = (*MOTION, SHIFT, VALUES, PHASE)
+# Both circulations, moduli small and near one, momenta near the circulation axis and far from it.
+POINTS = [
+    {"k_1": k_1, "K": K, "B_a": B_a, "B_d": B_d, "rho": rho, "phase": u_1, "Delta": "1", "t": "0"}
+    for k_1, u_1 in (("1/100", "1/3"), ("2/5", "-7/5"), ("9/10", "2"))
+    for (K, B_a, B_d), rho in ((("5", "3", "4"), "1"), (("25", "24", "7"), "-1"))
+]
+
+
+def derive(book: Book) -> None:
+    """The form solves (3), by the classical identities; and what balls say of these."""
+    book.open(join("theta_form", *FORM, CLASSICAL))
+    _shift(book)
+    _form(book)
+    _functions(book)
+    _truncation(book)
+
+
+def _shift(book: Book) -> None:
+    """i beta is where dn of (u | m) is K/B_a; it lies below K'/2, where sc is 1/sqrt(k_1)."""
+    shift = {"y**2": "1 + x**2", "z**2": "1 + k_1**2*x**2", "n": "-(k_1*x)**2"}
+    book.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
+    dn = {"B_a*(1 + k_1*x**2)": "K*(1 - k_1*x**2)"}
+    book.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
+    book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(ii)"])
+    book.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
+    book.claim("theta_form.Lambda", {"Lambda": "psi_0/2 + rho*mu*zeta"}, ["33", "34"])
+
+
+def _form(book: Book) -> None:
+    """The phase is psi/2, and the quotient that of the shortest rotation: this is the attitude."""
+    book.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
+    book.model("theta_form", "descended")
+    book.carry("theta_form", ["descended.solution", "descended.momentum"])
+    _assemble(book)
+
+
+def _assemble(book: Book) -> None:
+    """The components as thetas, given the quotient alone: what T4 and SN are does not matter."""
+    given = Part(
+        witness={"s_0": "1", "root_k": "1", "SN_re": "0", "SN_im": "0"},
+        units=("s_0",),
+        definitions={
+            "s_b": "chi*root_k*SN_im*s_0",
+            "s_d": "-epsilon*sigma*chi*root_k*SN_re*s_0",
+            **QUOTIENT,
+            **{name: form for name, form in TURN.definitions.items() if name.startswith("qbar")},
+        },
+        relations=("s_0**2*(1 + root_k**2*(SN_re**2 + SN_im**2)) - 1",),
+    )
+    values = Part(VALUES.witness, VALUES.units, {}, VALUES.relations)
+    book.open(join("quotient", HANDEDNESS, SENSE, HALF, values, given, PHASE, static=True))
+    book.claim(
+        "quotient.quaternion",
+        {
+            "N*qbar_0": "P4_re",
+            "N*qbar_a": "sigma*P4_im",
+            "N*qbar_b": "chi*P1_im",
+            "N*qbar_d": "-epsilon*sigma*chi*P1_re",
+        },
+        ["18", "25"],
+    )
+    book.claim("quotient.norm", {"N**2": "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2"}, ["1"])
+    book.model("theta_form", "quotient")
+    book.carry("theta_form", ["quotient.quaternion", "quotient.norm"])
+
+
+def _functions(book: Book) -> None:
+    """Classical identities between the functions, supposed and enclosed; then the form holds."""
+    book.open(join("theta_functions", *FORM, FREE))
+    for name, equations, reference in (
+        ("quotient", QUOTIENT, "DLMF 22.2.4 with 22.8.1"),
+        ("slope", DERIVATIVE, "DLMF 22.16.30 with 22.16.27"),
+    ):
+        book.suppose(f"theta_functions.{name}", equations, reference, POINTS)
+    supposed = [f"theta_functions.{name}" for name in ("quotient", "slope")]
+    book.model("theta_functions", "theta_form", supposed)
+    book.carry("theta_functions", ["theta_form.solution", "theta_form.quaternion"])
+
+
+def _truncation(book: Book) -> None:
+    """What is left out of a theta series is at most 2 t/(1 - r), by induction on where it is cut.
+
+    The terms q^(2 n^2) e^(2 i n z) of theta_4 and of its like are bounded by t, the first one left
+    out, times ratios that start with r and fall by p = q^4 each time; two terms go with each n.
+    `inside` says that b is below a quarter of the period, so that r is below q^(4 n + 1).
+    """
+    tail = Part(
+        witness={"t": "1/8", "r": "1/16", "p": "1/4"},
+        units=("1 - r", "1 - p*r"),
+        nonnegative=("t", "r", "p", "1 - r", "1 - p"),
+        reading={
+            "t": "the first term left out, q**(2*n**2)*exp(2*n*|Im z|)",
+            "r": "the next over this one, q**(4*n + 2)*exp(2*|Im z|)",
+            "p": "q**4",
+        },
+    )
+    book.open(join("theta_tail", tail, static=True))
+    rest, next_rest = "2*t/(1 - r)", "2*t*r/(1 - p*r)"
+    surplus = "2*t*r**2*(1 - p)/((1 - r)*((1 - r) + r*(1 - p)))"
+    book.sign("theta_tail.bound", {f"{rest} - 2*t - {next_rest}": surplus}, ["DLMF 20.2.4"])
