@@ -3,11 +3,13 @@
 The rates have the period T = 4 K(m)/lambda = 4 K_1/mu, dn half of it.  In half a period psi grows
 by the same amount each time, so that its mean rate is, with the complete integral J_c of J,
 
-    psi_mean = psi_0 + kappa mu J_c/K_1 = 2 Lambda
+    psi_mean = psi_0 + kappa mu J_c/K_1 = 2 Lambda.
 
-and in one period the attitude turns about the momentum by psi_mean T, the momentum being where it
-was.  Montgomery's formula says the same by geometry: psi' is 2 H/K less the rate at which the
-momentum, seen from the body, sweeps solid angle around sigma e_a.
+Hence in one period, when the momentum is back where it was in the body, the attitude has turned
+about it by psi_mean T.  Montgomery's formula is the integral of the last claim here: psi' is 2 H/K
+less the rate at which the momentum, seen from the body, sweeps solid angle around sigma e_a.
+
+As in the theta form, 0 < k_1 < 1: neither the separatrix nor a symmetric body.
 """
 
 from derivations.attitude import ATTITUDE
@@ -57,10 +59,10 @@ FREE = Part(
     },
 )
 SUPPOSED = (
-    ("half_period", ("s_later", "c_later", "d_later"), "DLMF 22.4(i)"),
-    ("integral", ("J_later",), "DLMF 19.2(ii), 19.6(iv)"),
+    ("half_period", ("s_later", "c_later", "d_later"), "DLMF 22.4(iii)"),
+    ("integral", ("J_later",), "DLMF 19.2.7, whose integrand has the period pi"),
     ("descent", ("quarter",), "DLMF 19.8.12"),
-    ("complete", ("J_c",), "Byrd and Friedman 1971, 410 to 415"),
+    ("complete", ("J_c",), "Legendre's reduction; Byrd and Friedman 1971, formulas from 400 on"),
 )
 
 
@@ -76,7 +78,6 @@ def derive(book: Book) -> None:
     }
     book.claim("period.rates", rates, ["10"])
     book.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
-    book.claim("period.mean", {"psi_mean": "psi_0 + kappa*mu*J_c/K_1"}, ["34"])
     book.claim("period.Lambda", {"psi_mean": "2*Lambda"}, ["34"])
     book.open(join("period_functions", *motion, FREE))
     for name, quantities, reference in SUPPOSED:
@@ -90,11 +91,22 @@ def derive(book: Book) -> None:
 
 
 def _solid_angle(book: Book) -> None:
-    """psi' = 2 H/K - (1 - cos(theta)) phi', theta and phi being the momentum's polar angles."""
+    """psi' = 2 H/K - (1 - cos(theta)) phi', theta and phi being the momentum's polar angles.
+
+    cos(theta) = sigma M_a/K, and (M_b^2 + M_d^2) phi' = +-(M_b M_d' - M_d M_b').
+    """
     sweep = Part(
         definitions={
             "swept_rate": "sigma*epsilon*(M_b*D(M_d) - M_d*D(M_b))/(K*(K + sigma*M_a))",
         }
     )
     book.open(join("solid_angle", *ATTITUDE, sweep))
+    book.claim(
+        "solid_angle.swept",
+        {
+            "swept_rate*(M_b**2 + M_d**2)": "sigma*epsilon*(M_b*D(M_d) - M_d*D(M_b))"
+            "*(1 - sigma*M_a/K)"
+        },
+        ["27"],
+    )
     book.claim("solid_angle.rate", {"psi_rate": "2*H/K - swept_rate"}, ["32", "33"])

@@ -2,12 +2,13 @@
 
 The axes are sorted, c_1 >= c_2 >= c_3 > 0; beyond that, the rates and moments are any numbers.
 Signs are decided one after the other (is it turning? are moments equal? the three differences
-2 H c_1 - K^2, K^2 - 2 H c_3 and K^2 - 2 H c_2), and a sign is +, 0 or -: that is exhaustive, and
-the leaves of the tree exclude each other.
+2 H c_1 - K^2, K^2 - 2 H c_3 and K^2 - 2 H c_2; on K^2 = 2 H c_2, does it spin about the middle
+axis?), and a sign is +, 0 or -: that is exhaustive, and the leaves of the tree exclude each other.
 
-In a steady leaf M = c Omega for one of the moments c.  In a moving one the squares of the regular
-form's amplitudes and of lambda, with a the axis of largest or smallest inertia, are nonnegative,
-and so are m and 1 - m; on the separatrix 1 - m = 0, for symmetric bodies m = 0.
+In a steady leaf M = c Omega for one of the moments c: what that takes to vanish is shown to be
+both >= 0 and <= 0.  In a moving one the squares of the regular form's amplitudes and of lambda,
+with a the axis of largest or smallest inertia, are nonnegative, and so are m and 1 - m; on the
+separatrix 1 - m = 0, for symmetric bodies m = 0.
 """
 
 import re

@@ -119,8 +119,8 @@ def derive(book: Book) -> None:
 def _every_motion(book: Book) -> None:
     """Conversely, inertia and rates give m and squares of amplitudes that meet the relations above.
 
-    That the squares are positive and 0 <= m <= 1 is the choice of the axis a, not proved here;
-    where E_a or E_d vanish the rates are constant.
+    That the squares are nonnegative and 0 <= m <= 1 is the choice of the axis a, in the chapter
+    on regimes; where E_a or E_d vanish the rates are constant.
     """
     squares = Part(
         units=(

@@ -5,13 +5,15 @@ With v = pi u_1/(2 K_1), b = pi beta/(2 K_1) and the nome q^2 of k_1^2 (q being 
     qbar_0 + i sigma qbar_a         = e^(i Lambda t) theta_4(v - i rho b | q^2) / N
     qbar_b + i epsilon sigma qbar_d = -i chi e^(i Lambda t) theta_1(v - i rho b | q^2) / N
 
-and N^2 is the sum of their squares.  beta is where sc(beta | 1 - k_1^2) = x; with Jacobi's zeta
-function, zeta = Z(i beta)/i, Lambda = psi_0/2 + rho mu zeta is half the mean rate of psi.
+and N^2 is the sum of the squared moduli of both.  beta is where sc(beta | 1 - k_1^2) = x; with
+Jacobi's zeta function, zeta = Z(i beta)/i, Lambda = psi_0/2 + rho mu zeta is half the mean rate of
+psi.  0 < k_1 < 1 here: the separatrix and symmetric bodies have closed forms of their own.
 
-What is classical in it, the sine as a quotient of thetas and the two addition theorems, stands in
-`theta_form` as definitions.  `theta_functions` has the functions themselves: there the classical
-identities are suppositions, each with its reference, which balls agree with at structured points.
-It is by them a model of the form, so the attitude solves (3) there too, at their grade.
+What is classical in it stands in `theta_form` as definitions (sn and Z of a shifted argument, by
+their addition theorems, and theta_1 as sn times theta_4) and as the rate of theta_4.  In
+`theta_functions` these are functions by themselves, and the classical identities are suppositions,
+each with its reference, which balls agree with at structured points.  By them it is a model of the
+form, so the attitude solves (3) there too, at their grade.
 """
 
 from derivations.attitude import HANDEDNESS, SENSE, TURN
@@ -22,7 +24,10 @@ from rigidsym.algebra import Book, Part, join
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
 # polynomial.
 SHIFT = Part(
-    witness={"root_k": "1", "Y": "40", "zeta": "0", "e": "1"},
+    witness={
+        **{"k_1": "49/676", "B_a": "161", "B_d": "240", "C_b": "45901/169", "K": "289", "w": "510"},
+        **{"root_k": "7/26", "Y": "3495/13", "zeta": "0", "e": "1"},
+    },
     units=("root_k", "Y"),
     definitions={
         "x": "B_d/(root_k*(K + B_a))",
@@ -102,7 +107,8 @@ FREE = Part(
         "dT4_im": "im(dtheta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
     },
 )
-# psi/2 is the argument of e^(i Lambda t) theta_4.
+# e^(i psi/2) is e^(i Lambda t) theta_4 over its modulus: psi up to a constant, which the constant
+# unit quaternion of (37) takes up.
 PHASE = Part(
     definitions={
         "P4_re": "X_re*T4_re - X_im*T4_im",
@@ -140,13 +146,13 @@ def _shift(book: Book) -> None:
     book.claim("theta_form.shift", shift, ["DLMF 22.6.1"])
     dn = {"B_a*(1 + k_1*x**2)": "K*(1 - k_1*x**2)"}
     book.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
-    book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(ii)"])
+    book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
     book.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
     book.claim("theta_form.Lambda", {"Lambda": "psi_0/2 + rho*mu*zeta"}, ["33", "34"])
 
 
 def _form(book: Book) -> None:
-    """The phase is psi/2, and the quotient that of the shortest rotation: this is the attitude."""
+    """The phase moves as psi/2 does, and the quotient is that of the shortest rotation."""
     book.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
     book.model("theta_form", "descended")
     book.carry("theta_form", ["descended.solution", "descended.momentum"])
@@ -193,15 +199,16 @@ def _functions(book: Book) -> None:
         book.suppose(f"theta_functions.{name}", equations, reference, POINTS)
     supposed = [f"theta_functions.{name}" for name in ("quotient", "slope")]
     book.model("theta_functions", "theta_form", supposed)
-    book.carry("theta_functions", ["theta_form.solution", "theta_form.quaternion"])
+    carried = ("solution", "quaternion", "norm", "momentum")
+    book.carry("theta_functions", [f"theta_form.{name}" for name in carried])
 
 
 def _truncation(book: Book) -> None:
-    """What is left out of a theta series is at most 2 t/(1 - r), by induction on where it is cut.
+    """What is left out of a theta series is at most 2 t/(1 - r): the step of the induction.
 
-    The terms q^(2 n^2) e^(2 i n z) of theta_4 and of its like are bounded by t, the first one left
-    out, times ratios that start with r and fall by p = q^4 each time; two terms go with each n.
-    `inside` says that b is below a quarter of the period, so that r is below q^(4 n + 1).
+    The terms q^(2 n^2) e^(2 i n z), n whole for theta_4 and half odd for theta_1, are bounded by t,
+    the first one left out, times ratios that start with r and fall by p = q^4 each time; two terms
+    go with each n.  With `inside`, e^(2 |Im z|) is below 1/q and r below q^(4 n + 1).
     """
     tail = Part(
         witness={"t": "1/8", "r": "1/16", "p": "1/4"},

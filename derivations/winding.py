@@ -3,8 +3,7 @@
     Pi(n; theta + k pi | m) = 2 k Pi(n | m) + Pi(n; theta | m),        n < 1,  m < 1,  k whole
 
 (19) needs it, since theta = am grows without end.  The integrand at theta + k pi is that at theta,
-so a context in which the rule holds is closed under d/dtheta; what it says at one theta is the
-supposition that balls agree with.
+so both sides grow alike; that they agree at one theta is the supposition that balls confirm.
 """
 
 from rigidsym.algebra import Book, Part, join
@@ -12,7 +11,7 @@ from rigidsym.algebra import Book, Part, join
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + k pi.
 TURNING = Part(
     witness={"n": "1/2", "m": "0", "k": "0", "sine": "0", "cosine": "1", "root": "1"},
-    units=("root", "1 - n*sine**2"),
+    units=("root", "1 - n", "1 - n*sine**2"),
     relations=("cosine**2 + sine**2 - 1", "root**2 + m*sine**2 - 1"),
     rates={"sine": "cosine", "cosine": "-sine", "root": "-m*sine*cosine/root"},
     nonnegative=("root", "1 - n"),
@@ -20,14 +19,17 @@ TURNING = Part(
 )
 INTEGRAL = Part(
     witness={"theta": "0", "Pi": "0", "Pi_later": "0", "Pi_c": "0"},
-    rates={"theta": "1", "Pi": "1/((1 - n*sine**2)*root)"},
+    rates={
+        "theta": "1",
+        "Pi": "1/((1 - n*sine**2)*root)",
+        "Pi_later": "1/((1 - n*(-sine)**2)*root)",  # the sine of theta + pi is -sine
+    },
     reading={
         "Pi": "elliptic_pi(n, theta, m)",
         "Pi_later": "elliptic_pi(n, theta + k*pi, m)",
         "Pi_c": "elliptic_pi(n, m)",
     },
 )
-WINDING = {"Pi_later": "2*k*Pi_c + Pi"}
 WINDINGS = [
     {"theta": theta, "k": k, "n": n, "m": m}
     for (theta, k), (n, m) in zip(
@@ -39,12 +41,9 @@ WINDINGS = [
 
 
 def derive(book: Book) -> None:
-    """The rule, and the denominator that stays positive."""
-    later = Part(rates={"Pi_later": "1/((1 - n*(-sine)**2)*root)"})
-    rule = Part(relations=(f"Pi_later - ({WINDING['Pi_later']})",))
-    book.open(join("winding", TURNING, INTEGRAL, later, rule))
-    book.claim("winding.rule", WINDING, ["19", "20", "21"])
-    book.sign("winding.path", {"1 - n*sine**2": "cosine**2 + (1 - n)*sine**2"}, ["19"])
-    book.open(join("windings", TURNING, INTEGRAL, later))
-    book.suppose("windings.rule", WINDING, "DLMF 19.2(ii), 19.6(iv)", WINDINGS)
-    book.model("windings", "winding", ["windings.rule"])
+    """What the rule leaves out does not change with theta; its denominator is never negative."""
+    book.open(join("windings", TURNING, INTEGRAL))
+    book.claim("windings.slope", {"D(Pi_later - 2*k*Pi_c - Pi)": "0"}, ["19", "20", "21"])
+    book.sign("windings.path", {"1 - n*sine**2": "cosine**2 + (1 - n)*sine**2"}, ["19"])
+    reference = "DLMF 19.2.7, whose integrand has the period pi"
+    book.suppose("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)

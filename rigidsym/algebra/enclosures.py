@@ -45,8 +45,8 @@ class Evaluation:
         self.texts = {**context.reading, **context.definitions}
         self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1)}
         for name, number in point.items():
-            if name not in context.generators:
-                raise KernelError(f"a point gives {name}, which is no generator")
+            if name not in context.generators or _is_formula(context.reading.get(name, "?")):
+                raise KernelError(f"a point gives {name}, which is not free")
             fraction = Fraction(number)
             self.known[name] = acb(fmpq(fraction.numerator, fraction.denominator))
 
@@ -62,12 +62,12 @@ class Evaluation:
         """The ball of a text; KernelError where it is no expression, or refers to itself."""
         try:
             return self._of(ast.parse(text, mode="eval").body)
-        except (SyntaxError, RecursionError) as error:
+        except (SyntaxError, RecursionError, TypeError, ValueError) as error:
             raise KernelError(f"{text!r} has no value: {error}") from None
 
     def _of(self, node: ast.expr) -> acb:
         match node:
-            case ast.Constant(value=int(number)):
+            case ast.Constant(value=int(number)) if not isinstance(number, bool):
                 return acb(number)
             case ast.Name(id=name) if name in self.known or name in self.texts:
                 return self._named(name)
@@ -77,7 +77,7 @@ class Evaluation:
                 return self._of(base) ** exponent
             case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
                 return _BINARY[type(op)](self._of(left), self._of(right))
-            case ast.Call(func=ast.Name(id=name), args=arguments) if name in FUNCTIONS:
+            case ast.Call(ast.Name(name), arguments, keywords=[]) if name in FUNCTIONS:
                 return FUNCTIONS[name](*map(self._of, arguments))
         raise KernelError(f"{ast.unparse(node)!r} has no value")
 
@@ -88,6 +88,16 @@ class Evaluation:
                 raise KernelError(f"{name} is not real")  # signs and even powers suppose that
             self.known[name] = value
         return self.known[name]
+
+
+def _is_formula(reading: str) -> bool:
+    """Whether a reading says what the number is, rather than what it is called."""
+    try:
+        nodes = [*ast.walk(ast.parse(reading, mode="eval"))]
+    except SyntaxError:
+        return False
+    parts = (ast.Expression, ast.Constant, ast.Name, ast.BinOp, ast.UnaryOp, ast.Call)
+    return all(isinstance(node, (*parts, ast.operator, ast.unaryop, ast.Load)) for node in nodes)
 
 
 def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
@@ -111,7 +121,7 @@ def _slope(phi: acb, m: acb) -> acb:
 
 
 def _amplitude(u: acb, m: acb) -> acb:
-    """phi with F(phi | m) = u (DLMF 22.16.10), seen to exist by a step of interval Newton."""
+    """phi with F(phi | m) = u (DLMF 22.16.10, continued), by a step of interval Newton."""
     phi = _near(u, m)
     radius = arb(0, SMALL / 2**32)
     box = acb(phi.real + radius, phi.imag + radius)
@@ -150,12 +160,12 @@ def _pi(n: acb, *rest: acb) -> acb:
 FUNCTIONS: dict[str, Callable[..., acb]] = {
     "re": lambda x: acb(x.real),
     "im": lambda x: acb(x.imag),
-    "sqrt": acb.sqrt,
-    "exp": acb.exp,
+    "sqrt": lambda x: x.sqrt(),
+    "exp": lambda x: x.exp(),
     "arcsc": lambda x, m: acb.elliptic_f(x.atan(), m),
     "nome": _nome,
-    "elliptic_k": acb.elliptic_k,
-    "elliptic_e": acb.elliptic_e,
+    "elliptic_k": lambda m: m.elliptic_k(),
+    "elliptic_e": lambda m: m.elliptic_e(),
     "elliptic_pi": _pi,
     "elliptic_j": lambda u, n, m: (_incomplete_pi(n, _amplitude(u, m), m) - u) / n,
     "jacobi_sn": lambda u, m: _amplitude(u, m).sin(),

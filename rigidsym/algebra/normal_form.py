@@ -10,8 +10,9 @@ from rigidsym.kernel import Ring
 def divide(ring: Ring, polynomial: Any) -> tuple[list[Any], Any]:
     """Cofactors and remainder by a context's relations; remainder 0 means that it vanishes there.
 
-    Where plain division leaves a remainder, the relations are reduced by each other first: one
-    that another can reduce may hide that the remainder is zero.
+    Where plain division leaves a remainder, each relation is first reduced by those before it: one
+    that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
+    a remainder is no proof of anything.
     """
     quotients, remainder = ring.reduce(polynomial)
     basis, origins = _reduced(ring)
@@ -30,8 +31,9 @@ def _reduced(ring: Ring) -> tuple[tuple[Any, ...], list[list[Any]]]:
         parts, reduced = relation.div(basis) if basis else ([], relation)
         unit = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
         known = _combined(parts, origins, unit)
-        basis.append(reduced)
-        origins.append([x - y for x, y in zip(unit, known, strict=True)])
+        if reduced:
+            basis.append(reduced)
+            origins.append([x - y for x, y in zip(unit, known, strict=True)])
     return tuple(basis), origins
 
 

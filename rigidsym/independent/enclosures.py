@@ -11,7 +11,7 @@ from flint import acb, arb, ctx
 
 from rigidsym.independent import elliptic
 from rigidsym.independent.elliptic import between
-from rigidsym.independent.language import NAME, Language
+from rigidsym.independent.language import NAME, Language, is_formula
 from rigidsym.independent.records import Claim, Hypotheses, Refused
 from rigidsym.independent.theory import rational
 
@@ -45,6 +45,8 @@ class Values(Language[acb]):
         self._values = {name: constants[name] for name in constants.keys() - known}
         if taken := point.keys() & (self._values.keys() | given.definitions.keys()):
             raise Refused(f"a point gives {min(taken)}, which has its value already")
+        if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
+            raise Refused(f"a point gives {forced[0]}, which its reading gives")
         self._values |= {name: acb(arb(rational(text))) for name, text in point.items()}
 
     def check(self) -> None:

@@ -87,6 +87,12 @@ class Language(ABC, Generic[Meaning]):
         return arguments
 
 
+def is_formula(text: str) -> bool:
+    """Whether a text is made of what expressions are made of, no two names side by side."""
+    spelled = not _TOKEN.sub("", text).strip(" ") and "," not in text.split("(")[0]
+    return spelled and not re.search(r"\w +\w", text)
+
+
 def _exponent(tokens: list[str]) -> int:
     sign = -1 if tokens[-1] == "-" else 1
     if sign < 0:

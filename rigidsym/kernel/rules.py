@@ -107,7 +107,7 @@ def assumption(ledger: "Ledger", fact: Fact) -> Grade:
     """
     a reference that states it, and points where balls, if there are points, do not exclude it
     ------------------------------------------------------------------------------------------
-    Gamma |- statement                 (grade ASSUMED, with points ENCLOSED)
+    Gamma, read as its `reading` says |- statement        (grade ASSUMED, with points ENCLOSED)
     """
     context, points = ledger.contexts[fact.context], fact.certificate.get("points", ())
     differences(ledger.rings[fact.context], fact)
