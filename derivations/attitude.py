@@ -85,6 +85,14 @@ ATTITUDE = (
 )
 
 
+# (24): the momentum in the body, R^-1 (K sigma e_a).
+MOMENTUM = {
+    "M_a": "sigma*K*(qbar_0**2 + qbar_a**2 - qbar_b**2 - qbar_d**2)",
+    "M_b": "2*sigma*K*(qbar_a*qbar_b - epsilon*qbar_0*qbar_d)",
+    "M_d": "2*sigma*K*(qbar_a*qbar_d + epsilon*qbar_0*qbar_b)",
+}
+
+
 def kinematics(q: str) -> dict[str, str]:
     """|q| = 1 and q' = (1/2) q (0, Omega) on the axes (a, b, d) of either handedness."""
     return {
@@ -106,6 +114,7 @@ def derive(book: Book) -> None:
     book.root("attitude.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
     for x in "abd":
         book.claim(f"attitude.M_{x}", {f"M_{x}": f"c_{x}*Omega_{x}"}, ["8"])
+        book.claim(f"attitude.Omega_{x}", {f"Omega_{x}": f"M_{x}/c_{x}"}, ["8"])
 
     book.claim(
         "attitude.psi_rate", {"psi_rate": "(2*H + K*sigma*Omega_a)/(K + sigma*M_a)"}, ["32", "33"]
@@ -124,13 +133,6 @@ def derive(book: Book) -> None:
     for name, form in PULL_BACK.definitions.items():
         book.claim(f"attitude.{name}", {name: form}, ["37"])
     book.claim("attitude.particular", kinematics("qbar"), ["3", "23"])
-    book.claim(
-        "attitude.momentum",
-        {
-            "M_a": "sigma*K*(qbar_0**2 + qbar_a**2 - qbar_b**2 - qbar_d**2)",
-            "M_b": "2*sigma*K*(qbar_a*qbar_b - epsilon*qbar_0*qbar_d)",
-            "M_d": "2*sigma*K*(qbar_a*qbar_d + epsilon*qbar_0*qbar_b)",
-        },
-        ["24"],
-    )
+    for name, form in MOMENTUM.items():
+        book.claim(f"attitude.{name}_of_attitude", {name: form}, ["24"])
     book.claim("attitude.solution", kinematics("q"), ["3", "37"])

@@ -10,6 +10,7 @@ sign, and the limits (separatrix k_1 = 1, symmetric body k_1 = 0) are regular po
 is a model of the regular form and of the attitude at once, so whatever was proved there holds here.
 """
 
+from derivations.attitude import MOMENTUM as MOMENTUM_OF
 from derivations.attitude import PULL_BACK, SHORTEST, TURN
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
 from rigidsym.algebra import Book, Part, half_angle, jacobi, join
@@ -107,7 +108,8 @@ def derive(book: Book) -> None:
         claim(book)
     book.model("descended", "regular")
     book.model("descended", "attitude")
-    book.carry("descended", ["regular.euler", "attitude.solution", "attitude.momentum"])
+    book.carry("descended", ["regular.euler", "attitude.solution"])
+    book.carry("descended", [f"attitude.{name}_of_attitude" for name in MOMENTUM_OF])
 
 
 def _descent(book: Book) -> None:

@@ -40,11 +40,7 @@ COMPLETE = Part(
         "psi_later": "psi_0*(t + period/2) + kappa*(J_later - J_0)",
     },
     reading={
-        "K_1": "elliptic_k(k_1**2)",
-        "J": "elliptic_j(u_1, n, k_1**2)",
-        "s": "jacobi_sn(u_1, k_1**2)",
-        "c": "jacobi_cn(u_1, k_1**2)",
-        "d": "jacobi_dn(u_1, k_1**2)",
+        "K_1": "elliptic_k(1 - m_c)",
     },
 )
 FREE = Part(
@@ -52,9 +48,9 @@ FREE = Part(
     units=("1 + k_1*s_later**2",),
     rates=dict.fromkeys(("s_later", "c_later", "d_later", "J_later"), "?"),
     reading={
-        **{f"{x}_later": f"jacobi_{x}n(u_1 + 2*K_1, k_1**2)" for x in "scd"},
-        "J_later": "elliptic_j(u_1 + 2*K_1, n, k_1**2)",
-        "J_c": "(elliptic_pi(n, k_1**2) - K_1)/n",
+        **{f"{x}_later": f"jacobi_{x}n(u_1 + 2*K_1, 1 - m_c)" for x in "scd"},
+        "J_later": "elliptic_j(u_1 + 2*K_1, n, 1 - m_c)",
+        "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
         "quarter": "elliptic_k(m)",
     },
 )

@@ -1,7 +1,9 @@
-"""What the number wing may use: three programmes of proved formulas, in order of evaluation.
+"""What the number wing may use: programmes of proved formulas, in order of evaluation.
 
 `plan` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns the
 constants and a time into rates and attitude, `steady` serves the motions with constant rates.
+`theta` adds the constants of the theta form, `theta_state` is a state by it, and `pull_back` finds
+the constant unit quaternion in front from one attitude.
 An entry `context:name:equation` stands for the reading of a name: a standard function of known
 quantities, used where the paper's equation does.
 """
@@ -27,6 +29,22 @@ PROGRAMMES = {
         descended.sn descended.cn descended.dn
         regular.Omega_a regular.Omega_b regular.Omega_d {MOMENTA} {SHORTEST}
         descended:J:36 descended.psi attitude:cos_half_psi:18 attitude:sin_half_psi:18 {PARTICULAR}
+        attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
+    """,
+    "theta": """
+        theta_form.root_k theta_form.B_a theta_form.B_d theta_form.x theta_form.y theta_form.z
+        theta_form:beta:28 theta_form:g:10 theta_form:nome_1:10 theta_form:zeta:34
+        theta_form.Lambda
+    """,
+    "pull_back": "attitude.p_0 attitude.p_a attitude.p_b attitude.p_d",
+    "theta_state": """
+        descended.u_1 descended:s:10 descended:c:10 descended:d:10
+        theta_form.SN_re theta_form.SN_im theta_form:T4_re:18 theta_form:T4_im:18
+        theta_form.T1_re theta_form.T1_im theta_form:X_re:18 theta_form:X_im:18
+        theta_form.P4_re theta_form.P4_im theta_form.P1_re theta_form.P1_im theta_form.N
+        theta_form.qbar_0 theta_form.qbar_a theta_form.qbar_b theta_form.qbar_d
+        attitude.M_a_of_attitude attitude.M_b_of_attitude attitude.M_d_of_attitude
+        attitude.Omega_a attitude.Omega_b attitude.Omega_d
         attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
     """,
     "steady": """

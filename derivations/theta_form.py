@@ -16,7 +16,7 @@ each with its reference, which balls agree with at structured points.  By them i
 form, so the attitude solves (3) there too, at their grade.
 """
 
-from derivations.attitude import HANDEDNESS, SENSE, TURN
+from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION
 from derivations.regular_form import HALF
 from rigidsym.algebra import Book, Part, join
@@ -36,14 +36,16 @@ SHIFT = Part(
         "Lambda": "psi_0/2 + rho*mu*zeta",
     },
     relations=("root_k**2 - k_1", "Y**2 - (K + B_a)*(K - B_a + k_1*(K + B_a))"),
-    nonnegative=("root_k", "Y", "B_a"),
+    nonnegative=("root_k", "Y", "B_a", "C_b"),
     reading={
         "root_k": "sqrt(k_1)",
         "C_b": "sqrt((1 + k_1)**2*B_d**2 + 4*k_1*B_a**2)",
         "Y": "sqrt((K + B_a)*(K - B_a + k_1*(K + B_a)))",
         "beta": "arcsc(x, 1 - k_1**2)",
-        "zeta": "im(jacobi_epsilon(I*beta, k_1**2)) - e*beta",
-        "e": "elliptic_e(k_1**2)/elliptic_k(k_1**2)",
+        "g": "pi/(2*elliptic_k(1 - m_c))",
+        "nome_1": "nome(1 - m_c)",
+        "zeta": "g*im(dtheta4(g*I*beta, nome_1)/theta4(g*I*beta, nome_1))",
+        "e": "elliptic_e(1 - m_c)/elliptic_k(1 - m_c)",
     },
 )
 # sn and Z of (u_1 - i rho beta | k_1^2).
@@ -66,9 +68,9 @@ VALUES = Part(
     definitions=ADDITION,
     nonnegative=("R",),
     reading={
-        "Z_u": "jacobi_epsilon(u_1, k_1**2) - e*u_1",
-        "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
-        "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "Z_u": "jacobi_epsilon(u_1, 1 - m_c) - e*u_1",
+        "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
+        "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
         "R": "sqrt(T4_re**2 + T4_im**2)",
         "X_re": "cos(Lambda*t)",
         "X_im": "sin(Lambda*t)",
@@ -97,14 +99,10 @@ FREE = Part(
         "R": "mu*g*(T4_re*dT4_re + T4_im*dT4_im)/R",
     },
     reading={
-        "g": "pi/(2*elliptic_k(k_1**2))",
-        "s": "jacobi_sn(u_1, k_1**2)",
-        "c": "jacobi_cn(u_1, k_1**2)",
-        "d": "jacobi_dn(u_1, k_1**2)",
-        "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome(k_1**2)))",
-        "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome(k_1**2)))",
-        "dT4_re": "re(dtheta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
-        "dT4_im": "im(dtheta4(g*(u_1 - rho*I*beta), nome(k_1**2)))",
+        "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
+        "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
+        "dT4_re": "re(dtheta4(g*(u_1 - rho*I*beta), nome_1))",
+        "dT4_im": "im(dtheta4(g*(u_1 - rho*I*beta), nome_1))",
     },
 )
 # e^(i psi/2) is e^(i Lambda t) theta_4 over its modulus: psi up to a constant, which the constant
@@ -122,6 +120,12 @@ PHASE = Part(
         "sin_psi": "2*sin_half_psi*cos_half_psi",
     },
 )
+COMPONENTS = {
+    "qbar_0": "P4_re/N",
+    "qbar_a": "sigma*P4_im/N",
+    "qbar_b": "chi*P1_im/N",
+    "qbar_d": "-epsilon*sigma*chi*P1_re/N",
+}
 FORM = (*MOTION, SHIFT, VALUES, PHASE)
 # Both circulations, moduli small and near one, momenta near the circulation axis and far from it.
 POINTS = [
@@ -149,13 +153,25 @@ def _shift(book: Book) -> None:
     book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
     book.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
     book.claim("theta_form.Lambda", {"Lambda": "psi_0/2 + rho*mu*zeta"}, ["33", "34"])
+    book.root("theta_form.root_k", "root_k", "k_1", ["27"])
+    book.claim("theta_form.B_a", {"B_a": "c_a*A_a"}, ["27"])
+    book.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
+    book.claim("theta_form.x", {"x": "B_d/(root_k*(K + B_a))"}, ["28"])
+    book.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
+    book.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
+    for name, form in {**ADDITION, **QUOTIENT}.items():
+        if not name.startswith("Z"):
+            book.claim(f"theta_form.{name}", {name: form}, ["DLMF 22.8.1, 22.2.4"])
 
 
 def _form(book: Book) -> None:
     """The phase moves as psi/2 does, and the quotient is that of the shortest rotation."""
+    for name in ("P4_re", "P4_im", "P1_re", "P1_im"):
+        book.claim(f"theta_form.{name}", {name: PHASE.definitions[name]}, ["18"])
     book.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
     book.model("theta_form", "descended")
-    book.carry("theta_form", ["descended.solution", "descended.momentum"])
+    book.carry("theta_form", ["descended.solution"])
+    book.carry("theta_form", [f"descended.{name}_of_attitude" for name in MOMENTUM])
     _assemble(book)
 
 
@@ -163,7 +179,8 @@ def _assemble(book: Book) -> None:
     """The components as thetas, given the quotient alone: what T4 and SN are does not matter."""
     given = Part(
         witness={"s_0": "1", "root_k": "1", "SN_re": "0", "SN_im": "0"},
-        units=("s_0",),
+        units=("s_0", "N"),
+        nonnegative=("s_0", "R"),
         definitions={
             "s_b": "chi*root_k*SN_im*s_0",
             "s_d": "-epsilon*sigma*chi*root_k*SN_re*s_0",
@@ -174,19 +191,11 @@ def _assemble(book: Book) -> None:
     )
     values = Part(VALUES.witness, VALUES.units, {}, VALUES.relations)
     book.open(join("quotient", HANDEDNESS, SENSE, HALF, values, given, PHASE, static=True))
-    book.claim(
-        "quotient.quaternion",
-        {
-            "N*qbar_0": "P4_re",
-            "N*qbar_a": "sigma*P4_im",
-            "N*qbar_b": "chi*P1_im",
-            "N*qbar_d": "-epsilon*sigma*chi*P1_re",
-        },
-        ["18", "25"],
-    )
-    book.claim("quotient.norm", {"N**2": "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2"}, ["1"])
+    book.root("quotient.N", "N", "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2", ["1"])
+    for name, form in COMPONENTS.items():
+        book.claim(f"quotient.{name}", {name: form}, ["18", "25"])
     book.model("theta_form", "quotient")
-    book.carry("theta_form", ["quotient.quaternion", "quotient.norm"])
+    book.carry("theta_form", [f"quotient.{name}" for name in ("N", *COMPONENTS)])
 
 
 def _functions(book: Book) -> None:
@@ -199,7 +208,7 @@ def _functions(book: Book) -> None:
         book.suppose(f"theta_functions.{name}", equations, reference, POINTS)
     supposed = [f"theta_functions.{name}" for name in ("quotient", "slope")]
     book.model("theta_functions", "theta_form", supposed)
-    carried = ("solution", "quaternion", "norm", "momentum")
+    carried = ("solution", "N", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
     book.carry("theta_functions", [f"theta_form.{name}" for name in carried])
 
 

@@ -1,13 +1,14 @@
 """Numbers as users give them, turned into exact rationals, with one clear line when they are wrong.
 
 Floats mean the exact binary64 value; strings ("0.0109", "1/3", "0x1.8p+1"), Fraction, Decimal and
-mpf mean exactly what they say.
+mpf mean exactly what they say.  "0.0109 +/- 1e-6" and the balls of python-flint are uncertain.
 """
 
 import math
 import operator
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from numbers import Rational, Real
@@ -23,12 +24,51 @@ MOST_DIGITS = 100_000
 MOST_TIMES = 10_000_000
 
 
+@dataclass(frozen=True, slots=True)
+class Uncertain:
+    """A number that is only known to lie within a radius of another one."""
+
+    middle: Fraction
+    radius: Fraction
+
+    def __str__(self) -> str:
+        return f"{decimal(self.middle, 12)} +/- {decimal(self.radius, 3)}"
+
+
+def number(field: str, value: Any) -> "Fraction | Uncertain":
+    """An exact or an uncertain number; raises InputError unless it is finite and real."""
+    parts: list[Any] = [value]
+    if isinstance(value, str):
+        parts = value.strip().removeprefix("[").removesuffix("]").split("+/-")
+    elif hasattr(value, "rad") and hasattr(value, "mid"):
+        parts = [value.mid(), value.rad()]
+    if len(parts) == 1:
+        return exact(field, value)
+    if len(parts) != 2:
+        raise InputError(field, repr(value), "must be one number and, after +/-, its radius")
+    middle, radius = (exact(field, part) for part in parts)
+    if radius < 0:
+        raise InputError(field, repr(value), "must not have a negative radius")
+    return Uncertain(middle, radius) if radius else middle
+
+
+def certain(field: str, values: "Sequence[Fraction | Uncertain]") -> tuple[Fraction, ...]:
+    """The same numbers; raises InputError for the first that is uncertain."""
+    exact_ones = tuple(value for value in values if isinstance(value, Fraction))
+    for k, value in enumerate(values):
+        if isinstance(value, Uncertain):
+            raise InputError(f"{field}[{k}]", value, "is uncertain; only enclose takes that")
+    return exact_ones
+
+
 def exact(field: str, value: Any) -> Fraction:
     """The exact rational a number stands for; raises InputError unless it is finite and real."""
     if isinstance(value, str):
         return _exact_text(field, value)
     if isinstance(value, bool):
         raise InputError(field, value, "must be a number")
+    if hasattr(value, "rad") and value.rad() != 0:
+        raise InputError(field, value, "is uncertain; it must be exact")
     if hasattr(value, "_mpf_"):
         return _exact_mpf(field, value)
     if isinstance(value, Rational):
@@ -59,12 +99,12 @@ def _exact_text(field: str, text: str) -> Fraction:
         raise InputError(field, repr(text), "must be a finite decimal number") from None
 
 
-def vector(field: str, values: Any, length: int) -> tuple[Fraction, ...]:
-    """A vector of exact rationals; raises InputError for a wrong length or number."""
+def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain, ...]":
+    """A vector of exact or uncertain numbers; raises InputError for a wrong length or number."""
     items = sequence(field, values)
     if len(items) != length:
         raise InputError(field, values, f"must have {length} numbers, not {len(items)}")
-    return tuple(exact(f"{field}[{k}]", item) for k, item in enumerate(items))
+    return tuple(number(f"{field}[{k}]", item) for k, item in enumerate(items))
 
 
 def sequence(field: str, values: Any) -> Sequence[Any]:
@@ -74,15 +114,17 @@ def sequence(field: str, values: Any) -> Sequence[Any]:
     return list(values)
 
 
-def inertia(values: Any, allow_nonphysical: bool = False) -> tuple[Fraction, ...]:
+def inertia(values: Any, allow_nonphysical: bool = False) -> "tuple[Fraction | Uncertain, ...]":
     """Three principal moments of a body that can exist, or of any positive ones if so allowed."""
-    moments = vector("inertia", values, 3)
     given = sequence("inertia", values)
-    for k, moment in enumerate(moments):
+    moments = vector("inertia", given, 3)
+    least, most = ([_end(moment, side) for moment in moments] for side in (-1, 1))
+    for k, moment in enumerate(least):
         if moment <= 0:
             raise InputError(f"inertia[{k}]", given[k], "principal moments must be positive")
-    low, middle, high = sorted(moments)
-    if not allow_nonphysical and low + middle < high * (1 - _ROUNDING):
+    high = max(range(3), key=least.__getitem__)
+    others = sum(most) - most[high]
+    if not allow_nonphysical and others < least[high] * (1 - _ROUNDING):
         rule = (
             "no body has a principal moment larger than the sum of the other two "
             "(allow_nonphysical=True or --allow-nonphysical lets it pass)"
@@ -91,7 +133,12 @@ def inertia(values: Any, allow_nonphysical: bool = False) -> tuple[Fraction, ...
     return moments
 
 
-def attitude(values: Any) -> tuple[Fraction, ...]:
+def _end(value: "Fraction | Uncertain", side: int) -> Fraction:
+    """The smallest or largest a number can be."""
+    return value.middle + side * value.radius if isinstance(value, Uncertain) else value
+
+
+def attitude(values: Any) -> "tuple[Fraction | Uncertain, ...]":
     """A quaternion of any length but zero, scalar first."""
     quaternion = vector("attitude0", values, 4)
     if not any(quaternion):
@@ -128,9 +175,10 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
         raise InputError(field, shown(values), "is beyond the range of binary64") from None
 
 
-def shown(values: Sequence[Fraction]) -> str:
-    """Exact numbers for a message, to a dozen digits."""
-    return f"[{', '.join(decimal(value, 12) for value in values)}]"
+def shown(values: "Sequence[Fraction | Uncertain]") -> str:
+    """Numbers for a message, to a dozen digits."""
+    texts = (str(x) if isinstance(x, Uncertain) else decimal(x, 12) for x in values)
+    return f"[{', '.join(texts)}]"
 
 
 def decimal(value: Fraction, digits: int) -> str:

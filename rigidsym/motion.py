@@ -1,5 +1,6 @@
 """Torque-free motion of a rigid body: the public class, on the generated NumPy module."""
 
+from collections.abc import Iterable
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -24,7 +25,8 @@ class TorqueFreeMotion:
     inertia: three principal moments in kg m^2, positive, none larger than the sum of the other
     two unless `allow_nonphysical`.  omega0: body rates in rad/s.  attitude0: quaternion, scalar
     first, body to inertial, normalised here.  Numbers may be floats (exact binary64 values) or
-    strings, Fraction, Decimal and mpf, which `precise` takes exactly.  Raises InputError.
+    strings, Fraction, Decimal and mpf, which `precise` and `enclose` take exactly; `enclose` also
+    takes uncertain ones, "0.0109 +/- 1e-6" or balls of python-flint.  Raises InputError.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
     >>> q, omega = motion(180.0)
@@ -63,8 +65,13 @@ class TorqueFreeMotion:
         return _states(self._plan, _times(t))
 
     @cached_property
+    def exact(self) -> dict[str, tuple[Fraction, ...]]:
+        """Inertia, omega0 and attitude0 by name; raises InputError where one is uncertain."""
+        return {name: inputs.certain(name, values) for name, values in self._given.items()}
+
+    @cached_property
     def _plan(self) -> dict[str, Any]:
-        given = {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
+        given = self.exact
         doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
         if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
             return exact_plan(*given.values())
@@ -77,25 +84,56 @@ class TorqueFreeMotion:
     @property
     def regime(self) -> "Regime":
         """The kind of motion, decided exactly from the numbers given."""
-        return self._precise.polhode.regime
+        return self._by("theta", **self._given).polhode.regime
 
-    @cached_property
-    def _precise(self) -> "PreciseMotion":
-        from rigidsym.precise import PreciseMotion
+    def _by(self, method: str, **given: Any) -> "PreciseMotion":
+        from rigidsym.precise import METHODS, PreciseMotion
 
-        return PreciseMotion(self.inertia, self.omega0, self.attitude0)
+        if method not in METHODS:
+            raise InputError("method", repr(method), f"must be one of: {', '.join(METHODS)}")
+        return PreciseMotion(*given.values(), method)
 
-    def precise(self, t: Any, digits: int = 50) -> tuple[np.ndarray, np.ndarray]:
-        """Like a call, as object arrays of mpmath numbers with `digits` significant digits.
+    @property
+    def _given(self) -> dict[str, Any]:
+        return {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
 
-        Times are taken exactly, as the other inputs are.  Two evaluations at different working
-        precision have to agree; raises PrecisionError where they do not, InputError for bad input.
+    def precise(
+        self, t: Any, digits: int = 50, *, method: str = "theta", max_seconds: float | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
+
+        Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
+        quadrature.  Raises PrecisionError where `max_seconds` are over before the digits are
+        reached, saying how many were, and InputError for bad input.
         """
         times, single = inputs.times(t)
-        states = list(self._precise.states(times, inputs.digits(digits)))
-        q = np.array([state[0] for state in states], dtype=object).reshape(-1, 4)
-        omega = np.array([state[1] for state in states], dtype=object).reshape(-1, 3)
-        return (q[0], omega[0]) if single else (q, omega)
+        states = self._by(method, **self.exact).states(times, inputs.digits(digits), max_seconds)
+        return _objects(states, single)
+
+    def enclose(
+        self,
+        t: Any,
+        digits: int = 50,
+        *,
+        method: str | None = None,
+        max_seconds: float | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Like a call, as object arrays of Arb's balls (`flint.arb`) that contain the true values.
+
+        Radii are at most 10^-digits max(1, |value|) where the inputs are exact, and what the
+        inputs leave uncertain where they are not (carlson, the default then, leaves least);
+        uncertain inputs that reach across a boundary between regimes raise InputError, which
+        names it.  Else as `precise`.
+        """
+        times, single = inputs.times(t)
+        if method is None:
+            every = (x for values in self._given.values() for x in values)
+            uncertain = any(isinstance(x, inputs.Uncertain) for x in every)
+            method = "carlson" if uncertain else "theta"
+        states = self._by(method, **self._given).enclosures(
+            times, inputs.digits(digits), max_seconds
+        )
+        return _objects(states, single)
 
     def rotation(self, t: Any) -> Any:
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
@@ -129,6 +167,14 @@ def propagate(
         shapes = ", ".join(str(array.shape) for array in checked.values())
         raise InputError(field, f"arrays of shapes {shapes}", rule) from None
     return _states(plan, _times(t))
+
+
+def _objects(states: Iterable[Any], single: bool) -> tuple[np.ndarray, np.ndarray]:
+    listed = list(states)
+    q, omega = np.empty((len(listed), 4), dtype=object), np.empty((len(listed), 3), dtype=object)
+    for k, (attitude, rates) in enumerate(listed):
+        q[k], omega[k] = attitude, rates
+    return (q[0], omega[0]) if single else (q, omega)
 
 
 def _states(plan: dict[str, Any], t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -190,7 +190,7 @@ def test_numbers_of_every_kind(kind):
         (((1, 2, -0.05), RATES), r"inertia\[2\] = -0.05: principal moments must be positive"),
         (((1, 0, 1), RATES), r"inertia\[1\] = 0: principal moments must be positive"),
         (((1, 2, math.inf), RATES), r"inertia\[2\] = inf: must be finite"),
-        (((1, 2), RATES), r"inertia = \(1, 2\): must have 3 numbers, not 2"),
+        (((1, 2), RATES), r"inertia = \[1, 2\]: must have 3 numbers, not 2"),
         (((1, 2, 5), RATES), r"inertia = .*larger than the sum.*allow_nonphysical"),
         ((("1", "x", "2"), RATES), r"inertia\[1\] = 'x': must be a finite decimal number"),
         ((("1", "1e999999999", "2"), RATES), r"inertia\[1\] = .*exponents go up to"),

@@ -16,7 +16,7 @@ that proves it (`reading`: the standard function that a proved quantity is).  Fo
 normal form.  Kernels (_quarter_period to _jacobi_argument): tested against mpmath, not proved.
 
 emitter numpy/1
-digest 6176230c5aa5f54ba50c35979c97c425cfa76b3bf3367ab0843601f47fc852ac
+digest ae8cf20e26282a940f13444249755658c65617e07418e79fef781cdea2fc1f62
 """
 
 # ruff: noqa

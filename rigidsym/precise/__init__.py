@@ -1,5 +1,5 @@
-"""Any number of digits: the derived solution evaluated by mpmath."""
+"""Any number of digits: the derived solution in Arb's balls."""
 
-from rigidsym.precise.motion import PreciseMotion
+from rigidsym.precise.motion import METHODS, PreciseMotion
 
-__all__ = ["PreciseMotion"]
+__all__ = ["METHODS", "PreciseMotion"]

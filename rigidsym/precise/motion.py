@@ -1,167 +1,159 @@
-"""States of one motion to any number of digits, by mpmath.
+"""States of one motion to any number of digits, each of them certain.
 
 Inputs are exact rationals, and the invariants, the parameter m and the regime are computed
-exactly.  The rest is evaluated at two working precisions, which rise until both agree to the
-digits asked for: a strong check, though not a proof.
+exactly; all that follows is done with Arb's balls, at a working precision that rises until the
+balls are small enough.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import chain
+from time import perf_counter
 from typing import Any
 
+from flint import arb
 from mpmath import mp
-from mpmath.ctx_mp import MPContext
 
 from rigidsym.errors import PrecisionError
-from rigidsym.precise.functions import EllipticFunctions
-from rigidsym.solution import sealed
-from rigidsym.solution.expression import evaluate, names
-from rigidsym.solution.formulas import AXES
-from rigidsym.solution.polhode import Polhode, Regime, classify
+from rigidsym.inputs import Uncertain
+from rigidsym.precise.balls import ball, bits_of, has_digits, is_within, to_mpf, working
+from rigidsym.precise.carlson import Carlson
+from rigidsym.precise.evaluation import Evaluation, Given, State
+from rigidsym.precise.landen import Landen
+from rigidsym.precise.quadrature import Quadrature
+from rigidsym.precise.theta import Theta
+from rigidsym.precise.uncertain import classify_uncertain
+from rigidsym.solution.polhode import Polhode
 
-GUARD_DIGITS = 12
-MOST_ROUNDS = 12
-# A number that shrinks with the working precision for this many rounds is zero.
-ZERO_ROUND = 5
-
-State = tuple[list[Any], list[Any]]
+METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
+GUARD_BITS = 40
+MOST_ROUNDS = 24
+# A ball around zero that has shrunk below 2^-4000 of the motion's scale is taken for zero.
+ZERO = arb(2) ** -4000
 
 
 @dataclass(frozen=True)
 class PreciseMotion:
-    """A motion given exactly: inertia (3), body rates (3) and attitude (4) as rationals."""
+    """A motion: inertia (3), body rates (3), attitude (4), rationals or uncertain numbers."""
 
-    inertia: tuple[Fraction, ...]
-    omega0: tuple[Fraction, ...]
-    attitude0: tuple[Fraction, ...]
+    inertia: tuple[Any, ...]
+    omega0: tuple[Any, ...]
+    attitude0: tuple[Any, ...]
+    method: str = "theta"
 
     @cached_property
     def polhode(self) -> Polhode:
-        """Regime and axes, decided exactly."""
-        return classify(self.inertia, self.omega0)
+        """Regime and axes, decided exactly; InputError where uncertainty leaves them open."""
+        return classify_uncertain(self.inertia, self.omega0)
 
-    def states(self, times: Sequence[Fraction], digits: int) -> Iterator[State]:
-        """(q, omega) at each time as mpf numbers, `digits` significant digits each.
+    @property
+    def _is_uncertain(self) -> bool:
+        given = (*self.inertia, *self.omega0, *self.attitude0)
+        return any(isinstance(value, Uncertain) for value in given)
 
-        Raises PrecisionError where the working precision had to be raised too often.
+    def states(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """(q, omega) at each time as mpf numbers, `digits` significant digits of each certain.
+
+        Raises PrecisionError where `max_seconds` for them all are over.
         """
-        evaluations: dict[int, Evaluation] = {}
-        for time in times:
-            what = f"t = {time}"
-            numbers = self._rise(lambda e, t=time: e.numbers(t), digits, evaluations, what)
+        for numbers in self._numbers(times, digits, has_digits, max_seconds):
+            settled = [_settled(value) for value in numbers]
+            yield settled[:4], settled[4:]
+
+    def enclosures(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """(q, omega) at each time as balls, of radius at most 10^-digits max(1, |value|)."""
+        for numbers in self._numbers(times, digits, is_within, max_seconds):
             yield numbers[:4], numbers[4:]
 
     def start(self, digits: int) -> list[float]:
         """The attitude at t = 0, normalised and rounded to doubles."""
-        return [float(x) for x in Evaluation(self, digits).start[0]]
+        with working(bits_of(digits) + GUARD_BITS):
+            return [float(x) for x in self._evaluation().start[0]]
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
         """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
-        numbers = self._rise(lambda e: [e.constant(n) for n in names], digits, {}, "constants")
-        return dict(zip(names, numbers, strict=True))
+        ladder = Ladder(self._evaluation, digits, has_digits, None)
+        numbers = ladder.read(lambda e: [e.constant(name) for name in names], "constants")
+        return dict(zip(names, map(_settled, numbers), strict=True))
 
-    def _rise(
+    def _numbers(
         self,
-        read: Callable[["Evaluation"], list[Any]],
+        times: Sequence[Fraction],
         digits: int,
-        evaluations: dict[int, "Evaluation"],
-        what: str,
-    ) -> list[Any]:
-        """Read numbers at rising precision until two rounds agree; rounds are kept and shared."""
-        rough: list[Any] | None = None
-        for round_ in range(MOST_ROUNDS):
-            if round_ not in evaluations:
-                evaluations[round_] = Evaluation(self, _working_digits(digits, round_))
-            fine = read(evaluations[round_])
-            settled = rough and _settled(rough, fine, digits, round_ >= ZERO_ROUND)
-            if settled:
-                return settled
-            rough = fine
-        raise PrecisionError(f"{what}: not settled to {digits} digits")
+        enough: Callable[[arb, int], bool],
+        max_seconds: float | None,
+    ) -> Iterator[list[arb]]:
+        ladder = Ladder(self._evaluation, digits, enough, max_seconds)
+        read = ladder.read_uncertain if self._is_uncertain else ladder.read
+        for time in times:
+            yield read(lambda e, t=time: [*chain(*e.state(t))], f"t = {time}")
+
+    def _evaluation(self) -> Evaluation:
+        given = Given(self.inertia, self.omega0, self.attitude0, self.polhode)
+        return Evaluation(given, ball, METHODS[self.method]().table())
 
 
-class Evaluation:
-    """The formulas of the solution at one working precision, with the constants of one motion."""
+class Ladder:
+    """Working precisions that rise until balls are small enough; what they cost is kept."""
 
-    def __init__(self, motion: PreciseMotion, digits: int) -> None:
-        self.ctx = MPContext()
-        self.ctx.dps = digits
-        self.motion = motion
-        self.functions = EllipticFunctions(self.ctx).table()
-        norm = self.ctx.sqrt(sum(x * x for x in motion.attitude0))
-        attitude = [self._number(x) / norm for x in motion.attitude0]
-        self.start = (attitude, list(map(self._number, motion.omega0)))
+    def __init__(
+        self,
+        evaluation: Callable[[], Evaluation],
+        digits: int,
+        enough: Callable[[arb, int], bool],
+        max_seconds: float | None,
+    ) -> None:
+        self.evaluation, self.digits, self.enough = evaluation, digits, enough
+        self.end = None if max_seconds is None else perf_counter() + max_seconds
+        self.bits = bits_of(digits) + GUARD_BITS
+        self.known: dict[int, Evaluation] = {}
 
-    def _number(self, value: Any) -> Any:
-        return self.ctx.convert(value)
+    def read(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
+        """The numbers, at the first precision at which all have enough digits."""
+        reached = 0
+        for _ in range(MOST_ROUNDS):
+            with working(self.bits):
+                if self.bits not in self.known:
+                    self.known = {self.bits: self.evaluation()}
+                found = numbers(self.known[self.bits])
+                missing = max(self._missing(value) for value in found)
+                if not missing:
+                    return found
+            reached = max(reached, self.digits - int(missing * 0.302) - 1)
+            if self.end is not None and perf_counter() > self.end:
+                break
+            self.bits += missing + GUARD_BITS // 2
+        raise PrecisionError(f"{what}: {max(reached, 0)} of {self.digits} digits were reached")
 
-    def numbers(self, time: Fraction) -> list[Any]:
-        """The four numbers of q and the three of omega at one time."""
-        q, omega = self.state(time)
-        return [*q, *omega]
+    def read_uncertain(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
+        """The numbers, when a higher precision does not make the balls smaller any more."""
+        widest = None
+        for _ in range(MOST_ROUNDS):
+            with working(self.bits):
+                if self.bits not in self.known:
+                    self.known = {self.bits: self.evaluation()}
+                found = numbers(self.known[self.bits])
+                radius = max((float(value.rad()) for value in found), default=0.0)
+                if widest is not None and radius >= widest / 2:
+                    return found
+                widest = radius if radius == radius else None
+            self.bits *= 2
+        raise PrecisionError(f"{what}: the inputs are too uncertain to say anything")
 
-    def state(self, time: Fraction) -> State:
-        """(q, omega) at one time; the given state itself at t = 0."""
-        if time == 0 or self.motion.polhode.regime == Regime.REST:
-            return self.start
-        return self._steady(time) if self.motion.polhode.regime.steady else self._moving(time)
-
-    def _run(self, programme: str, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Every formula of a programme; exactly, as long as all it uses is rational."""
-        known = dict(values)
-        for formula in sealed().programmes[programme]:
-            used = {name: known[name] for name in names(formula.expression)}
-            if not all(isinstance(value, (int, Fraction)) for value in used.values()):
-                used = {name: self._number(value) for name, value in used.items()}
-            known[formula.name] = evaluate(formula.expression, used, self.functions)
-        return known
-
-    def constant(self, name: str) -> Any:
-        """One constant of the plan as a number of this precision."""
-        return self._number(self._constants[name])
-
-    @cached_property
-    def _constants(self) -> dict[str, Any]:
-        polhode, motion = self.motion.polhode, self.motion
-        q0, *vector = self.start[0]
-        signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
-        begin = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
-        for x, k in zip(AXES, polhode.axes, strict=True):
-            begin |= {f"c_{x}": motion.inertia[k], f"Omega_{x}": motion.omega0[k]}
-            begin |= {f"q_{x}": vector[k]}
-        return self._run("plan", {**signs, **begin})
-
-    def _moving(self, time: Fraction) -> State:
-        known = self._run("state", {**self._constants, "t": time})
-        q, omega = [known["q_0"], 0, 0, 0], [0, 0, 0]
-        for x, k in zip(AXES, self.motion.polhode.axes, strict=True):
-            q[k + 1], omega[k] = known[f"q_{x}"], known[f"Omega_{x}"]
-        return q, omega
-
-    def _steady(self, time: Fraction) -> State:
-        rates = {f"Omega{k + 1}": x for k, x in enumerate(self.motion.omega0)}
-        begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
-        known = self._run("steady", {**rates, **begin, "t": time})
-        return [self._number(known[f"q{k}"]) for k in range(4)], self.start[1]
+    def _missing(self, value: arb) -> int:
+        """About how many bits more a number needs: 0 where it is good, as many again for none."""
+        if self.enough(value, self.digits) or (value.contains(0) and value.abs_upper() < ZERO):
+            return 0
+        if not value.is_finite() or value.contains(0):
+            return self.bits
+        return max(8, bits_of(self.digits) + 2 - value.rel_accuracy_bits())
 
 
-def _working_digits(digits: int, round_: int) -> int:
-    return int((digits + GUARD_DIGITS) * 1.5**round_)
-
-
-def _settled(rough: list[Any], fine: list[Any], digits: int, zeros: bool) -> list[Any] | None:
-    """The fine numbers as mpmath's own mpf, not rounded, where all agree with the rough ones.
-
-    Where `zeros` are allowed, a number that fell with the working precision is one.
-    """
-    settled = []
-    for x, y in zip(rough, fine, strict=True):
-        if abs(x - y) * 10 ** (digits + 1) <= abs(y):
-            settled.append(mp.make_mpf(y._mpf_))
-        elif zeros and abs(y) * 10**digits <= abs(x):
-            settled.append(mp.zero)
-        else:
-            return None
-    return settled
+def _settled(value: arb) -> Any:
+    return mp.zero if value.contains(0) else to_mpf(value)

@@ -5,6 +5,7 @@ printed into a generated Python module can be read back and compared.
 """
 
 import ast
+import math
 import operator
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -150,6 +151,19 @@ def evaluate(
     if isinstance(expression, Operation):
         return OPERATORS[expression.operator](*parts)
     return functions[expression.function](*parts)
+
+
+def by_products(expression: Expression) -> Expression:
+    """The same with `power(x, 2)` for `x**2`: not all numbers have powers to be trusted."""
+    parts = tuple(map(by_products, children(expression)))
+    if isinstance(expression, Operation) and expression.operator == "**":
+        return Call("power", parts)
+    return rebuild(expression, parts)
+
+
+def power(base: Any, exponent: int) -> Any:
+    """An integer power, 1 or more, by multiplication."""
+    return math.prod([base] * (exponent - 1), start=base)
 
 
 def complement(parameter: Expression) -> Expression:

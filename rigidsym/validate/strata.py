@@ -192,5 +192,5 @@ def _paper() -> Sample:
     """The paper's body, its decimals rounded to doubles."""
     case = paper_case()
     motion = case.motion
-    exact = (motion.inertia, motion.omega0, motion.attitude0, case.times[::10])
+    exact = (*motion.exact.values(), case.times[::10])
     return Sample("paper", 0, *(tuple(map(float, values)) for values in exact))

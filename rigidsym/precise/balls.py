@@ -1,0 +1,56 @@
+"""Arb's balls as numbers: a precision that is always given back, and what is certain of a ball.
+
+FLINT has one working precision for the whole process, so work at another one holds a lock: threads
+of this project take turns, and processes do not mind.
+"""
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from fractions import Fraction
+from math import ceil, log2
+from threading import RLock
+from typing import Any
+
+from flint import arb, ctx, fmpq
+from mpmath import mp
+
+from rigidsym.inputs import Uncertain
+
+_LOCK = RLock()
+BITS_PER_DIGIT = log2(10)
+
+
+@contextmanager
+def working(bits: int) -> Generator[None]:
+    """Work at a precision of so many bits, and leave the one that was found."""
+    with _LOCK, ctx.workprec(bits):
+        yield
+
+
+def bits_of(digits: int) -> int:
+    """Bits that hold so many decimal digits."""
+    return ceil(digits * BITS_PER_DIGIT)
+
+
+def ball(value: Any) -> arb:
+    """The ball of an exact or uncertain number, at the working precision."""
+    if isinstance(value, Uncertain):
+        return ball(value.middle) + arb(0, ball(value.radius).upper())
+    if isinstance(value, Fraction):
+        return arb(fmpq(value.numerator, value.denominator))
+    return arb(value)
+
+
+def is_within(value: arb, digits: int) -> bool:
+    """Whether the radius is at most 10^-digits of max(1, |value|)."""
+    return bool(value.rad() * arb(10) ** digits <= value.abs_lower().max(1))
+
+
+def has_digits(value: arb, digits: int) -> bool:
+    """Whether so many significant digits are certain, up to one unit in the last."""
+    return bool(value.rad() * arb(10) ** digits <= value.abs_lower()) or value.is_zero()
+
+
+def to_mpf(value: arb) -> Any:
+    """The midpoint as an mpf, not rounded."""
+    return mp.make_mpf(value.mid()._mpf_)

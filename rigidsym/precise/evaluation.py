@@ -1,0 +1,122 @@
+"""The formulas of the solution over one kind of numbers, with the constants of one motion.
+
+Whatever the numbers are, mpmath's or Arb's balls, they come with a way to convert exact ones and a
+table of the functions that formulas use.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from rigidsym.solution.compiled import run, steps
+from rigidsym.solution.expression import evaluate, power
+from rigidsym.solution.formulas import AXES
+from rigidsym.solution.polhode import Polhode, Regime
+
+State = tuple[list[Any], list[Any]]
+
+
+@dataclass(frozen=True)
+class Given:
+    """A motion as it was given: inertia (3), body rates (3), attitude (4), regime and axes."""
+
+    inertia: Sequence[Any]
+    omega0: Sequence[Any]
+    attitude0: Sequence[Any]
+    polhode: Polhode
+
+
+class Evaluation:
+    """One motion over one kind of numbers.
+
+    `functions` that include theta_4 make it the theta form, wherever that exists: it knows
+    neither the separatrix nor symmetric bodies.
+    """
+
+    def __init__(
+        self,
+        given: Given,
+        convert: Callable[[Any], Any],
+        functions: Mapping[str, Callable[..., Any]],
+    ) -> None:
+        self.given, self.convert, self.functions = given, convert, functions
+        regime = given.polhode.regime
+        self._by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
+        quaternion = list(map(convert, given.attitude0))
+        norm = functions["sqrt"](sum(x * x for x in quaternion))
+        self.start: State = ([x / norm for x in quaternion], list(map(convert, given.omega0)))
+
+    def state(self, time: Any) -> State:
+        """(q, omega) at one time; the given state itself at t = 0."""
+        regime = self.given.polhode.regime
+        if time == 0 or regime == Regime.REST:
+            return self.start
+        return self._steady(time) if regime.steady else self._moving(self.convert(time))
+
+    def constant(self, name: str) -> Any:
+        """One constant of the plan."""
+        return self.convert(self._plan[name])
+
+    @cached_property
+    def _converting(self) -> dict[str, Callable[..., Any]]:
+        """The functions, of exact numbers too."""
+
+        def of(function: Any) -> Callable[..., Any]:
+            return lambda *arguments: function(*map(self.convert, arguments))
+
+        return {name: of(function) for name, function in self.functions.items()} | {"power": power}
+
+    @cached_property
+    def _plan(self) -> dict[str, Any]:
+        polhode, given = self.given.polhode, self.given
+        q0, *vector = self.start[0]
+        signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
+        begin = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
+        for x, k in zip(AXES, polhode.axes, strict=True):
+            begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
+            begin |= {f"q_{x}": vector[k]}
+        return self._exactly("plan", {**signs, **begin})
+
+    @cached_property
+    def _constants(self) -> dict[str, Any]:
+        """The plan as numbers of this kind, with what the theta form adds to it."""
+        plan = self._plan
+        constants = {
+            name: value if isinstance(value, int) else self.convert(value)
+            for name, value in plan.items()
+        }
+        if not self._by_theta:
+            return constants
+        constants |= run("theta", constants, self.functions)
+        # psi of the theta form does not start at zero: the quaternion in front has to make up.
+        identity = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
+        begin = run("theta_state", {**constants, **identity, "t": self.convert(0)}, self.functions)
+        start = {f"q_{x}": plan[f"q_{x}"] for x in ("0", *AXES)}
+        front = run("pull_back", {**begin, **start}, self.functions)
+        return constants | {name: front[name] for name in identity}
+
+    def _exactly(self, programme: str, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Every formula of a programme; exactly, as long as all it uses is rational."""
+        known = dict(values)
+        for result, expression, names in steps(programme):
+            used = {name: known[name] for name in names}
+            if not all(isinstance(value, (int, Fraction)) for value in used.values()):
+                used = {name: self.convert(value) for name, value in used.items()}
+            known[result] = evaluate(expression, used, self._converting)
+        return known
+
+    def _moving(self, time: Any) -> State:
+        programme = "theta_state" if self._by_theta else "state"
+        known = run(programme, {**self._constants, "t": time}, self.functions)
+        q, omega = [known["q_0"], 0, 0, 0], [0, 0, 0]
+        for x, k in zip(AXES, self.given.polhode.axes, strict=True):
+            q[k + 1], omega[k] = known[f"q_{x}"], known[f"Omega_{x}"]
+        return q, omega
+
+    def _steady(self, time: Any) -> State:
+        rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
+        begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
+        known = self._exactly("steady", {**rates, **begin, "t": time})
+        return [self.convert(known[f"q{k}"]) for k in range(4)], self.start[1]

@@ -1,0 +1,28 @@
+"""By rigorous quadrature: J is integrated over the amplitude, as psi' is over time."""
+
+from flint import acb, arb
+
+from rigidsym.precise.carlson import Carlson
+
+
+class Quadrature(Carlson):
+    """The method `quadrature`; sn, cn and dn are those of Carlson's."""
+
+    def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
+        """The integral of sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
+        s, c, _ = self._kept(self.first_half, u, mc)
+        return _integral(arb.atan2(s, c), n, mc)
+
+    def complete_j(self, n: arb, mc: arb) -> arb:
+        """The same to pi/2."""
+        return _integral(arb.pi() / 2, n, mc)
+
+
+def _integral(phi: arb, n: arb, mc: arb) -> arb:
+    def integrand(angle: acb, analytic: bool) -> acb:
+        sine, cosine = angle.sin_cos()
+        square = sine * sine
+        delta = (cosine * cosine + mc * square).sqrt(analytic=analytic)
+        return square / ((1 - n * square) * delta)
+
+    return acb.integral(integrand, 0, phi).real

@@ -1,0 +1,36 @@
+"""Programmes made ready once, for numbers that are evaluated many times.
+
+Powers are products in them: FLINT's power of a ball centred at zero is no number.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any
+
+from rigidsym.solution.expression import Expression, by_products, names, power, to_text
+from rigidsym.solution.formulas import sealed
+
+
+def run(
+    programme: str, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]]
+) -> dict[str, Any]:
+    """All quantities of a programme, over any numbers that mix with integers.
+
+    Raises NameError for a value or function that is not given.
+    """
+    known: dict[str, Any] = {"__builtins__": {}, "power": power, **functions, **values}
+    exec(_code(programme), known)
+    return known
+
+
+@cache
+def steps(programme: str) -> tuple[tuple[str, Expression, tuple[str, ...]], ...]:
+    """Each quantity of a programme in order, its expression, and the names that uses."""
+    formulas = sealed().programmes[programme]
+    return tuple((f.name, by_products(f.expression), tuple(names(f.expression))) for f in formulas)
+
+
+@cache
+def _code(programme: str) -> Any:
+    lines = [f"{name} = {to_text(expression)}" for name, expression, _ in steps(programme)]
+    return compile("\n".join(lines), f"<{programme}>", "exec")
