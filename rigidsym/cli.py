@@ -105,10 +105,20 @@ def _parser() -> argparse.ArgumentParser:
 
     propagate = command("propagate", _propagate, "states of one motion")
     propagate.add_argument("case", metavar="CASE.toml", help="a case file, or `paper`")
-    propagate.add_argument("--digits", metavar="D", type=_positive, help="by mpmath")
+    propagate.add_argument("--digits", metavar="D", type=_positive, help="significant, all certain")
+    propagate.add_argument("--enclose", action="store_true", help="balls: middles and radii")
+    propagate.add_argument("--method", metavar="M", help="theta, carlson, landen or quadrature")
+    propagate.add_argument("--max-seconds", metavar="S", type=_seconds, help="for all the digits")
     propagate.add_argument("--format", choices=("csv", "json", "npz"), default="csv")
     propagate.add_argument("-o", "--output", metavar="FILE", type=_path)
     propagate.add_argument("--allow-nonphysical", action="store_true")
+
+    methods = command("methods", _methods, "cost and accuracy of the methods for many digits")
+    methods.add_argument("case", metavar="CASE", nargs="?", default="paper", help="a case file")
+    methods.add_argument("--digits", metavar="D", type=_positive, nargs="+")
+    methods.add_argument("-o", "--output", metavar="DIR", type=_path, help="JSON and a plot")
+    methods.add_argument("--json", action="store_true")
+    methods.add_argument("--allow-nonphysical", action="store_true")
     return parser
 
 
@@ -128,6 +138,16 @@ def _positive(text: str) -> int:
     if not text.isdecimal() or len(text) > 9 or int(text) < 1:
         raise argparse.ArgumentTypeError(f"{text!r:.40} must be a whole number, at least 1")
     return int(text)
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not 0 < seconds < float("inf"):
+        raise argparse.ArgumentTypeError(f"{text!r:.40} must be a positive number of seconds")
+    return seconds
 
 
 def _progress(label: str) -> Callable[[int, int], None]:
@@ -350,20 +370,61 @@ def _validate(options: Any) -> int:
 
 
 def _propagate(options: Any) -> int:
-    from rigidsym.cases import load_case, paper_case
     from rigidsym.files import write_bytes
-    from rigidsym.states import FORMATS, rows
+    from rigidsym.states import FORMATS
 
-    if options.format == "npz" and (options.output is None or options.digits):
-        rule = "holds doubles and goes to a file: give -o FILE and no --digits"
+    certain = options.digits or options.enclose
+    if options.format == "npz" and (options.output is None or certain):
+        rule = "holds doubles and goes to a file: give -o FILE, no --digits and no --enclose"
         raise InputError("format", "npz", rule)
-    if options.case == "paper":
-        case = paper_case()
-    else:
-        case = load_case(options.case, options.allow_nonphysical)
-    data = FORMATS[options.format](rows(case, options.digits))
+    for name in ("method", "max_seconds"):
+        if getattr(options, name) is not None and not certain:
+            rule = "is for many digits: give --digits D or --enclose"
+            raise InputError(name.replace("_", "-"), getattr(options, name), rule)
+    data = FORMATS[options.format](_states(_case(options), options))
     if options.output:
         write_bytes(options.output, data)
     else:
         sys.stdout.write(data.decode())
+    return 0
+
+
+def _case(options: Any) -> Any:
+    from rigidsym.cases import load_case, paper_case
+
+    if options.case == "paper":
+        return paper_case()
+    return load_case(options.case, options.allow_nonphysical)
+
+
+def _states(case: Any, options: Any) -> Any:
+    from rigidsym import states
+
+    how = {"method": options.method or "theta", "max_seconds": options.max_seconds}
+    if options.enclose:
+        return states.balls(case, options.digits or 50, **how)
+    if options.digits:
+        return states.decimals(case, options.digits, **how)
+    return states.doubles(case)
+
+
+def _methods(options: Any) -> int:
+    from rigidsym.comparison import DIGITS, compare
+    from rigidsym.files import probe, write_text
+
+    if options.output:
+        probe(options.output)
+    found = compare(_case(options), options.digits or DIGITS, _progress("methods"))
+    if options.json:
+        print(found.to_json(), end="")
+    else:
+        columns = ("method", "first state", "one more", "error below", "radius")
+        rows = [m.row(str(m.digits)) for m in found.by_digits]
+        _table("rigidsym methods", ("digits", *columns), rows)
+        if found.by_distance:
+            rows = [m.row(str(m.distance)) for m in found.by_distance]
+            _table("rigidsym methods: near the separatrix", ("distance", *columns), rows)
+    if options.output:
+        write_text(options.output / "methods.json", found.to_json())
+        write_text(options.output / "methods.svg", found.to_svg())
     return 0

@@ -4,22 +4,26 @@ Kept to what a report needs: anything richer is for a plotting library.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 250, 70, 90, 28, 42
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000")
 
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """Lines over common abscissae, with a title and axis labels in units."""
+    """Lines over common abscissae, with a title and axis labels in units.
+
+    With `log`, both axes are logarithmic, and a line leaves out what it has no number for (None).
+    """
 
     title: str
     x_label: str
     y_label: str
     x: Sequence[float]
-    lines: dict[str, Sequence[float]]
+    lines: Mapping[str, Sequence[float | None]]
+    log: bool = False
 
 
 def svg(panels: Sequence[Panel]) -> str:
@@ -35,31 +39,37 @@ def svg(panels: Sequence[Panel]) -> str:
 
 
 def _panel(panel: Panel, offset: int) -> str:
-    values = [y for line in panel.lines.values() for y in line]
-    x_ticks, y_ticks = _ticks(min(panel.x), max(panel.x)), _ticks(min(values), max(values))
+    place = math.log10 if panel.log else float
+    least, label = (1.0, "1e{:g}") if panel.log else (0.0, "{:g}")
+    xs = [place(x) for x in panel.x]
+    lines = {
+        name: [(x, place(y)) for x, y in zip(xs, line, strict=True) if y is not None]
+        for name, line in panel.lines.items()
+    }
+    values = [y for points in lines.values() for _, y in points]
+    x_ticks = _ticks(min(xs), max(xs), least)
+    y_ticks = _ticks(min(values), max(values), least)
     x_of = _scale(x_ticks, LEFT, WIDTH - RIGHT)
     y_of = _scale(y_ticks, offset + HEIGHT - BOTTOM, offset + TOP)
     parts = [_text((LEFT + WIDTH - RIGHT) / 2, offset + 18, panel.title, "middle")]
     for tick in x_ticks:
         parts.append(_line(x_of(tick), y_of(y_ticks[0]), x_of(tick), y_of(y_ticks[-1])))
-        parts.append(_text(x_of(tick), offset + HEIGHT - BOTTOM + 16, f"{tick:g}", "middle"))
+        parts.append(_text(x_of(tick), offset + HEIGHT - BOTTOM + 16, label.format(tick), "middle"))
     for tick in y_ticks:
         parts.append(_line(LEFT, y_of(tick), WIDTH - RIGHT, y_of(tick)))
-        parts.append(_text(LEFT - 6, y_of(tick) + 4, f"{tick:g}", "end"))
+        parts.append(_text(LEFT - 6, y_of(tick) + 4, label.format(tick), "end"))
     parts.append(_text((LEFT + WIDTH - RIGHT) / 2, offset + HEIGHT - 8, panel.x_label, "middle"))
     middle = offset + (TOP + HEIGHT - BOTTOM) / 2
     turned = f' transform="rotate(-90 16 {middle:.1f})"'
     parts.append(_text(16, middle, panel.y_label, "middle", turned))
-    for k, (name, line) in enumerate(panel.lines.items()):
-        points = " ".join(
-            f"{x_of(x):.2f},{y_of(y):.2f}" for x, y in zip(panel.x, line, strict=True)
-        )
+    for k, (name, line) in enumerate(lines.items()):
+        points = " ".join(f"{x_of(x):.2f},{y_of(y):.2f}" for x, y in line)
         colour = COLOURS[k % len(COLOURS)]
         parts.append(
             f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
         )
-        label = _text(WIDTH - RIGHT + 10, offset + TOP + 16 + 18 * k, name, "start")
-        parts.append(label.replace("<text", f'<text fill="{colour}"'))
+        legend = _text(WIDTH - RIGHT + 10, offset + TOP + 16 + 18 * k, name, "start")
+        parts.append(legend.replace("<text", f'<text fill="{colour}"'))
     return "\n".join(parts)
 
 
@@ -68,10 +78,10 @@ def _scale(ticks: Sequence[float], first: float, last: float):
     return lambda value: first + (value - ticks[0]) / span * (last - first)
 
 
-def _ticks(low: float, high: float) -> list[float]:
-    """About six round numbers that cover low to high."""
+def _ticks(low: float, high: float, least: float) -> list[float]:
+    """About six round numbers that cover low to high, at least so far apart."""
     span = (high - low) or abs(high) or 1.0
-    raw = span / 5
+    raw = max(span / 5, least)
     power = 10.0 ** math.floor(math.log10(raw))
     step = next(power * k for k in (1, 2, 5, 10) if power * k >= raw * (1 - 1e-9))
     first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)

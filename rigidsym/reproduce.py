@@ -124,7 +124,8 @@ def report(result: Reproduction) -> str:
             "",
             "## Proved",
             "",
-            "Each fact is decided by normal form; `ledger.json` holds the certificates, "
+            "Each fact is decided by normal form, or graded ENCLOSED where it rests on a classical "
+            "identity that balls agree with; `ledger.json` holds the certificates, "
             f"{'accepted' if result.checked else 'REFUSED'} by `rigidsym check` in a process of "
             "its own.",
             "",

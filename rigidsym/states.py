@@ -3,6 +3,7 @@
 import io
 import json
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -13,52 +14,84 @@ from rigidsym.cases import Case
 COLUMNS = ("t", "q0", "q1", "q2", "q3", "omega1", "omega2", "omega3")
 SCHEMA = "rigidsym.states/1"
 
-Row = tuple[str, list[str], list[str]]
+# A decimal string, or a ball: `mid` and `rad` as decimal strings.
+Number = str | dict[str, str]
+Row = tuple[Number, list[Number], list[Number]]
 
 
-def rows(case: Case, digits: int | None) -> list[Row]:
-    """Time, attitude and rates as decimal strings: repr of the doubles, or `digits` digits."""
-    if digits is None:
-        times = inputs.doubles("times", case.times)
-        q, omega = case.motion(times)
-        return [
-            (repr(t), [repr(float(x)) for x in a], [repr(float(x)) for x in w])
-            for t, a, w in zip(times, q, omega, strict=True)
-        ]
-    text = _printer(digits)
-    q, omega = case.motion.precise(list(case.times), digits)
-    return [
-        (inputs.decimal(t, digits), [text(x) for x in a], [text(x) for x in w])
-        for t, a, w in zip(case.times, q, omega, strict=True)
-    ]
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Time, attitude and rates, a row for each time; numbers that are balls have `parts`."""
+
+    rows: list[Row]
+    parts: tuple[str, ...] = ()
 
 
-def _printer(digits: int) -> Callable[[Any], str]:
+def doubles(case: Case) -> Table:
+    """By the generated module; the shortest decimals that stand for the doubles."""
+    times = inputs.doubles("times", case.times)
+    return _table(times, case.motion(times), repr, lambda x: repr(float(x)))
+
+
+def decimals(case: Case, digits: int, **how: Any) -> Table:
+    """`digits` digits of each number; `how` are the other arguments of `precise`."""
     from mpmath import mp
 
-    return lambda x: mp.nstr(x, digits, strip_zeros=False, min_fixed=-4, max_fixed=digits + 1)
+    def text(x: Any) -> str:
+        return mp.nstr(x, digits, strip_zeros=False, min_fixed=-4, max_fixed=digits + 1)
+
+    states = case.motion.precise(list(case.times), digits, **how)
+    return _table(case.times, states, lambda t: inputs.decimal(t, digits), text)
 
 
-def to_csv(table: Iterable[Row]) -> bytes:
-    """One line per time under a header."""
-    lines = [",".join(COLUMNS), *(",".join((t, *q, *omega)) for t, q, omega in table)]
+def balls(case: Case, digits: int, **how: Any) -> Table:
+    """Decimal balls that contain the true values; `how` are the other arguments of `enclose`."""
+    from rigidsym.precise.printed import printed_ball, printed_rational
+
+    states = case.motion.enclose(list(case.times), digits, **how)
+    return _table(
+        case.times, states, lambda t: printed_rational(t, digits), printed_ball, ("mid", "rad")
+    )
+
+
+def _table(
+    times: Iterable[Any],
+    states: tuple[np.ndarray, np.ndarray],
+    time: Callable[[Any], Number],
+    number: Callable[[Any], Number],
+    parts: tuple[str, ...] = (),
+) -> Table:
+    rows: list[Row] = [
+        (time(t), [number(x) for x in q], [number(x) for x in omega])
+        for t, q, omega in zip(times, *states, strict=True)
+    ]
+    return Table(rows, parts)
+
+
+def to_csv(table: Table) -> bytes:
+    """One line per time under a header; a ball takes two columns, q0_mid and q0_rad."""
+    columns = [f"{c}_{part}" for c in COLUMNS for part in table.parts] or COLUMNS
+    lines = [",".join(columns)]
+    for t, q, omega in table.rows:
+        lines.append(",".join(x for number in (t, *q, *omega) for x in _strings(number)))
     return ("\n".join(lines) + "\n").encode()
 
 
-def to_json(table: Iterable[Row]) -> bytes:
-    """The schema rigidsym.states/1: every number a decimal string."""
-    states = [{"t": t, "q": q, "omega": omega} for t, q, omega in table]
+def _strings(number: Number) -> Iterable[str]:
+    return (number,) if isinstance(number, str) else number.values()
+
+
+def to_json(table: Table) -> bytes:
+    """The schema rigidsym.states/1: every number a decimal string, or a ball of two."""
+    states = [{"t": t, "q": q, "omega": omega} for t, q, omega in table.rows]
     return (json.dumps({"schema": SCHEMA, "states": states}, indent=1) + "\n").encode()
 
 
-def to_npz(table: Iterable[Row]) -> bytes:
+def to_npz(table: Table) -> bytes:
     """float64 arrays t (N,), q (N, 4) and omega (N, 3)."""
-    listed = list(table)
+    t, q, omega = (np.array([row[k] for row in table.rows], dtype=float) for k in range(3))
     buffer = io.BytesIO()
-    t = np.array([float(row[0]) for row in listed])
-    q = np.array([list(map(float, row[1])) for row in listed]).reshape(-1, 4)
-    omega = np.array([list(map(float, row[2])) for row in listed]).reshape(-1, 3)
-    np.savez(buffer, t=t, q=q, omega=omega)
+    np.savez(buffer, t=t, q=q.reshape(-1, 4), omega=omega.reshape(-1, 3))
     return buffer.getvalue()
 
 

@@ -118,6 +118,8 @@ class Ladder:
         """The numbers, at the first precision at which all have enough digits."""
         reached = 0
         for _ in range(MOST_ROUNDS):
+            if self._is_late():
+                break
             with working(self.bits):
                 if self.bits not in self.known:
                     self.known = {self.bits: self.evaluation()}
@@ -126,8 +128,6 @@ class Ladder:
                 if not missing:
                     return found
             reached = max(reached, self.digits - int(missing * 0.302) - 1)
-            if self.end is not None and perf_counter() > self.end:
-                break
             self.bits += missing + GUARD_BITS // 2
         raise PrecisionError(f"{what}: {max(reached, 0)} of {self.digits} digits were reached")
 
@@ -135,16 +135,23 @@ class Ladder:
         """The numbers, when a higher precision does not make the balls smaller any more."""
         widest = None
         for _ in range(MOST_ROUNDS):
+            if self._is_late():
+                raise PrecisionError(f"{what}: the time is over before the balls have settled")
             with working(self.bits):
                 if self.bits not in self.known:
                     self.known = {self.bits: self.evaluation()}
                 found = numbers(self.known[self.bits])
                 radius = max((float(value.rad()) for value in found), default=0.0)
                 if widest is not None and radius >= widest / 2:
-                    return found
-                widest = radius if radius == radius else None
+                    if all(value.is_finite() for value in found):
+                        return found
+                    break
+                widest = radius
             self.bits *= 2
         raise PrecisionError(f"{what}: the inputs are too uncertain to say anything")
+
+    def _is_late(self) -> bool:
+        return self.end is not None and perf_counter() > self.end
 
     def _missing(self, value: arb) -> int:
         """About how many bits more a number needs: 0 where it is good, as many again for none."""

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from fractions import Fraction
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,9 @@ import pytest
 import rigidsym
 from rigidsym.cases import paper_case
 from rigidsym.cli import main
+
+COMMANDS = ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate",
+            "methods")  # fmt: skip
 
 CASE = """
 inertia = ["0.0109", "0.04", "0.0506"]
@@ -44,14 +48,11 @@ def test_help_is_cheap():
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.rstrip().endswith("bad input") or found.stdout.endswith("\n\n")
-    for command in ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate"):
+    for command in COMMANDS:
         assert command in found.stdout
 
 
-@pytest.mark.parametrize(
-    "command",
-    ["reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate"],
-)
+@pytest.mark.parametrize("command", COMMANDS)
 def test_every_command_explains_itself(command, capsys):
     with pytest.raises(SystemExit) as stop:
         main([command, "--help"])
@@ -208,6 +209,101 @@ def test_propagate_to_fifty_digits(case, capsys):
             assert b.startswith(a[:-2])
 
 
+UNCERTAIN = CASE.replace("0.0109", "0.0109 +/- 1e-6")
+
+
+def balls(case, capsys, *arguments):
+    assert main(["propagate", str(case), "--enclose", "--format", "json", *arguments]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["schema"] == "rigidsym.states/1"
+    numbers = [(s["t"], *s["q"], *s["omega"]) for s in data["states"]]
+    return [[(Fraction(x["mid"]), Fraction(x["rad"])) for x in row] for row in numbers]
+
+
+@pytest.mark.parametrize("method", ["theta", "carlson", "landen", "quadrature"])
+def test_enclosures_hold_the_state_and_are_narrow(method, case, capsys):
+    case.write_text(CASE.replace("180.0", '"1/3"'))
+    found = balls(case, capsys, "--digits", "30", "--method", method)
+    truth = balls(case, capsys, "--digits", "60")
+    assert found[2][0][0] != Fraction(1, 3)
+    for row, right in zip(found, truth, strict=True):
+        for (mid, rad), (exact, _) in zip(row, right, strict=True):
+            assert abs(mid - exact) <= rad <= Fraction(1, 10**29)
+    assert any(rad > 0 for row in found for _, rad in row)
+
+
+def test_enclosures_in_csv_are_those_in_json(case, capsys):
+    found = balls(case, capsys)
+    assert main(["propagate", str(case), "--enclose"]) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("t_mid,t_rad,q0_mid,q0_rad,")
+    table = list(csv.reader(text.splitlines()))[1:]
+    assert [[x for ball in row for x in ball] for row in found] == [
+        list(map(Fraction, row)) for row in table
+    ]
+    assert main(["propagate", str(case), "--enclose"]) == 0
+    assert capsys.readouterr().out == text
+
+
+def test_an_empty_table_of_balls_has_their_header(case, capsys):
+    case.write_text(CASE.replace('[0, "0.5", 180.0]', "[]"))
+    assert main(["propagate", str(case), "--enclose"]) == 0
+    assert capsys.readouterr().out.endswith("omega3_mid,omega3_rad\n")
+
+
+def test_uncertain_inputs_enclose_every_motion_they_allow(case, capsys):
+    case.write_text(UNCERTAIN)
+    found = balls(case, capsys)
+    for moment in ("0.010899", "0.0109", "0.010901"):
+        case.write_text(CASE.replace("0.0109", moment))
+        for row, inner in zip(found, balls(case, capsys), strict=True):
+            for (mid, rad), (exact, _) in zip(row, inner, strict=True):
+                assert abs(mid - exact) <= rad
+    assert max(rad for _, rad in found[2]) > Fraction(1, 10**7)
+
+
+@pytest.mark.parametrize("arguments", [[], ["--digits", "20"], ["--format", "json"]])
+def test_only_enclose_takes_uncertain_inputs(arguments, case, capsys):
+    case.write_text(UNCERTAIN)
+    assert main(["propagate", str(case), *arguments]) == 2
+    (error,) = capsys.readouterr().err.splitlines()
+    assert "inertia[0] = 0.0109 +/- 0.000001: is uncertain" in error
+
+
+@pytest.mark.parametrize("text", [CASE, UNCERTAIN])
+def test_a_time_that_is_over_exits_1(text, case, capsys):
+    case.write_text(text)
+    assert main(["propagate", str(case), "--enclose", "--max-seconds", "1e-9"]) == 1
+    (error,) = capsys.readouterr().err.splitlines()
+    assert "t = 0: " in error
+
+
+def test_inputs_that_say_nothing_exit_1(case, capsys):
+    case.write_text(UNCERTAIN.replace("1e-6", "1e-3"))
+    assert main(["propagate", str(case), "--enclose"]) == 1
+    (error,) = capsys.readouterr().err.splitlines()
+    assert "too uncertain" in error
+
+
+def test_methods_prints_tables_and_writes_files(case, tmp_path, monkeypatch, capsys):
+    from rigidsym import comparison
+
+    monkeypatch.setattr(comparison, "TAYLOR_WORK", 0)
+    case.write_text(CASE.replace("180.0", "2"))
+    out = tmp_path / "out"
+    arguments = ["methods", str(case), "--digits", "10", "30", "-o", str(out)]
+    assert main(arguments) == 0
+    printed = capsys.readouterr().out
+    for word in ("theta", "carlson", "landen", "quadrature", "not run", "separatrix", "1e-30"):
+        assert word in printed
+    data = json.loads((out / "methods.json").read_text())
+    assert data["schema"] == "rigidsym.methods/1"
+    assert {m["digits"] for m in data["by_digits"]} == {10, 30}
+    assert ET.parse(out / "methods.svg").getroot().tag.endswith("svg")
+    assert main([*arguments, "--json"]) == 0
+    assert json.loads(capsys.readouterr().out).keys() == data.keys()
+
+
 def test_times_are_printed_as_correct_decimals(case, capsys):
     case.write_text(CASE.replace('[0, "0.5", 180.0]', '["0.1", "1/3", 0.1, 1e3]'))
     assert main(["propagate", str(case), "--digits", "30"]) == 0
@@ -312,6 +408,14 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
         (["validate", "fortran"], "target = fortran: must be one of: numpy"),
         (["validate", "numpy", "fortran"], "target = fortran: must be one of: numpy"),
         (["propagate", "paper", "--digits", "100001"], "digits = 100001: must be a whole number"),
+        (["propagate", "paper", "--format", "npz", "--enclose", "-o", "x"], "no --enclose"),
+        (["propagate", "paper", "--enclose", "--digits", "100001"], "digits = 100001: must be"),
+        (["propagate", "paper", "--enclose", "--method", "agm"], "method = 'agm': must be one of"),
+        (["propagate", "paper", "--method", "theta"], "method = theta: is for many digits"),
+        (["propagate", "paper", "--max-seconds", "9"], "max-seconds = 9.0: is for many digits"),
+        (["methods", "nowhere.toml"], "cannot be read"),
+        (["methods", "--digits", "100001"], "digits = 100001: must be a whole number"),
+        (["methods", "-o", "/dev/null/inside"], "cannot be written"),
         (["trace"], "takes either"),
         (["reproduce", "-o", "/dev/null/inside"], "cannot be written"),
         (["validate", "-o", "/dev/null/inside"], "cannot be written"),
@@ -332,6 +436,9 @@ def test_bad_input_exits_2_with_one_line(arguments, message, capsys):
         (["launch"], "invalid choice: 'launch'"),
         (["validate", "--cases", "0"], "'0' must be a whole number, at least 1"),
         (["propagate", "paper", "--digits", "many"], "'many' must be a whole number"),
+        (["propagate", "paper", "--digits", "9", "--max-seconds", "0"], "'0' must be a positive"),
+        (["propagate", "paper", "--digits", "9", "--max-seconds", "inf"], "'inf' must be a pos"),
+        (["methods", "--digits", "0"], "'0' must be a whole number"),
         (["propagate", "paper", "--format", "xml"], "invalid choice: 'xml'"),
         (["propagate", "paper", "-o", ""], "must name a file or directory"),
         (["propagate", "paper", "--digits", "99999999999999999999"], "must be a whole number"),

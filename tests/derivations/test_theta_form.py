@@ -7,11 +7,11 @@ from random import Random
 
 import pytest
 from mpmath import mp, workdps
-from oracle import integrate
 from textbook import FAMILIES, OCTANTS, Motion, conjugate, distance, draw, multiply
 
 import derivations
 from rigidsym.precise import PreciseMotion
+from rigidsym.precise.taylor import integrate
 from rigidsym.solution.expression import evaluate, parse
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))

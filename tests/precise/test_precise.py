@@ -7,10 +7,10 @@ from pathlib import Path
 import mpmath
 import numpy as np
 import pytest
-from oracle import integrate
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.precise import PreciseMotion
+from rigidsym.precise.taylor import integrate
 from rigidsym.solution.polhode import Regime
 from rigidsym.validate.strata import STRATA, draw
 

@@ -1,0 +1,102 @@
+"""How long certain digits take, against their goals and against mpmath's own integrator.
+
+    python tests/benchmarks/precise.py [ROUNDS]
+
+The rounds take turns, so that a busy minute of the machine spoils one round and not one figure;
+the fastest round counts.  The motion is the paper's.
+"""
+
+import sys
+from fractions import Fraction
+from time import perf_counter
+
+import mpmath
+
+from rigidsym import TorqueFreeMotion
+from rigidsym.precise import PreciseMotion
+
+INERTIA, OMEGA0 = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")
+EXACT = tuple(tuple(map(Fraction, x)) for x in (INERTIA, OMEGA0, (1, 0, 0, 0)))
+# Milliseconds that a new motion, and one more state of it, may take, by digits.
+SET_UP = (50, 2.0)
+STATES = {50: 0.2, 1000: 3.0, 10_000: 250.0}
+DIGITS = (15, 50, 150, 500, 1500, 5000, 10_000)
+EXPONENTS = (0, 3, 6, 9, 12, 15)
+# What mpmath.odefun reaches in a few seconds.
+ODE_TIME, ODE_DIGITS = 10, 15
+
+
+def main(rounds: int) -> int:
+    """Print every figure; 1 where a goal is missed."""
+    cold, warm = _rounds(rounds, [(180, d) for d in sorted({*DIGITS, *STATES, SET_UP[0]})])
+    figures = [(f"set-up, {SET_UP[0]} digits", SET_UP[1], cold[180, SET_UP[0]])]
+    figures += [(f"one state, {d} digits", goal, warm[180, d]) for d, goal in STATES.items()]
+    print(f"{'t = 180 s':26}{'goal':>12}{'fastest':>12}{'used':>7}")
+    for name, goal, found in figures:
+        print(f"{name:26}{goal:9.2f} ms{found:9.3f} ms{found / goal:7.0%}")
+
+    print(f"\n{'one state at t = 180 s':26}{'fastest':>12}")
+    for digits in DIGITS:
+        print(f"{digits:7} digits            {warm[180, digits]:9.3f} ms")
+
+    _, by_time = _rounds(rounds, [(10**k, 50) for k in EXPONENTS])
+    print(f"\n{'one state, 50 digits':26}{'fastest':>12}")
+    for k in EXPONENTS:
+        print(f"t = 1e{k:<2} s                 {by_time[10**k, 50]:9.3f} ms")
+
+    _compare_with_odefun(rounds)
+    return int(any(found > goal for _, goal, found in figures))
+
+
+def _rounds(rounds, settings):
+    """Fastest milliseconds by time and digits: the set-up of a motion, and one more state."""
+    cold, warm = {}, {}
+    for _ in range(rounds):
+        for t, digits in settings:
+            times = [Fraction(t) + Fraction(k, 7) for k in range(2 if digits > 2000 else 6)]
+            states = PreciseMotion(*EXACT).states(times, digits)
+            first, *rest = [_milliseconds(states.__next__) for _ in times]
+            for found, value in ((warm, min(rest)), (cold, max(first - min(rest), 0.0))):
+                found[t, digits] = min(found.get((t, digits), value), value)
+    return cold, warm
+
+
+def _compare_with_odefun(rounds):
+    """The same state by mpmath.odefun, set-up included on both sides."""
+    ours = min(
+        _milliseconds(lambda: TorqueFreeMotion(INERTIA, OMEGA0).precise(ODE_TIME, ODE_DIGITS))
+        for _ in range(rounds)
+    )
+    theirs = _milliseconds(_odefun)
+    print(
+        f"\nt = {ODE_TIME} s, {ODE_DIGITS} digits, set-up included: {ours:.2f} ms; "
+        f"mpmath.odefun {theirs:.0f} ms, {theirs / ours:.0f} times as long"
+    )
+
+
+def _odefun():
+    with mpmath.workdps(ODE_DIGITS):
+        c = [mpmath.mpf(x) for x in INERTIA]
+
+        def rates(_, y):
+            p0, p1, p2, p3, *w = y
+            return [
+                -(p1 * w[0] + p2 * w[1] + p3 * w[2]) / 2,
+                (p0 * w[0] + p2 * w[2] - p3 * w[1]) / 2,
+                (p0 * w[1] + p3 * w[0] - p1 * w[2]) / 2,
+                (p0 * w[2] + p1 * w[1] - p2 * w[0]) / 2,
+                *((c[k - 2] - c[k - 1]) / c[k] * w[k - 2] * w[k - 1] for k in range(3)),
+            ]
+
+        start = [mpmath.mpf(x) for x in (1, 0, 0, 0, *OMEGA0)]
+        return mpmath.odefun(rates, 0, start)(ODE_TIME)
+
+
+def _milliseconds(work):
+    start = perf_counter()
+    work()
+    return 1000 * (perf_counter() - start)
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 3))
