@@ -9,17 +9,26 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
-    from rigidsym.errors import InputError
+    from rigidsym.errors import InputError, PrecisionError
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.solution.polhode import Regime
 
 __version__ = "0.1.0"
-__all__ = ["Generated", "InputError", "Regime", "TorqueFreeMotion", "generate", "propagate"]
+__all__ = [
+    "Generated",
+    "InputError",
+    "PrecisionError",
+    "Regime",
+    "TorqueFreeMotion",
+    "generate",
+    "propagate",
+]
 
 # Imported at first use, so that `import rigidsym` and the command line's help cost nothing.
 _HOMES = {
     "Generated": "rigidsym.codegen",
     "InputError": "rigidsym.errors",
+    "PrecisionError": "rigidsym.errors",
     "Regime": "rigidsym.solution.polhode",
     "TorqueFreeMotion": "rigidsym.motion",
     "generate": "rigidsym.codegen",

@@ -20,6 +20,7 @@ _HEX = re.compile(r"[+-]?0[xX]")
 # Room for the rounding of c1 + c2 when all three are doubles.
 _ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
+_LONGEST = 10**9
 MOST_DIGITS = 100_000
 MOST_TIMES = 10_000_000
 
@@ -46,7 +47,7 @@ def number(field: str, value: Any) -> "Fraction | Uncertain":
         return exact(field, value)
     if len(parts) != 2:
         raise InputError(field, repr(value), "must be one number and, after +/-, its radius")
-    middle, radius = (exact(field, part) for part in parts)
+    middle, radius = (exact(field, part) for part in (parts[0] or "0", parts[1]))
     if radius < 0:
         raise InputError(field, repr(value), "must not have a negative radius")
     return Uncertain(middle, radius) if radius else middle
@@ -141,7 +142,7 @@ def _end(value: "Fraction | Uncertain", side: int) -> Fraction:
 def attitude(values: Any) -> "tuple[Fraction | Uncertain, ...]":
     """A quaternion of any length but zero, scalar first."""
     quaternion = vector("attitude0", values, 4)
-    if not any(quaternion):
+    if all(_end(x, -1) <= 0 <= _end(x, 1) for x in quaternion):
         raise InputError("attitude0", shown(quaternion), "must not be zero")
     return quaternion
 
@@ -165,6 +166,16 @@ def digits(value: Any) -> int:
         rule = f"must be a whole number, at least 1 and at most {MOST_DIGITS}"
         raise InputError("digits", repr(value), rule)
     return count
+
+
+def seconds(value: Any) -> float | None:
+    """A time limit: a number above zero, or None for no limit."""
+    if value is None:
+        return None
+    limit = exact("max_seconds", value)
+    if limit <= 0:
+        raise InputError("max_seconds", value, "must be above zero")
+    return float(min(limit, _LONGEST))
 
 
 def doubles(field: str, values: Sequence[Fraction]) -> list[float]:

@@ -89,7 +89,7 @@ class TorqueFreeMotion:
     def _by(self, method: str, **given: Any) -> "PreciseMotion":
         from rigidsym.precise import METHODS, PreciseMotion
 
-        if method not in METHODS:
+        if not isinstance(method, str) or method not in METHODS:
             raise InputError("method", repr(method), f"must be one of: {', '.join(METHODS)}")
         return PreciseMotion(*given.values(), method)
 
@@ -102,12 +102,15 @@ class TorqueFreeMotion:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
+        A number whose ball has shrunk around zero to less than 2^-4000 is given as zero.
+
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
         quadrature.  Raises PrecisionError where `max_seconds` are over before the digits are
         reached, saying how many were, and InputError for bad input.
         """
         times, single = inputs.times(t)
-        states = self._by(method, **self.exact).states(times, inputs.digits(digits), max_seconds)
+        limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        states = self._by(method, **self.exact).states(times, *limits)
         return _objects(states, single)
 
     def enclose(
@@ -130,9 +133,8 @@ class TorqueFreeMotion:
             every = (x for values in self._given.values() for x in values)
             uncertain = any(isinstance(x, inputs.Uncertain) for x in every)
             method = "carlson" if uncertain else "theta"
-        states = self._by(method, **self._given).enclosures(
-            times, inputs.digits(digits), max_seconds
-        )
+        limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        states = self._by(method, **self._given).enclosures(times, *limits)
         return _objects(states, single)
 
     def rotation(self, t: Any) -> Any:

@@ -19,6 +19,15 @@ from flint import acb, arb
 Triple = tuple[arb, arb, arb]
 
 
+def power(x: arb, exponent: int) -> arb:
+    """An integer power; squares of balls around zero are not negative."""
+    square = (x * x).nonnegative_part() if x.contains(0) else x * x
+    value = x if exponent % 2 else arb(1)
+    for _ in range(exponent // 2):
+        value *= square
+    return value
+
+
 def quarter_period(mc: arb) -> arb:
     """K(m) = pi/(2 agm(1, sqrt(mc))) (DLMF 19.8.5)."""
     return arb.pi() / (2 * arb(1).agm(mc.sqrt()))
@@ -51,6 +60,7 @@ class Functions(ABC):
     def table(self) -> dict[str, Any]:
         """The functions by the names that formulas use."""
         return {
+            "power": power,
             "sqrt": lambda x: x.sqrt(),
             "cos": lambda x: x.cos(),
             "sin": lambda x: x.sin(),
@@ -78,11 +88,10 @@ class Functions(ABC):
 
     def between(self, u: arb, mc: arb) -> Triple:
         """sn, cn, dn where 0 < mc < 1."""
-        turns, sign, size, quarter = _folded(u, mc)
-        if 2 * size.mid() <= quarter.mid():
-            s, c, d = self.first_half(size, mc)
-        else:
-            s, c, d = _reflected(self.first_half(quarter - size, mc), mc)
+        turns, sign, size, is_reflected = _folded(u, mc)
+        s, c, d = self.first_half(size, mc)
+        if is_reflected:
+            s, c, d = _reflected((s, c, d), mc)
         flip = -1 if turns % 2 else 1
         return flip * sign * s, flip * c, d
 
@@ -93,12 +102,12 @@ class Functions(ABC):
             return (u - (root * u.tanh()).atan() / root) / (1 - n)
         if mc == 1:
             return (u - u.sin() * u.cos()) / 2  # n = 0
-        turns, sign, size, quarter = _folded(u, mc)
+        turns, sign, size, is_reflected = _folded(u, mc)
         whole = self.complete_j(n, mc)
-        if 2 * size.mid() <= quarter.mid():
+        if not is_reflected:
             return 2 * turns * whole + sign * self.first_half_j(size, n, mc)
-        rest, share = quarter - size, mc / (1 - n)
-        beyond = (rest - share * self.first_half_j(rest, 1 - share, mc)) / (1 - n)
+        share = mc / (1 - n)
+        beyond = (size - share * self.first_half_j(size, 1 - share, mc)) / (1 - n)
         return 2 * turns * whole + sign * (whole - beyond)
 
     @abstractmethod
@@ -114,15 +123,22 @@ class Functions(ABC):
         """J(K)."""
 
 
-def _folded(u: arb, mc: arb) -> tuple[int, int, arb, arb]:
-    """turns, sign, size and K: u = 2 K turns + sign size.  Any turns and any sign would do."""
+def _folded(u: arb, mc: arb) -> tuple[int, int, arb, bool]:
+    """turns, sign, size and whether it is reflected: u = 2 K turns + sign (size or K - size).
+
+    Any turns, sign and reflection would do, as long as |size| < K for sure; else it is no number.
+    """
     quarter = quarter_period(mc)
     turns = int((u / (2 * quarter)).mid().floor().unique_fmpz() or 0)
     rest = u - 2 * turns * quarter
     if rest.mid() > quarter.mid():
         turns, rest = turns + 1, rest - 2 * quarter
     sign = -1 if rest.mid() < 0 else 1
-    return turns, sign, sign * rest, quarter
+    size = sign * rest
+    is_reflected = not 2 * size.mid() <= quarter.mid()
+    if is_reflected:
+        size = quarter - size
+    return turns, sign, size if abs(size) < quarter else arb.nan(), is_reflected
 
 
 def _reflected(functions: Triple, mc: arb) -> Triple:

@@ -4,6 +4,7 @@ FLINT has one working precision for the whole process, so work at another one ho
 of this project take turns, and processes do not mind.
 """
 
+import os
 from collections.abc import Generator
 from contextlib import contextmanager
 from fractions import Fraction
@@ -16,15 +17,27 @@ from mpmath import mp
 
 from rigidsym.inputs import Uncertain
 
-_LOCK = RLock()
+_lock = RLock()
 BITS_PER_DIGIT = log2(10)
+# A ball around zero that has shrunk below 2^-4000 is taken for zero where digits are counted.
+ZERO = arb(2) ** -4000
 
 
 @contextmanager
 def working(bits: int) -> Generator[None]:
     """Work at a precision of so many bits, and leave the one that was found."""
-    with _LOCK, ctx.workprec(bits):
+    with _lock, ctx.workprec(bits):
         yield
+
+
+def _renew() -> None:
+    """A child of fork has one thread, and nobody to release a lock that another one held."""
+    global _lock
+    _lock = RLock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_renew)
 
 
 def bits_of(digits: int) -> int:
@@ -48,7 +61,9 @@ def is_within(value: arb, digits: int) -> bool:
 
 def has_digits(value: arb, digits: int) -> bool:
     """Whether so many significant digits are certain, up to one unit in the last."""
-    return bool(value.rad() * arb(10) ** digits <= value.abs_lower()) or value.is_zero()
+    if value.contains(0):
+        return bool(value.abs_upper() < ZERO)
+    return bool(value.rad() * arb(10) ** digits <= value.abs_lower())
 
 
 def to_mpf(value: arb) -> Any:

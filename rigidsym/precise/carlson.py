@@ -16,14 +16,15 @@ class Carlson(Functions):
     def first_half(self, u: arb, mc: arb) -> Triple:
         """The amplitude phi with F(phi) = u, then its sine, cosine and dn."""
         start = amplitude(u.mid(), mc.mid()).mid()  # a guess, whatever it is
-        reach = arb(0, arb(2) ** (-ctx.prec // 2) + 4 * u.rad())
         for _ in range(3):
             value, slope = _first_kind(start, mc)
             start = (start - (value - u) / slope).mid()
-        value, _ = _first_kind(start, mc)
-        box = start + reach
+        value, slope = _first_kind(start, mc)
+        reach = 2 * ((value - u) / slope).abs_upper() + arb(2) ** (-ctx.prec // 2)
+        box = start + arb(0, reach)
         phi = start - (value - u) / _first_kind(box, mc)[1]
-        if not box.contains_interior(phi):
+        # F(start) is what R_F says it is where the cosine is positive.
+        if not (box.contains_interior(phi) and start.cos() > 0):
             phi = arb.nan()
         s, c = phi.sin_cos()
         return s, c, _delta(s, c, mc)

@@ -16,6 +16,8 @@ from rigidsym.solution.formulas import AXES
 from rigidsym.solution.polhode import Polhode, Regime
 
 State = tuple[list[Any], list[Any]]
+# m and 1 - m where the regime says them, however uncertain the rates are.
+PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
 
 @dataclass(frozen=True)
@@ -66,7 +68,14 @@ class Evaluation:
         def of(function: Any) -> Callable[..., Any]:
             return lambda *arguments: function(*map(self.convert, arguments))
 
-        return {name: of(function) for name, function in self.functions.items()} | {"power": power}
+        def powered(x: Any, exponent: int) -> Any:
+            return (power if isinstance(x, (int, Fraction)) else self.functions["power"])(
+                x, exponent
+            )
+
+        return {name: of(function) for name, function in self.functions.items()} | {
+            "power": powered
+        }
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
@@ -77,7 +86,7 @@ class Evaluation:
         for x, k in zip(AXES, polhode.axes, strict=True):
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
-        return self._exactly("plan", {**signs, **begin})
+        return self._exactly("plan", {**signs, **begin, **PARAMETER.get(polhode.regime, {})})
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
@@ -101,6 +110,8 @@ class Evaluation:
         """Every formula of a programme; exactly, as long as all it uses is rational."""
         known = dict(values)
         for result, expression, names in steps(programme):
+            if result in known:
+                continue
             used = {name: known[name] for name in names}
             if not all(isinstance(value, (int, Fraction)) for value in used.values()):
                 used = {name: self.convert(value) for name, value in used.items()}

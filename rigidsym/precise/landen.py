@@ -33,13 +33,12 @@ class Landen(Functions):
 def amplitude(u: arb, mc: arb) -> arb:
     """am(u | 1 - mc), |u| <= K."""
     a, b = arb(1), mc.sqrt()
-    ratios = []
-    small, last = arb(2) ** (-ctx.prec // 2 - 4) * b, arb.pos_inf()
-    # Wide balls stop shrinking before they are small.
-    while (gap := (a - b).abs_upper()) < last and not gap < small:
-        last, mean = gap, (a + b) / 2
-        ratios.append((a - b) / (2 * mean))
+    ratios, narrows = [], True
+    while narrows:  # each step halves the gap at least, until it is all rounding or uncertainty
+        gap, mean = a - b, (a + b) / 2
+        ratios.append(gap / (2 * mean))
         a, b = mean, (a * b).sqrt()
+        narrows = 4 * (a - b).abs_upper() < 3 * gap.abs_upper()
     parameter = 1 - (b / a) ** 2
     phi = 2 ** len(ratios) * a * u
     phi += arb(0, (parameter * phi).abs_upper())

@@ -5,6 +5,7 @@ exactly; all that follows is done with Arb's balls, at a working precision that 
 balls are small enough.
 """
 
+from bisect import bisect
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -30,8 +31,10 @@ from rigidsym.solution.polhode import Polhode
 METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
 GUARD_BITS = 40
 MOST_ROUNDS = 24
-# A ball around zero that has shrunk below 2^-4000 of the motion's scale is taken for zero.
-ZERO = arb(2) ** -4000
+# Where time is limited precision rises from here, so that something is known when it is over.
+FIRST_BITS = 256
+# Uncertain inputs that say nothing at this precision, or at that of the digits, never do.
+MOST_BITS = 2**14
 
 
 @dataclass(frozen=True)
@@ -111,54 +114,65 @@ class Ladder:
     ) -> None:
         self.evaluation, self.digits, self.enough = evaluation, digits, enough
         self.end = None if max_seconds is None else perf_counter() + max_seconds
-        self.bits = bits_of(digits) + GUARD_BITS
+        whole = bits_of(digits) + GUARD_BITS
+        self.bits = whole if self.end is None else min(whole, FIRST_BITS)
         self.known: dict[int, Evaluation] = {}
 
     def read(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
         """The numbers, at the first precision at which all have enough digits."""
-        reached = 0
+        found = [arb.nan()]
         for _ in range(MOST_ROUNDS):
-            if self._is_late():
+            if self._is_over():
                 break
             with working(self.bits):
-                if self.bits not in self.known:
-                    self.known = {self.bits: self.evaluation()}
-                found = numbers(self.known[self.bits])
+                found = numbers(self._known())
                 missing = max(self._missing(value) for value in found)
-                if not missing:
-                    return found
-            reached = max(reached, self.digits - int(missing * 0.302) - 1)
-            self.bits += missing + GUARD_BITS // 2
-        raise PrecisionError(f"{what}: {max(reached, 0)} of {self.digits} digits were reached")
+            if not missing:
+                return found
+            needed = self.bits + missing + GUARD_BITS // 2
+            self.bits = needed if self.end is None else min(needed, 4 * self.bits)
+        raise PrecisionError(f"{what}: {self._reached(found)} of {self.digits} digits were reached")
 
     def read_uncertain(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
-        """The numbers, when a higher precision does not make the balls smaller any more."""
-        widest = None
-        for _ in range(MOST_ROUNDS):
-            if self._is_late():
-                raise PrecisionError(f"{what}: the time is over before the balls have settled")
+        """The numbers, when twice the precision does not make the balls smaller any more."""
+        widest, most = None, max(MOST_BITS, 2 * self.bits)
+        while self.bits <= most and not self._is_over():
             with working(self.bits):
-                if self.bits not in self.known:
-                    self.known = {self.bits: self.evaluation()}
-                found = numbers(self.known[self.bits])
-                radius = max((float(value.rad()) for value in found), default=0.0)
+                found = numbers(self._known())
+            if all(value.is_finite() for value in found):
+                radius = max(float(value.rad()) for value in found)
                 if widest is not None and radius >= widest / 2:
-                    if all(value.is_finite() for value in found):
-                        return found
-                    break
+                    self.bits //= 2  # for the next time: this was enough
+                    return found
                 widest = radius
             self.bits *= 2
+        if widest is not None:
+            raise PrecisionError(f"{what}: a radius of {widest:.2g} was reached")
         raise PrecisionError(f"{what}: the inputs are too uncertain to say anything")
 
-    def _is_late(self) -> bool:
-        return self.end is not None and perf_counter() > self.end
+    def _known(self) -> Evaluation:
+        if self.bits not in self.known:
+            self.known[self.bits] = self.evaluation()
+        return self.known[self.bits]
+
+    def _reached(self, found: Sequence[arb]) -> int:
+        """How many digits all numbers have."""
+
+        def is_beyond(digits: int) -> bool:
+            return not all(self.enough(value, digits) for value in found)
+
+        with working(self.bits):
+            return max(bisect(range(self.digits + 1), 0, key=is_beyond) - 1, 0)
+
+    def _is_over(self) -> bool:
+        return self.end is not None and perf_counter() >= self.end
 
     def _missing(self, value: arb) -> int:
         """About how many bits more a number needs: 0 where it is good, as many again for none."""
-        if self.enough(value, self.digits) or (value.contains(0) and value.abs_upper() < ZERO):
+        if self.enough(value, self.digits):
             return 0
         if not value.is_finite() or value.contains(0):
-            return self.bits
+            return max(self.bits, bits_of(self.digits))
         return max(8, bits_of(self.digits) + 2 - value.rel_accuracy_bits())
 
 

@@ -1,6 +1,6 @@
 """By rigorous quadrature: J is integrated over the amplitude, as psi' is over time."""
 
-from flint import acb, arb
+from flint import acb, arb, ctx
 
 from rigidsym.precise.carlson import Carlson
 
@@ -19,10 +19,16 @@ class Quadrature(Carlson):
 
 
 def _integral(phi: arb, n: arb, mc: arb) -> arb:
+    if not (phi.is_finite() and n.is_finite() and mc.is_finite()):
+        return arb.nan()
+    # No finer than the numbers that go in.
+    sharp = [x.rel_accuracy_bits() for x in (phi, mc, 1 - n)]
+    tolerance = arb(2) ** -max(1, min(ctx.prec, *sharp))
+
     def integrand(angle: acb, analytic: bool) -> acb:
         sine, cosine = angle.sin_cos()
         square = sine * sine
         delta = (cosine * cosine + mc * square).sqrt(analytic=analytic)
         return square / ((1 - n * square) * delta)
 
-    return acb.integral(integrand, 0, phi).real
+    return acb.integral(integrand, 0, phi, rel_tol=tolerance, abs_tol=tolerance).real

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from itertools import combinations
+from math import inf
 from typing import Any
 
 from flint import arb
@@ -29,26 +30,63 @@ def classify_uncertain(inertia: Sequence[Any], omega: Sequence[Any]) -> Polhode:
 def _deciding(
     polhode: Polhode, inertia: Sequence[Any], omega: Sequence[Any]
 ) -> Iterator[tuple[str, arb]]:
-    """What has to be exactly zero, or to keep its sign: moments, steadiness, the separatrix."""
-    c, w = [list(map(ball, values)) for values in (inertia, omega)]
+    """What has to be exactly zero, or to keep its sign."""
+    w = list(map(ball, omega))
     pairs = [*combinations(range(3), 2)]
-    yield from ((f"inertia[{j}] - inertia[{k}]", c[j] - c[k]) for j, k in pairs)
+    gaps = {(j, k): _difference(inertia[j], inertia[k]) for j, k in pairs}
+    yield from ((f"inertia[{j}] - inertia[{k}]", gap) for (j, k), gap in gaps.items())
     if polhode.regime.steady:
-        products = ((j, k, (c[j] - c[k]) * w[j] * w[k]) for j, k in pairs)
+        products = ((j, k, gap * w[j] * w[k]) for (j, k), gap in gaps.items())
         yield from ((f"the torque by omega0[{j}] and omega0[{k}]", x) for j, k, x in products)
+        yield from _resting(polhode, w)
         return
-    _, b, _ = polhode.axes
-    yield "K^2 - 2 H c_b", sum((c[k] * (c[k] - c[b]) * w[k] * w[k] for k in range(3)), arb(0))
-    if polhode.regime != Regime.SYMMETRIC:
-        yield "omega0 about the circulation axis", w[polhode.axes[0]]
+    a, b, d = polhode.axes
+    if any(isinstance(x, Uncertain) for x in (*inertia, omega[a], omega[d])):
+        if polhode.regime != Regime.SYMMETRIC:
+            yield "K^2 - 2 H c_b", _excess(inertia, w, polhode.axes)
+        yield f"omega0[{a}], about the circulation axis,", w[a]
+    yield f"omega0[{b}] or omega0[{d}], at right angles to a spin,", _surest(w[b], w[d])
+
+
+def _resting(polhode: Polhode, w: Sequence[arb]) -> Iterator[tuple[str, arb]]:
+    if polhode.regime == Regime.REST:
+        yield from ((f"omega0[{k}], of a body at rest,", x) for k, x in enumerate(w))
+    else:
+        yield "omega0", _surest(*w)
+
+
+def _excess(inertia: Sequence[Any], w: Sequence[arb], axes: Sequence[int]) -> arb:
+    a, b, d = axes
+    return (
+        ball(inertia[a]) * _difference(inertia[a], inertia[b]) * w[a] * w[a]
+        + ball(inertia[d]) * _difference(inertia[d], inertia[b]) * w[d] * w[d]
+    )
+
+
+def _difference(x: Any, y: Any) -> arb:
+    """Exactly zero where exact numbers agree."""
+    if isinstance(x, Uncertain) or isinstance(y, Uncertain):
+        return ball(x) - ball(y)
+    return ball(x - y)
+
+
+def _surest(*values: arb) -> arb:
+    """The one that is farthest from zero for its radius."""
+    given = [value for value in values if not value.is_zero()]
+    return min(given, key=_ratio)
+
+
+def _ratio(value: arb) -> float:
+    """Radius over size: 1 or more where it may be zero."""
+    return float(value.rad() / abs(value.mid())) if value.mid() != 0 else inf
 
 
 def _decide(what: str, value: arb, inertia: Sequence[Any], omega: Sequence[Any]) -> None:
     if value.is_zero() or not value.contains(0):
         return
-    ratio = float(value.rad() / abs(value.mid())) if value.mid() != 0 else None
-    narrower = "exact" if ratio is None else f"about {ratio * 1.1 + 0.1:.1f} times narrower"
-    rule = f"{what} may have either sign: the inputs would have to be {narrower}"
+    ratio = _ratio(value)
+    narrower = "exact" if ratio == inf else f"about {ratio * 1.1 + 0.1:.1f} times narrower"
+    rule = f"{what} may be zero or have either sign: the inputs would have to be {narrower}"
     given = f"{inputs.shown(inertia)}, omega0 = {inputs.shown(omega)}"
     raise InputError("inertia", given, rule)
 
