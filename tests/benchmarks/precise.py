@@ -1,4 +1,4 @@
-"""How long certain digits take, against their goals and against mpmath's own integrator.
+"""How long certain digits take, against their goals, against digits and against time.
 
     python tests/benchmarks/precise.py [ROUNDS]
 
@@ -10,9 +10,6 @@ import sys
 from fractions import Fraction
 from time import perf_counter
 
-import mpmath
-
-from rigidsym import TorqueFreeMotion
 from rigidsym.precise import PreciseMotion
 
 INERTIA, OMEGA0 = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")
@@ -22,8 +19,6 @@ SET_UP = (50, 2.0)
 STATES = {50: 0.2, 1000: 3.0, 10_000: 250.0}
 DIGITS = (15, 50, 150, 500, 1500, 5000, 10_000)
 EXPONENTS = (0, 3, 6, 9, 12, 15)
-# What mpmath.odefun reaches in a few seconds.
-ODE_TIME, ODE_DIGITS = 10, 15
 
 
 def main(rounds: int) -> int:
@@ -44,7 +39,6 @@ def main(rounds: int) -> int:
     for k in EXPONENTS:
         print(f"t = 1e{k:<2} s                 {by_time[10**k, 50]:9.3f} ms")
 
-    _compare_with_odefun(rounds)
     return int(any(found > goal for _, goal, found in figures))
 
 
@@ -59,37 +53,6 @@ def _rounds(rounds, settings):
             for found, value in ((warm, min(rest)), (cold, max(first - min(rest), 0.0))):
                 found[t, digits] = min(found.get((t, digits), value), value)
     return cold, warm
-
-
-def _compare_with_odefun(rounds):
-    """The same state by mpmath.odefun, set-up included on both sides."""
-    ours = min(
-        _milliseconds(lambda: TorqueFreeMotion(INERTIA, OMEGA0).precise(ODE_TIME, ODE_DIGITS))
-        for _ in range(rounds)
-    )
-    theirs = _milliseconds(_odefun)
-    print(
-        f"\nt = {ODE_TIME} s, {ODE_DIGITS} digits, set-up included: {ours:.2f} ms; "
-        f"mpmath.odefun {theirs:.0f} ms, {theirs / ours:.0f} times as long"
-    )
-
-
-def _odefun():
-    with mpmath.workdps(ODE_DIGITS):
-        c = [mpmath.mpf(x) for x in INERTIA]
-
-        def rates(_, y):
-            p0, p1, p2, p3, *w = y
-            return [
-                -(p1 * w[0] + p2 * w[1] + p3 * w[2]) / 2,
-                (p0 * w[0] + p2 * w[2] - p3 * w[1]) / 2,
-                (p0 * w[1] + p3 * w[0] - p1 * w[2]) / 2,
-                (p0 * w[2] + p1 * w[1] - p2 * w[0]) / 2,
-                *((c[k - 2] - c[k - 1]) / c[k] * w[k - 2] * w[k - 1] for k in range(3)),
-            ]
-
-        start = [mpmath.mpf(x) for x in (1, 0, 0, 0, *OMEGA0)]
-        return mpmath.odefun(rates, 0, start)(ODE_TIME)
 
 
 def _milliseconds(work):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
-from rigidsym.precise import PreciseMotion
+from rigidsym.precise import METHODS, PreciseMotion
 from rigidsym.precise.taylor import integrate
 from rigidsym.solution.polhode import Regime
 from rigidsym.validate.strata import STRATA, draw
@@ -128,3 +128,17 @@ def test_the_exact_separatrix_ends_in_spin_about_the_middle_axis(t, signs):
 def test_digits_must_be_a_positive_whole_number(digits):
     with pytest.raises(InputError, match="digits = "):
         TorqueFreeMotion(*PAPER).precise(1, digits)
+
+
+OWN = json.loads(Path(__file__).with_name("motions.json").read_text())
+
+
+@pytest.mark.parametrize("motion", OWN["motions"], ids=lambda motion: motion["name"])
+@pytest.mark.parametrize("method", METHODS)
+def test_motions_of_every_kind_agree_with_their_taylor_series(motion, method):
+    given = TorqueFreeMotion(*(motion[name] for name in ("inertia", "omega0", "attitude0")))
+    found = given.precise(motion["t"], OWN["digits"], method=method)
+    with mpmath.workdps(OWN["digits"] + 20):
+        for numbers, printed in zip(found, (motion["q"], motion["omega"]), strict=True):
+            expected = [mpmath.mpf(text) for text in printed]
+            assert distance(numbers, expected) < max(map(abs, expected)) * mpmath.mpf(10) ** -38

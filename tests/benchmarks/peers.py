@@ -1,0 +1,104 @@
+"""One 50-digit state of the paper's motion, set-up included, beside its peers.
+
+    python tests/benchmarks/peers.py            heyoka (extra `bench`), at t = 1000 s
+    python tests/benchmarks/peers.py --odefun   mpmath.odefun too, at t = 100 s: a minute
+
+Each peer integrates (3) and (5) to the same digits; heyoka's compilation is not counted.
+"""
+
+import sys
+from collections.abc import Callable
+from time import perf_counter
+
+import mpmath
+
+from rigidsym import TorqueFreeMotion
+
+INERTIA, OMEGA0, START = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"), (1, 0, 0, 0)
+DIGITS, BITS = 50, 190
+
+
+def main(names: list[str]) -> int:
+    """Print each peer's time and its ratio to ours; 1 where a goal is missed."""
+    missed = False
+    for name in names:
+        peer, time, goal = PEERS[name]
+        ours = min(_seconds(lambda t=time: _ours(t)) for _ in range(20))
+        seconds, state = peer(time)
+        with mpmath.workdps(DIGITS + 10):
+            gap = max(abs(x - y) for x, y in zip(state, _ours(time), strict=True))
+        print(
+            f"t = {time:<6}rigidsym {1000 * ours:.2f} ms, {name} {1000 * seconds:.0f} ms: "
+            f"{seconds / ours:.0f} times as long (goal {goal}), difference {mpmath.nstr(gap, 2)}"
+        )
+        missed |= seconds < goal * ours
+    return int(missed)
+
+
+def _ours(time: int) -> list:
+    q, omega = TorqueFreeMotion(INERTIA, OMEGA0).precise(time, DIGITS)
+    return [*q, *omega]
+
+
+def _rates(y, c, half):
+    """The right sides of (3) and (5)."""
+    q0, q1, q2, q3, *w = y
+    return [
+        -half * (q1 * w[0] + q2 * w[1] + q3 * w[2]),
+        half * (q0 * w[0] + q2 * w[2] - q3 * w[1]),
+        half * (q0 * w[1] + q3 * w[0] - q1 * w[2]),
+        half * (q0 * w[2] + q1 * w[1] - q2 * w[0]),
+        *((c[k - 2] - c[k - 1]) / c[k] * w[k - 2] * w[k - 1] for k in range(3)),
+    ]
+
+
+def heyoka(time: int) -> tuple:
+    """The fastest of three runs of heyoka's Taylor integrator over multiprecision reals."""
+    import heyoka as hy
+
+    def real(text):
+        return hy.real(str(text), BITS)
+
+    names = hy.make_vars("q0", "q1", "q2", "q3", "w1", "w2", "w3")
+    system = list(zip(names, _rates(names, list(map(real, INERTIA)), real("0.5")), strict=True))
+    start = [real(x) for x in (*START, *OMEGA0)]
+    integrator = hy.taylor_adaptive(
+        system, start, fp_type=hy.real, prec=BITS, tol=real(f"1e-{DIGITS + 2}"), compact_mode=True
+    )
+
+    def run():
+        integrator.time = real(0)
+        integrator.state[:] = start
+        integrator.propagate_until(real(time))
+
+    seconds = min(_seconds(run) for _ in range(3))
+    with mpmath.workdps(DIGITS + 10):
+        return seconds, [mpmath.mpf(str(x)) for x in integrator.state]
+
+
+def odefun(time: int) -> tuple:
+    """One run of mpmath's Taylor integrator."""
+    with mpmath.workdps(DIGITS):
+        c, half = [mpmath.mpf(x) for x in INERTIA], mpmath.mpf("0.5")
+        start = [mpmath.mpf(x) for x in (*START, *OMEGA0)]
+        found = []
+        solution = mpmath.odefun(lambda _, y: _rates(y, c, half), 0, start)
+        seconds = _seconds(lambda: found.extend(solution(time)))
+    return seconds, found
+
+
+# By name: what runs it, to which time, and how many times as long it has to take.
+PEERS: dict[str, tuple[Callable, int, int]] = {
+    "heyoka": (heyoka, 1000, 100),
+    "mpmath.odefun": (odefun, 100, 50_000),
+}
+
+
+def _seconds(work) -> float:
+    start = perf_counter()
+    work()
+    return perf_counter() - start
+
+
+if __name__ == "__main__":
+    sys.exit(main(["heyoka", *(["mpmath.odefun"] if "--odefun" in sys.argv else [])]))
