@@ -61,40 +61,35 @@ def _circulating(book: Book) -> None:
 
 def _middle(book: Book) -> None:
     """On the middle axis both roots are squares, and so is alpha times either."""
-    roots = Part(
-        units=("m",),
-        definitions={
-            "alpha_b": "-(c_b - c_a)*(c_b - c_d)/(c_a*c_d)",
-            "root_a": "E_a/(c_b*(c_a - c_b))",
-            "root_d": "E_d/(c_b*(c_b - c_d))",
-        },
-    )
-    book.open(join("middle_axis", *REGULAR, roots))
-    book.claim("middle_axis.roots", {"root_a": "A_b**2", "m*root_d": "A_b**2"}, ["10", "13"])
-    book.claim(
-        "middle_axis.rates",
-        {"alpha_b*root_d": "lambda_**2", "alpha_b*root_a": "m*lambda_**2"},
-        ["10", "16"],
-    )
+    forms = {
+        "alpha_b": "-(c_b - c_a)*(c_b - c_d)/(c_a*c_d)",
+        "root_a": "E_a/(c_b*(c_a - c_b))",
+        "root_d": "E_d/(c_b*(c_b - c_d))",
+    }
+    roots = {"root_a": "A_b**2", "m*root_d": "A_b**2"}
+    rates = {"alpha_b*root_d": "lambda_**2", "alpha_b*root_a": "m*lambda_**2"}
+    _state(book, "middle_axis", forms, roots, rates)
 
 
 def _third(book: Book) -> None:
     """On the third axis one root is minus a square; alpha times it is a square."""
-    roots = Part(
-        units=("m",),
-        definitions={
-            "alpha_d": "-(c_d - c_a)*(c_d - c_b)/(c_a*c_b)",
-            "root_a": "E_a/(c_d*(c_a - c_d))",
-            "root_b": "E_b/(c_d*(c_d - c_b))",
-        },
-    )
-    book.open(join("third_axis", *REGULAR, roots))
-    book.claim("third_axis.roots", {"root_a": "A_d**2", "m*root_b": "-m_1*A_d**2"}, ["10", "13"])
-    book.claim(
-        "third_axis.rates",
-        {"alpha_d*root_b": "lambda_**2*m_1", "alpha_d*root_a": "-m*lambda_**2"},
-        ["10", "16"],
-    )
+    forms = {
+        "alpha_d": "-(c_d - c_a)*(c_d - c_b)/(c_a*c_b)",
+        "root_a": "E_a/(c_d*(c_a - c_d))",
+        "root_b": "E_b/(c_d*(c_d - c_b))",
+    }
+    roots = {"root_a": "A_d**2", "m*root_b": "-m_1*A_d**2"}
+    rates = {"alpha_d*root_b": "lambda_**2*m_1", "alpha_d*root_a": "-m*lambda_**2"}
+    _state(book, "third_axis", forms, roots, rates)
+
+
+def _state(
+    book: Book, axis: str, forms: dict[str, str], roots: dict[str, str], rates: dict[str, str]
+) -> None:
+    """What the roots of (13) on an axis are, and alpha times them."""
+    book.open(join(axis, *REGULAR, Part(units=("m",), definitions=forms)))
+    book.claim(f"{axis}.roots", roots, ["10", "13"])
+    book.claim(f"{axis}.rates", rates, ["10", "16"])
 
 
 def _choice(book: Book) -> None:

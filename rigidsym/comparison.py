@@ -20,7 +20,7 @@ from rigidsym import inputs
 from rigidsym.cases import Case
 from rigidsym.errors import InputError
 from rigidsym.plot import Panel, svg
-from rigidsym.precise.balls import bits_of, working
+from rigidsym.precise.balls import bits_of, to_mpf, working
 from rigidsym.precise.motion import METHODS, PreciseMotion
 from rigidsym.precise.taylor import integrate
 
@@ -245,4 +245,4 @@ def _exactly(value: Fraction) -> str:
 
 
 def _short(value: arb) -> str:
-    return mp.nstr(mp.make_mpf(value.mid()._mpf_), 2)
+    return mp.nstr(to_mpf(value), 2)

@@ -36,6 +36,11 @@ class Uncertain:
         return f"{decimal(self.middle, 12)} +/- {decimal(self.radius, 3)}"
 
 
+def is_uncertain(*values: "Fraction | Uncertain") -> bool:
+    """Whether any of them is only known within a radius."""
+    return any(isinstance(value, Uncertain) for value in values)
+
+
 def number(field: str, value: Any) -> "Fraction | Uncertain":
     """An exact or an uncertain number; raises InputError unless it is finite and real."""
     parts: list[Any] = [value]

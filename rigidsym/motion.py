@@ -91,7 +91,12 @@ class TorqueFreeMotion:
 
         if not isinstance(method, str) or method not in METHODS:
             raise InputError("method", repr(method), f"must be one of: {', '.join(METHODS)}")
-        return PreciseMotion(*given.values(), method)
+        # Kept, because it keeps its constants from one call to the next.
+        return self._precise.setdefault(method, PreciseMotion(*given.values(), method))
+
+    @cached_property
+    def _precise(self) -> dict[str, "PreciseMotion"]:
+        return {}
 
     @property
     def _given(self) -> dict[str, Any]:
@@ -130,9 +135,8 @@ class TorqueFreeMotion:
         """
         times, single = inputs.times(t)
         if method is None:
-            every = (x for values in self._given.values() for x in values)
-            uncertain = any(isinstance(x, inputs.Uncertain) for x in every)
-            method = "carlson" if uncertain else "theta"
+            wide = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
+            method = "carlson" if wide else "theta"
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
         states = self._by(method, **self._given).enclosures(times, *limits)
         return _objects(states, single)

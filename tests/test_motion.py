@@ -1,6 +1,7 @@
 """The public class and `propagate` on the generated module."""
 
 import math
+import pickle
 import subprocess
 import sys
 from decimal import Decimal
@@ -376,3 +377,18 @@ def test_the_public_names():
     assert all(getattr(rigidsym, name) for name in rigidsym.__all__)
     with pytest.raises(AttributeError, match="nothing"):
         _ = rigidsym.nothing
+
+
+def test_a_motion_keeps_its_constants_and_travels_without_them():
+    motion = TorqueFreeMotion((1, 2, 2.5), RATES)
+    before = motion.enclose(1)[0]
+    kept = motion._precise["theta"]
+    assert len(kept._kept) == 1
+    (evaluation,) = kept._kept.values()
+    motion.enclose(2)
+    assert [*motion._precise["theta"]._kept.values()] == [evaluation]
+    for digits in range(20, 80, 10):
+        motion.enclose(1, digits)
+    assert len(kept._kept) <= 4
+    again = pickle.loads(pickle.dumps(motion)).enclose(1)[0]
+    assert [str(x) for x in again] == [str(x) for x in before]

@@ -16,16 +16,9 @@ from typing import Any
 
 from flint import acb, arb
 
+from rigidsym.precise.balls import power
+
 Triple = tuple[arb, arb, arb]
-
-
-def power(x: arb, exponent: int) -> arb:
-    """An integer power; squares of balls around zero are not negative."""
-    square = (x * x).nonnegative_part() if x.contains(0) else x * x
-    value = x if exponent % 2 else arb(1)
-    for _ in range(exponent // 2):
-        value *= square
-    return value
 
 
 def quarter_period(mc: arb) -> arb:

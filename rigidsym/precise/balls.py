@@ -54,6 +54,20 @@ def ball(value: Any) -> arb:
     return arb(value)
 
 
+def power(x: Any, exponent: int) -> Any:
+    """An integer power of an exact number or a ball, whose square is not negative around zero.
+
+    By products: FLINT's power of a ball centred at zero is no number.
+    """
+    square = x * x
+    if isinstance(x, arb) and x.contains(0):
+        square = square.nonnegative_part()
+    value = x if exponent % 2 else 1
+    for _ in range(exponent // 2):
+        value *= square
+    return value
+
+
 def is_within(value: arb, digits: int) -> bool:
     """Whether the radius is at most 10^-digits of max(1, |value|)."""
     return bool(value.rad() * arb(10) ** digits <= value.abs_lower().max(1))

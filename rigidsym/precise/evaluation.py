@@ -1,81 +1,59 @@
-"""The formulas of the solution over one kind of numbers, with the constants of one motion.
+"""The formulas of the solution over balls, with the constants of one motion at one precision."""
 
-Whatever the numbers are, mpmath's or Arb's balls, they come with a way to convert exact ones and a
-table of the functions that formulas use.
-"""
-
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from rigidsym.precise.balls import ball, power
 from rigidsym.solution.compiled import run, steps
-from rigidsym.solution.expression import evaluate, power
+from rigidsym.solution.expression import evaluate
 from rigidsym.solution.formulas import AXES
-from rigidsym.solution.polhode import Polhode, Regime
+from rigidsym.solution.polhode import Regime
+
+if TYPE_CHECKING:
+    from rigidsym.precise.motion import PreciseMotion
 
 State = tuple[list[Any], list[Any]]
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
 
-@dataclass(frozen=True)
-class Given:
-    """A motion as it was given: inertia (3), body rates (3), attitude (4), regime and axes."""
-
-    inertia: Sequence[Any]
-    omega0: Sequence[Any]
-    attitude0: Sequence[Any]
-    polhode: Polhode
-
-
 class Evaluation:
-    """One motion over one kind of numbers.
+    """One motion at the working precision, by the table of functions of a method.
 
     `functions` that include theta_4 make it the theta form, wherever that exists: it knows
     neither the separatrix nor symmetric bodies.
     """
 
-    def __init__(
-        self,
-        given: Given,
-        convert: Callable[[Any], Any],
-        functions: Mapping[str, Callable[..., Any]],
-    ) -> None:
-        self.given, self.convert, self.functions = given, convert, functions
+    def __init__(self, given: "PreciseMotion", functions: Mapping[str, Callable[..., Any]]) -> None:
+        self.given, self.functions = given, functions
         regime = given.polhode.regime
         self._by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
-        quaternion = list(map(convert, given.attitude0))
+        quaternion = list(map(ball, given.attitude0))
         norm = functions["sqrt"](sum(x * x for x in quaternion))
-        self.start: State = ([x / norm for x in quaternion], list(map(convert, given.omega0)))
+        self.start: State = ([x / norm for x in quaternion], list(map(ball, given.omega0)))
 
     def state(self, time: Any) -> State:
         """(q, omega) at one time; the given state itself at t = 0."""
         regime = self.given.polhode.regime
         if time == 0 or regime == Regime.REST:
             return self.start
-        return self._steady(time) if regime.steady else self._moving(self.convert(time))
+        return self._steady(time) if regime.steady else self._moving(ball(time))
 
     def constant(self, name: str) -> Any:
         """One constant of the plan."""
-        return self.convert(self._plan[name])
+        return ball(self._plan[name])
 
     @cached_property
     def _converting(self) -> dict[str, Callable[..., Any]]:
         """The functions, of exact numbers too."""
 
         def of(function: Any) -> Callable[..., Any]:
-            return lambda *arguments: function(*map(self.convert, arguments))
+            return lambda *arguments: function(*map(ball, arguments))
 
-        def powered(x: Any, exponent: int) -> Any:
-            return (power if isinstance(x, (int, Fraction)) else self.functions["power"])(
-                x, exponent
-            )
-
-        return {name: of(function) for name, function in self.functions.items()} | {
-            "power": powered
-        }
+        functions = {name: of(function) for name, function in self.functions.items()}
+        return functions | {"power": power}
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
@@ -93,15 +71,14 @@ class Evaluation:
         """The plan as numbers of this kind, with what the theta form adds to it."""
         plan = self._plan
         constants = {
-            name: value if isinstance(value, int) else self.convert(value)
-            for name, value in plan.items()
+            name: value if isinstance(value, int) else ball(value) for name, value in plan.items()
         }
         if not self._by_theta:
             return constants
         constants |= run("theta", constants, self.functions)
         # psi of the theta form does not start at zero: the quaternion in front has to make up.
         identity = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
-        begin = run("theta_state", {**constants, **identity, "t": self.convert(0)}, self.functions)
+        begin = run("theta_state", {**constants, **identity, "t": ball(0)}, self.functions)
         start = {f"q_{x}": plan[f"q_{x}"] for x in ("0", *AXES)}
         front = run("pull_back", {**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
@@ -114,7 +91,7 @@ class Evaluation:
                 continue
             used = {name: known[name] for name in names}
             if not all(isinstance(value, (int, Fraction)) for value in used.values()):
-                used = {name: self.convert(value) for name, value in used.items()}
+                used = {name: ball(value) for name, value in used.items()}
             known[result] = evaluate(expression, used, self._converting)
         return known
 
@@ -130,4 +107,4 @@ class Evaluation:
         rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
         begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
         known = self._exactly("steady", {**rates, **begin, "t": time})
-        return [self.convert(known[f"q{k}"]) for k in range(4)], self.start[1]
+        return [ball(known[f"q{k}"]) for k in range(4)], self.start[1]

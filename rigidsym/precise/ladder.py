@@ -19,11 +19,11 @@ MOST_BITS = 2**14
 
 
 class Ladder:
-    """Working precisions that rise until balls are small enough; what they cost is kept."""
+    """Working precisions that rise until balls are small enough."""
 
     def __init__(
         self,
-        evaluation: Callable[[], Evaluation],
+        evaluation: Callable[[int], Evaluation],
         digits: int,
         enough: Callable[[arb, int], bool],
         max_seconds: float | None,
@@ -32,7 +32,6 @@ class Ladder:
         self.end = None if max_seconds is None else perf_counter() + max_seconds
         whole = bits_of(digits) + GUARD_BITS
         self.bits = whole if self.end is None else min(whole, FIRST_BITS)
-        self.known: dict[int, Evaluation] = {}
 
     def read(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
         """The numbers, at the first precision at which all have enough digits."""
@@ -41,7 +40,7 @@ class Ladder:
             if self._is_over():
                 break
             with working(self.bits):
-                found = numbers(self._known())
+                found = numbers(self.evaluation(self.bits))
                 missing = max(self._missing(value) for value in found)
             if not missing:
                 return found
@@ -54,7 +53,7 @@ class Ladder:
         widest, most = None, max(MOST_BITS, 2 * self.bits)
         while self.bits <= most and not self._is_over():
             with working(self.bits):
-                found = numbers(self._known())
+                found = numbers(self.evaluation(self.bits))
             if all(value.is_finite() for value in found):
                 radius = max(float(value.rad()) for value in found)
                 if widest is not None and radius >= widest / 2:
@@ -65,11 +64,6 @@ class Ladder:
         if widest is not None:
             raise PrecisionError(f"{what}: a radius of {widest:.2g} was reached")
         raise PrecisionError(f"{what}: the inputs are too uncertain to say anything")
-
-    def _known(self) -> Evaluation:
-        if self.bits not in self.known:
-            self.known[self.bits] = self.evaluation()
-        return self.known[self.bits]
 
     def _reached(self, found: Sequence[arb]) -> int:
         """How many digits all numbers have."""

@@ -15,10 +15,10 @@ from typing import Any
 from flint import arb
 from mpmath import mp
 
-from rigidsym.inputs import Uncertain
-from rigidsym.precise.balls import ball, bits_of, has_digits, is_within, to_mpf, working
+from rigidsym.inputs import is_uncertain
+from rigidsym.precise.balls import bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
-from rigidsym.precise.evaluation import Evaluation, Given, State
+from rigidsym.precise.evaluation import Evaluation, State
 from rigidsym.precise.ladder import GUARD_BITS, Ladder
 from rigidsym.precise.landen import Landen
 from rigidsym.precise.quadrature import Quadrature
@@ -26,6 +26,8 @@ from rigidsym.precise.theta import Theta
 from rigidsym.precise.uncertain import classify_uncertain
 from rigidsym.solution.polhode import Polhode
 
+# How many precisions a motion keeps its constants for.
+KEPT = 4
 METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
 
 
@@ -45,8 +47,7 @@ class PreciseMotion:
 
     @property
     def _is_uncertain(self) -> bool:
-        given = (*self.inertia, *self.omega0, *self.attitude0)
-        return any(isinstance(value, Uncertain) for value in given)
+        return is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
     def states(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -69,11 +70,11 @@ class PreciseMotion:
     def start(self, digits: int) -> list[float]:
         """The attitude at t = 0, normalised and rounded to doubles."""
         with working(bits_of(digits) + GUARD_BITS):
-            return [float(x) for x in self._evaluation().start[0]]
+            return [float(x) for x in self._at(bits_of(digits) + GUARD_BITS).start[0]]
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
         """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
-        ladder = Ladder(self._evaluation, digits, has_digits, None)
+        ladder = Ladder(self._at, digits, has_digits, None)
         numbers = ladder.read(lambda e: [e.constant(name) for name in names], "constants")
         return dict(zip(names, map(_settled, numbers), strict=True))
 
@@ -84,14 +85,27 @@ class PreciseMotion:
         enough: Callable[[arb, int], bool],
         max_seconds: float | None,
     ) -> Iterator[list[arb]]:
-        ladder = Ladder(self._evaluation, digits, enough, max_seconds)
+        ladder = Ladder(self._at, digits, enough, max_seconds)
         read = ladder.read_uncertain if self._is_uncertain else ladder.read
         for time in times:
             yield read(lambda e, t=time: [*chain(*e.state(t))], f"t = {time}")
 
-    def _evaluation(self) -> Evaluation:
-        given = Given(self.inertia, self.omega0, self.attitude0, self.polhode)
-        return Evaluation(given, ball, METHODS[self.method]().table())
+    def _at(self, bits: int) -> Evaluation:
+        """The formulas at the working precision, whose bits these are; the last few are kept."""
+        kept = self._kept
+        if bits not in kept:
+            while len(kept) >= KEPT:
+                del kept[next(iter(kept))]
+            kept[bits] = Evaluation(self, METHODS[self.method]().table())
+        return kept[bits]
+
+    @cached_property
+    def _kept(self) -> dict[int, Evaluation]:
+        return {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """What it was made from: balls do not travel."""
+        return PreciseMotion, (self.inertia, self.omega0, self.attitude0, self.method)
 
 
 def _settled(value: arb) -> Any:

@@ -20,7 +20,7 @@ def classify_uncertain(inertia: Sequence[Any], omega: Sequence[Any]) -> Polhode:
     """The polhode that all numbers within the radii share; InputError names what keeps it open."""
     middles = [[_middle(x) for x in values] for values in (inertia, omega)]
     polhode = classify(*middles)
-    if any(isinstance(x, Uncertain) for x in (*inertia, *omega)):
+    if inputs.is_uncertain(*inertia, *omega):
         with working(BITS):
             for what, value in _deciding(polhode, inertia, omega):
                 _decide(what, value, inertia, omega)
@@ -41,7 +41,7 @@ def _deciding(
         yield from _resting(polhode, w)
         return
     a, b, d = polhode.axes
-    if any(isinstance(x, Uncertain) for x in (*inertia, omega[a], omega[d])):
+    if inputs.is_uncertain(*inertia, omega[a], omega[d]):
         if polhode.regime != Regime.SYMMETRIC:
             yield "K^2 - 2 H c_b", _excess(inertia, w, polhode.axes)
         yield f"omega0[{a}], about the circulation axis,", w[a]
@@ -65,9 +65,7 @@ def _excess(inertia: Sequence[Any], w: Sequence[arb], axes: Sequence[int]) -> ar
 
 def _difference(x: Any, y: Any) -> arb:
     """Exactly zero where exact numbers agree."""
-    if isinstance(x, Uncertain) or isinstance(y, Uncertain):
-        return ball(x) - ball(y)
-    return ball(x - y)
+    return ball(x) - ball(y) if inputs.is_uncertain(x, y) else ball(x - y)
 
 
 def _surest(*values: arb) -> arb:

@@ -1,13 +1,13 @@
 """Programmes made ready once, for numbers that are evaluated many times.
 
-Powers are products in them: FLINT's power of a ball centred at zero is no number.
+Powers are calls of `power` in them, which the functions have to bring.
 """
 
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
-from rigidsym.solution.expression import Expression, by_products, names, power, to_text
+from rigidsym.solution.expression import Expression, by_products, names, to_text
 from rigidsym.solution.formulas import sealed
 
 
@@ -18,7 +18,7 @@ def run(
 
     Raises NameError for a value or function that is not given.
     """
-    known: dict[str, Any] = {"__builtins__": {}, "power": power, **functions, **values}
+    known: dict[str, Any] = {"__builtins__": {}, **functions, **values}
     exec(_code(programme), known)
     return known
 

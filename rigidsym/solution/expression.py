@@ -5,7 +5,6 @@ printed into a generated Python module can be read back and compared.
 """
 
 import ast
-import math
 import operator
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
@@ -159,11 +158,6 @@ def by_products(expression: Expression) -> Expression:
     if isinstance(expression, Operation) and expression.operator == "**":
         return Call("power", parts)
     return rebuild(expression, parts)
-
-
-def power(base: Any, exponent: int) -> Any:
-    """An integer power, 1 or more, by multiplication."""
-    return math.prod([base] * (exponent - 1), start=base)
 
 
 def complement(parameter: Expression) -> Expression:
