@@ -400,7 +400,8 @@ def _case(options: Any) -> Any:
 def _states(case: Any, options: Any) -> Any:
     from rigidsym import states
 
-    how = {"method": options.method or "theta", "max_seconds": options.max_seconds}
+    given = {"method": options.method, "max_seconds": options.max_seconds}
+    how = {name: value for name, value in given.items() if value is not None}
     if options.enclose:
         return states.balls(case, options.digits or 50, **how)
     if options.digits:

@@ -488,3 +488,16 @@ def test_a_reader_that_goes_away_is_no_error():
     )  # fmt: skip
     assert found.stdout.startswith("t,q0")
     assert found.stderr == ""
+
+
+def test_uncertain_cases_are_enclosed_by_the_method_that_is_narrowest(tmp_path, capsys):
+    case = tmp_path / "case.toml"
+    case.write_text(
+        'inertia = ["0.0109 +/- 1e-9", "0.04", "0.0506"]\n'
+        'omega0 = ["0.05", "0.03", "-0.02"]\ntimes = [10]\n'
+    )
+    printed = []
+    for method in ([], ["--method", "carlson"], ["--method", "theta"]):
+        assert main(["propagate", str(case), "--enclose", *method]) == 0
+        printed.append(capsys.readouterr().out)
+    assert printed[0] == printed[1] != printed[2]
