@@ -126,9 +126,9 @@ class Ring:
         return total
 
     def read(self, text: str) -> Element:
-        """Parse text into an element; every name must be known and every division covered."""
+        """Parse text into an element: names known, divisions covered, and no null byte."""
         try:
-            return self._read(ast.parse(text, mode="eval").body)
+            return self._read(ast.parse("?" if "\0" in text else text, mode="eval").body)
         except (SyntaxError, RecursionError, MemoryError, TypeError, UnicodeError) as error:
             raise KernelError(f"{text!r}: not an expression ({error})") from None
 
