@@ -3,7 +3,10 @@
 `plan` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns the
 constants and a time into rates and attitude, `steady` serves the motions with constant rates.
 `theta` adds the constants of the theta form, `theta_state` is a state by it, and `pull_back` finds
-the constant unit quaternion in front from one attitude.
+the constant unit quaternion in front from one attitude.  `circular` and `circular_state` do the
+same with every theta as a function of its own, `hyperbolic` and `hyperbolic_state` in the
+complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lead to all of them
+without cancellation.
 An entry `context:name:equation` stands for the reading of a name: a standard function of known
 quantities, used where the paper's equation does.
 """
@@ -14,6 +17,21 @@ INVARIANTS = "regular.H regular.E_a regular.E_b regular.E_d attitude.M_a attitud
 MOMENTA = "attitude.M_a attitude.M_b attitude.M_d"
 SHORTEST = "attitude.nu attitude.s_0 attitude.s_b attitude.s_d"
 PARTICULAR = "attitude.qbar_0 attitude.qbar_a attitude.qbar_b attitude.qbar_d"
+FUNCTIONS = ("T4_re", "T4_im", "T1_re", "T1_im", "X_re", "X_im")
+NUMERATORS = " ".join(f"theta_form.P{k}_{part}" for k in (4, 1) for part in ("re", "im"))
+ATTITUDE = " ".join(
+    [*(f"theta_form.qbar_{x}" for x in "0abd"), *(f"attitude.q_{x}" for x in "0abd")]
+)
+
+
+def _by_functions(context: str) -> str:
+    """A state by the functions that the readings of a context name."""
+    functions = " ".join(f"{context}:{name}:18" for name in FUNCTIONS)
+    return f"""
+        descended.u_1 {functions} {NUMERATORS} {context}:W:1 theta_form.N_of_W {ATTITUDE}
+    """
+
+
 PROGRAMMES = {
     "plan": f"""
         {INVARIANTS} attitude.K
@@ -47,6 +65,29 @@ PROGRAMMES = {
         attitude.Omega_a attitude.Omega_b attitude.Omega_d
         attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
     """,
+    "shift": """
+        theta_form.root_k theta_form.x theta_form.y theta_form.z
+        theta_form.s_beta theta_form.c_beta theta_form.d_beta
+    """,
+    "scaling": """
+        scaling.root_r scaling.Q scaling.Y scaling.root_h scaling.h_plus scaling.h_minus
+    """,
+    "landen": """
+        landen.k_next landen.root_kc landen.kc_next landen.s_next landen.v landen.c_next
+        landen.d_next landen.r_next landen.S landen.Y_next landen.K
+    """,
+    "rates": """
+        regular:sn:10 regular:cn:10 regular:dn:10 regular.Omega_a regular.Omega_b regular.Omega_d
+    """,
+    "circular": """
+        theta_form:g:10 theta_form:nome_1:10 theta_form:nome_m:10 theta_form:zeta:34
+        theta_form.Lambda
+    """,
+    "circular_state": _by_functions("theta_form"),
+    "hyperbolic": """
+        hyperbolic_form:gc:10 hyperbolic_form:nome_c:10 hyperbolic_form:zeta:34 theta_form.Lambda
+    """,
+    "hyperbolic_state": _by_functions("hyperbolic_form"),
     "steady": """
         steady.omega steady.axis1 steady.axis2 steady.axis3 steady.theta
         steady:cos_half_theta:3 steady:sin_half_theta:3 steady.r1 steady.r2 steady.r3

@@ -67,7 +67,9 @@ INVARIANTS = Part(
 )
 BODY = (HANDEDNESS, SENSE, CIRCULATION, HALF, POLHODE)
 FUNCTIONS = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
-REGULAR = (*BODY, PARAMETER, AMPLITUDES, FUNCTIONS, ROTATING, INVARIANTS)
+# Numbers have 1 - m without a difference.
+BY_COMPLEMENT = Part(reading={f"{x}n": f"jacobi_{x}n(u, 1 - m_1)" for x in "scd"})
+REGULAR = (*BODY, PARAMETER, AMPLITUDES, FUNCTIONS, BY_COMPLEMENT, ROTATING, INVARIANTS)
 EULER = {f"D({name})": rate for name, rate in RATES.rates.items()}
 # 2 H and the differences 2 H c_a - K^2, K^2 - 2 H c_b, K^2 - 2 H c_d, by rates: no cancellation
 # but the one in E_b, whose sign tells the circulations apart.

@@ -5,9 +5,10 @@ With v = pi u_1/(2 K_1), b = pi beta/(2 K_1) and the nome q^2 of k_1^2 (q being 
     qbar_0 + i sigma qbar_a         = e^(i Lambda t) theta_4(v - i rho b | q^2) / N
     qbar_b + i epsilon sigma qbar_d = -i chi e^(i Lambda t) theta_1(v - i rho b | q^2) / N
 
-and N^2 is the sum of the squared moduli of both.  beta is where sc(beta | 1 - k_1^2) = x; with
-Jacobi's zeta function, zeta = Z(i beta)/i, Lambda = psi_0/2 + rho mu zeta is half the mean rate of
-psi.  0 < k_1 < 1 here: the separatrix and symmetric bodies have closed forms of their own.
+and N^2 is the sum of the squared moduli of both, theta_4(v | q) theta_3(i b | q).  beta is where
+sc(beta | 1 - k_1^2) = x; with Jacobi's zeta function, zeta = Z(i beta)/i, Lambda = psi_0/2 +
+rho mu zeta is half the mean rate of psi.  0 < k_1 < 1 here: the separatrix and symmetric bodies
+have closed forms of their own.
 
 What is classical in it stands in `theta_form` as definitions (sn and Z of a shifted argument, by
 their addition theorems, and theta_1 as sn times theta_4) and as the rate of theta_4.  In
@@ -33,6 +34,9 @@ SHIFT = Part(
         "x": "B_d/(root_k*(K + B_a))",
         "y": "Y/(root_k*(K + B_a))",
         "z": "C_b/Y",
+        "s_beta": "x/y",
+        "c_beta": "1/y",
+        "d_beta": "z/y",
         "Lambda": "psi_0/2 + rho*mu*zeta",
     },
     relations=("root_k**2 - k_1", "Y**2 - (K + B_a)*(K - B_a + k_1*(K + B_a))"),
@@ -42,8 +46,10 @@ SHIFT = Part(
         "C_b": "sqrt((1 + k_1)**2*B_d**2 + 4*k_1*B_a**2)",
         "Y": "sqrt((K + B_a)*(K - B_a + k_1*(K + B_a)))",
         "beta": "arcsc(x, 1 - k_1**2)",
+        **{f"{x}_beta": f"{x}n of (beta | 1 - k_1^2)" for x in "scd"},
         "g": "pi/(2*elliptic_k(1 - m_c))",
         "nome_1": "nome(1 - m_c)",
+        "nome_m": "sqrt(nome(1 - m_c))",
         "zeta": "g*im(dtheta4(g*I*beta, nome_1)/theta4(g*I*beta, nome_1))",
         "e": "elliptic_e(1 - m_c)/elliptic_k(1 - m_c)",
     },
@@ -57,14 +63,10 @@ ADDITION = {
 }
 # Jacobi's zeta function on the real line, theta_4 off it, and its modulus.
 VALUES = Part(
-    witness={"Z_u": "0", "T4_re": "1", "T4_im": "0", "R": "1", "X_re": "1", "X_im": "0"},
+    witness={"Z_u": "0", "T4_re": "1", "T4_im": "0", "R": "1"},
     units=("R",),
-    relations=("R**2 - T4_re**2 - T4_im**2", "X_im**2 + X_re**2 - 1"),
-    rates={
-        "Z_u": "mu*(d**2 - e)",
-        "X_re": "-Lambda*X_im",
-        "X_im": "Lambda*X_re",
-    },
+    relations=("R**2 - T4_re**2 - T4_im**2",),
+    rates={"Z_u": "mu*(d**2 - e)"},
     definitions=ADDITION,
     nonnegative=("R",),
     reading={
@@ -72,18 +74,30 @@ VALUES = Part(
         "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
         "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
         "R": "sqrt(T4_re**2 + T4_im**2)",
-        "X_re": "cos(Lambda*t)",
-        "X_im": "sin(Lambda*t)",
     },
+)
+TURNING = Part(
+    witness={"X_re": "1", "X_im": "0"},
+    relations=("X_im**2 + X_re**2 - 1",),
+    rates={"X_re": "-Lambda*X_im", "X_im": "Lambda*X_re"},
+    reading={"X_re": "cos(Lambda*t)", "X_im": "sin(Lambda*t)"},
 )
 QUOTIENT = {
     "T1_re": "root_k*(SN_re*T4_re - SN_im*T4_im)",
     "T1_im": "root_k*(SN_re*T4_im + SN_im*T4_re)",
 }
 SLOPE = {"T4_re": "Z_re*T4_re - Z_im*T4_im", "T4_im": "Z_re*T4_im + Z_im*T4_re"}
+# Watson's identities make the sum of the squares a product of two real thetas.
+NORM = {"W": "T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2"}
+# That T1 and W, defined here, are the functions that their readings name, is supposed below.
 CLASSICAL = Part(
-    definitions=QUOTIENT,
+    definitions={**QUOTIENT, **NORM},
     rates={**{name: f"mu*({form})" for name, form in SLOPE.items()}, "R": "mu*Z_re*R"},
+    reading={
+        "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
+        "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
+        "W": "theta4(g*u_1, nome_m)*re(theta3(g*I*beta, nome_m))",
+    },
 )
 # The functions themselves; g = pi/(2 K_1) scales their argument.
 DERIVATIVE = {
@@ -91,16 +105,15 @@ DERIVATIVE = {
     "g*(T4_re*dT4_re + T4_im*dT4_im)": "Z_re*R**2",
 }
 FREE = Part(
-    witness=dict.fromkeys(("T1_re", "T1_im", "g", "dT4_re", "dT4_im"), "0"),
+    witness=dict.fromkeys(("T1_re", "T1_im", "g", "dT4_re", "dT4_im", "W"), "0"),
     rates={
-        **dict.fromkeys(("T1_re", "T1_im", "dT4_re", "dT4_im"), "?"),
+        **dict.fromkeys(("T1_re", "T1_im", "dT4_re", "dT4_im", "W"), "?"),
         "T4_re": "mu*g*dT4_re",
         "T4_im": "mu*g*dT4_im",
         "R": "mu*g*(T4_re*dT4_re + T4_im*dT4_im)/R",
     },
     reading={
-        "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
-        "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
+        **CLASSICAL.reading,
         "dT4_re": "re(dtheta4(g*(u_1 - rho*I*beta), nome_1))",
         "dT4_im": "im(dtheta4(g*(u_1 - rho*I*beta), nome_1))",
     },
@@ -126,7 +139,13 @@ COMPONENTS = {
     "qbar_b": "chi*P1_im/N",
     "qbar_d": "-epsilon*sigma*chi*P1_re/N",
 }
-FORM = (*MOTION, SHIFT, VALUES, PHASE)
+REFERENCES = {
+    "quotient": "DLMF 22.2.4 with 22.8.1",
+    "slope": "DLMF 22.16.30 with 22.16.27",
+    "norm": "Watson's identities, DLMF 20.7.13 and 20.7.14",
+}
+SUPPOSED = {"quotient": QUOTIENT, "slope": DERIVATIVE, "norm": NORM}
+FORM = (*MOTION, SHIFT, VALUES, TURNING, PHASE)
 # Both circulations, moduli small and near one, momenta near the circulation axis and far from it.
 POINTS = [
     {"k_1": k_1, "K": K, "B_a": B_a, "B_d": B_d, "rho": rho, "phase": u_1, "Delta": "1", "t": "0"}
@@ -159,6 +178,10 @@ def _shift(book: Book) -> None:
     book.claim("theta_form.x", {"x": "B_d/(root_k*(K + B_a))"}, ["28"])
     book.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
     book.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
+    for name in ("s_beta", "c_beta", "d_beta"):
+        book.claim(f"theta_form.{name}", {name: SHIFT.definitions[name]}, ["DLMF 22.6.1"])
+    beta = {"s_beta**2 + c_beta**2": "1", "d_beta**2": "1 - (1 - k_1**2)*s_beta**2"}
+    book.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
     for name, form in {**ADDITION, **QUOTIENT}.items():
         if not name.startswith("Z"):
             book.claim(f"theta_form.{name}", {name: form}, ["DLMF 22.8.1, 22.2.4"])
@@ -185,30 +208,29 @@ def _assemble(book: Book) -> None:
             "s_b": "chi*root_k*SN_im*s_0",
             "s_d": "-epsilon*sigma*chi*root_k*SN_re*s_0",
             **QUOTIENT,
+            **NORM,
             **{name: form for name, form in TURN.definitions.items() if name.startswith("qbar")},
         },
         relations=("s_0**2*(1 + root_k**2*(SN_re**2 + SN_im**2)) - 1",),
     )
     values = Part(VALUES.witness, VALUES.units, {}, VALUES.relations)
-    book.open(join("quotient", HANDEDNESS, SENSE, HALF, values, given, PHASE, static=True))
+    signs = (HANDEDNESS, SENSE, HALF)
+    book.open(join("quotient", *signs, values, TURNING, given, PHASE, static=True))
     book.root("quotient.N", "N", "P4_re**2 + P4_im**2 + P1_re**2 + P1_im**2", ["1"])
+    book.root("quotient.N_of_W", "N", "W", ["1"])
     for name, form in COMPONENTS.items():
         book.claim(f"quotient.{name}", {name: form}, ["18", "25"])
     book.model("theta_form", "quotient")
-    book.carry("theta_form", [f"quotient.{name}" for name in ("N", *COMPONENTS)])
+    book.carry("theta_form", [f"quotient.{name}" for name in ("N", "N_of_W", *COMPONENTS)])
 
 
 def _functions(book: Book) -> None:
     """Classical identities between the functions, supposed and enclosed; then the form holds."""
     book.open(join("theta_functions", *FORM, FREE))
-    for name, equations, reference in (
-        ("quotient", QUOTIENT, "DLMF 22.2.4 with 22.8.1"),
-        ("slope", DERIVATIVE, "DLMF 22.16.30 with 22.16.27"),
-    ):
-        book.suppose(f"theta_functions.{name}", equations, reference, POINTS)
-    supposed = [f"theta_functions.{name}" for name in ("quotient", "slope")]
-    book.model("theta_functions", "theta_form", supposed)
-    carried = ("solution", "N", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
+    for name, equations in SUPPOSED.items():
+        book.suppose(f"theta_functions.{name}", equations, REFERENCES[name], POINTS)
+    book.model("theta_functions", "theta_form", [f"theta_functions.{name}" for name in SUPPOSED])
+    carried = ("solution", "N_of_W", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
     book.carry("theta_functions", [f"theta_form.{name}" for name in carried])
 
 

@@ -173,5 +173,5 @@ FUNCTIONS: dict[str, Callable[..., acb]] = {
     "jacobi_dn": lambda u, m: 1 / _slope(_amplitude(u, m), m),
     "jacobi_epsilon": lambda u, m: acb.elliptic_e_inc(_amplitude(u, m), m),
     **{f"theta{kind}": _theta(kind) for kind in (1, 2, 3, 4)},
-    "dtheta4": _theta(4, derivative=1),
+    **{f"dtheta{kind}": _theta(kind, derivative=1) for kind in (2, 4)},
 }

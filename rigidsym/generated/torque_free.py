@@ -16,7 +16,7 @@ that proves it (`reading`: the standard function that a proved quantity is).  Fo
 normal form.  Kernels (_quarter_period to _jacobi_argument): tested against mpmath, not proved.
 
 emitter numpy/1
-digest ae8cf20e26282a940f13444249755658c65617e07418e79fef781cdea2fc1f62
+digest c2a4b6acfe2fd4dc0faeedb389f2625cb4e0116c7333e74dd5bf8ced198d79a2
 """
 
 # ruff: noqa

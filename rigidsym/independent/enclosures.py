@@ -129,7 +129,7 @@ FUNCTIONS: dict[tuple[str, int], Callable[..., acb]] = {
     ("re", 1): lambda z: acb(z.real),
     ("im", 1): lambda z: acb(z.imag),
     **{(f"theta{index}", 2): _theta(index) for index in (1, 2, 3, 4)},
-    ("dtheta4", 2): _theta(4, derivative=1),
+    **{(f"dtheta{index}", 2): _theta(index, derivative=1) for index in (2, 4)},
     ("nome", 1): _nome,
     ("elliptic_k", 1): lambda m: acb.elliptic_k(between(None, m, arb(1))),
     ("elliptic_e", 1): lambda m: acb.elliptic_e(between(None, m, arb(1))),

@@ -26,6 +26,10 @@ from rigidsym.solution.expression import (
 )
 
 AXES = ("a", "b", "d")
+_BY_FUNCTIONS = (
+    *("epsilon", "sigma", "rho", "chi", "mu", "phase", "beta", "Lambda"),
+    *("p_0", "p_a", "p_b", "p_d", "t"),
+)
 # What each programme is given; everything else it computes.
 INPUTS = {
     "plan": (
@@ -51,23 +55,45 @@ INPUTS = {
         *("root_k", "x", "y", "z", "beta", "g", "nome_1", "Lambda"),
         *("p_0", "p_a", "p_b", "p_d", "t"),
     ),
+    "shift": ("k_1", "K", "B_a", "B_d"),
+    "scaling": ("B_d", "K", "B_a", "k_1", "r", "Y_b"),
+    "landen": ("k", "kc", "s", "c", "d", "r", "Y", "K_next"),
+    "rates": ("sigma", "chi", "tau", "A_a", "A_b", "A_d", "u", "m_1"),
+    "circular": ("m_c", "beta", "rho", "mu", "psi_0"),
+    "circular_state": (*_BY_FUNCTIONS, "g", "nome_1", "nome_m"),
+    "hyperbolic": ("k_1", "beta", "rho", "mu", "psi_0"),
+    "hyperbolic_state": (*_BY_FUNCTIONS, "gc", "nome_c"),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
 }
 CONSTANTS = ("pi", "I")
-# The standard functions that numbers may use, and the quantities they stand for.
+# The standard functions that numbers may use, and the quantities they stand for; where a name is
+# read in two ways, the context of the second is before it.
 READINGS = {
     "s": "jacobi_sn(u_1, 1 - m_c)",
     "c": "jacobi_cn(u_1, 1 - m_c)",
     "d": "jacobi_dn(u_1, 1 - m_c)",
     "u": "jacobi_argument(sn, cn, dn)",
+    **{f"{x}n": f"jacobi_{x}n(u, 1 - m_1)" for x in "scd"},
     "J": "elliptic_j(u_1, n, 1 - m_c)",
     "J_0": "elliptic_j(phase, n, 1 - m_c)",
     "beta": "arcsc(x, 1 - k_1**2)",
     "g": "pi/(2*elliptic_k(1 - m_c))",
     "nome_1": "nome(1 - m_c)",
+    "nome_m": "sqrt(nome(1 - m_c))",
     "zeta": "g*im(dtheta4(g*I*beta, nome_1)/theta4(g*I*beta, nome_1))",
     "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
     "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
+    "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
+    "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
+    "W": "theta4(g*u_1, nome_m)*re(theta3(g*I*beta, nome_m))",
+    "gc": "pi/(2*elliptic_k(1 - k_1**2))",
+    "nome_c": "nome(1 - k_1**2)",
+    "hyperbolic_form:zeta": "-gc*dtheta2(gc*beta, nome_c)/theta2(gc*beta, nome_c)",
+    "hyperbolic_form:T4_re": "re(theta2(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:T4_im": "im(theta2(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:T1_re": "im(theta1(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:T1_im": "-re(theta1(gc*(rho*beta + I*u_1), nome_c))",
+    "hyperbolic_form:W": "2*re(theta2(2*gc*I*u_1, nome_c**2))*theta3(2*gc*beta, nome_c**2)",
     "X_re": "cos(Lambda*t)",
     "X_im": "sin(Lambda*t)",
     "cos_half_psi": "cos(psi/2)",
@@ -151,8 +177,9 @@ def load(text: str) -> Solution:
 def _formula(entry: str, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Formula:
     if ":" in entry:
         context, name, *source = entry.split(":")
-        expression = _by_complement(parse(contexts[context]["reading"][name]))
-        if READINGS.get(name) != contexts[context]["reading"][name]:
+        reading = contexts[context]["reading"][name]
+        expression = _by_complement(parse(reading))
+        if READINGS.get(f"{context}:{name}", READINGS.get(name)) != reading:
             raise LedgerError(f"ledger: {entry}: its reading is not the one that numbers know")
         return Formula(name, expression, f"reading {context}.{name}", tuple(source))
     fact = facts[entry]

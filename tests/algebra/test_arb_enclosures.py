@@ -67,6 +67,7 @@ EXPECTED = {
     "theta2": ("zm", lambda z, q: mp.jtheta(2, z, q)),
     "theta3": ("zm", lambda z, q: mp.jtheta(3, z, q)),
     "theta4": ("zm", lambda z, q: mp.jtheta(4, z, q)),
+    "dtheta2": ("zm", lambda z, q: mp.jtheta(2, z, q, 1)),
     "dtheta4": ("zm", lambda z, q: mp.jtheta(4, z, q, 1)),
 }
 

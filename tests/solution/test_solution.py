@@ -79,6 +79,12 @@ def changed(**published):
     return json.dumps({**LEDGER, "published": {**LEDGER["published"], **published}})
 
 
+def unmodelled(context):
+    """The ledger without what says that a context has models."""
+    told = [f for f in LEDGER["facts"] if (f["kind"], f["rhs"]) != ("model", [context])]
+    return json.dumps({**LEDGER, "facts": told})
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
@@ -89,9 +95,11 @@ def changed(**published):
         ('{"facts": [], "contexts": [], "published": {}}', "does not publish the programme plan"),
         (ledger_text().replace("jacobi_argument(sn, cn, dn)", "2*sn"), "reading is not the one"),
         (
-            ledger_text().replace('"descended.models_regular"', '"m"').replace('"regular"', '"r"'),
-            "no context is a model of all",
+            ledger_text().replace("-gc*dtheta2(gc*beta", "g*dtheta2(gc*beta"),
+            "hyperbolic_form:zeta:34: its reading is not the one",
         ),
+        (unmodelled("regular"), "plan: no context is a model of all"),
+        (unmodelled("theta_form"), "hyperbolic: no context is a model of all"),
         (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
         (changed(state=["regular.euler"]), "not one proved formula"),
         (changed(state=["amplitude.printed"]), "not one proved formula"),
