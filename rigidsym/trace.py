@@ -1,6 +1,7 @@
 """From a generated line to its equations, and back, by the map that comes with each module."""
 
 import json
+import re
 from collections.abc import Iterator
 from importlib import resources
 from pathlib import Path
@@ -27,9 +28,9 @@ def origin_of_line(place: str) -> list[str]:
     for name, places, lines in _maps():
         if name == Path(file).name and int(number) in places:
             found = places[int(number)]
-            code = lines[int(number) - 1].split("  #")[0].strip()
-            equations = ", ".join(f"({e})" for e in found["equations"])
-            return [code, f"equations: {equations}", f"facts: {', '.join(found['facts'])}"]
+            equations = ", ".join(f"({e})" if e[0].isdigit() else e for e in found["equations"])
+            facts = ", ".join(found["facts"])
+            return [_code(lines[int(number) - 1]), f"equations: {equations}", f"facts: {facts}"]
     return []
 
 
@@ -37,8 +38,13 @@ def lines_of_equation(number: str) -> list[str]:
     """FILE:LINE and code for every generated line that an equation stands behind."""
     wanted = number.strip("()")
     return [
-        f"{name}:{line}: {lines[line - 1].split('  #')[0].strip()}"
+        f"{name}:{line}: {_code(lines[line - 1])}"
         for name, places, lines in _maps()
         for line, place in places.items()
         if wanted in place["equations"]
     ]
+
+
+def _code(line: str) -> str:
+    """A generated line without its comment, in Python or in C."""
+    return re.split(r"  # | /\* ", line)[0].strip()

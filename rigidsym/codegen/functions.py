@@ -1,58 +1,70 @@
-"""From the solution to the functions a target prints, by the passes in their order."""
+"""From the solution to the functions a target prints.
 
-from rigidsym.codegen.ir import Function
-from rigidsym.codegen.passes import lower, select, share, specialise, without
+A motion's constants come from extended numbers: `_start` finds the invariants and the descended
+functions at t = 0, and, by the modulus, `_circular_plan` or `_hyperbolic_plan` the rest.  States
+are doubles, in two functions for each branch: `_<branch>_angles` finds what changes with time, and
+`_<branch>_state` the state from that.
+"""
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import mpmath
+
+from rigidsym.codegen.circular import circular
+from rigidsym.codegen.hyperbolic import hyperbolic
+from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.kernels import angles, landen, nome, reduction
+from rigidsym.codegen.passes import live, products, share
+from rigidsym.codegen.start import excess, start
+from rigidsym.codegen.steady import steady
 from rigidsym.solution import Solution
-from rigidsym.solution.formulas import AXES, INPUTS
-
-_START = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0}
-_RATES = tuple(f"Omega_{x}" for x in AXES)
-_INERTIA = tuple(f"c_{x}" for x in AXES)
-_ATTITUDE = ("q_0", "q_a", "q_b", "q_d")
+from rigidsym.solution.expression import names
 
 
 def functions(solution: Solution) -> tuple[Function, ...]:
-    """Input: the solution.  Output: E_b alone, the constants, a state, and the steady state."""
-    state = _state(solution)
-    return (_excess(solution), _plan(solution, state.parameters[1:]), state, _steady(solution))
-
-
-def _excess(solution: Solution) -> Function:
-    parameters = (*_INERTIA, "Omega_a", "Omega_d")
-    lets = share(select(solution.programmes["plan"], ("E_b",), parameters))
-    summary = "K^2 - 2 H c_b over any numbers, integers among them."
-    return Function("_excess", summary, parameters, lets, ("E_b",))
-
-
-def _plan(solution: Solution, results: tuple[str, ...]) -> Function:
-    signs = ("epsilon", "sigma", "rho", "chi")
-    parameters = (*_INERTIA, *_RATES, *signs, *_ATTITUDE, "E_b")
-    given = (*parameters, *_START)
-    wanted = [name for name in results if name not in given]
-    wanted += ["J_0"]  # brings the quarter period and the complete integral with it
-    lets = select(solution.programmes["plan"], wanted, given)
-    lets = share(lower(specialise(lets, _START)))
-    summary = "The constants of a motion from its state at t = 0; E_b comes from `_excess`."
-    return Function("_plan", summary, parameters, lets, results)
-
-
-def _state(solution: Solution) -> Function:
-    results = (*_ATTITUDE, *_RATES)
-    lets = lower(select(solution.programmes["state"], results, INPUTS["state"]))
-    kept = tuple(
-        target
-        for let in lets
-        for target in let.targets
-        if target.startswith(("quarter_", "complete_"))
+    """All functions, in an order in which each calls those before it."""
+    every = (
+        excess(solution),
+        start(solution),
+        landen.step(solution),
+        landen.ladder(),
+        nome.root_ratio(),
+        angles.half_turns(),
+        angles.logarithm(),
+        *circular(solution),
+        *hyperbolic(solution),
+        *steady(solution),
     )
-    lets = share(without(lets, kept))
-    constants = [name for name in INPUTS["state"] if name != "t"]
-    summary = "The state at time t."
-    return Function("_state", summary, ("t", *constants, *kept), lets, results)
+    return tuple(map(_finished, every))
 
 
-def _steady(solution: Solution) -> Function:
-    results = ("q0", "q1", "q2", "q3")
-    lets = share(select(solution.programmes["steady"], results, INPUTS["steady"]))
-    summary = "The attitude at time t where the rates are constant."
-    return Function("_steady", summary, INPUTS["steady"], lets, results)
+def _finished(function: Function) -> Function:
+    """The function with what its results need alone, shared and without powers."""
+    formulas = live(function.lets, function.results)
+    lets = share(products(formulas))
+    numbers = {constant.name for constant in constants() if constant.lo is not None}
+    used = {name for let in lets for name in names(let.expression)}
+    extended = function.extended | (numbers & used)
+    return replace(function, lets=lets, formulas=formulas, extended=extended)
+
+
+@cache
+def constants() -> tuple[Constant, ...]:
+    """The named numbers that functions use."""
+    with mpmath.workdps(60):
+        pi, log_2 = (
+            _in_two(name, value) for name, value in (("pi", mpmath.pi), ("log_2", mpmath.ln2))
+        )
+    halves = (
+        Constant("pi_hi", pi.hi, None, "pi"),
+        Constant("pi_lo", pi.lo or 0.0, None, "pi - pi_hi"),
+    )
+    never = Constant("never", 1e300, None, "the exponent of what has vanished")
+    return (pi, *halves, log_2, never, *angles.constants(), *reduction.constants())
+
+
+def _in_two(name: str, value: Any) -> Constant:
+    hi = float(value)
+    return Constant(name, hi, float(value - hi), name)

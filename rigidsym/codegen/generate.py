@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rigidsym.codegen import emit_numpy
-from rigidsym.codegen.functions import functions
+from rigidsym.codegen.c import module as c_module
+from rigidsym.codegen.functions import constants, functions
+from rigidsym.codegen.lines import Module
+from rigidsym.codegen.numpy import module as numpy_module
 from rigidsym.errors import InputError
 from rigidsym.files import write_text
 from rigidsym.solution import Solution, sealed
@@ -33,13 +35,9 @@ class Generated:
         return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
 
 
-def _numpy(solution: Solution) -> tuple[dict[str, str], dict[str, list[dict]]]:
-    text, places = emit_numpy.emit(functions(solution), solution.digest)
-    return {emit_numpy.FILE: text}, {emit_numpy.FILE: places}
-
-
-TARGETS: dict[str, Callable[[Solution], tuple[dict[str, str], dict[str, list[dict]]]]] = {
-    "numpy": _numpy,
+TARGETS: dict[str, Callable[..., Module]] = {
+    "numpy": numpy_module.build,
+    "c": c_module.build,
 }
 
 
@@ -50,6 +48,7 @@ def generate(target: str, solution: Solution | None = None) -> Generated:
     """
     if target not in TARGETS:
         raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
-    files, places = TARGETS[target](solution or sealed())
-    digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
-    return Generated(files, places, {"target": target, "sha256": digests})
+    module = TARGETS[target](functions(solution or sealed()), constants())
+    digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}
+    manifest = {"target": target, "digest": module.digest, "sha256": digests}
+    return Generated(module.files, module.places(), manifest)

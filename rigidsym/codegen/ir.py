@@ -1,11 +1,30 @@
 """The intermediate form: named lets with provenance, grouped into functions.
 
 Input and output of every pass are tuples of `Let`; no pass looks at the target's language.
+
+Numbers are of two kinds.  A double is what the machine has; an extended number is the unevaluated
+sum of two, and carries about 31 digits.  An expression is extended as soon as a part of it is.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from rigidsym.solution.expression import Expression, to_text
+from rigidsym.solution.expression import Call, Expression, Name, children, names, parse, to_text
+
+# What an expression may call, and whether the value is extended: "as" its arguments are.
+CALLS = {
+    "neg": "as",
+    "sqrt": "as",
+    "size": "as",
+    "choose": "as",
+    "rounded": "double",
+    "exponent": "double",
+    "mantissa": "extended",
+    "fma": "double",
+    "product_error": "double",
+    "nearest": "double",
+    "alternating": "double",
+    "exp": "double",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,11 +44,56 @@ class Let:
 
 
 @dataclass(frozen=True, slots=True)
+class Constant:
+    """A named number: a double, or an extended one where `lo` is given."""
+
+    name: str
+    hi: float
+    lo: float | None
+    meaning: str
+
+
+@dataclass(frozen=True, slots=True)
 class Function:
-    """A straight-line function: parameters, lets, and the names it returns."""
+    """A straight-line function: parameters, lets, and the names it returns.
+
+    `extended` are the parameters that are extended numbers, and `split` the results that are handed
+    on as two doubles, `<name>_hi` and `<name>_lo`; other results are rounded where `rounds`.
+    `formulas` are the lets before anything was shared.
+    """
 
     name: str
     summary: str
     parameters: tuple[str, ...]
     lets: tuple[Let, ...]
     results: tuple[str, ...]
+    extended: frozenset[str] = field(default=frozenset())
+    split: frozenset[str] = field(default=frozenset())
+    rounds: bool = False
+    formulas: tuple[Let, ...] = ()
+
+    def used(self) -> set[str]:
+        """Every name that a let uses."""
+        return {name for let in self.lets for name in names(let.expression)}
+
+
+def let(text: str, *source: str, facts: tuple[str, ...] = ()) -> Let:
+    """Read `a = expression` or `a, b = call`.
+
+    >>> str(let("s, c = turn(x + 1)"))
+    's, c = turn(x + 1)'
+    """
+    targets, _, expression = text.partition(" = ")
+    return Let(tuple(targets.split(", ")), parse(expression), source, facts)
+
+
+def is_extended(expression: Expression, extended: frozenset[str] | set[str]) -> bool:
+    """Whether a value is an extended number, given the names that are."""
+    match expression:
+        case Name(name):
+            return name in extended
+        case Call(function, _) if CALLS.get(function, "as") != "as":
+            return CALLS[function] == "extended"
+        case Call("choose", (_, _, one, other)):
+            return is_extended(one, extended) or is_extended(other, extended)
+    return any(is_extended(part, extended) for part in children(expression))

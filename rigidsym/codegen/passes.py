@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
-from rigidsym.codegen.ir import Let
+from rigidsym.codegen.ir import Let, is_extended
 from rigidsym.solution import Formula
 from rigidsym.solution.expression import (
     Call,
@@ -14,9 +14,10 @@ from rigidsym.solution.expression import (
     children,
     names,
     rebuild,
+    to_text,
 )
 
-_JACOBI = ("jacobi_sn", "jacobi_cn", "jacobi_dn")
+_SHARED = "common_"
 
 
 def select(
@@ -52,79 +53,121 @@ def _folded(expression: Expression, constants: Mapping[Expression, Expression]) 
             return other
         case Operation("+", Number(0), other) | Operation("+" | "-", other, Number(0)):
             return other
+        case Operation("-", Number(0), other):
+            return Call("neg", (other,))
+        case Operation("/", Number(0), _) | Call("neg", (Number(0),)):
+            return Number(0)
+        case Operation("/", other, Number(1)) | Call("neg", (Call("neg", (other,)),)):
+            return other
         case folded:
             return folded
 
 
-def lower(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets that call functions of (..., mc).  Output: lets that call the kernels.
+def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
+    """Input: lets, and new names for some quantities.  Output: the lets under these names."""
+    meaning: dict[Expression, Expression] = {Name(old): Name(n) for old, n in new.items()}
+    return tuple(
+        Let(
+            tuple(new.get(target, target) for target in let.targets),
+            _replaced(let.expression, meaning),
+            let.source,
+            let.facts,
+        )
+        for let in lets
+    )
 
-    sn, cn and dn of one argument become one call; quarter periods and complete integrals become
-    lets of their own, `quarter_<mc>` and `complete_<n>`, so that a plan can keep them.
-    """
-    lowered: list[Let] = []
-    jacobi: dict[tuple[Expression, ...], tuple[str, str, str]] = {}
+
+def inlined(lets: Iterable[Let], kept: Iterable[str]) -> tuple[Let, ...]:
+    """Input: lets.  Output: those of the kept names, with the others put into them."""
+    meaning: dict[Expression, Expression] = {}
+    wanted, found = set(kept), []
     for let in lets:
-        match let.expression:
-            case Call(function, arguments) if function in _JACOBI:
-                values = _jacobi_targets(jacobi, arguments, let, lowered)
-                value = values[_JACOBI.index(function)]
-                if let.targets != (value,):
-                    lowered.append(Let(let.targets, Name(value), let.source, let.facts))
-            case Call("elliptic_j", (u, n, mc)):
-                values = _jacobi_targets(jacobi, (u, mc), let, lowered)
-                complete = Name(f"complete_{_label(n)}")
-                _once(lowered, complete, Call("complete_j", (n, mc)), let)
-                quarter = _quarter(lowered, mc, let)
-                triple = tuple(map(Name, values))
-                call = Call("elliptic_j", (u, n, quarter, *triple, complete))
-                lowered.append(Let(let.targets, call, let.source, let.facts))
-            case _:
-                lowered.append(let)
-    return tuple(lowered)
+        expression = _replaced(let.expression, meaning)
+        (target,) = let.targets
+        if target in wanted:
+            found.append(Let(let.targets, expression, let.source, let.facts))
+        else:
+            meaning[Name(target)] = expression
+    return tuple(found)
 
 
-def _jacobi_targets(
-    jacobi: dict[tuple[Expression, ...], tuple[str, str, str]],
-    arguments: tuple[Expression, ...],
-    let: Let,
-    lowered: list[Let],
-) -> tuple[str, str, str]:
-    """The names of sn, cn, dn of the arguments, which are computed once."""
-    if arguments not in jacobi:
-        u, mc = arguments
-        quarter = _quarter(lowered, mc, let)
-        jacobi[arguments] = ("s", "c", "d")
-        call = Call("jacobi", (u, mc, quarter))
-        lowered.append(Let(jacobi[arguments], call, let.source, let.facts))
-    return jacobi[arguments]
+def coefficient(expression: Expression, of: str, among: Iterable[str], over: str) -> Expression:
+    """Input: what is linear in some names over another.  Output: what multiplies `of`/`over`."""
+    values: dict[Expression, Expression] = {Name(n): Number(int(n == of)) for n in among}
+    values[Name(over)] = Number(1)
+    return _folded(expression, values)
 
 
-def _quarter(lowered: list[Let], mc: Expression, let: Let) -> Name:
-    name = Name(f"quarter_{_label(mc)}")
-    _once(lowered, name, Call("quarter_period", (mc,)), let)
-    return name
+def live(lets: Iterable[Let], results: Iterable[str]) -> tuple[Let, ...]:
+    """Input: lets, and the names wanted.  Output: the lets that these need, each name set once."""
+    wanted, kept = set(results), []
+    for let in reversed(tuple(lets)):
+        if wanted & set(let.targets):
+            wanted |= set(names(let.expression))
+            kept.append(let)
+    targets = Counter(target for let in kept for target in let.targets)
+    repeated = sorted(name for name, count in targets.items() if count > 1)
+    if repeated:
+        raise ValueError(f"{', '.join(repeated)}: set more than once")
+    return tuple(reversed(kept))
 
 
-def _once(lowered: list[Let], name: Name, call: Call, let: Let) -> None:
-    if not any(name.name in done.targets for done in lowered):
-        lowered.append(Let((name.name,), call, let.source, let.facts))
+def products(lets: Iterable[Let]) -> tuple[Let, ...]:
+    """Input: lets with whole powers.  Output: the same by multiplication."""
+    return tuple(
+        Let(let.targets, _multiplied(let.expression), let.source, let.facts) for let in lets
+    )
 
 
-def _label(expression: Expression) -> str:
-    if not isinstance(expression, Name):
-        raise ValueError(f"{expression}: a parameter must be a named quantity")
-    return expression.name
+def _multiplied(expression: Expression) -> Expression:
+    match rebuild(expression, tuple(map(_multiplied, children(expression)))):
+        case Operation("**", base, Number(power)) if power > 0:
+            product = base
+            for _ in range(power - 1):
+                product = Operation("*", product, base)
+            return product
+        case Operation("**", _, power):
+            raise ValueError(f"{to_text(expression)}: {to_text(power)} is not a whole power")
+        case other:
+            return other
 
 
-def without(lets: Iterable[Let], given: Iterable[str]) -> tuple[Let, ...]:
-    """Input: lets, and names that are given after all.  Output: the lets without theirs."""
-    known = set(given)
-    return tuple(let for let in lets if not set(let.targets) <= known)
+def fuse(lets: Iterable[Let], extended: Iterable[str] = ()) -> tuple[Let, ...]:
+    """Input: lets.  Output: the same with a*b + c of doubles as one `fma`, where c is the rest."""
+    known, fused = set(extended), []
+    for let in lets:
+        fused.append(Let(let.targets, _fused(let.expression, known), let.source, let.facts))
+        if is_extended(let.expression, known):
+            known |= set(let.targets)
+    return tuple(fused)
+
+
+def _fused(expression: Expression, extended: set[str]) -> Expression:
+    parts = tuple(_fused(part, extended) for part in children(expression))
+    small = rebuild(expression, parts)
+    if is_extended(expression, extended):
+        return small
+    match small:
+        case Operation("+", Operation("*", a, b), c) | Operation("+", c, Operation("*", a, b)):
+            return Call("fma", (a, b, c))
+        case Operation("-", Operation("*", a, b), c):
+            return Call("fma", (a, b, Call("neg", (c,))))
+        case Operation("-", c, Operation("*", a, b)):
+            return Call("fma", (Call("neg", (a,)), b, c))
+    return small
+
+
+def unfused(expression: Expression) -> Expression:
+    """Input: an expression after `fuse`.  Output: with products and sums again."""
+    match rebuild(expression, tuple(map(unfused, children(expression)))):
+        case Call("fma", (a, b, c)):
+            return Operation("+", Operation("*", a, b), c)
+        case other:
+            return other
 
 
 def share(lets: Iterable[Let]) -> tuple[Let, ...]:
-    """Input: lets.  Output: the same, common subexpressions named x1, x2, ... before first use.
+    """Input: lets.  Output: the same, common subexpressions named common_1, ... before first use.
 
     The provenance of a shared let is the union over its users.
     """
@@ -141,9 +184,11 @@ def share(lets: Iterable[Let]) -> tuple[Let, ...]:
     for let in lets:
         expression = _shared(let.expression, counts, users, named, shared)
         shared.append(Let(let.targets, expression, let.source, let.facts))
-        if len(let.targets) == 1:
-            named.setdefault(let.expression, Name(let.targets[0]))
     return tuple(shared)
+
+
+def _is_shared(name: str) -> bool:
+    return name.startswith(_SHARED) and name[len(_SHARED) :].isdigit()
 
 
 def _compound(expression: Expression) -> Iterator[Expression]:
@@ -160,17 +205,15 @@ def _shared(
     users: Mapping[Expression, list[Let]],
     named: dict[Expression, Name],
     shared: list[Let],
-    top: bool = True,
 ) -> Expression:
     if expression in named:
         return named[expression]
-    parts = tuple(
-        _shared(part, counts, users, named, shared, top=False) for part in children(expression)
-    )
+    parts = tuple(_shared(part, counts, users, named, shared) for part in children(expression))
     small = rebuild(expression, parts)
-    if top or counts[expression] < 2 or not isinstance(expression, Operation):
+    if counts[expression] < 2 or not isinstance(expression, Operation):
         return small
-    named[expression] = Name(f"x{sum(let.targets[0].startswith('x') for let in shared) + 1}")
+    number = sum(_is_shared(let.targets[0]) for let in shared) + 1
+    named[expression] = Name(f"{_SHARED}{number}")
     source = tuple(dict.fromkeys(s for let in users[expression] for s in let.source))
     facts = tuple(dict.fromkeys(f for let in users[expression] for f in let.facts))
     shared.append(Let((named[expression].name,), small, source, facts))
@@ -183,7 +226,7 @@ def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
     expanded = []
     for let in lets:
         expression = _replaced(let.expression, meaning)
-        if let.targets[0].startswith("x") and let.targets[0][1:].isdigit():
+        if _is_shared(let.targets[0]):
             meaning[Name(let.targets[0])] = expression
         else:
             expanded.append(Let(let.targets, expression, let.source, let.facts))

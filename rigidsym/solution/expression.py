@@ -75,33 +75,38 @@ def _parse(node: ast.expr) -> Expression:
     raise ValueError(f"{ast.unparse(node)}: not part of an expression")
 
 
-def to_text(expression: Expression, rename: Mapping[str, str] | None = None) -> str:
-    """Python text with no more parentheses than needed; `rename` maps function names."""
-    return _print(expression, rename or {})[0]
+def to_text(
+    expression: Expression, rename: Mapping[str, str] | None = None, *, real: bool = False
+) -> str:
+    """Python text with no more parentheses than needed; `rename` maps function names.
+
+    `real` writes whole numbers with a decimal point, as C needs them.
+    """
+    return _print(expression, rename or {}, ".0" if real else "")[0]
 
 
-def _print(expression: Expression, rename: Mapping[str, str]) -> tuple[str, int]:
+def _print(expression: Expression, rename: Mapping[str, str], point: str) -> tuple[str, int]:
     match expression:
         case Number(value):
-            return str(value), 5
+            return f"{value}{point}", 5
         case Name(name):
             return name, 5
         case Call("neg", (operand,)):
-            return f"-{_within(operand, 3, rename)}", _BINDING["neg"]
+            return f"-{_within(operand, 3, rename, point)}", _BINDING["neg"]
         case Call(function, arguments):
-            inside = ", ".join(_print(a, rename)[0] for a in arguments)
+            inside = ", ".join(_print(a, rename, point)[0] for a in arguments)
             return f"{rename.get(function, function)}({inside})", 5
         case Operation(symbol, left, right):
             bound = _BINDING[symbol]
             tight = symbol == "**"
-            before = _within(left, bound + tight, rename)
-            after = _within(right, bound + (not tight), rename)
+            before = _within(left, bound + tight, rename, point)
+            after = _within(right, bound + (not tight), rename, point)
             return f"{before}{symbol}{after}" if tight else f"{before} {symbol} {after}", bound
     raise TypeError(f"{expression!r} is not an expression")
 
 
-def _within(expression: Expression, bound: int, rename: Mapping[str, str]) -> str:
-    text, own = _print(expression, rename)
+def _within(expression: Expression, bound: int, rename: Mapping[str, str], point: str) -> str:
+    text, own = _print(expression, rename, point)
     return text if own >= bound else f"({text})"
 
 

@@ -50,14 +50,12 @@ class Polhode:
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     """Decide the regime from exact inertia (3 numbers) and body rates (3 numbers)."""
     low, middle, high = sorted(range(3), key=lambda k: inertia[k])
-    axes = (high, middle, low)
-    excess = _excess(inertia, omega, axes)
-    if excess < 0:
-        axes = (low, middle, high)
+    surplus = excess(inertia, omega)
+    axes = (low, middle, high) if surplus < 0 else (high, middle, low)
     if _steady(inertia, omega):
         regime = _steady_regime(inertia, omega)
     else:
-        regime = _moving_regime(inertia, excess)
+        regime = _moving_regime(inertia, surplus)
     epsilon = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     sigma = -1 if omega[axes[0]] < 0 else 1
     rho = 1 if axes[0] == high else -1
@@ -71,10 +69,9 @@ def _steady(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> bool:
     )
 
 
-def _excess(
-    inertia: Sequence[Fraction], omega: Sequence[Fraction], axes: tuple[int, int, int]
-) -> Fraction:
-    """E_b = K^2 - 2 H c_b."""
+def excess(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
+    """E_b = K^2 - 2 H c_b, b being the middle axis: its sign tells the circulations apart."""
+    axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
     (formula,) = (f for f in sealed().programmes["plan"] if f.name == "E_b")
@@ -87,9 +84,9 @@ def _steady_regime(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Re
     return Regime.SPHERICAL if len(set(inertia)) == 1 else Regime.SPIN
 
 
-def _moving_regime(inertia: Sequence[Fraction], excess: Fraction) -> Regime:
+def _moving_regime(inertia: Sequence[Fraction], surplus: Fraction) -> Regime:
     if len(set(inertia)) == 2:
         return Regime.SYMMETRIC
-    if excess == 0:
+    if surplus == 0:
         return Regime.SEPARATRIX
-    return Regime.LARGEST if excess > 0 else Regime.SMALLEST
+    return Regime.LARGEST if surplus > 0 else Regime.SMALLEST

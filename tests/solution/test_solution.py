@@ -111,7 +111,7 @@ def test_a_ledger_that_proves_less_is_refused(text, message):
         load(text)
 
 
-NUMBER_WING = ("solution", "precise", "codegen", "validate", "generated")
+NUMBER_WING = ("solution", "precise", "codegen", "validate", "generated", "engines")
 ALLOWED = {
     "kernel": {"kernel"},
     "algebra": {"algebra", "kernel"},
@@ -120,7 +120,8 @@ ALLOWED = {
     "precise": {"precise", "solution", "errors", "inputs"},
     "codegen": {"codegen", "solution", "errors", "files"},
     "generated": set(),
-    "validate": {"validate", "motion", "cases", "generated", "errors"},
+    "engines": {"engines", "generated", "solution", "errors", "inputs", "files"},
+    "validate": {"validate", "codegen", "engines", "motion", "cases", "errors", "files"},
     "independent": {"independent"},
 }
 

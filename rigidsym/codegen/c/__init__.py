@@ -1,0 +1,1 @@
+"""The C target: one header and one source, C99 and libm alone."""

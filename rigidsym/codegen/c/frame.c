@@ -1,0 +1,430 @@
+/* Rates below this fraction of the largest cannot change a state by an ulp, unless they decide on
+   which side of the separatrix a motion is: then it is refused. */
+static const double negligible = 0x1p-400;
+static const double faintest = 0x1p-900;
+static const double thinnest = 0x1p-240;
+static const double farthest = 0x1p46;
+enum { BLOCK = 192, GRID = 64 };
+
+/* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
+static int exponent_of(size_t n, const double *x)
+{
+    double largest = 0.0;
+    int e;
+    for (size_t k = 0; k < n; k++)
+        largest = fabs(x[k]) > largest ? fabs(x[k]) : largest;
+    (void)frexp(largest, &e);
+    return e - 1;
+}
+
+static int all_finite(size_t n, const double *x)
+{
+    for (size_t k = 0; k < n; k++)
+        if (!isfinite(x[k]))
+            return 0;
+    return 1;
+}
+
+static int same(pair x, pair y) { return !(x.hi < y.hi || x.hi > y.hi || x.lo < y.lo || x.lo > y.lo); }
+static int is_zero(pair x) { return !(x.hi < 0.0 || x.hi > 0.0); }
+static int is_below(pair x, pair y) { return x.hi < y.hi || (!(x.hi > y.hi) && x.lo < y.lo); }
+
+/* True where momentum and rates are parallel. */
+static int is_steady(const pair c[3], const pair omega[3])
+{
+    for (int j = 0; j < 3; j++) {
+        const int k = (j + 1) % 3;
+        if (!same(c[j], c[k]) && !is_zero(omega[j]) && !is_zero(omega[k]))
+            return 0;
+    }
+    return 1;
+}
+
+/* The axes by their moments, largest first; equal ones in the order a plain argsort leaves. */
+static void sorted(const pair c[3], int axis[3])
+{
+    for (int k = 0; k < 3; k++)
+        axis[k] = k;
+    for (int pass = 0; pass < 2; pass++)
+        for (int k = 0; k < 2; k++)
+            if (is_below(c[axis[k]], c[axis[k + 1]])) {
+                const int first = axis[k];
+                axis[k] = axis[k + 1];
+                axis[k + 1] = first;
+            }
+}
+
+/* E_b to all digits of a pair: in exact arithmetic where its terms cancel. */
+static pair excess_of(const pair c[3], const pair omega[3], const int axis[3])
+{
+    const pair zero = {0.0, 0.0};
+    const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
+    const int scale = exponent_of(2, rates);
+    const pair a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
+    const pair over = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], a, zero);
+    const pair under = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], zero, d);
+    const pair sum = pair_add_xx(over, under);
+    if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))
+        return scaled(sum, 2 * scale);
+    return scaled(exact_to_pair(excess_exact(exact_of(c[axis[0]].hi), exact_of(c[axis[1]].hi),
+                                             exact_of(c[axis[2]].hi), exact_of(a.hi), exact_of(d.hi))),
+                  2 * scale);
+}
+
+static void steady_init(torque_free_plan *plan, const pair omega[3], const pair q[4])
+{
+    pair rates[3] = {omega[0], omega[1], omega[2]};
+    const int at_rest = is_zero(omega[0]) && is_zero(omega[1]) && is_zero(omega[2]);
+    if (at_rest)
+        rates[0] = pair_of(1.0);
+    plan->branch = 0;
+    steady_plan(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &plan->of.steady);
+    if (at_rest)
+        plan->of.steady.Lambda_rate_hi = plan->of.steady.Lambda_rate_lo = 0.0;
+}
+
+static void moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
+                        const pair q[4], pair E_b)
+{
+    const int *axis = plan->axis;
+    const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
+    const pair Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
+    const pair q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
+    const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
+    const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
+    const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
+    const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    pair @started@;
+    start(@start given@, @started out@);
+    if (k_1.hi * k_1.hi <= 0.5) {
+        plan->branch = 1;
+        circular_plan(@circular given@, &plan->of.circular);
+        plan->of.circular.gain_a *= plan->unit;
+        plan->of.circular.gain_b *= plan->unit;
+        plan->of.circular.gain_d *= plan->unit;
+    } else {
+        plan->branch = 2;
+        hyperbolic_plan(@hyperbolic given@, &plan->of.hyperbolic);
+        plan->of.hyperbolic.gain_a *= plan->unit;
+        plan->of.hyperbolic.gain_b *= plan->unit;
+        plan->of.hyperbolic.gain_d *= plan->unit;
+    }
+}
+
+/* c, omega and q in inner units; `given` are the rates before faint ones were taken for zero. */
+static int init(torque_free_plan *plan, const pair c[3], const pair given[3], const pair q[4],
+                const pair *known, double unit)
+{
+    torque_free_plan made = {0};
+    pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
+    for (int k = 0; k < 3; k++) {
+        omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
+        length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
+    }
+    length = pair_sqrt(length);
+    made.unit = unit;
+    for (int k = 0; k < 4; k++) {
+        unit_q[k] = pair_div_xx(q[k], length);
+        made.q0[k] = pair_rounded(unit_q[k]);
+    }
+    for (int k = 0; k < 3; k++)
+        made.omega0[k] = given[k].hi * unit;
+    sorted(c, made.axis);
+    const pair excess = known ? *known : excess_of(c, omega, made.axis);
+    if (excess.hi < 0.0) {
+        const int first = made.axis[0];
+        made.axis[0] = made.axis[2];
+        made.axis[2] = first;
+    }
+    const int steady = is_steady(c, omega);
+    const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
+    const int lost = steady && !is_steady(c, given) && !is_zero(omega[made.axis[1]]);
+    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    if (distinct && (lost || faint))
+        return TORQUE_FREE_SEPARATRIX;
+    if (steady)
+        steady_init(&made, omega, unit_q);
+    else
+        moving_init(&made, c, omega, unit_q, excess);
+    *plan = made;
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
+                          const double attitude0[4])
+{
+    pair c[3], omega[3], q[4];
+    double least = inertia[0], most = inertia[0];
+    if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
+        return TORQUE_FREE_NOT_FINITE;
+    for (int k = 1; k < 3; k++) {
+        least = inertia[k] < least ? inertia[k] : least;
+        most = inertia[k] > most ? inertia[k] : most;
+    }
+    if (!(least > 0.0))
+        return TORQUE_FREE_INERTIA;
+    const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
+    const int q_scale = exponent_of(4, attitude0);
+    int is_zero_attitude = 1;
+    for (int k = 0; k < 3; k++) {
+        c[k] = pair_of(ldexp(inertia[k], -c_scale));
+        omega[k] = pair_of(ldexp(omega0[k], -scale));
+    }
+    if (ldexp(least, -c_scale) < thinnest)
+        return TORQUE_FREE_THIN;
+    for (int k = 0; k < 4; k++) {
+        q[k] = pair_of(ldexp(attitude0[k], -q_scale));
+        is_zero_attitude = is_zero_attitude && is_zero(q[k]);
+    }
+    if (is_zero_attitude)
+        return TORQUE_FREE_ATTITUDE;
+    return init(plan, c, omega, q, NULL, ldexp(1.0, scale));
+}
+
+int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
+                                const double omega0[3][2], const double attitude0[4][2],
+                                const double excess[2], double unit)
+{
+    pair c[3], omega[3], q[4];
+    for (int k = 0; k < 4; k++) {
+        const pair one = {attitude0[k][0], attitude0[k][1]};
+        q[k] = one;
+    }
+    for (int k = 0; k < 3; k++) {
+        const pair moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
+        c[k] = moment;
+        omega[k] = rate;
+        if (!all_finite(2, inertia[k]) || !all_finite(2, omega0[k]))
+            return TORQUE_FREE_NOT_FINITE;
+        if (!(moment.hi > 0.0))
+            return TORQUE_FREE_INERTIA;
+        if (moment.hi < thinnest || moment.hi > 4.0)
+            return TORQUE_FREE_THIN;
+    }
+    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, excess) || !isfinite(unit))
+        return TORQUE_FREE_NOT_FINITE;
+    if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
+        return TORQUE_FREE_ATTITUDE;
+    const pair known = {excess[0], excess[1]};
+    return init(plan, c, omega, q, &known, unit);
+}
+
+/* Times in inner units, and whether all of them are near enough and whether one is zero. */
+static int scaled_times(double unit, size_t n, const double *restrict t, double *restrict inner, int *zero)
+{
+    int bad = 0, zeros = 0;
+    for (size_t i = 0; i < n; i++) {
+        inner[i] = unit * t[i];
+        bad |= !(fabs(inner[i]) <= farthest);
+        zeros |= !(t[i] < 0.0 || t[i] > 0.0);
+    }
+    *zero = zeros;
+    return !bad;
+}
+
+static void interleaved(size_t n, const double *restrict a, const double *restrict b,
+                        const double *restrict c, double *restrict rows)
+{
+    for (size_t i = 0; i < n; i++) {
+        rows[3 * i] = a[i];
+        rows[3 * i + 1] = b[i];
+        rows[3 * i + 2] = c[i];
+    }
+}
+
+static void interleaved4(size_t n, const double *restrict a, const double *restrict b,
+                         const double *restrict c, const double *restrict d, double *restrict rows)
+{
+    for (size_t i = 0; i < n; i++) {
+        rows[4 * i] = a[i];
+        rows[4 * i + 1] = b[i];
+        rows[4 * i + 2] = c[i];
+        rows[4 * i + 3] = d[i];
+    }
+}
+
+/* The states of one block from what changes with time: two arrays on the steady branch, four on the
+   circular one, six on the hyperbolic one. */
+static void block_states(const torque_free_plan *plan, size_t n, double (*restrict by_time)[BLOCK],
+                         double *restrict q, double *restrict omega)
+{
+    double out[7][BLOCK];
+    const int *axis = plan->axis;
+    if (plan->branch == 0) {
+        steady_state(&plan->of.steady, n, by_time[0], by_time[1], out[0], out[1], out[2], out[3]);
+        for (size_t i = 0; i < n; i++)
+            for (int k = 0; k < 3; k++)
+                omega[3 * i + (size_t)k] = plan->omega0[k];
+        interleaved4(n, out[0], out[1], out[2], out[3], q);
+        return;
+    }
+    double *row[7];
+    row[0] = out[0];
+    for (int k = 0; k < 3; k++) {
+        row[1 + axis[k]] = out[1 + k];
+        row[4 + axis[k]] = out[4 + k];
+    }
+    if (plan->branch == 1)
+        circular_state(&plan->of.circular, n, by_time[0], by_time[1], by_time[2], by_time[3], out[0],
+                       out[1], out[2], out[3], out[4], out[5], out[6]);
+    else
+        hyperbolic_state(&plan->of.hyperbolic, n, by_time[0], by_time[1], by_time[2], by_time[3],
+                         by_time[4], by_time[5], out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
+    interleaved4(n, row[0], row[1], row[2], row[3], q);
+    interleaved(n, row[4], row[5], row[6], omega);
+}
+
+/* What changes with time at the inner times t + t_lo. */
+static void block_angles(const torque_free_plan *plan, size_t n, const double *restrict t,
+                         const double *restrict t_lo, double (*restrict by_time)[BLOCK])
+{
+    if (plan->branch == 0)
+        steady_angles(&plan->of.steady, n, t, t_lo, by_time[0], by_time[1]);
+    else if (plan->branch == 1)
+        circular_angles(&plan->of.circular, n, t, t_lo, by_time[0], by_time[1], by_time[2], by_time[3]);
+    else
+        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, by_time[0], by_time[1], by_time[2],
+                          by_time[3], by_time[4], by_time[5]);
+}
+
+/* A motion is at its start at t = 0, to the last bit. */
+static void at_start(const torque_free_plan *plan, double *q, double *omega)
+{
+    for (int k = 0; k < 4; k++)
+        q[k] = plan->q0[k];
+    for (int k = 0; k < 3; k++)
+        omega[k] = plan->omega0[k];
+}
+
+int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+                          double *omega)
+{
+    double by_time[6][BLOCK], inner[BLOCK], rest[BLOCK];
+    int zero;
+    for (size_t i = 0; i < n; i += BLOCK)
+        if (!scaled_times(plan->unit, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
+            return TORQUE_FREE_TIME;
+    for (size_t k = 0; k < BLOCK; k++)
+        rest[k] = 0.0;
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        (void)scaled_times(plan->unit, count, t + i, inner, &zero);
+        block_angles(plan, count, inner, rest, by_time);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        for (size_t k = 0; zero && k < count; k++)
+            if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
+                at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
+    }
+    return TORQUE_FREE_OK;
+}
+
+/* Sines and cosines of a + b. */
+static void turned(size_t n, double sin_a, double cos_a, const double *restrict sin_b,
+                   const double *restrict cos_b, double *restrict sine, double *restrict cosine)
+{
+    for (size_t i = 0; i < n; i++) {
+        sine[i] = fused(sin_a, cos_b[i], cos_a * sin_b[i]);
+        cosine[i] = fused(cos_a, cos_b[i], -(sin_a * sin_b[i]));
+    }
+}
+
+/* Sines and cosines of both angles at the times k step, k = 0 ... GRID - 1, as from zero. */
+static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
+{
+    double t[BLOCK], t_lo[BLOCK];
+    torque_free_plan from_zero = *plan;
+    if (plan->branch == 1)
+        from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
+    for (size_t k = 0; k < GRID; k++) {
+        const pair time = two_product((double)k, step);
+        t[k] = time.hi;
+        t_lo[k] = time.lo;
+    }
+    block_angles(&from_zero, GRID, t, t_lo, table);
+}
+
+/* What changes with time at n grid times from number `first` on: by turning the values at every
+   GRID-th of them, but on the hyperbolic branch, where it is more than sines and cosines. */
+static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
+                        size_t n, double (*restrict table)[BLOCK], double (*restrict by_time)[BLOCK])
+{
+    double t[BLOCK], t_lo[BLOCK], base[6][BLOCK];
+    const size_t every = plan->branch == 2 ? 1 : GRID, count = (n + every - 1) / every;
+    for (size_t i = 0; i < count; i++) {
+        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+        t[i] = time.hi;
+        t_lo[i] = time.lo;
+    }
+    if (every == 1) {
+        block_angles(plan, n, t, t_lo, by_time);
+        return;
+    }
+    block_angles(plan, count, t, t_lo, base);
+    for (size_t i = 0; i < count; i++) {
+        const size_t at = i * every, rest = n - at < every ? n - at : every;
+        for (int s = 0; s < 2 * plan->branch + 2; s += 2)
+            turned(rest, base[s][i], base[s + 1][i], table[s], table[s + 1], by_time[s] + at,
+                   by_time[s + 1] + at);
+    }
+}
+
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
+                               double *q, double *omega)
+{
+    double table[6][BLOCK], by_time[6][BLOCK];
+    const double inner = plan->unit * start, inner_step = plan->unit * step;
+    const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
+    if (!(fabs(inner) <= farthest && fabs(last) <= farthest))
+        return TORQUE_FREE_TIME;
+    if (plan->branch != 2)
+        grid_table(plan, inner_step, table);
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        grid_angles(plan, inner, inner_step, i, count, table, by_time);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+    }
+    if (!(start < 0.0 || start > 0.0))
+        for (size_t i = 0; i < (is_zero(pair_of(step)) ? n : n > 0); i++)
+            at_start(plan, q + 4 * i, omega + 3 * i);
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
+                          const double *attitude0, size_t n, const double *t, double *q,
+                          double *omega, size_t *failed)
+{
+    torque_free_plan plan;
+    for (size_t k = 0; k < bodies; k++) {
+        int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+        if (code == TORQUE_FREE_OK)
+            code = torque_free_states_at(&plan, n, t, q + 4 * n * k, omega + 3 * n * k);
+        if (code != TORQUE_FREE_OK) {
+            *failed = k;
+            return code;
+        }
+    }
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+{
+    return torque_free_states_at(plan, 1, &t, q, omega);
+}
+
+size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
+
+const char *torque_free_digest(void) { return "@digest@"; }
+
+const char *torque_free_message(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_OK: return "success";
+    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
+    case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
+    case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
+    case TORQUE_FREE_TIME: return "t: must be finite and within |omega0 t| = 2^46 rad";
+    default: return "no such code";
+    }
+}

@@ -1,0 +1,63 @@
+/* What the functions return; 0 is success.  A call for one body that fails writes nothing. */
+enum {
+    TORQUE_FREE_OK = 0,
+    TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
+    TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
+    TORQUE_FREE_THIN = 3,       /* principal moments differ by more than 2^240 */
+    TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
+    TORQUE_FREE_SEPARATRIX = 5, /* nearer to spin about the middle axis than 2^-400 */
+    TORQUE_FREE_TIME = 6        /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
+};
+
+/* The constants of one motion; written by torque_free_plan_init, read by all others. */
+typedef struct {
+    int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
+    int axis[3];         /* the body axes a, b, d */
+    double unit;         /* a power of two, 1/s: inner times are unit t */
+    double q0[4];        /* attitude at t = 0 */
+    double omega0[3];    /* body rates at t = 0, rad/s */
+    union {
+@branches@
+    } of;
+} torque_free_plan;
+
+/* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
+   omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
+   inertial, of any length but zero.  Returns a code above. */
+int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
+                          const double attitude0[4]);
+
+/* The same for numbers known beyond binary64, each the sum of two doubles {hi, lo}; sizes are as if
+   the largest moment and the largest rate were between 1/2 and 4.  excess: K^2 - 2 H c_b, b the
+   middle axis, whose sign is the regime's; rates are times `unit` rad/s, a power of two. */
+int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
+                                const double omega0[3][2], const double attitude0[4][2],
+                                const double excess[2], double unit);
+
+/* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
+   attitude0 on, and omega[3], body rates in rad/s.  Returns 0 or TORQUE_FREE_TIME. */
+int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3]);
+
+/* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
+   not overlap each other or t.  Returns 0 or TORQUE_FREE_TIME. */
+int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+                          double *omega);
+
+/* The states at start + k step, k = 0 ... n - 1, exactly these times; n <= 2^53.  Sines are
+   evaluated once in 64 samples, but near the separatrix. */
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
+                               double *q, double *omega);
+
+/* A plan and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
+   attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3].  Where one is refused its
+   number is left in *failed, its code returned, and what comes before it is done. */
+int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
+                          const double *attitude0, size_t n, const double *t, double *q,
+                          double *omega, size_t *failed);
+
+/* sizeof(torque_free_plan), and the digest of the header and the source, for who loads a library. */
+size_t torque_free_plan_size(void);
+const char *torque_free_digest(void);
+
+/* What a code means, in one line. */
+const char *torque_free_message(int code);

@@ -1,0 +1,169 @@
+/* An extended number is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.  The relative
+   errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
+   sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
+   and Rideau, ACM TOMS 49(1), 2023). */
+typedef struct { double hi, lo; } pair;
+
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+#define fused(a, b, c) fma((a), (b), (c))
+#define product_error(a, b, p) fma((a), (b), -(p))
+#else
+#define fused(a, b, c) ((a) * (b) + (c))
+
+/* The upper half of the digits of a (Veltkamp); a must stay below 2^995. */
+static inline double upper_half(double a)
+{
+    const double c = 134217729.0 * a;
+    const double d = c - a;
+    return c - d;
+}
+
+/* a b - p exactly, where p is the rounded product (Dekker). */
+static inline double product_error(double a, double b, double p)
+{
+    const double a1 = upper_half(a), b1 = upper_half(b);
+    const double a2 = a - a1, b2 = b - b1;
+    const double e1 = a1 * b1 - p;
+    const double e2 = e1 + a1 * b2;
+    const double e3 = e2 + a2 * b1;
+    return e3 + a2 * b2;
+}
+#endif
+
+/* The nearest whole number, for |x| < 2^51. */
+static inline double nearest(double x)
+{
+    const double shifted = x + 6755399441055744.0;
+    return shifted - 6755399441055744.0;
+}
+
+/* (-1)^n for a whole number n. */
+static inline double alternating(double n)
+{
+    const double half = 0.5 * n;
+    const double rest = half - nearest(half);
+    return 1.0 - 8.0 * (rest * rest);
+}
+
+/* one where x <= y, else other. */
+static inline double choose(double x, double y, double one, double other)
+{
+    return x <= y ? one : other;
+}
+
+static inline pair pair_of(double a)
+{
+    const pair x = {a, 0.0};
+    return x;
+}
+
+/* a + b exactly (Knuth). */
+static inline pair two_sum(double a, double b)
+{
+    const double s = a + b;
+    const double c = s - a;
+    const double d = s - c;
+    const pair x = {s, (a - d) + (b - c)};
+    return x;
+}
+
+/* a + b exactly, for |a| >= |b| (Dekker). */
+static inline pair quick_sum(double a, double b)
+{
+    const double s = a + b;
+    const double c = s - a;
+    const pair x = {s, b - c};
+    return x;
+}
+
+/* a b exactly. */
+static inline pair two_product(double a, double b)
+{
+    const double p = a * b;
+    const pair x = {p, product_error(a, b, p)};
+    return x;
+}
+
+static inline pair pair_neg(pair x)
+{
+    const pair y = {-x.hi, -x.lo};
+    return y;
+}
+
+static inline pair pair_add_xx(pair x, pair y)
+{
+    const pair s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+    const pair v = quick_sum(s.hi, s.lo + t.hi);
+    return quick_sum(v.hi, v.lo + t.lo);
+}
+
+static inline pair pair_add_xd(pair x, double y)
+{
+    const pair s = two_sum(x.hi, y);
+    return quick_sum(s.hi, s.lo + x.lo);
+}
+
+static inline pair pair_add_dx(double x, pair y) { return pair_add_xd(y, x); }
+static inline pair pair_sub_xx(pair x, pair y) { return pair_add_xx(x, pair_neg(y)); }
+static inline pair pair_sub_xd(pair x, double y) { return pair_add_xd(x, -y); }
+static inline pair pair_sub_dx(double x, pair y) { return pair_add_xd(pair_neg(y), x); }
+
+static inline pair pair_mul_xx(pair x, pair y)
+{
+    const pair p = two_product(x.hi, y.hi);
+    return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+static inline pair pair_mul_xd(pair x, double y)
+{
+    const pair p = two_product(x.hi, y);
+    return quick_sum(p.hi, p.lo + x.lo * y);
+}
+
+static inline pair pair_mul_dx(double x, pair y) { return pair_mul_xd(y, x); }
+
+static inline pair pair_div_xx(pair x, pair y)
+{
+    const double q = x.hi / y.hi;
+    const pair r = pair_mul_xd(y, q);
+    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
+}
+
+static inline pair pair_div_xd(pair x, double y)
+{
+    const double q = x.hi / y;
+    const pair r = two_product(y, q);
+    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
+}
+
+static inline pair pair_div_dx(double x, pair y) { return pair_div_xx(pair_of(x), y); }
+
+static inline pair pair_sqrt(pair x)
+{
+    const double s = sqrt(x.hi);
+    const pair r = two_product(s, s);
+    const double rest = (x.hi - r.hi) + (x.lo - r.lo);
+    return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
+}
+
+static inline pair pair_size(pair x) { return x.hi < 0.0 ? pair_neg(x) : x; }
+static inline double pair_rounded(pair x) { return x.hi + x.lo; }
+static inline pair pair_choose(double x, double y, pair one, pair other)
+{
+    return x <= y ? one : other;
+}
+
+static inline pair scaled(pair x, int exponent)
+{
+    const pair y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
+    return y;
+}
+
+/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
+static inline double pair_exponent(pair x)
+{
+    int e;
+    return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
+}
+
+static inline pair pair_mantissa(pair x) { return scaled(x, -(int)pair_exponent(x)); }

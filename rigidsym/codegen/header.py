@@ -1,0 +1,82 @@
+"""What the head of every generated module says: domain, conventions, grades, measured errors."""
+
+import hashlib
+import json
+from pathlib import Path
+
+from rigidsym.codegen.kernels import angles, circle, landen, reduction, theta_circular
+
+DIGEST = "@digest@"
+# Written by `rigidsym validate TARGET --record`.
+MEASURED_FILE = Path(__file__).with_name("measured.json")
+MEASURED = "@measured@"
+_DOMAIN = """\
+Domain: positive principal moments of inertia, none 2^240 times another; finite rates and attitude;
+|omega0 t| up to 2^46 rad; not within about 2^-400 of spin about the middle axis.  What lies outside
+is refused.  Numbers mean their exact binary64 values.
+Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
+continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
+kg m^2; t in s.
+
+A comment gives the equations of the paper that its line corresponds to, or the formulas of the
+Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it
+(`reading`: the standard function that a quantity is).  Grades: facts are PROVED by normal form, in
+contexts where the thetas' slopes and Watson's identity are hypotheses; these are ENCLOSED.  Kernels
+(Landen's ladder, nome, theta series, angles and their reduction) are truncated as follows, bounds
+by `rigidsym.codegen.kernels` in exact or ball arithmetic:"""
+
+
+def kernels() -> list[str]:
+    """The error bounds of the kernels, a line each."""
+    sine = circle.sine_bound(circle.sine_coefficients(reduction.TERMS))
+    cosine = circle.cosine_bound(circle.cosine_coefficients(reduction.TERMS))
+    return [
+        f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
+        f"{_up(float(landen.modulus_left()))}",
+        "  theta series in a state        what is left out below "
+        f"{_up(theta_circular.series_tail())}",
+        f"  arctangent and logarithm       relative, below {_up(float(angles.series_tail()))}",
+        f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
+    ]
+
+
+def _up(value: float) -> str:
+    """Two digits, rounded up."""
+    text = f"{value:.1e}"
+    return text if float(text) >= value else f"{value * 1.05:.1e}"
+
+
+def text(target: str) -> str:
+    """The whole paragraph, with places for the digest and what was measured."""
+    return "\n".join(
+        [_DOMAIN, *kernels(), "", MEASURED, "", f"emitter {target}/2", f"digest {DIGEST}"]
+    )
+
+
+def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
+    """The files with digest and measured errors in place, and the digest.
+
+    It covers everything but itself and the measured errors, which hold for one digest alone.
+    """
+    covered = "\0".join(f"{name}\0{text}" for name, text in files.items())
+    digest = hashlib.sha256(covered.encode()).hexdigest()
+    measured = "\n".join(_measured(target, digest))
+    filled = {
+        name: text.replace(MEASURED, measured).replace(DIGEST, digest)
+        for name, text in files.items()
+    }
+    return filled, digest
+
+
+def _measured(target: str, digest: str) -> list[str]:
+    """The worst errors by regime, of exactly this code."""
+    known = json.loads(MEASURED_FILE.read_text("utf-8")) if MEASURED_FILE.is_file() else {}
+    found = known.get(target)
+    if not found or found["digest"] != digest:
+        return [
+            f"Errors: not measured since this code changed; `rigidsym validate {target} --record`"
+        ]
+    lines = [
+        f"Worst errors measured by `{found['command']}`: rotation angle in rad, |domega|/|omega|",
+    ]
+    return lines + [f"  {name:22} {angle:.1e}  {rate:.1e}" for name, angle, rate in found["worst"]]

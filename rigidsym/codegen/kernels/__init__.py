@@ -1,0 +1,1 @@
+"""Special functions as lets: each module builds straight-line code and bounds its error."""

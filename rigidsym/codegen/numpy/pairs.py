@@ -1,0 +1,159 @@
+"""Numbers of 31 digits over NumPy arrays, and what else generated lines call.
+
+Every function takes arrays and plain floats; a float is served by Python's own arithmetic, which is
+faster there.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+# --- pairs ---
+_SPLITTER = 134217729.0
+_SHIFT = 6755399441055744.0
+
+
+def _upper_half(a):
+    """The upper half of the digits of a (Veltkamp), |a| < 2^995."""
+    c = _SPLITTER * a
+    return c - (c - a)
+
+
+def _product_error(a, b, p):
+    """a b - p exactly, where p is the rounded product (Dekker)."""
+    a1, b1 = _upper_half(a), _upper_half(b)
+    a2, b2 = a - a1, b - b1
+    return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
+
+
+def _two_sum(a, b):
+    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    s = a + b
+    c = s - a
+    return s, (a - (s - c)) + (b - c)
+
+
+def _quick_sum(a, b):
+    """a + b exactly, for |a| >= |b| (Dekker)."""
+    s = a + b
+    return _Pair(s, b - (s - a))
+
+
+class _Pair:
+    """The unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.
+
+    The relative errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2),
+    2017): 3 u^2 for sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre,
+    Louvet, Muller, Picot and Rideau, ACM TOMS 49(1), 2023).
+    """
+
+    __slots__ = ("hi", "lo")
+    __array_ufunc__ = None
+
+    def __init__(self, hi: Any, lo: Any = 0.0):
+        self.hi, self.lo = hi, lo
+
+    def __getitem__(self, key):
+        return _Pair(self.hi[key], self.lo[key])
+
+    def __neg__(self):
+        return _Pair(-self.hi, -self.lo)
+
+    def __add__(self, other):
+        if not isinstance(other, _Pair):
+            s, e = _two_sum(self.hi, other)
+            return _quick_sum(s, e + self.lo)
+        s, e = _two_sum(self.hi, other.hi)
+        t, f = _two_sum(self.lo, other.lo)
+        v = _quick_sum(s, e + t)
+        return _quick_sum(v.hi, v.lo + f)
+
+    __radd__ = __add__
+
+    def __sub__(self, other):
+        return self + -other
+
+    def __rsub__(self, other):
+        return -self + other
+
+    def __mul__(self, other):
+        if not isinstance(other, _Pair):
+            p = self.hi * other
+            return _quick_sum(p, _product_error(self.hi, other, p) + self.lo * other)
+        p = self.hi * other.hi
+        e = _product_error(self.hi, other.hi, p)
+        return _quick_sum(p, e + (self.hi * other.lo + self.lo * other.hi))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other):
+        top = other.hi if isinstance(other, _Pair) else other
+        q = self.hi / top
+        r = (other if isinstance(other, _Pair) else _Pair(other)) * q
+        return _quick_sum(q, ((self.hi - r.hi) + (self.lo - r.lo)) / top)
+
+    def __rtruediv__(self, other):
+        return _Pair(other) / self
+
+    def __abs__(self):
+        sign = _choose(0.0, self.hi, 1.0, -1.0)
+        return _Pair(sign * self.hi, sign * self.lo)
+
+    def sqrt(self):
+        s = _sqrt(self.hi)
+        p = s * s
+        rest = (self.hi - p) + (self.lo - _product_error(s, s, p))
+        return _quick_sum(s, rest / (2 * s + (s == 0)))
+
+
+def _sqrt(x):
+    if isinstance(x, _Pair):
+        return x.sqrt()
+    return math.sqrt(x) if type(x) is float else np.sqrt(x)
+
+
+def _exp(x):
+    return math.exp(x) if type(x) is float else np.exp(x)
+
+
+def _nearest(x):
+    """The nearest whole number, for |x| < 2^51."""
+    return (x + _SHIFT) - _SHIFT if type(x) is float else np.rint(x)
+
+
+def _alternating(n):
+    """(-1)^n for a whole number n."""
+    half = 0.5 * n
+    rest = half - _nearest(half)
+    return 1.0 - 8.0 * (rest * rest)
+
+
+def _choose(x, y, one, other):
+    """One where x <= y, else the other."""
+    if type(x) is float and type(y) is float:
+        return one if x <= y else other
+    if isinstance(one, _Pair) or isinstance(other, _Pair):
+        one, other = (v if isinstance(v, _Pair) else _Pair(v) for v in (one, other))
+        return _Pair(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
+    return np.where(x <= y, one, other)
+
+
+def _rounded(x):
+    return x.hi + x.lo if isinstance(x, _Pair) else x
+
+
+def _exponent(x):
+    """The e with x 2^-e between sqrt(1/2) and sqrt(2), x > 0."""
+    if type(x.hi) is float:
+        mantissa, e = math.frexp(x.hi)
+        return float(e - (mantissa < 0.70710678118654752))
+    mantissa, e = np.frexp(x.hi)
+    return e - (mantissa < 0.70710678118654752) * 1.0
+
+
+def _mantissa(x):
+    e = -_exponent(x)
+    if type(x.hi) is float:
+        return _Pair(math.ldexp(x.hi, int(e)), math.ldexp(x.lo, int(e)))
+    return _Pair(np.ldexp(x.hi, e.astype(int)), np.ldexp(x.lo, e.astype(int)))

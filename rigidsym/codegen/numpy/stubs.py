@@ -1,0 +1,24 @@
+"""What `frame` finds around it in the generated module, for linters and type checkers."""
+
+from typing import Any
+
+from rigidsym.codegen.numpy.pairs import _Pair
+
+__all__ = [
+    "BRANCHES",
+    "START",
+    "_Pair",
+    "_excess",
+    "_steady_plan",
+]
+
+START: dict[str, Any] = {}
+BRANCHES: dict[str, Any] = {}
+
+
+def _excess(*values: Any) -> Any:
+    raise NotImplementedError
+
+
+def _steady_plan(*values: Any) -> Any:
+    raise NotImplementedError

@@ -1,0 +1,1651 @@
+#include "torque_free.h"
+
+#include <math.h>
+/* An extended number is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.  The relative
+   errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
+   sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
+   and Rideau, ACM TOMS 49(1), 2023). */
+typedef struct { double hi, lo; } pair;
+
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
+#define fused(a, b, c) fma((a), (b), (c))
+#define product_error(a, b, p) fma((a), (b), -(p))
+#else
+#define fused(a, b, c) ((a) * (b) + (c))
+
+/* The upper half of the digits of a (Veltkamp); a must stay below 2^995. */
+static inline double upper_half(double a)
+{
+    const double c = 134217729.0 * a;
+    const double d = c - a;
+    return c - d;
+}
+
+/* a b - p exactly, where p is the rounded product (Dekker). */
+static inline double product_error(double a, double b, double p)
+{
+    const double a1 = upper_half(a), b1 = upper_half(b);
+    const double a2 = a - a1, b2 = b - b1;
+    const double e1 = a1 * b1 - p;
+    const double e2 = e1 + a1 * b2;
+    const double e3 = e2 + a2 * b1;
+    return e3 + a2 * b2;
+}
+#endif
+
+/* The nearest whole number, for |x| < 2^51. */
+static inline double nearest(double x)
+{
+    const double shifted = x + 6755399441055744.0;
+    return shifted - 6755399441055744.0;
+}
+
+/* (-1)^n for a whole number n. */
+static inline double alternating(double n)
+{
+    const double half = 0.5 * n;
+    const double rest = half - nearest(half);
+    return 1.0 - 8.0 * (rest * rest);
+}
+
+/* one where x <= y, else other. */
+static inline double choose(double x, double y, double one, double other)
+{
+    return x <= y ? one : other;
+}
+
+static inline pair pair_of(double a)
+{
+    const pair x = {a, 0.0};
+    return x;
+}
+
+/* a + b exactly (Knuth). */
+static inline pair two_sum(double a, double b)
+{
+    const double s = a + b;
+    const double c = s - a;
+    const double d = s - c;
+    const pair x = {s, (a - d) + (b - c)};
+    return x;
+}
+
+/* a + b exactly, for |a| >= |b| (Dekker). */
+static inline pair quick_sum(double a, double b)
+{
+    const double s = a + b;
+    const double c = s - a;
+    const pair x = {s, b - c};
+    return x;
+}
+
+/* a b exactly. */
+static inline pair two_product(double a, double b)
+{
+    const double p = a * b;
+    const pair x = {p, product_error(a, b, p)};
+    return x;
+}
+
+static inline pair pair_neg(pair x)
+{
+    const pair y = {-x.hi, -x.lo};
+    return y;
+}
+
+static inline pair pair_add_xx(pair x, pair y)
+{
+    const pair s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+    const pair v = quick_sum(s.hi, s.lo + t.hi);
+    return quick_sum(v.hi, v.lo + t.lo);
+}
+
+static inline pair pair_add_xd(pair x, double y)
+{
+    const pair s = two_sum(x.hi, y);
+    return quick_sum(s.hi, s.lo + x.lo);
+}
+
+static inline pair pair_add_dx(double x, pair y) { return pair_add_xd(y, x); }
+static inline pair pair_sub_xx(pair x, pair y) { return pair_add_xx(x, pair_neg(y)); }
+static inline pair pair_sub_xd(pair x, double y) { return pair_add_xd(x, -y); }
+static inline pair pair_sub_dx(double x, pair y) { return pair_add_xd(pair_neg(y), x); }
+
+static inline pair pair_mul_xx(pair x, pair y)
+{
+    const pair p = two_product(x.hi, y.hi);
+    return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
+}
+
+static inline pair pair_mul_xd(pair x, double y)
+{
+    const pair p = two_product(x.hi, y);
+    return quick_sum(p.hi, p.lo + x.lo * y);
+}
+
+static inline pair pair_mul_dx(double x, pair y) { return pair_mul_xd(y, x); }
+
+static inline pair pair_div_xx(pair x, pair y)
+{
+    const double q = x.hi / y.hi;
+    const pair r = pair_mul_xd(y, q);
+    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
+}
+
+static inline pair pair_div_xd(pair x, double y)
+{
+    const double q = x.hi / y;
+    const pair r = two_product(y, q);
+    return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
+}
+
+static inline pair pair_div_dx(double x, pair y) { return pair_div_xx(pair_of(x), y); }
+
+static inline pair pair_sqrt(pair x)
+{
+    const double s = sqrt(x.hi);
+    const pair r = two_product(s, s);
+    const double rest = (x.hi - r.hi) + (x.lo - r.lo);
+    return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
+}
+
+static inline pair pair_size(pair x) { return x.hi < 0.0 ? pair_neg(x) : x; }
+static inline double pair_rounded(pair x) { return x.hi + x.lo; }
+static inline pair pair_choose(double x, double y, pair one, pair other)
+{
+    return x <= y ? one : other;
+}
+
+static inline pair scaled(pair x, int exponent)
+{
+    const pair y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
+    return y;
+}
+
+/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
+static inline double pair_exponent(pair x)
+{
+    int e;
+    return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
+}
+
+static inline pair pair_mantissa(pair x) { return scaled(x, -(int)pair_exponent(x)); }
+/* An exact number is the sum of non-overlapping doubles, smallest first (Shewchuk, Discrete and
+   Computational Geometry 18, 1997).  32 parts hold any value of `excess`. */
+typedef struct { int size; double part[32]; } exact;
+
+static void exact_grow(exact *x, double a)
+{
+    int size = 0;
+    for (int i = 0; i < x->size; i++) {
+        const pair s = two_sum(a, x->part[i]);
+        if (s.lo < 0.0 || s.lo > 0.0)
+            x->part[size++] = s.lo;
+        a = s.hi;
+    }
+    x->part[size++] = a;
+    x->size = size;
+}
+
+static exact exact_of(double a)
+{
+    exact x = {1, {0.0}};
+    x.part[0] = a;
+    return x;
+}
+
+static exact exact_sub_xx(exact x, exact y)
+{
+    for (int i = 0; i < y.size; i++)
+        exact_grow(&x, -y.part[i]);
+    return x;
+}
+
+static exact exact_mul_xx(exact x, exact y)
+{
+    exact z = {0, {0.0}};
+    for (int i = 0; i < x.size; i++)
+        for (int j = 0; j < y.size; j++) {
+            const pair p = two_product(x.part[i], y.part[j]);
+            exact_grow(&z, p.lo);
+            exact_grow(&z, p.hi);
+        }
+    return z;
+}
+
+static pair exact_to_pair(exact x)
+{
+    pair sum = {0.0, 0.0};
+    for (int i = 0; i < x.size; i++)
+        sum = pair_add_xd(sum, x.part[i]);
+    return sum;
+}
+static const pair pi = {3.141592653589793, 1.2246467991473532e-16}; /* pi */
+static const double pi_hi = 3.141592653589793; /* pi */
+static const double pi_lo = 1.2246467991473532e-16; /* pi - pi_hi */
+static const pair log_2 = {0.6931471805599453, 2.3190468138462996e-17}; /* log_2 */
+static const double never = 1e+300; /* the exponent of what has vanished */
+static const pair over_3 = {0.3333333333333333, 1.850371707708594e-17}; /* 1/3 */
+static const pair over_5 = {0.2, -1.1102230246251566e-17}; /* 1/5 */
+static const pair over_7 = {0.14285714285714285, 7.93016446160826e-18}; /* 1/7 */
+static const pair over_9 = {0.1111111111111111, 6.1679056923619804e-18}; /* 1/9 */
+static const pair over_11 = {0.09090909090909091, -2.523234146875356e-18}; /* 1/11 */
+static const pair over_13 = {0.07692307692307693, -4.270088556250602e-18}; /* 1/13 */
+static const pair over_15 = {0.06666666666666667, 9.251858538542971e-19}; /* 1/15 */
+static const pair over_17 = {0.058823529411764705, 8.163404592832033e-19}; /* 1/17 */
+static const double over_19 = 0.05263157894736842; /* 1/19 */
+static const double over_21 = 0.047619047619047616; /* 1/21 */
+static const double over_23 = 0.043478260869565216; /* 1/23 */
+static const double over_25 = 0.04; /* 1/25 */
+static const double over_27 = 0.037037037037037035; /* 1/27 */
+static const double over_29 = 0.034482758620689655; /* 1/29 */
+static const double over_31 = 0.03225806451612903; /* 1/31 */
+static const double over_33 = 0.030303030303030304; /* 1/33 */
+static const double sine_0 = -5.16771278004997; /* sin(pi f)/f, z^1 */
+static const double sine_1 = 2.5501640398774343; /* sin(pi f)/f, z^2 */
+static const double sine_2 = -0.5992645293264127; /* sin(pi f)/f, z^3 */
+static const double sine_3 = 0.08214588674339689; /* sin(pi f)/f, z^4 */
+static const double sine_4 = -0.007370432404446628; /* sin(pi f)/f, z^5 */
+static const double sine_5 = 0.00046631080092702414; /* sin(pi f)/f, z^6 */
+static const double sine_6 = -2.1935182852970286e-05; /* sin(pi f)/f, z^7 */
+static const double sine_7 = 8.057954463945433e-07; /* sin(pi f)/f, z^8 */
+static const double cosine_0 = -4.934802200544679; /* cos(pi f), z^1 */
+static const double cosine_1 = 4.058712126416644; /* cos(pi f), z^2 */
+static const double cosine_2 = -1.335262768846334; /* cos(pi f), z^3 */
+static const double cosine_3 = 0.23533063014490277; /* cos(pi f), z^4 */
+static const double cosine_4 = -0.025806888625058765; /* cos(pi f), z^5 */
+static const double cosine_5 = 0.0019295546911797298; /* cos(pi f), z^6 */
+static const double cosine_6 = -0.00010456032595071075; /* cos(pi f), z^7 */
+static const double cosine_7 = 4.141243797612031e-06; /* cos(pi f), z^8 */
+/* K^2 - 2 H c_b over any numbers. */
+static pair excess_pair(pair c_a, pair c_b, pair c_d, pair Omega_a, pair Omega_d)
+{
+    const pair E_b = pair_sub_xx(pair_mul_xx(pair_mul_xx(c_a, pair_sub_xx(c_a, c_b)), pair_mul_xx(Omega_a, Omega_a)), pair_mul_xx(pair_mul_xx(c_d, pair_sub_xx(c_b, c_d)), pair_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    return E_b;
+}
+
+/* K^2 - 2 H c_b over any numbers. */
+static exact excess_exact(exact c_a, exact c_b, exact c_d, exact Omega_a, exact Omega_d)
+{
+    const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, exact_sub_xx(c_a, c_b)), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, exact_sub_xx(c_b, c_d)), exact_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    return E_b;
+}
+
+/* Invariants, amplitudes and the descended functions at t = 0; E_b comes from `_excess`. */
+static void start(pair c_a, pair c_b, pair c_d, pair Omega_a, pair Omega_b, pair Omega_d, pair E_b,
+    double epsilon, double sigma, double rho, double chi, pair *K_out, pair *A_a_out,
+    pair *A_b_out, pair *A_d_out, pair *B_a_out, pair *B_d_out, pair *k_1_out,
+    pair *kc_1_out, pair *mu_out, pair *psi_0_out, pair *s_out, pair *c_out, pair *d_out)
+{
+    const pair common_1 = pair_mul_xx(Omega_a, Omega_a); /* (6), (15); regular.H regular.E_d */
+    const pair common_2 = pair_mul_xx(Omega_b, Omega_b); /* (6), (15); regular.H regular.E_a regular.E_d */
+    const pair common_3 = pair_mul_xx(Omega_d, Omega_d); /* (6), (15); regular.H regular.E_a */
+    const pair H = pair_div_xd(pair_add_xx(pair_add_xx(pair_mul_xx(c_a, common_1), pair_mul_xx(c_b, common_2)), pair_mul_xx(c_d, common_3)), 2.0); /* (6), (15); regular.H */
+    const pair common_4 = pair_sub_xx(c_a, c_b); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b regular.lambda_ regular.m_1 */
+    const pair common_5 = pair_mul_xx(c_b, common_4); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b */
+    const pair common_6 = pair_sub_xx(c_a, c_d); /* (6), (15), (10), (13), (14); regular.E_a regular.E_d regular.A_a regular.A_d regular.m_1 */
+    const pair common_7 = pair_mul_xx(c_d, common_6); /* (6), (15), (10), (13), (14); regular.E_a regular.A_d */
+    const pair E_a = pair_add_xx(pair_mul_xx(common_5, common_2), pair_mul_xx(common_7, common_3)); /* (6), (15); regular.E_a */
+    const pair common_8 = pair_mul_xx(c_a, common_6); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
+    const pair E_d = pair_add_xx(pair_mul_xx(common_8, common_1), pair_mul_xx(pair_mul_xx(c_b, pair_sub_xx(c_b, c_d)), common_2)); /* (6), (15); regular.E_d */
+    const pair M_a = pair_mul_xx(c_a, Omega_a); /* (8); attitude.M_a */
+    const pair M_b = pair_mul_xx(c_b, Omega_b); /* (8); attitude.M_b */
+    const pair M_d = pair_mul_xx(c_d, Omega_d); /* (8); attitude.M_d */
+    const pair K = pair_sqrt(pair_add_xx(pair_add_xx(pair_mul_xx(M_a, M_a), pair_mul_xx(M_b, M_b)), pair_mul_xx(M_d, M_d))); /* (6), (15); attitude.K */
+    const pair A_a = pair_sqrt(pair_div_xx(E_d, common_8)); /* (10), (13), (14); regular.A_a */
+    const pair A_b = pair_sqrt(pair_div_xx(E_a, common_5)); /* (10), (13), (14); regular.A_b */
+    const pair A_d = pair_sqrt(pair_div_xx(E_a, common_7)); /* (10), (13), (14); regular.A_d */
+    const pair common_9 = pair_mul_xx(common_4, E_d); /* (10), (13), (14); regular.lambda_ regular.m_1 */
+    const pair lambda_ = pair_sqrt(pair_div_xx(common_9, pair_mul_xx(pair_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
+    const pair m = pair_div_xx(pair_mul_xx(E_a, pair_sub_xx(c_d, c_b)), pair_mul_xx(E_d, pair_sub_xx(c_b, c_a))); /* (10), (13), (14); regular.m */
+    const pair m_1 = pair_div_xx(pair_mul_xx(common_6, E_b), common_9); /* (10), (13), (14); regular.m_1 */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
+    const pair k_c = pair_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
+    const pair common_10 = pair_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next */
+    const pair k_1 = pair_div_xx(m, pair_mul_xx(common_10, common_10)); /* DLMF 22.7.1; descended.k_1 */
+    const pair mu = pair_div_xd(pair_mul_xx(lambda_, common_10), 2.0); /* DLMF 22.7.2; descended.mu */
+    const pair common_11 = pair_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
+    const pair psi_0 = pair_div_xx(pair_add_xx(pair_mul_dx(2.0, H), pair_mul_xx(K, A_a)), pair_add_xx(K, common_11)); /* (33), (34); descended.psi_0 */
+    const pair sn = pair_div_xx(pair_mul_dx(chi, Omega_b), A_b); /* (12); regular.sn */
+    const pair cn = pair_div_xx(pair_mul_dx(chi * tau, Omega_d), A_d); /* (12); regular.cn */
+    const pair dn = pair_div_xx(pair_mul_dx(sigma, Omega_a), A_a); /* (12); regular.dn */
+    const pair B_a = common_11; /* (27); theta_form.B_a */
+    const pair B_d = pair_mul_xx(c_d, A_d); /* (28); theta_form.B_d */
+    const pair root_kc = pair_sqrt(k_c); /* DLMF 22.7.1; landen.root_kc */
+    const pair kc_1 = pair_div_xx(pair_mul_dx(2.0, root_kc), common_10); /* DLMF 22.7.1; landen.kc_next */
+    const pair common_12 = pair_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
+    const pair common_13 = pair_mul_xx(pair_add_dx(1.0, k_1), common_12); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
+    const pair s = pair_div_xx(pair_mul_dx(2.0, sn), common_13); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
+    const pair v = pair_sqrt(pair_mul_xx(common_13, pair_add_xx(dn, k_c))); /* DLMF 22.7.4; landen.v */
+    const pair c = pair_div_xx(pair_mul_dx(2.0, cn), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
+    const pair d = pair_div_xx(v, common_12); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
+    *K_out = K;
+    *A_a_out = A_a;
+    *A_b_out = A_b;
+    *A_d_out = A_d;
+    *B_a_out = B_a;
+    *B_d_out = B_d;
+    *k_1_out = k_1;
+    *kc_1_out = kc_1;
+    *mu_out = mu;
+    *psi_0_out = psi_0;
+    *s_out = s;
+    *c_out = c;
+    *d_out = d;
+}
+
+/* One step of Landen's descending transformation. */
+static void landen(pair k, pair kc, pair s, pair c, pair d, pair r, pair Y, pair *k_next_out,
+    pair *kc_next_out, pair *s_next_out, pair *c_next_out, pair *d_next_out,
+    pair *r_next_out, pair *Y_next_out)
+{
+    const pair common_1 = pair_add_dx(1.0, kc); /* DLMF 22.7.1; landen.k_next landen.kc_next landen.r_next */
+    const pair common_2 = pair_div_xx(k, common_1); /* DLMF 22.7.1; landen.k_next */
+    const pair k_next = pair_mul_xx(common_2, common_2); /* DLMF 22.7.1; landen.k_next */
+    const pair root_kc = pair_sqrt(kc); /* DLMF 22.7.1; landen.root_kc */
+    const pair kc_next = pair_div_xx(pair_mul_dx(2.0, root_kc), common_1); /* DLMF 22.7.1; landen.kc_next */
+    const pair common_3 = pair_add_dx(1.0, k_next); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next */
+    const pair common_4 = pair_add_dx(1.0, d); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
+    const pair common_5 = pair_mul_xx(common_3, common_4); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
+    const pair s_next = pair_div_xx(pair_mul_dx(2.0, s), common_5); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
+    const pair v = pair_sqrt(pair_mul_xx(common_5, pair_add_xx(d, kc))); /* DLMF 22.7.4; landen.v */
+    const pair c_next = pair_div_xx(pair_mul_dx(2.0, c), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
+    const pair d_next = pair_div_xx(v, common_4); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
+    const pair r_next = pair_div_xx(pair_mul_xx(r, k), pair_mul_xx(common_1, common_1)); /* DLMF 22.7.1; landen.r_next */
+    const pair S = pair_sqrt(pair_add_xx(pair_mul_xx(common_3, common_3), pair_mul_xx(pair_mul_dx(4.0, r_next), pair_mul_xx(Y, Y)))); /* DLMF 22.7.2; landen.S */
+    const pair Y_next = pair_div_xx(pair_mul_dx(2.0, Y), pair_add_xx(common_3, S)); /* DLMF 22.7.2; landen.Y_next */
+    *k_next_out = k_next;
+    *kc_next_out = kc_next;
+    *s_next_out = s_next;
+    *c_next_out = c_next;
+    *d_next_out = d_next;
+    *r_next_out = r_next;
+    *Y_next_out = Y_next;
+}
+
+/* K(k^2), and the descended s, c and Y; 5 steps leave k^2 < 2^-106 of (0, 1/2]. */
+static void ladder(pair k, pair kc, pair s, pair c, pair d, pair r, pair Y, pair *K0_out, pair *s5_out,
+    pair *c5_out, pair *Y5_out)
+{
+    pair k1, kc1, s1, c1, d1, r1, Y1;
+    landen(k, kc, s, c, d, r, Y, &k1, &kc1, &s1, &c1, &d1, &r1, &Y1); /* DLMF 22.7.2 */
+    pair k2, kc2, s2, c2, d2, r2, Y2;
+    landen(k1, kc1, s1, c1, d1, r1, Y1, &k2, &kc2, &s2, &c2, &d2, &r2, &Y2); /* DLMF 22.7.2 */
+    pair k3, kc3, s3, c3, d3, r3, Y3;
+    landen(k2, kc2, s2, c2, d2, r2, Y2, &k3, &kc3, &s3, &c3, &d3, &r3, &Y3); /* DLMF 22.7.2 */
+    pair k4, kc4, s4, c4, d4, r4, Y4;
+    landen(k3, kc3, s3, c3, d3, r3, Y3, &k4, &kc4, &s4, &c4, &d4, &r4, &Y4); /* DLMF 22.7.2 */
+    pair k5, kc5, s5, c5, d5, r5, Y5;
+    landen(k4, kc4, s4, c4, d4, r4, Y4, &k5, &kc5, &s5, &c5, &d5, &r5, &Y5); /* DLMF 22.7.2 */
+    const pair K5 = pair_div_xd(pi, 2.0); /* DLMF 19.6.1 */
+    const pair K4 = pair_mul_xx(pair_add_dx(1.0, k5), K5); /* DLMF 19.8.12; landen.K */
+    const pair K3 = pair_mul_xx(pair_add_dx(1.0, k4), K4); /* DLMF 19.8.12; landen.K */
+    const pair K2 = pair_mul_xx(pair_add_dx(1.0, k3), K3); /* DLMF 19.8.12; landen.K */
+    const pair K1 = pair_mul_xx(pair_add_dx(1.0, k2), K2); /* DLMF 19.8.12; landen.K */
+    const pair K0 = pair_mul_xx(pair_add_dx(1.0, k1), K1); /* DLMF 19.8.12; landen.K */
+    *K0_out = K0;
+    *s5_out = s5;
+    *c5_out = c5;
+    *Y5_out = Y5;
+}
+
+/* k/sqrt(q) where q is the nome of modulus k, kc its complement, k^2 <= 1/2. */
+static pair root_ratio(pair k, pair kc)
+{
+    const pair root_kc = pair_sqrt(kc); /* DLMF 19.8.12 */
+    const pair common_1 = pair_add_dx(1.0, kc); /* DLMF 19.8.12, DLMF 20.9.1; landen.k_next landen.kc_next */
+    const pair common_2 = pair_div_xx(k, common_1); /* DLMF 19.8.12; landen.k_next */
+    const pair k_next = pair_mul_xx(common_2, common_2); /* DLMF 19.8.12; landen.k_next */
+    const pair kc_next = pair_div_xx(pair_mul_dx(2.0, root_kc), common_1); /* DLMF 19.8.12; landen.kc_next */
+    const pair root = pair_add_dx(1.0, pair_sqrt(kc_next)); /* DLMF 20.9.1 */
+    const pair f = pair_mul_xx(pair_mul_xx(pair_mul_dx(2.0, pair_add_dx(1.0, kc_next)), root), root); /* DLMF 20.9.1 */
+    const pair e = pair_div_xx(pair_mul_xx(k_next, k_next), f); /* DLMF 20.9.1 */
+    const pair e2 = pair_mul_xx(e, e); /* DLMF 20.9.1 */
+    const pair e4 = pair_mul_xx(e2, e2); /* DLMF 20.9.1 */
+    const pair r = pair_div_xx(common_1, pair_sqrt(pair_sqrt(pair_div_xx(pair_add_dx(1.0, pair_mul_xx(e4, pair_add_dx(2.0, pair_mul_xx(e4, pair_add_dx(15.0, pair_mul_xd(e4, 150.0)))))), f)))); /* DLMF 20.9.1 */
+    return r;
+}
+
+/* theta/pi where s and c >= 0 are the sine and cosine of theta. */
+static pair half_turns(pair s, pair c)
+{
+    const pair t1 = pair_div_xx(s, pair_add_dx(1.0, c)); /* DLMF 4.21.28 */
+    const pair t2 = pair_div_xx(t1, pair_add_dx(1.0, pair_sqrt(pair_add_dx(1.0, pair_mul_xx(t1, t1))))); /* DLMF 4.21.28 */
+    const pair t3 = pair_div_xx(t2, pair_add_dx(1.0, pair_sqrt(pair_add_dx(1.0, pair_mul_xx(t2, t2))))); /* DLMF 4.21.28 */
+    const pair t4 = pair_div_xx(t3, pair_add_dx(1.0, pair_sqrt(pair_add_dx(1.0, pair_mul_xx(t3, t3))))); /* DLMF 4.21.28 */
+    const pair z = pair_neg(pair_mul_xx(t4, t4)); /* DLMF 4.24.3 */
+    const double z_d = pair_rounded(z);
+    const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* DLMF 4.24.3 */
+    const pair series = pair_add_dx(1.0, pair_mul_xx(z, pair_add_xx(over_3, pair_mul_xx(z, pair_add_xx(over_5, pair_mul_xx(z, pair_add_xx(over_7, pair_mul_xx(z, pair_add_xx(over_9, pair_mul_xx(z, pair_add_xx(over_11, pair_mul_xx(z, pair_add_xx(over_13, pair_mul_xx(z, pair_add_xx(over_15, pair_mul_xx(z, pair_add_xx(over_17, pair_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.24.3 */
+    const pair angle = pair_div_xx(pair_mul_xx(pair_mul_dx(16.0, t4), series), pi); /* DLMF 4.24.3 */
+    return angle;
+}
+
+/* log(x) for x > 0. */
+static pair logarithm(pair x)
+{
+    const double e = pair_exponent(x);
+    const pair f = pair_sqrt(pair_mantissa(x));
+    const pair t4 = pair_div_xx(pair_sub_xd(f, 1.0), pair_add_xd(f, 1.0)); /* DLMF 4.38.5 */
+    const pair z = pair_mul_xx(t4, t4); /* DLMF 4.38.5 */
+    const double z_d = pair_rounded(z);
+    const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* DLMF 4.38.5 */
+    const pair series = pair_add_dx(1.0, pair_mul_xx(z, pair_add_xx(over_3, pair_mul_xx(z, pair_add_xx(over_5, pair_mul_xx(z, pair_add_xx(over_7, pair_mul_xx(z, pair_add_xx(over_9, pair_mul_xx(z, pair_add_xx(over_11, pair_mul_xx(z, pair_add_xx(over_13, pair_mul_xx(z, pair_add_xx(over_15, pair_mul_xx(z, pair_add_xx(over_17, pair_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.38.5 */
+    const pair log_x = pair_add_xx(pair_mul_dx(e, log_2), pair_mul_xx(pair_mul_dx(4.0, t4), series)); /* DLMF 4.38.5 */
+    return log_x;
+}
+
+/* The constants of a motion on the circular branch, from `_start`. */
+static void circular_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B_d, pair k_1, pair kc_1,
+    pair mu, pair psi_0, pair s, pair c, pair d, pair q_0, pair q_a, pair q_b, pair q_d,
+    double epsilon, double sigma, double rho, double chi, torque_free_circular *plan)
+{
+    const pair r = root_ratio(k_1, kc_1); /* DLMF 20.9.1 */
+    const pair root_r = pair_sqrt(r); /* (27); scaling.root_r */
+    const pair Q = pair_div_xx(k_1, r); /* (27); scaling.Q */
+    const pair Y = pair_div_xx(B_d, pair_mul_xx(pair_add_xx(K, B_a), root_r)); /* (28); scaling.Y */
+    pair K_1, sin_v, cos_v, Y_b;
+    ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* DLMF 19.8.12 */
+    const pair root_h = pair_sqrt(pair_add_xx(pair_mul_xx(Y_b, Y_b), Q)); /* (28); scaling.root_h */
+    const pair h_plus = pair_add_xx(root_h, Y_b); /* (28); scaling.h_plus */
+    const pair h_minus = pair_sub_xx(root_h, Y_b); /* (28); scaling.h_minus */
+    const pair g = pair_div_xx(pi, pair_mul_dx(2.0, K_1)); /* (10) */
+    const pair up1 = h_plus; /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down1 = h_minus; /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up1 = pair_mul_xx(h_plus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down1 = pair_mul_xx(h_minus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up2 = pair_mul_xx(up1, step_up1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up2 = pair_mul_xx(step_up1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down2 = pair_mul_xx(down1, step_down1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down2 = pair_mul_xx(step_down1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up3 = pair_mul_xx(up2, step_up2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up3 = pair_mul_xx(step_up2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down3 = pair_mul_xx(down2, step_down2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down3 = pair_mul_xx(step_down2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up4 = pair_mul_xx(up3, step_up3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up4 = pair_mul_xx(step_up3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down4 = pair_mul_xx(down3, step_down3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down4 = pair_mul_xx(step_down3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up5 = pair_mul_xx(up4, step_up4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up5 = pair_mul_xx(step_up4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down5 = pair_mul_xx(down4, step_down4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down5 = pair_mul_xx(step_down4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up6 = pair_mul_xx(up5, step_up5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up6 = pair_mul_xx(step_up5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down6 = pair_mul_xx(down5, step_down5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down6 = pair_mul_xx(step_down5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up7 = pair_mul_xx(up6, step_up6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up7 = pair_mul_xx(step_up6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down7 = pair_mul_xx(down6, step_down6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down7 = pair_mul_xx(step_down6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up8 = pair_mul_xx(up7, step_up7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up8 = pair_mul_xx(step_up7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down8 = pair_mul_xx(down7, step_down7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down8 = pair_mul_xx(step_down7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up9 = pair_mul_xx(up8, step_up8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_up9 = pair_mul_xx(step_up8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down9 = pair_mul_xx(down8, step_down8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair step_down9 = pair_mul_xx(step_down8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair up10 = pair_mul_xx(up9, step_up9); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair down10 = pair_mul_xx(down9, step_down9); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p1 = pair_add_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d1 = pair_sub_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p2 = pair_add_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d2 = pair_sub_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p3 = pair_add_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d3 = pair_sub_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p4 = pair_add_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d4 = pair_sub_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p5 = pair_add_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d5 = pair_sub_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p6 = pair_add_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d6 = pair_sub_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p7 = pair_add_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d7 = pair_sub_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p8 = pair_add_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d8 = pair_sub_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair p10 = pair_add_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair d10 = pair_sub_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_1 = pair_mul_dx(4.0, d4); /* (34), DLMF 20.2.4, DLMF 20.2.1 */
+    const pair zeta = pair_div_xx(pair_mul_xx(g, pair_add_xx(pair_sub_xx(pair_add_xx(pair_sub_xx(pair_mul_dx(2.0, d2), common_1), pair_mul_dx(6.0, d6)), pair_mul_dx(8.0, d8)), pair_mul_dx(10.0, d10))), pair_sub_xx(pair_add_xx(pair_sub_xx(pair_add_xx(pair_sub_dx(1.0, p2), p4), p6), p8), p10)); /* (34), DLMF 20.2.4 */
+    const pair T4_re_0 = pair_sub_dx(1.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T4_re_1 = pair_add_xx(pair_neg(p2), pair_mul_dx(3.0, p6)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T4_re_2 = pair_mul_dx(2.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T4_re_3 = pair_mul_dx(-4.0, p6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T4_im_0 = pair_mul_dx(rho, pair_add_xx(pair_mul_dx(-2.0, d2), pair_mul_dx(2.0, d6))); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T4_im_1 = pair_mul_dx(rho, common_1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T4_im_2 = pair_mul_dx(rho, pair_mul_dx(-8.0, d6)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_re_0 = pair_add_xx(pair_sub_xx(pair_sub_xx(p1, p3), p5), p7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_2 = pair_mul_dx(4.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_re_1 = pair_add_xx(pair_add_xx(pair_mul_dx(-2.0, p3), pair_mul_dx(2.0, p5)), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_re_2 = pair_sub_xx(pair_mul_dx(4.0, p5), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_re_3 = pair_mul_dx(-8.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_im_0 = pair_mul_dx(rho, pair_add_xx(pair_add_xx(pair_sub_xx(pair_neg(d1), d3), d5), d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_3 = pair_mul_dx(4.0, d7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_im_1 = pair_mul_dx(rho, pair_sub_xx(pair_add_xx(pair_mul_dx(2.0, d3), pair_mul_dx(2.0, d5)), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_im_2 = pair_mul_dx(rho, pair_sub_xx(pair_mul_dx(-4.0, d5), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair T1_im_3 = pair_mul_dx(rho, pair_mul_dx(8.0, d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair Q2 = pair_mul_xx(Q, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair Q4 = pair_mul_xx(Q2, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair Q6 = pair_mul_xx(Q4, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_4 = pair_mul_xx(Q4, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
+    const pair Q9 = pair_mul_xx(common_4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair Q12 = pair_mul_xx(Q6, Q6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair Q16 = pair_mul_xx(Q12, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair Q20 = pair_mul_xx(Q16, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_5 = pair_mul_dx(2.0, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const pair common_6 = pair_mul_dx(2.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const pair even_0 = pair_add_xx(pair_sub_dx(1.0, common_5), common_6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_7 = pair_mul_dx(16.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair even_1 = pair_sub_xx(pair_mul_dx(4.0, Q4), common_7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair even_2 = common_7; /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_8 = pair_mul_dx(2.0, Q); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const pair odd_0 = pair_sub_xx(common_8, pair_mul_dx(6.0, Q9)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair odd_1 = pair_mul_dx(8.0, Q9); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair sine_even_0 = pair_add_xx(pair_add_xx(pair_sub_xx(pair_sub_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair common_9 = pair_mul_dx(4.0, Q12); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair sine_even_1 = pair_sub_xx(pair_sub_xx(pair_mul_dx(4.0, Q6), common_9), pair_mul_dx(12.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair sine_even_2 = pair_mul_dx(16.0, Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair sine_odd_0 = pair_sub_xx(pair_add_xx(pair_add_xx(pair_mul_dx(-2.0, Q2), pair_mul_dx(2.0, Q6)), common_9), pair_mul_dx(4.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair sine_odd_1 = pair_add_xx(pair_mul_dx(-8.0, Q12), pair_mul_dx(8.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const pair two = pair_add_xx(pair_add_xx(pair_add_xx(pair_add_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.2 */
+    const pair even_sum = pair_add_xx(pair_add_dx(1.0, common_5), common_6); /* DLMF 20.2.3 */
+    const pair common_10 = pair_mul_dx(2.0, Q9); /* DLMF 20.2.3 */
+    const pair odd_sum = pair_add_xx(pair_add_xx(common_8, common_10), pair_mul_xx(common_10, Q16)); /* DLMF 20.2.3 */
+    const pair three = pair_add_xx(even_sum, odd_sum); /* DLMF 20.2.3 */
+    const pair four = pair_sub_xx(even_sum, odd_sum); /* DLMF 20.2.4 */
+    const pair h2_plus = pair_mul_xx(h_plus, h_plus); /* DLMF 20.7.14 */
+    const pair h2_minus = pair_mul_xx(h_minus, h_minus); /* DLMF 20.7.14 */
+    const pair side_plus = pair_mul_xx(h2_plus, pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q2, h2_plus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q4, h2_plus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q6, h2_plus), pair_add_dx(1.0, pair_mul_xx(common_4, h2_plus))))))))); /* DLMF 20.7.14 */
+    const pair side_minus = pair_mul_xx(h2_minus, pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q2, h2_minus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q4, h2_minus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q6, h2_minus), pair_add_dx(1.0, pair_mul_xx(common_4, h2_minus))))))))); /* DLMF 20.7.14 */
+    const pair watson = pair_add_xx(pair_add_dx(1.0, side_plus), side_minus); /* DLMF 20.7.14 */
+    const pair Lambda = pair_add_xx(pair_div_xd(psi_0, 2.0), pair_mul_xx(pair_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
+    const pair Lambda_rate = pair_div_xx(Lambda, pi); /* (33), (34) */
+    const pair v = half_turns(sin_v, cos_v); /* (12) */
+    const pair v_rate = pair_div_xx(pair_mul_xx(mu, g), pi); /* (10), (20) */
+    const pair x = pair_sub_dx(1.0, pair_mul_dx(2.0, pair_mul_xx(sin_v, sin_v))); /* DLMF 4.21.27 */
+    const pair x2 = pair_mul_xx(x, x);
+    const pair T4_re = pair_add_xx(T4_re_0, pair_mul_xx(x, pair_add_xx(T4_re_1, pair_mul_xx(x, pair_add_xx(T4_re_2, pair_mul_xx(x, T4_re_3)))))); /* (18), DLMF 20.2.4 */
+    const pair T4_im = pair_mul_xx(pair_mul_xx(sin_v, cos_v), pair_add_xx(T4_im_0, pair_mul_xx(x, pair_add_xx(T4_im_1, pair_mul_xx(x, T4_im_2))))); /* (18), DLMF 20.2.4 */
+    const pair T1_re = pair_mul_xx(sin_v, pair_add_xx(T1_re_0, pair_mul_xx(x, pair_add_xx(T1_re_1, pair_mul_xx(x, pair_add_xx(T1_re_2, pair_mul_xx(x, T1_re_3))))))); /* (18), DLMF 20.2.1 */
+    const pair T1_im = pair_mul_xx(cos_v, pair_add_xx(T1_im_0, pair_mul_xx(x, pair_add_xx(T1_im_1, pair_mul_xx(x, pair_add_xx(T1_im_2, pair_mul_xx(x, T1_im_3))))))); /* (18), DLMF 20.2.1 */
+    const pair sum_even = pair_add_xx(even_0, pair_mul_xx(x2, pair_add_xx(even_1, pair_mul_xx(x2, even_2)))); /* DLMF 20.2.4 */
+    const pair sum_odd = pair_mul_xx(x, pair_add_xx(odd_0, pair_mul_xx(x2, odd_1))); /* DLMF 20.2.4 */
+    const pair theta4_v = pair_sub_xx(sum_even, sum_odd); /* (10), DLMF 20.2.4 */
+    const pair P4_re = T4_re; /* (18); theta_form.P4_re */
+    const pair P4_im = T4_im; /* (18); theta_form.P4_im */
+    const pair P1_re = T1_re; /* (18); theta_form.P1_re */
+    const pair P1_im = T1_im; /* (18); theta_form.P1_im */
+    const pair W = pair_mul_xx(theta4_v, watson); /* (1), DLMF 20.7.14 */
+    const pair N = pair_sqrt(W); /* (1); theta_form.N_of_W */
+    const pair qbar_0 = pair_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
+    const pair qbar_a = pair_div_xx(pair_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
+    const pair qbar_b = pair_div_xx(pair_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
+    const double common_11 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d */
+    const pair qbar_d = pair_div_xx(pair_mul_dx(common_11, P1_re), N); /* (18), (25); theta_form.qbar_d */
+    const pair p_0 = pair_add_xx(pair_add_xx(pair_add_xx(pair_mul_xx(q_0, qbar_0), pair_mul_xx(q_a, qbar_a)), pair_mul_xx(q_b, qbar_b)), pair_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
+    const pair p_a = pair_add_xx(pair_sub_xx(pair_mul_xx(q_a, qbar_0), pair_mul_xx(q_0, qbar_a)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_d, qbar_b), pair_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
+    const pair p_b = pair_add_xx(pair_sub_xx(pair_mul_xx(q_b, qbar_0), pair_mul_xx(q_0, qbar_b)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_a, qbar_d), pair_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
+    const pair p_d = pair_add_xx(pair_sub_xx(pair_mul_xx(q_d, qbar_0), pair_mul_xx(q_0, qbar_d)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_b, qbar_a), pair_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
+    const pair over_N = pair_div_dx(1.0, pair_sqrt(watson)); /* (1), DLMF 20.7.14 */
+    const pair row_0_P4_re = pair_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
+    const pair row_0_P4_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
+    const pair row_0_P1_re = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_d, common_11))); /* (37); attitude.q_0 */
+    const pair row_0_P1_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
+    const pair row_a_P4_re = pair_mul_xx(over_N, p_a); /* (37); attitude.q_a */
+    const pair row_a_P4_im = pair_mul_xx(over_N, pair_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
+    const pair row_a_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_b, common_11))); /* (37); attitude.q_a */
+    const pair row_a_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
+    const pair row_b_P4_re = pair_mul_xx(over_N, p_b); /* (37); attitude.q_b */
+    const pair row_b_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
+    const pair row_b_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_a, common_11)))); /* (37); attitude.q_b */
+    const pair row_b_P1_im = pair_mul_xx(over_N, pair_mul_xd(p_0, chi)); /* (37); attitude.q_b */
+    const pair row_d_P4_re = pair_mul_xx(over_N, p_d); /* (37); attitude.q_d */
+    const pair row_d_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
+    const pair row_d_P1_re = pair_mul_xx(over_N, pair_mul_xd(p_0, common_11)); /* (37); attitude.q_d */
+    const pair row_d_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_a, chi))); /* (37); attitude.q_d */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
+    const pair gain_a = pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(four, three)); /* (10), DLMF 22.2.4; regular.Omega_a */
+    const pair gain_b = pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, two)); /* (10), DLMF 22.2.4; regular.Omega_b */
+    const pair gain_d = pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(four, two)); /* (10), DLMF 22.2.4; regular.Omega_d */
+    plan->v_rate_hi = v_rate.hi;
+    plan->v_rate_lo = v_rate.lo;
+    plan->v_hi = v.hi;
+    plan->v_lo = v.lo;
+    plan->Lambda_rate_hi = Lambda_rate.hi;
+    plan->Lambda_rate_lo = Lambda_rate.lo;
+    plan->T4_re_0 = pair_rounded(T4_re_0);
+    plan->T4_re_1 = pair_rounded(T4_re_1);
+    plan->T4_re_2 = pair_rounded(T4_re_2);
+    plan->T4_re_3 = pair_rounded(T4_re_3);
+    plan->T4_im_0 = pair_rounded(T4_im_0);
+    plan->T4_im_1 = pair_rounded(T4_im_1);
+    plan->T4_im_2 = pair_rounded(T4_im_2);
+    plan->T1_re_0 = pair_rounded(T1_re_0);
+    plan->T1_re_1 = pair_rounded(T1_re_1);
+    plan->T1_re_2 = pair_rounded(T1_re_2);
+    plan->T1_re_3 = pair_rounded(T1_re_3);
+    plan->T1_im_0 = pair_rounded(T1_im_0);
+    plan->T1_im_1 = pair_rounded(T1_im_1);
+    plan->T1_im_2 = pair_rounded(T1_im_2);
+    plan->T1_im_3 = pair_rounded(T1_im_3);
+    plan->even_0 = pair_rounded(even_0);
+    plan->even_1 = pair_rounded(even_1);
+    plan->even_2 = pair_rounded(even_2);
+    plan->odd_0 = pair_rounded(odd_0);
+    plan->odd_1 = pair_rounded(odd_1);
+    plan->sine_even_0 = pair_rounded(sine_even_0);
+    plan->sine_even_1 = pair_rounded(sine_even_1);
+    plan->sine_even_2 = pair_rounded(sine_even_2);
+    plan->sine_odd_0 = pair_rounded(sine_odd_0);
+    plan->sine_odd_1 = pair_rounded(sine_odd_1);
+    plan->row_0_P4_re = pair_rounded(row_0_P4_re);
+    plan->row_0_P4_im = pair_rounded(row_0_P4_im);
+    plan->row_0_P1_re = pair_rounded(row_0_P1_re);
+    plan->row_0_P1_im = pair_rounded(row_0_P1_im);
+    plan->row_a_P4_re = pair_rounded(row_a_P4_re);
+    plan->row_a_P4_im = pair_rounded(row_a_P4_im);
+    plan->row_a_P1_re = pair_rounded(row_a_P1_re);
+    plan->row_a_P1_im = pair_rounded(row_a_P1_im);
+    plan->row_b_P4_re = pair_rounded(row_b_P4_re);
+    plan->row_b_P4_im = pair_rounded(row_b_P4_im);
+    plan->row_b_P1_re = pair_rounded(row_b_P1_re);
+    plan->row_b_P1_im = pair_rounded(row_b_P1_im);
+    plan->row_d_P4_re = pair_rounded(row_d_P4_re);
+    plan->row_d_P4_im = pair_rounded(row_d_P4_im);
+    plan->row_d_P1_re = pair_rounded(row_d_P1_re);
+    plan->row_d_P1_im = pair_rounded(row_d_P1_im);
+    plan->gain_a = pair_rounded(gain_a);
+    plan->gain_b = pair_rounded(gain_b);
+    plan->gain_d = pair_rounded(gain_d);
+}
+
+/* What changes with time on the circular branch, at t + t_lo. */
+static void circular_angles(const torque_free_circular *plan, size_t n, const double *restrict t_in,
+    const double *restrict t_lo_in, double *restrict sin_v_out,
+    double *restrict cos_v_out, double *restrict X_im_out, double *restrict X_re_out)
+{
+    const double v_rate_hi = plan->v_rate_hi;
+    const double v_rate_lo = plan->v_rate_lo;
+    const double v_hi = plan->v_hi;
+    const double v_lo = plan->v_lo;
+    const double Lambda_rate_hi = plan->Lambda_rate_hi;
+    const double Lambda_rate_lo = plan->Lambda_rate_lo;
+    for (size_t i = 0; i < n; i++) {
+        const double t = t_in[i];
+        const double t_lo = t_lo_in[i];
+        const double p = v_rate_hi * t;
+        const double p_error = product_error(v_rate_hi, t, p) + (fused(v_rate_lo, t, v_rate_hi * t_lo) + v_lo);
+        const double p_whole = nearest(p);
+        const double p_rest = p - p_whole;
+        const double v = p_rest + v_hi;
+        const double v_other = v - p_rest;
+        const double v_error = p_rest - (v - v_other) + (v_hi - v_other);
+        const double v_whole = nearest(v);
+        const double v_rest = v - v_whole;
+        const double v_turns = v_rest + (p_error + v_error);
+        const double v_square = v_turns * v_turns;
+        const double v_sign = alternating(p_whole + v_whole);
+        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
+        const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        const double L = Lambda_rate_hi * t;
+        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo);
+        const double L_whole = nearest(L);
+        const double L_rest = L - L_whole;
+        const double L_turns = L_rest + L_error;
+        const double L_square = L_turns * L_turns;
+        const double L_sign = alternating(L_whole);
+        const double X_im = L_sign * fused(L_turns, pi_hi, L_turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
+        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        sin_v_out[i] = sin_v;
+        cos_v_out[i] = cos_v;
+        X_im_out[i] = X_im;
+        X_re_out[i] = X_re;
+    }
+}
+
+/* The state on the circular branch, from `_circular_angles`. */
+static void circular_state(const torque_free_circular *plan, size_t n, const double *restrict sin_v_in,
+    const double *restrict cos_v_in, const double *restrict X_im_in,
+    const double *restrict X_re_in, double *restrict q_0_out, double *restrict q_a_out,
+    double *restrict q_b_out, double *restrict q_d_out, double *restrict Omega_a_out,
+    double *restrict Omega_b_out, double *restrict Omega_d_out)
+{
+    const double T4_re_0 = plan->T4_re_0;
+    const double T4_re_1 = plan->T4_re_1;
+    const double T4_re_2 = plan->T4_re_2;
+    const double T4_re_3 = plan->T4_re_3;
+    const double T4_im_0 = plan->T4_im_0;
+    const double T4_im_1 = plan->T4_im_1;
+    const double T4_im_2 = plan->T4_im_2;
+    const double T1_re_0 = plan->T1_re_0;
+    const double T1_re_1 = plan->T1_re_1;
+    const double T1_re_2 = plan->T1_re_2;
+    const double T1_re_3 = plan->T1_re_3;
+    const double T1_im_0 = plan->T1_im_0;
+    const double T1_im_1 = plan->T1_im_1;
+    const double T1_im_2 = plan->T1_im_2;
+    const double T1_im_3 = plan->T1_im_3;
+    const double even_0 = plan->even_0;
+    const double even_1 = plan->even_1;
+    const double even_2 = plan->even_2;
+    const double odd_0 = plan->odd_0;
+    const double odd_1 = plan->odd_1;
+    const double sine_even_0 = plan->sine_even_0;
+    const double sine_even_1 = plan->sine_even_1;
+    const double sine_even_2 = plan->sine_even_2;
+    const double sine_odd_0 = plan->sine_odd_0;
+    const double sine_odd_1 = plan->sine_odd_1;
+    const double row_0_P4_re = plan->row_0_P4_re;
+    const double row_0_P4_im = plan->row_0_P4_im;
+    const double row_0_P1_re = plan->row_0_P1_re;
+    const double row_0_P1_im = plan->row_0_P1_im;
+    const double row_a_P4_re = plan->row_a_P4_re;
+    const double row_a_P4_im = plan->row_a_P4_im;
+    const double row_a_P1_re = plan->row_a_P1_re;
+    const double row_a_P1_im = plan->row_a_P1_im;
+    const double row_b_P4_re = plan->row_b_P4_re;
+    const double row_b_P4_im = plan->row_b_P4_im;
+    const double row_b_P1_re = plan->row_b_P1_re;
+    const double row_b_P1_im = plan->row_b_P1_im;
+    const double row_d_P4_re = plan->row_d_P4_re;
+    const double row_d_P4_im = plan->row_d_P4_im;
+    const double row_d_P1_re = plan->row_d_P1_re;
+    const double row_d_P1_im = plan->row_d_P1_im;
+    const double gain_a = plan->gain_a;
+    const double gain_b = plan->gain_b;
+    const double gain_d = plan->gain_d;
+    for (size_t i = 0; i < n; i++) {
+        const double sin_v = sin_v_in[i];
+        const double cos_v = cos_v_in[i];
+        const double X_im = X_im_in[i];
+        const double X_re = X_re_in[i];
+        const double x = fused(-2.0, sin_v * sin_v, 1.0); /* DLMF 4.21.27 */
+        const double x2 = x * x;
+        const double T4_re = fused(x, fused(x, fused(x, T4_re_3, T4_re_2), T4_re_1), T4_re_0); /* (18), DLMF 20.2.4 */
+        const double T4_im = sin_v * cos_v * fused(x, fused(x, T4_im_2, T4_im_1), T4_im_0); /* (18), DLMF 20.2.4 */
+        const double T1_re = sin_v * fused(x, fused(x, fused(x, T1_re_3, T1_re_2), T1_re_1), T1_re_0); /* (18), DLMF 20.2.1 */
+        const double T1_im = cos_v * fused(x, fused(x, fused(x, T1_im_3, T1_im_2), T1_im_1), T1_im_0); /* (18), DLMF 20.2.1 */
+        const double sum_even = fused(x2, fused(x2, even_2, even_1), even_0); /* DLMF 20.2.4 */
+        const double sum_odd = x * fused(x2, odd_1, odd_0); /* DLMF 20.2.4 */
+        const double theta4_v = sum_even - sum_odd; /* (10), DLMF 20.2.4 */
+        const double theta3_v = sum_even + sum_odd; /* (10), DLMF 20.2.3 */
+        const double part_even = fused(x2, fused(x2, sine_even_2, sine_even_1), sine_even_0); /* DLMF 20.2.1 */
+        const double part_odd = x * fused(x2, sine_odd_1, sine_odd_0); /* DLMF 20.2.1 */
+        const double theta1_v = sin_v * (part_even + part_odd); /* (10), DLMF 20.2.1 */
+        const double theta2_v = cos_v * (part_even - part_odd); /* (10), DLMF 20.2.2 */
+        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); theta_form.P4_re */
+        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); theta_form.P4_im */
+        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); theta_form.P1_re */
+        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); theta_form.P1_im */
+        const double over = 1.0 / theta4_v; /* (10) */
+        const double scale = sqrt(over); /* (1) */
+        const double q_0 = scale * (fused(row_0_P4_re, P4_re, row_0_P4_im * P4_im) + fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im)); /* (18), (37); attitude.q_0 */
+        const double q_a = scale * (fused(row_a_P4_re, P4_re, row_a_P4_im * P4_im) + fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im)); /* (18), (37); attitude.q_a */
+        const double q_b = scale * (fused(row_b_P4_re, P4_re, row_b_P4_im * P4_im) + fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im)); /* (18), (37); attitude.q_b */
+        const double q_d = scale * (fused(row_d_P4_re, P4_re, row_d_P4_im * P4_im) + fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im)); /* (18), (37); attitude.q_d */
+        const double Omega_a = gain_a * (theta3_v * over); /* (10); regular.Omega_a */
+        const double Omega_b = gain_b * (theta1_v * over); /* (10); regular.Omega_b */
+        const double Omega_d = gain_d * (theta2_v * over); /* (10); regular.Omega_d */
+        q_0_out[i] = q_0;
+        q_a_out[i] = q_a;
+        q_b_out[i] = q_b;
+        q_d_out[i] = q_d;
+        Omega_a_out[i] = Omega_a;
+        Omega_b_out[i] = Omega_b;
+        Omega_d_out[i] = Omega_d;
+    }
+}
+
+/* The constants of a motion on the hyperbolic branch, from `_start`. */
+static void hyperbolic_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B_d, pair k_1, pair kc_1,
+    pair mu, pair psi_0, pair s, pair c, pair q_0, pair q_a, pair q_b, pair q_d,
+    double epsilon, double sigma, double rho, double chi, torque_free_hyperbolic *plan)
+{
+    const pair root_k = pair_sqrt(k_1); /* (27); theta_form.root_k */
+    const pair x = pair_div_xx(B_d, pair_mul_xx(root_k, pair_add_xx(K, B_a))); /* (28); theta_form.x */
+    const pair y = pair_sqrt(pair_add_dx(1.0, pair_mul_xx(x, x))); /* DLMF 22.6.1; theta_form.y */
+    const pair common_1 = pair_mul_xx(k_1, x); /* DLMF 22.6.1; theta_form.z */
+    const pair z = pair_sqrt(pair_add_dx(1.0, pair_mul_xx(common_1, common_1))); /* DLMF 22.6.1; theta_form.z */
+    const pair s_beta = pair_div_xx(x, y); /* DLMF 22.6.1; theta_form.s_beta */
+    const pair c_beta = pair_div_dx(1.0, y); /* DLMF 22.6.1; theta_form.c_beta */
+    const pair d_beta = pair_div_xx(z, y); /* DLMF 22.6.1; theta_form.d_beta */
+    const pair r = root_ratio(kc_1, k_1); /* DLMF 20.9.1 */
+    const pair root_nome = pair_div_xx(kc_1, r); /* DLMF 20.9.1 */
+    const pair nome = pair_mul_xx(root_nome, root_nome); /* DLMF 20.9.1 */
+    const pair size_s = pair_size(s);
+    const double near = pair_rounded(pair_mul_xx(c, c));
+    const double far = pair_rounded(pair_mul_xx(kc_1, pair_mul_xx(s, s)));
+    const pair above = pair_choose(far, near, size_s, c); /* DLMF 22.4.3 */
+    const pair below = pair_choose(far, near, c, pair_mul_xx(kc_1, size_s)); /* DLMF 22.4.3 */
+    const pair xi = pair_div_xx(above, below); /* DLMF 22.6.7 */
+    pair K_c, sin_a, cos_a, Y_b;
+    ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* DLMF 19.8.12 */
+    const pair gc = pair_div_xx(pi, pair_mul_dx(2.0, K_c)); /* (10) */
+    const pair nome2 = pair_mul_xx(nome, nome); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair nome4 = pair_mul_xx(nome2, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair nome6 = pair_mul_xx(nome4, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair nome8 = pair_mul_xx(nome4, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair nome12 = pair_mul_xx(nome8, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair nome20 = pair_mul_xx(nome12, nome8); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair nome30 = pair_mul_xx(pair_mul_xx(nome20, nome8), nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair C_0 = cos_a; /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair S_0 = sin_a; /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair turn = pair_mul_dx(2.0, pair_sub_dx(1.0, pair_mul_dx(2.0, pair_mul_xx(sin_a, sin_a)))); /* DLMF 4.21.27 */
+    const pair C_1 = pair_mul_xx(pair_sub_xd(turn, 1.0), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair S_1 = pair_mul_xx(pair_add_xd(turn, 1.0), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair C_2 = pair_sub_xx(pair_mul_xx(turn, C_1), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair S_2 = pair_sub_xx(pair_mul_xx(turn, S_1), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair C_3 = pair_sub_xx(pair_mul_xx(turn, C_2), C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair S_3 = pair_sub_xx(pair_mul_xx(turn, S_2), S_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair C_4 = pair_sub_xx(pair_mul_xx(turn, C_3), C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair S_4 = pair_sub_xx(pair_mul_xx(turn, S_3), S_2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair C_5 = pair_sub_xx(pair_mul_xx(turn, C_4), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair S_5 = pair_sub_xx(pair_mul_xx(turn, S_4), S_3); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair zeta = pair_div_xx(pair_mul_xx(gc, pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(S_0, pair_mul_xx(pair_mul_dx(3.0, nome2), S_1)), pair_mul_xx(pair_mul_dx(5.0, nome6), S_2)), pair_mul_xx(pair_mul_dx(7.0, nome12), S_3)), pair_mul_xx(pair_mul_dx(9.0, nome20), S_4)), pair_mul_xx(pair_mul_dx(11.0, nome30), S_5))), pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(C_0, pair_mul_xx(nome2, C_1)), pair_mul_xx(nome6, C_2)), pair_mul_xx(nome12, C_3)), pair_mul_xx(nome20, C_4)), pair_mul_xx(nome30, C_5))); /* (34), DLMF 20.2.2 */
+    const pair re_0 = C_0; /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair im_0 = pair_neg(pair_mul_dx(rho, S_0)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair re_1 = pair_mul_xx(nome, C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair im_1 = pair_neg(pair_mul_xx(pair_mul_dx(rho, nome), S_1)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair re_2 = pair_mul_xx(nome4, C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair im_2 = pair_neg(pair_mul_xx(pair_mul_dx(rho, nome4), S_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair re_3 = pair_mul_xx(pair_mul_xx(nome8, nome), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair im_3 = pair_neg(pair_mul_xx(pair_mul_xx(pair_mul_dx(rho, nome8), nome), S_3)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair two = pair_add_xx(pair_add_dx(1.0, nome4), nome12); /* DLMF 20.2.2 */
+    const pair common_2 = pair_mul_dx(2.0, nome2); /* DLMF 20.2.3, DLMF 20.2.4 */
+    const pair common_3 = pair_mul_dx(2.0, nome8); /* DLMF 20.2.3, DLMF 20.2.4 */
+    const pair common_4 = pair_mul_xx(nome12, nome6); /* DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
+    const pair common_5 = pair_mul_dx(2.0, common_4); /* DLMF 20.2.3, DLMF 20.2.4 */
+    const pair three = pair_add_xx(pair_add_xx(pair_add_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.3 */
+    const pair four = pair_sub_xx(pair_add_xx(pair_sub_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.4 */
+    const pair twice = pair_sub_xd(pair_mul_xx(turn, turn), 2.0); /* DLMF 4.21.27 */
+    const pair twice2 = pair_sub_xd(pair_mul_xx(twice, twice), 2.0); /* DLMF 4.21.27 */
+    const pair twice3 = pair_sub_xx(pair_mul_xx(twice, twice2), twice); /* DLMF 4.21.27 */
+    const pair watson = pair_add_xx(pair_add_xx(pair_add_dx(1.0, pair_mul_xx(nome2, twice)), pair_mul_xx(nome8, twice2)), pair_mul_xx(common_4, twice3)); /* DLMF 20.7.14 */
+    const pair Lambda = pair_add_xx(pair_div_xd(psi_0, 2.0), pair_mul_xx(pair_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
+    const pair Lambda_rate = pair_div_xx(Lambda, pi); /* (33), (34) */
+    const double nome_d = pair_rounded(nome);
+    const pair L = pair_neg(logarithm(pair_choose(nome_d, 0.0, pair_of(1.0), nome))); /* DLMF 20.2.2 */
+    const double L_far = choose(nome_d, 0.0, never, pair_rounded(L));
+    const double L_inverse = choose(nome_d, 0.0, 0.0, 1.0 / pair_rounded(pair_choose(nome_d, 0.0, pair_of(1.0), L)));
+    const pair cosh_y = pair_sqrt(pair_add_dx(1.0, pair_mul_xx(Y_b, Y_b))); /* DLMF 4.35.11 */
+    const pair common_6 = pair_add_xx(Y_b, cosh_y); /* DLMF 4.37.16 */
+    const pair y_b = logarithm(common_6); /* DLMF 4.37.16 */
+    const pair y_size = pair_choose(far, near, y_b, pair_sub_xx(pair_div_xd(L, 2.0), y_b)); /* DLMF 22.4.3 */
+    const double side = choose(0.0, pair_rounded(s), 1.0, -1.0);
+    const pair y0 = pair_mul_dx(side, y_size);
+    const pair y_rate = pair_mul_xx(mu, gc); /* (10), (20) */
+    const pair e_near = pair_div_dx(1.0, pair_mul_xx(common_6, common_6)); /* DLMF 4.37.16 */
+    const pair e_far = pair_div_xx(nome, e_near);
+    const pair w = pair_choose(far, near, e_near, e_far);
+    const pair p = pair_choose(far, near, e_far, e_near);
+    const pair alpha = half_turns(sin_a, cos_a); /* (28) */
+    const pair jump = pair_mul_dx(-2.0 * rho, alpha); /* DLMF 20.2.2 */
+    const pair p2 = pair_mul_xx(p, p);
+    const pair qw = pair_mul_xx(nome, w);
+    const pair qw2 = pair_mul_xx(qw, qw);
+    const pair near_re_even = pair_add_xx(re_0, pair_mul_xx(p2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair near_re_odd = pair_mul_xx(p, pair_add_xx(re_1, pair_mul_xx(p2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair far_re_even = pair_add_xx(re_0, pair_mul_xx(qw2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair far_re_odd = pair_mul_xx(qw, pair_add_xx(re_1, pair_mul_xx(qw2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair near_im_even = pair_add_xx(im_0, pair_mul_xx(p2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair near_im_odd = pair_mul_xx(p, pair_add_xx(im_1, pair_mul_xx(p2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair far_im_even = pair_add_xx(im_0, pair_mul_xx(qw2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair far_im_odd = pair_mul_xx(qw, pair_add_xx(im_1, pair_mul_xx(qw2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const pair T4_re = pair_add_xx(pair_add_xx(near_re_even, near_re_odd), pair_mul_xx(w, pair_add_xx(far_re_even, far_re_odd))); /* (18), DLMF 20.2.2 */
+    const pair T4_im = pair_mul_dx(side, pair_sub_xx(pair_add_xx(near_im_even, near_im_odd), pair_mul_xx(w, pair_add_xx(far_im_even, far_im_odd)))); /* (18), DLMF 20.2.2 */
+    const pair T1_re = pair_mul_dx(side, pair_sub_xx(pair_sub_xx(near_re_even, near_re_odd), pair_mul_xx(w, pair_sub_xx(far_re_even, far_re_odd)))); /* (18), DLMF 20.2.1 */
+    const pair T1_im = pair_add_xx(pair_sub_xx(near_im_even, near_im_odd), pair_mul_xx(w, pair_sub_xx(far_im_even, far_im_odd))); /* (18), DLMF 20.2.1 */
+    const pair w2 = pair_mul_xx(w, w);
+    const pair tall = pair_add_dx(1.0, pair_mul_xx(p2, pair_add_xx(nome2, pair_mul_xx(p2, nome8)))); /* DLMF 20.2.2 */
+    const pair deep = pair_mul_xx(w2, pair_add_dx(1.0, pair_mul_xx(qw2, pair_add_xx(nome2, pair_mul_xx(qw2, nome8))))); /* DLMF 20.2.2 */
+    const pair theta2_y = pair_add_xx(tall, deep); /* (10), DLMF 20.2.2 */
+    const pair P4_re = T4_re; /* (18); theta_form.P4_re */
+    const pair P4_im = T4_im; /* (18); theta_form.P4_im */
+    const pair P1_re = T1_re; /* (18); theta_form.P1_re */
+    const pair P1_im = T1_im; /* (18); theta_form.P1_im */
+    const pair W = pair_mul_xx(pair_mul_dx(2.0, theta2_y), watson); /* (1), DLMF 20.7.14 */
+    const pair N = pair_sqrt(W); /* (1); theta_form.N_of_W */
+    const pair qbar_0 = pair_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
+    const pair qbar_a = pair_div_xx(pair_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
+    const pair qbar_b = pair_div_xx(pair_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
+    const double common_7 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d */
+    const pair qbar_d = pair_div_xx(pair_mul_dx(common_7, P1_re), N); /* (18), (25); theta_form.qbar_d */
+    const pair p_0 = pair_add_xx(pair_add_xx(pair_add_xx(pair_mul_xx(q_0, qbar_0), pair_mul_xx(q_a, qbar_a)), pair_mul_xx(q_b, qbar_b)), pair_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
+    const pair p_a = pair_add_xx(pair_sub_xx(pair_mul_xx(q_a, qbar_0), pair_mul_xx(q_0, qbar_a)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_d, qbar_b), pair_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
+    const pair p_b = pair_add_xx(pair_sub_xx(pair_mul_xx(q_b, qbar_0), pair_mul_xx(q_0, qbar_b)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_a, qbar_d), pair_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
+    const pair p_d = pair_add_xx(pair_sub_xx(pair_mul_xx(q_d, qbar_0), pair_mul_xx(q_0, qbar_d)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_b, qbar_a), pair_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
+    const pair over_N = pair_div_dx(1.0, pair_sqrt(pair_mul_dx(2.0, watson))); /* (1), DLMF 20.7.14 */
+    const pair row_0_P4_re = pair_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
+    const pair row_0_P4_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
+    const pair row_0_P1_re = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_d, common_7))); /* (37); attitude.q_0 */
+    const pair row_0_P1_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
+    const pair row_a_P4_re = pair_mul_xx(over_N, p_a); /* (37); attitude.q_a */
+    const pair row_a_P4_im = pair_mul_xx(over_N, pair_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
+    const pair row_a_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_b, common_7))); /* (37); attitude.q_a */
+    const pair row_a_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
+    const pair row_b_P4_re = pair_mul_xx(over_N, p_b); /* (37); attitude.q_b */
+    const pair row_b_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
+    const pair row_b_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_a, common_7)))); /* (37); attitude.q_b */
+    const pair row_b_P1_im = pair_mul_xx(over_N, pair_mul_xd(p_0, chi)); /* (37); attitude.q_b */
+    const pair row_d_P4_re = pair_mul_xx(over_N, p_d); /* (37); attitude.q_d */
+    const pair row_d_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
+    const pair row_d_P1_re = pair_mul_xx(over_N, pair_mul_xd(p_0, common_7)); /* (37); attitude.q_d */
+    const pair row_d_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_a, chi))); /* (37); attitude.q_d */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
+    const pair gain_a = pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(two, three)); /* (10), DLMF 22.2.4; regular.Omega_a */
+    const pair gain_b = pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, four)); /* (10), DLMF 22.2.4; regular.Omega_b */
+    const pair gain_d = pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(two, four)); /* (10), DLMF 22.2.4; regular.Omega_d */
+    plan->y_rate_hi = y_rate.hi;
+    plan->y_rate_lo = y_rate.lo;
+    plan->y0_hi = y0.hi;
+    plan->y0_lo = y0.lo;
+    plan->L_hi = L.hi;
+    plan->L_lo = L.lo;
+    plan->Lambda_rate_hi = Lambda_rate.hi;
+    plan->Lambda_rate_lo = Lambda_rate.lo;
+    plan->jump_hi = jump.hi;
+    plan->jump_lo = jump.lo;
+    plan->L_far = L_far;
+    plan->L_inverse = L_inverse;
+    plan->re_0 = pair_rounded(re_0);
+    plan->re_1 = pair_rounded(re_1);
+    plan->re_2 = pair_rounded(re_2);
+    plan->re_3 = pair_rounded(re_3);
+    plan->im_0 = pair_rounded(im_0);
+    plan->im_1 = pair_rounded(im_1);
+    plan->im_2 = pair_rounded(im_2);
+    plan->im_3 = pair_rounded(im_3);
+    plan->nome = pair_rounded(nome);
+    plan->nome2 = pair_rounded(nome2);
+    plan->nome4 = pair_rounded(nome4);
+    plan->nome8 = pair_rounded(nome8);
+    plan->nome12 = pair_rounded(nome12);
+    plan->row_0_P4_re = pair_rounded(row_0_P4_re);
+    plan->row_0_P4_im = pair_rounded(row_0_P4_im);
+    plan->row_0_P1_re = pair_rounded(row_0_P1_re);
+    plan->row_0_P1_im = pair_rounded(row_0_P1_im);
+    plan->row_a_P4_re = pair_rounded(row_a_P4_re);
+    plan->row_a_P4_im = pair_rounded(row_a_P4_im);
+    plan->row_a_P1_re = pair_rounded(row_a_P1_re);
+    plan->row_a_P1_im = pair_rounded(row_a_P1_im);
+    plan->row_b_P4_re = pair_rounded(row_b_P4_re);
+    plan->row_b_P4_im = pair_rounded(row_b_P4_im);
+    plan->row_b_P1_re = pair_rounded(row_b_P1_re);
+    plan->row_b_P1_im = pair_rounded(row_b_P1_im);
+    plan->row_d_P4_re = pair_rounded(row_d_P4_re);
+    plan->row_d_P4_im = pair_rounded(row_d_P4_im);
+    plan->row_d_P1_re = pair_rounded(row_d_P1_re);
+    plan->row_d_P1_im = pair_rounded(row_d_P1_im);
+    plan->gain_a = pair_rounded(gain_a);
+    plan->gain_b = pair_rounded(gain_b);
+    plan->gain_d = pair_rounded(gain_d);
+}
+
+/* What changes with time on the hyperbolic branch, at t + t_lo. */
+static void hyperbolic_angles(const torque_free_hyperbolic *plan, size_t n, const double *restrict t_in,
+    const double *restrict t_lo_in, double *restrict w_out, double *restrict p_out,
+    double *restrict side_out, double *restrict flip_out, double *restrict X_im_out,
+    double *restrict X_re_out)
+{
+    const double y_rate_hi = plan->y_rate_hi;
+    const double y_rate_lo = plan->y_rate_lo;
+    const double y0_hi = plan->y0_hi;
+    const double y0_lo = plan->y0_lo;
+    const double L_hi = plan->L_hi;
+    const double L_lo = plan->L_lo;
+    const double Lambda_rate_hi = plan->Lambda_rate_hi;
+    const double Lambda_rate_lo = plan->Lambda_rate_lo;
+    const double jump_hi = plan->jump_hi;
+    const double jump_lo = plan->jump_lo;
+    const double L_far = plan->L_far;
+    const double L_inverse = plan->L_inverse;
+    for (size_t i = 0; i < n; i++) {
+        const double t = t_in[i];
+        const double t_lo = t_lo_in[i];
+        const double p_y = y_rate_hi * t;
+        const double p_y_error = product_error(y_rate_hi, t, p_y) + (fused(y_rate_lo, t, y_rate_hi * t_lo) + y0_lo);
+        const double periods = nearest((p_y + y0_hi) * L_inverse);
+        const double back = L_hi * periods;
+        const double back_error = fused(L_lo, periods, product_error(L_hi, periods, back));
+        const double ahead = p_y + -back;
+        const double ahead_other = ahead - p_y;
+        const double ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other);
+        const double y_near = ahead + y0_hi;
+        const double y_near_other = y_near - ahead;
+        const double y_near_error = ahead - (y_near - y_near_other) + (y0_hi - y_near_other);
+        const double y = y_near + (y_near_error + (ahead_error + (p_y_error - back_error)));
+        const double side = choose(0.0, y, 1.0, -1.0);
+        const double flip = alternating(periods); /* DLMF 20.2.1 */
+        const double depth = fabs(2.0 * y);
+        const double w = exp(-depth); /* DLMF 20.2.2 */
+        const double p = exp(depth - L_far); /* DLMF 20.2.2 */
+        const double L = Lambda_rate_hi * t;
+        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo);
+        const double L_whole = nearest(L);
+        const double L_rest = L - L_whole;
+        const double j = jump_hi * periods;
+        const double j_error = fused(jump_lo, periods, product_error(jump_hi, periods, j));
+        const double j_whole = nearest(j);
+        const double j_rest = j - j_whole;
+        const double turned = L_rest + j_rest;
+        const double turned_other = turned - L_rest;
+        const double turned_error = L_rest - (turned - turned_other) + (j_rest - turned_other);
+        const double turned_whole = nearest(turned);
+        const double turned_rest = turned - turned_whole;
+        const double turns = turned_rest + (turned_error + (L_error + j_error));
+        const double whole = L_whole + (j_whole + turned_whole);
+        const double L_square = turns * turns;
+        const double L_sign = alternating(whole);
+        const double X_im = L_sign * fused(turns, pi_hi, turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
+        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        w_out[i] = w;
+        p_out[i] = p;
+        side_out[i] = side;
+        flip_out[i] = flip;
+        X_im_out[i] = X_im;
+        X_re_out[i] = X_re;
+    }
+}
+
+/* The state on the hyperbolic branch, from `_hyperbolic_angles`. */
+static void hyperbolic_state(const torque_free_hyperbolic *plan, size_t n, const double *restrict w_in,
+    const double *restrict p_in, const double *restrict side_in,
+    const double *restrict flip_in, const double *restrict X_im_in,
+    const double *restrict X_re_in, double *restrict q_0_out, double *restrict q_a_out,
+    double *restrict q_b_out, double *restrict q_d_out, double *restrict Omega_a_out,
+    double *restrict Omega_b_out, double *restrict Omega_d_out)
+{
+    const double re_0 = plan->re_0;
+    const double re_1 = plan->re_1;
+    const double re_2 = plan->re_2;
+    const double re_3 = plan->re_3;
+    const double im_0 = plan->im_0;
+    const double im_1 = plan->im_1;
+    const double im_2 = plan->im_2;
+    const double im_3 = plan->im_3;
+    const double nome = plan->nome;
+    const double nome2 = plan->nome2;
+    const double nome4 = plan->nome4;
+    const double nome8 = plan->nome8;
+    const double nome12 = plan->nome12;
+    const double row_0_P4_re = plan->row_0_P4_re;
+    const double row_0_P4_im = plan->row_0_P4_im;
+    const double row_0_P1_re = plan->row_0_P1_re;
+    const double row_0_P1_im = plan->row_0_P1_im;
+    const double row_a_P4_re = plan->row_a_P4_re;
+    const double row_a_P4_im = plan->row_a_P4_im;
+    const double row_a_P1_re = plan->row_a_P1_re;
+    const double row_a_P1_im = plan->row_a_P1_im;
+    const double row_b_P4_re = plan->row_b_P4_re;
+    const double row_b_P4_im = plan->row_b_P4_im;
+    const double row_b_P1_re = plan->row_b_P1_re;
+    const double row_b_P1_im = plan->row_b_P1_im;
+    const double row_d_P4_re = plan->row_d_P4_re;
+    const double row_d_P4_im = plan->row_d_P4_im;
+    const double row_d_P1_re = plan->row_d_P1_re;
+    const double row_d_P1_im = plan->row_d_P1_im;
+    const double gain_a = plan->gain_a;
+    const double gain_b = plan->gain_b;
+    const double gain_d = plan->gain_d;
+    for (size_t i = 0; i < n; i++) {
+        const double w = w_in[i];
+        const double p = p_in[i];
+        const double side = side_in[i];
+        const double flip = flip_in[i];
+        const double X_im = X_im_in[i];
+        const double X_re = X_re_in[i];
+        const double p2 = p * p;
+        const double qw = nome * w;
+        const double qw2 = qw * qw;
+        const double near_re_even = fused(p2, re_2, re_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_re_odd = p * fused(p2, re_3, re_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_re_even = fused(qw2, re_2, re_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_re_odd = qw * fused(qw2, re_3, re_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_im_even = fused(p2, im_2, im_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_im_odd = p * fused(p2, im_3, im_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_im_even = fused(qw2, im_2, im_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_im_odd = qw * fused(qw2, im_3, im_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+        const double T4_re = fused(w, far_re_even + far_re_odd, near_re_even + near_re_odd); /* (18), DLMF 20.2.2 */
+        const double T4_im = side * fused(-w, far_im_even + far_im_odd, near_im_even + near_im_odd); /* (18), DLMF 20.2.2 */
+        const double T1_re = side * fused(-w, far_re_even - far_re_odd, near_re_even - near_re_odd); /* (18), DLMF 20.2.1 */
+        const double T1_im = fused(w, far_im_even - far_im_odd, near_im_even - near_im_odd); /* (18), DLMF 20.2.1 */
+        const double w2 = w * w;
+        const double common_1 = p2 * nome8; /* DLMF 20.2.2, (10), DLMF 20.2.1 */
+        const double tall = fused(p2, nome2 + common_1, 1.0); /* DLMF 20.2.2 */
+        const double common_2 = qw2 * nome8; /* DLMF 20.2.2, (10), DLMF 20.2.1 */
+        const double deep = w2 * fused(qw2, nome2 + common_2, 1.0); /* DLMF 20.2.2 */
+        const double theta2_y = tall + deep; /* (10), DLMF 20.2.2 */
+        const double theta1_y = side * fused(-w2, fused(qw2, common_2 - nome2, 1.0), fused(p2, common_1 - nome2, 1.0)); /* (10), DLMF 20.2.1 */
+        const double common_3 = p2 * p2; /* DLMF 20.2.3 */
+        const double ends = fused(p2, fused(nome12, common_3, 1.0), w2 * nome2); /* DLMF 20.2.3 */
+        const double middle = fused(w2 * w2, nome8, fused(nome4, common_3, 1.0)); /* DLMF 20.2.3 */
+        const double theta3_y = 2.0 * (w * (middle + ends)); /* (10), DLMF 20.2.3 */
+        const double theta4_y = 2.0 * (w * (middle - ends)); /* (10), DLMF 20.2.4 */
+        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); theta_form.P4_re */
+        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); theta_form.P4_im */
+        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); theta_form.P1_re */
+        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); theta_form.P1_im */
+        const double over = 1.0 / theta2_y; /* (10) */
+        const double scale = sqrt(over); /* (1) */
+        const double q_0 = scale * fused(flip, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im), fused(row_0_P4_re, P4_re, row_0_P4_im * P4_im)); /* (18), (37); attitude.q_0 */
+        const double q_a = scale * fused(flip, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im), fused(row_a_P4_re, P4_re, row_a_P4_im * P4_im)); /* (18), (37); attitude.q_a */
+        const double q_b = scale * fused(flip, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im), fused(row_b_P4_re, P4_re, row_b_P4_im * P4_im)); /* (18), (37); attitude.q_b */
+        const double q_d = scale * fused(flip, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im), fused(row_d_P4_re, P4_re, row_d_P4_im * P4_im)); /* (18), (37); attitude.q_d */
+        const double Omega_a = gain_a * (theta3_y * over); /* (10); regular.Omega_a */
+        const double Omega_b = gain_b * (flip * theta1_y * over); /* (10); regular.Omega_b */
+        const double Omega_d = gain_d * (flip * theta4_y * over); /* (10); regular.Omega_d */
+        q_0_out[i] = q_0;
+        q_a_out[i] = q_a;
+        q_b_out[i] = q_b;
+        q_d_out[i] = q_d;
+        Omega_a_out[i] = Omega_a;
+        Omega_b_out[i] = Omega_b;
+        Omega_d_out[i] = Omega_d;
+    }
+}
+
+/* The axis and the rate of a motion with constant rates. */
+static void steady_plan(pair Omega1, pair Omega2, pair Omega3, pair p0, pair p1, pair p2, pair p3,
+    torque_free_steady *plan)
+{
+    const pair omega = pair_sqrt(pair_add_xx(pair_add_xx(pair_mul_xx(Omega1, Omega1), pair_mul_xx(Omega2, Omega2)), pair_mul_xx(Omega3, Omega3))); /* (3); steady.omega */
+    const pair axis1 = pair_div_xx(Omega1, omega); /* (3); steady.axis1 */
+    const pair axis2 = pair_div_xx(Omega2, omega); /* (3); steady.axis2 */
+    const pair axis3 = pair_div_xx(Omega3, omega); /* (3); steady.axis3 */
+    const pair Lambda_rate = pair_div_xx(omega, pair_mul_dx(2.0, pi)); /* (3) */
+    plan->Lambda_rate_hi = Lambda_rate.hi;
+    plan->Lambda_rate_lo = Lambda_rate.lo;
+    plan->axis1 = pair_rounded(axis1);
+    plan->axis2 = pair_rounded(axis2);
+    plan->axis3 = pair_rounded(axis3);
+    plan->p0 = pair_rounded(p0);
+    plan->p1 = pair_rounded(p1);
+    plan->p2 = pair_rounded(p2);
+    plan->p3 = pair_rounded(p3);
+}
+
+/* What changes with time on the steady branch, at t + t_lo. */
+static void steady_angles(const torque_free_steady *plan, size_t n, const double *restrict t_in,
+    const double *restrict t_lo_in, double *restrict X_im_out, double *restrict X_re_out)
+{
+    const double Lambda_rate_hi = plan->Lambda_rate_hi;
+    const double Lambda_rate_lo = plan->Lambda_rate_lo;
+    for (size_t i = 0; i < n; i++) {
+        const double t = t_in[i];
+        const double t_lo = t_lo_in[i];
+        const double L = Lambda_rate_hi * t;
+        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo);
+        const double L_whole = nearest(L);
+        const double L_rest = L - L_whole;
+        const double L_turns = L_rest + L_error;
+        const double L_square = L_turns * L_turns;
+        const double L_sign = alternating(L_whole);
+        const double X_im = L_sign * fused(L_turns, pi_hi, L_turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
+        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        X_im_out[i] = X_im;
+        X_re_out[i] = X_re;
+    }
+}
+
+/* The attitude from `_steady_angles`. */
+static void steady_state(const torque_free_steady *plan, size_t n, const double *restrict X_im_in,
+    const double *restrict X_re_in, double *restrict q0_out, double *restrict q1_out,
+    double *restrict q2_out, double *restrict q3_out)
+{
+    const double axis1 = plan->axis1;
+    const double axis2 = plan->axis2;
+    const double axis3 = plan->axis3;
+    const double p0 = plan->p0;
+    const double p1 = plan->p1;
+    const double p2 = plan->p2;
+    const double p3 = plan->p3;
+    for (size_t i = 0; i < n; i++) {
+        const double X_im = X_im_in[i];
+        const double X_re = X_re_in[i];
+        const double cos_half_theta = X_re; /* (3); reading steady.cos_half_theta */
+        const double sin_half_theta = X_im; /* (3); reading steady.sin_half_theta */
+        const double r1 = sin_half_theta * axis1; /* (37); steady.r1 */
+        const double r2 = sin_half_theta * axis2; /* (37); steady.r2 */
+        const double r3 = sin_half_theta * axis3; /* (37); steady.r3 */
+        const double q0 = fused(-p3, r3, fused(-p2, r2, fused(p0, cos_half_theta, -(p1 * r1)))); /* (37); steady.q0 */
+        const double q1 = fused(-p3, r2, fused(p2, r3, fused(p0, r1, p1 * cos_half_theta))); /* (37); steady.q1 */
+        const double q2 = fused(-p1, r3, fused(p3, r1, fused(p0, r2, p2 * cos_half_theta))); /* (37); steady.q2 */
+        const double q3 = fused(-p2, r1, fused(p1, r2, fused(p0, r3, p3 * cos_half_theta))); /* (37); steady.q3 */
+        q0_out[i] = q0;
+        q1_out[i] = q1;
+        q2_out[i] = q2;
+        q3_out[i] = q3;
+    }
+}
+
+/* Rates below this fraction of the largest cannot change a state by an ulp, unless they decide on
+   which side of the separatrix a motion is: then it is refused. */
+static const double negligible = 0x1p-400;
+static const double faintest = 0x1p-900;
+static const double thinnest = 0x1p-240;
+static const double farthest = 0x1p46;
+enum { BLOCK = 192, GRID = 64 };
+
+/* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
+static int exponent_of(size_t n, const double *x)
+{
+    double largest = 0.0;
+    int e;
+    for (size_t k = 0; k < n; k++)
+        largest = fabs(x[k]) > largest ? fabs(x[k]) : largest;
+    (void)frexp(largest, &e);
+    return e - 1;
+}
+
+static int all_finite(size_t n, const double *x)
+{
+    for (size_t k = 0; k < n; k++)
+        if (!isfinite(x[k]))
+            return 0;
+    return 1;
+}
+
+static int same(pair x, pair y) { return !(x.hi < y.hi || x.hi > y.hi || x.lo < y.lo || x.lo > y.lo); }
+static int is_zero(pair x) { return !(x.hi < 0.0 || x.hi > 0.0); }
+static int is_below(pair x, pair y) { return x.hi < y.hi || (!(x.hi > y.hi) && x.lo < y.lo); }
+
+/* True where momentum and rates are parallel. */
+static int is_steady(const pair c[3], const pair omega[3])
+{
+    for (int j = 0; j < 3; j++) {
+        const int k = (j + 1) % 3;
+        if (!same(c[j], c[k]) && !is_zero(omega[j]) && !is_zero(omega[k]))
+            return 0;
+    }
+    return 1;
+}
+
+/* The axes by their moments, largest first; equal ones in the order a plain argsort leaves. */
+static void sorted(const pair c[3], int axis[3])
+{
+    for (int k = 0; k < 3; k++)
+        axis[k] = k;
+    for (int pass = 0; pass < 2; pass++)
+        for (int k = 0; k < 2; k++)
+            if (is_below(c[axis[k]], c[axis[k + 1]])) {
+                const int first = axis[k];
+                axis[k] = axis[k + 1];
+                axis[k + 1] = first;
+            }
+}
+
+/* E_b to all digits of a pair: in exact arithmetic where its terms cancel. */
+static pair excess_of(const pair c[3], const pair omega[3], const int axis[3])
+{
+    const pair zero = {0.0, 0.0};
+    const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
+    const int scale = exponent_of(2, rates);
+    const pair a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
+    const pair over = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], a, zero);
+    const pair under = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], zero, d);
+    const pair sum = pair_add_xx(over, under);
+    if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))
+        return scaled(sum, 2 * scale);
+    return scaled(exact_to_pair(excess_exact(exact_of(c[axis[0]].hi), exact_of(c[axis[1]].hi),
+                                             exact_of(c[axis[2]].hi), exact_of(a.hi), exact_of(d.hi))),
+                  2 * scale);
+}
+
+static void steady_init(torque_free_plan *plan, const pair omega[3], const pair q[4])
+{
+    pair rates[3] = {omega[0], omega[1], omega[2]};
+    const int at_rest = is_zero(omega[0]) && is_zero(omega[1]) && is_zero(omega[2]);
+    if (at_rest)
+        rates[0] = pair_of(1.0);
+    plan->branch = 0;
+    steady_plan(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &plan->of.steady);
+    if (at_rest)
+        plan->of.steady.Lambda_rate_hi = plan->of.steady.Lambda_rate_lo = 0.0;
+}
+
+static void moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
+                        const pair q[4], pair E_b)
+{
+    const int *axis = plan->axis;
+    const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
+    const pair Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
+    const pair q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
+    const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
+    const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
+    const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
+    const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    pair K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
+    start(c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
+    if (k_1.hi * k_1.hi <= 0.5) {
+        plan->branch = 1;
+        circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, &plan->of.circular);
+        plan->of.circular.gain_a *= plan->unit;
+        plan->of.circular.gain_b *= plan->unit;
+        plan->of.circular.gain_d *= plan->unit;
+    } else {
+        plan->branch = 2;
+        hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, &plan->of.hyperbolic);
+        plan->of.hyperbolic.gain_a *= plan->unit;
+        plan->of.hyperbolic.gain_b *= plan->unit;
+        plan->of.hyperbolic.gain_d *= plan->unit;
+    }
+}
+
+/* c, omega and q in inner units; `given` are the rates before faint ones were taken for zero. */
+static int init(torque_free_plan *plan, const pair c[3], const pair given[3], const pair q[4],
+                const pair *known, double unit)
+{
+    torque_free_plan made = {0};
+    pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
+    for (int k = 0; k < 3; k++) {
+        omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
+        length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
+    }
+    length = pair_sqrt(length);
+    made.unit = unit;
+    for (int k = 0; k < 4; k++) {
+        unit_q[k] = pair_div_xx(q[k], length);
+        made.q0[k] = pair_rounded(unit_q[k]);
+    }
+    for (int k = 0; k < 3; k++)
+        made.omega0[k] = given[k].hi * unit;
+    sorted(c, made.axis);
+    const pair excess = known ? *known : excess_of(c, omega, made.axis);
+    if (excess.hi < 0.0) {
+        const int first = made.axis[0];
+        made.axis[0] = made.axis[2];
+        made.axis[2] = first;
+    }
+    const int steady = is_steady(c, omega);
+    const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
+    const int lost = steady && !is_steady(c, given) && !is_zero(omega[made.axis[1]]);
+    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    if (distinct && (lost || faint))
+        return TORQUE_FREE_SEPARATRIX;
+    if (steady)
+        steady_init(&made, omega, unit_q);
+    else
+        moving_init(&made, c, omega, unit_q, excess);
+    *plan = made;
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
+                          const double attitude0[4])
+{
+    pair c[3], omega[3], q[4];
+    double least = inertia[0], most = inertia[0];
+    if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
+        return TORQUE_FREE_NOT_FINITE;
+    for (int k = 1; k < 3; k++) {
+        least = inertia[k] < least ? inertia[k] : least;
+        most = inertia[k] > most ? inertia[k] : most;
+    }
+    if (!(least > 0.0))
+        return TORQUE_FREE_INERTIA;
+    const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
+    const int q_scale = exponent_of(4, attitude0);
+    int is_zero_attitude = 1;
+    for (int k = 0; k < 3; k++) {
+        c[k] = pair_of(ldexp(inertia[k], -c_scale));
+        omega[k] = pair_of(ldexp(omega0[k], -scale));
+    }
+    if (ldexp(least, -c_scale) < thinnest)
+        return TORQUE_FREE_THIN;
+    for (int k = 0; k < 4; k++) {
+        q[k] = pair_of(ldexp(attitude0[k], -q_scale));
+        is_zero_attitude = is_zero_attitude && is_zero(q[k]);
+    }
+    if (is_zero_attitude)
+        return TORQUE_FREE_ATTITUDE;
+    return init(plan, c, omega, q, NULL, ldexp(1.0, scale));
+}
+
+int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
+                                const double omega0[3][2], const double attitude0[4][2],
+                                const double excess[2], double unit)
+{
+    pair c[3], omega[3], q[4];
+    for (int k = 0; k < 4; k++) {
+        const pair one = {attitude0[k][0], attitude0[k][1]};
+        q[k] = one;
+    }
+    for (int k = 0; k < 3; k++) {
+        const pair moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
+        c[k] = moment;
+        omega[k] = rate;
+        if (!all_finite(2, inertia[k]) || !all_finite(2, omega0[k]))
+            return TORQUE_FREE_NOT_FINITE;
+        if (!(moment.hi > 0.0))
+            return TORQUE_FREE_INERTIA;
+        if (moment.hi < thinnest || moment.hi > 4.0)
+            return TORQUE_FREE_THIN;
+    }
+    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, excess) || !isfinite(unit))
+        return TORQUE_FREE_NOT_FINITE;
+    if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
+        return TORQUE_FREE_ATTITUDE;
+    const pair known = {excess[0], excess[1]};
+    return init(plan, c, omega, q, &known, unit);
+}
+
+/* Times in inner units, and whether all of them are near enough and whether one is zero. */
+static int scaled_times(double unit, size_t n, const double *restrict t, double *restrict inner, int *zero)
+{
+    int bad = 0, zeros = 0;
+    for (size_t i = 0; i < n; i++) {
+        inner[i] = unit * t[i];
+        bad |= !(fabs(inner[i]) <= farthest);
+        zeros |= !(t[i] < 0.0 || t[i] > 0.0);
+    }
+    *zero = zeros;
+    return !bad;
+}
+
+static void interleaved(size_t n, const double *restrict a, const double *restrict b,
+                        const double *restrict c, double *restrict rows)
+{
+    for (size_t i = 0; i < n; i++) {
+        rows[3 * i] = a[i];
+        rows[3 * i + 1] = b[i];
+        rows[3 * i + 2] = c[i];
+    }
+}
+
+static void interleaved4(size_t n, const double *restrict a, const double *restrict b,
+                         const double *restrict c, const double *restrict d, double *restrict rows)
+{
+    for (size_t i = 0; i < n; i++) {
+        rows[4 * i] = a[i];
+        rows[4 * i + 1] = b[i];
+        rows[4 * i + 2] = c[i];
+        rows[4 * i + 3] = d[i];
+    }
+}
+
+/* The states of one block from what changes with time: two arrays on the steady branch, four on the
+   circular one, six on the hyperbolic one. */
+static void block_states(const torque_free_plan *plan, size_t n, double (*restrict by_time)[BLOCK],
+                         double *restrict q, double *restrict omega)
+{
+    double out[7][BLOCK];
+    const int *axis = plan->axis;
+    if (plan->branch == 0) {
+        steady_state(&plan->of.steady, n, by_time[0], by_time[1], out[0], out[1], out[2], out[3]);
+        for (size_t i = 0; i < n; i++)
+            for (int k = 0; k < 3; k++)
+                omega[3 * i + (size_t)k] = plan->omega0[k];
+        interleaved4(n, out[0], out[1], out[2], out[3], q);
+        return;
+    }
+    double *row[7];
+    row[0] = out[0];
+    for (int k = 0; k < 3; k++) {
+        row[1 + axis[k]] = out[1 + k];
+        row[4 + axis[k]] = out[4 + k];
+    }
+    if (plan->branch == 1)
+        circular_state(&plan->of.circular, n, by_time[0], by_time[1], by_time[2], by_time[3], out[0],
+                       out[1], out[2], out[3], out[4], out[5], out[6]);
+    else
+        hyperbolic_state(&plan->of.hyperbolic, n, by_time[0], by_time[1], by_time[2], by_time[3],
+                         by_time[4], by_time[5], out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
+    interleaved4(n, row[0], row[1], row[2], row[3], q);
+    interleaved(n, row[4], row[5], row[6], omega);
+}
+
+/* What changes with time at the inner times t + t_lo. */
+static void block_angles(const torque_free_plan *plan, size_t n, const double *restrict t,
+                         const double *restrict t_lo, double (*restrict by_time)[BLOCK])
+{
+    if (plan->branch == 0)
+        steady_angles(&plan->of.steady, n, t, t_lo, by_time[0], by_time[1]);
+    else if (plan->branch == 1)
+        circular_angles(&plan->of.circular, n, t, t_lo, by_time[0], by_time[1], by_time[2], by_time[3]);
+    else
+        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, by_time[0], by_time[1], by_time[2],
+                          by_time[3], by_time[4], by_time[5]);
+}
+
+/* A motion is at its start at t = 0, to the last bit. */
+static void at_start(const torque_free_plan *plan, double *q, double *omega)
+{
+    for (int k = 0; k < 4; k++)
+        q[k] = plan->q0[k];
+    for (int k = 0; k < 3; k++)
+        omega[k] = plan->omega0[k];
+}
+
+int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+                          double *omega)
+{
+    double by_time[6][BLOCK], inner[BLOCK], rest[BLOCK];
+    int zero;
+    for (size_t i = 0; i < n; i += BLOCK)
+        if (!scaled_times(plan->unit, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
+            return TORQUE_FREE_TIME;
+    for (size_t k = 0; k < BLOCK; k++)
+        rest[k] = 0.0;
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        (void)scaled_times(plan->unit, count, t + i, inner, &zero);
+        block_angles(plan, count, inner, rest, by_time);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        for (size_t k = 0; zero && k < count; k++)
+            if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
+                at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
+    }
+    return TORQUE_FREE_OK;
+}
+
+/* Sines and cosines of a + b. */
+static void turned(size_t n, double sin_a, double cos_a, const double *restrict sin_b,
+                   const double *restrict cos_b, double *restrict sine, double *restrict cosine)
+{
+    for (size_t i = 0; i < n; i++) {
+        sine[i] = fused(sin_a, cos_b[i], cos_a * sin_b[i]);
+        cosine[i] = fused(cos_a, cos_b[i], -(sin_a * sin_b[i]));
+    }
+}
+
+/* Sines and cosines of both angles at the times k step, k = 0 ... GRID - 1, as from zero. */
+static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
+{
+    double t[BLOCK], t_lo[BLOCK];
+    torque_free_plan from_zero = *plan;
+    if (plan->branch == 1)
+        from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
+    for (size_t k = 0; k < GRID; k++) {
+        const pair time = two_product((double)k, step);
+        t[k] = time.hi;
+        t_lo[k] = time.lo;
+    }
+    block_angles(&from_zero, GRID, t, t_lo, table);
+}
+
+/* What changes with time at n grid times from number `first` on: by turning the values at every
+   GRID-th of them, but on the hyperbolic branch, where it is more than sines and cosines. */
+static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
+                        size_t n, double (*restrict table)[BLOCK], double (*restrict by_time)[BLOCK])
+{
+    double t[BLOCK], t_lo[BLOCK], base[6][BLOCK];
+    const size_t every = plan->branch == 2 ? 1 : GRID, count = (n + every - 1) / every;
+    for (size_t i = 0; i < count; i++) {
+        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+        t[i] = time.hi;
+        t_lo[i] = time.lo;
+    }
+    if (every == 1) {
+        block_angles(plan, n, t, t_lo, by_time);
+        return;
+    }
+    block_angles(plan, count, t, t_lo, base);
+    for (size_t i = 0; i < count; i++) {
+        const size_t at = i * every, rest = n - at < every ? n - at : every;
+        for (int s = 0; s < 2 * plan->branch + 2; s += 2)
+            turned(rest, base[s][i], base[s + 1][i], table[s], table[s + 1], by_time[s] + at,
+                   by_time[s + 1] + at);
+    }
+}
+
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
+                               double *q, double *omega)
+{
+    double table[6][BLOCK], by_time[6][BLOCK];
+    const double inner = plan->unit * start, inner_step = plan->unit * step;
+    const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
+    if (!(fabs(inner) <= farthest && fabs(last) <= farthest))
+        return TORQUE_FREE_TIME;
+    if (plan->branch != 2)
+        grid_table(plan, inner_step, table);
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        grid_angles(plan, inner, inner_step, i, count, table, by_time);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+    }
+    if (!(start < 0.0 || start > 0.0))
+        for (size_t i = 0; i < (is_zero(pair_of(step)) ? n : n > 0); i++)
+            at_start(plan, q + 4 * i, omega + 3 * i);
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
+                          const double *attitude0, size_t n, const double *t, double *q,
+                          double *omega, size_t *failed)
+{
+    torque_free_plan plan;
+    for (size_t k = 0; k < bodies; k++) {
+        int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+        if (code == TORQUE_FREE_OK)
+            code = torque_free_states_at(&plan, n, t, q + 4 * n * k, omega + 3 * n * k);
+        if (code != TORQUE_FREE_OK) {
+            *failed = k;
+            return code;
+        }
+    }
+    return TORQUE_FREE_OK;
+}
+
+int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+{
+    return torque_free_states_at(plan, 1, &t, q, omega);
+}
+
+size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
+
+const char *torque_free_digest(void) { return "25dcaf75ff15fb7c9f769fd2ee4a0dd2c819d3ea47f4920af1183af96a8e0f41"; }
+
+const char *torque_free_message(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_OK: return "success";
+    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
+    case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
+    case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
+    case TORQUE_FREE_TIME: return "t: must be finite and within |omega0 t| = 2^46 rad";
+    default: return "no such code";
+    }
+}
