@@ -85,7 +85,7 @@ def _parser() -> argparse.ArgumentParser:
     errata.add_argument("--json", action="store_true")
 
     codegen = command("codegen", _codegen, "write a numeric module")
-    codegen.add_argument("target", metavar="TARGET", help="numpy")
+    codegen.add_argument("target", metavar="TARGET", help="numpy or c")
     codegen.add_argument("-o", "--output", metavar="DIR", type=_path)
     instead = codegen.add_mutually_exclusive_group()
     instead.add_argument("--check", action="store_true", help="compare with what is there")
@@ -102,6 +102,7 @@ def _parser() -> argparse.ArgumentParser:
     validate.add_argument("--seed", metavar="S", type=int)
     validate.add_argument("-o", "--output", metavar="DIR", type=_path)
     validate.add_argument("--json", action="store_true")
+    validate.add_argument("--record", action="store_true", help="for the heads of the modules")
 
     propagate = command("propagate", _propagate, "states of one motion")
     propagate.add_argument("case", metavar="CASE.toml", help="a case file, or `paper`")
@@ -295,8 +296,11 @@ def _errata(options: Any) -> int:
 
 def _codegen(options: Any) -> int:
     from rigidsym.codegen import generate
+    from rigidsym.seal import seal
+    from rigidsym.solution import sealed
 
     generated = generate(options.target)
+    seal(sealed())
     if options.stdout:
         print("".join(generated.files.values()), end="")
         return 0
@@ -351,6 +355,7 @@ def _trace(options: Any) -> int:
 def _validate(options: Any) -> int:
     from rigidsym.files import probe, write_text
     from rigidsym.validate import check_target, validate
+    from rigidsym.validate.record import record
 
     for target in options.targets:
         check_target(target)
@@ -365,6 +370,8 @@ def _validate(options: Any) -> int:
         if options.output:
             write_text(options.output / f"validation-{target}.json", report.to_json())
             write_text(options.output / f"validation-{target}.md", report.to_markdown())
+        if options.record:
+            _say(f"recorded: {record(report, _generated_directory())}")
         status |= not report.passed
     return int(status)
 

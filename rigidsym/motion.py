@@ -1,16 +1,15 @@
 """Torque-free motion of a rigid body: the public class, on the generated NumPy module."""
 
-from collections.abc import Iterable
+import math
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
-from rigidsym import inputs
+from rigidsym import engines, inputs
 from rigidsym.errors import InputError
-from rigidsym.exact_plan import exact_plan
-from rigidsym.generated import torque_free
 
 if TYPE_CHECKING:
     from rigidsym.precise import PreciseMotion
@@ -25,8 +24,10 @@ class TorqueFreeMotion:
     inertia: three principal moments in kg m^2, positive, none larger than the sum of the other
     two unless `allow_nonphysical`.  omega0: body rates in rad/s.  attitude0: quaternion, scalar
     first, body to inertial, normalised here.  Numbers may be floats (exact binary64 values) or
-    strings, Fraction, Decimal and mpf, which `precise` and `enclose` take exactly; `enclose` also
-    takes uncertain ones, "0.0109 +/- 1e-6" or balls of python-flint.  Raises InputError.
+    strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
+    ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
+    source compiled once on this machine (NumPy with a warning where there is no compiler).  Raises
+    InputError.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
     >>> q, omega = motion(180.0)
@@ -42,8 +43,10 @@ class TorqueFreeMotion:
         omega0: Any,
         attitude0: Any = IDENTITY,
         *,
+        engine: str = "numpy",
         allow_nonphysical: bool = False,
     ) -> None:
+        self.engine = engines.checked(engine)
         self.inertia = inputs.inertia(inertia, allow_nonphysical)
         self.omega0 = inputs.vector("omega0", omega0, 3)
         self.attitude0 = inputs.attitude(attitude0)
@@ -53,16 +56,29 @@ class TorqueFreeMotion:
         inside = ", ".join(f"{name}={inputs.shown(getattr(self, name))}" for name in fields)
         return f"TorqueFreeMotion({inside})"
 
-    def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+    def __call__(
+        self, t: Any, out: tuple[np.ndarray, np.ndarray] | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Attitude and body rates at t (s): (4,), (3,) for a number, (N, 4), (N, 3) for N of them.
 
-        Errors stay below (256 + 8 |omega0 t|) 2^-53 for bodies that can exist, as `rigidsym
-        validate` measures; rates of others can outgrow omega0, and errors with them.  Raises
-        InputError for times that are not finite, not at most one-dimensional or beyond
-        |omega0 t| = 2^40 rad, and for motions nearer to the separatrix than binary64 can follow;
-        `precise` follows both.
+        `out`: a pair of C-contiguous float64 arrays of these shapes to fill and return.  Rotation
+        angles are right to 2e-15 rad and rates to 2e-15 of their size for bodies that can exist, as
+        `rigidsym validate` measures.  Raises InputError for times that are not finite, not at most
+        one-dimensional or beyond |omega0 t| = 2^46 rad, and for motions nearer to the separatrix
+        than binary64 can follow; `precise` follows both.
         """
-        return _states(self._plan, _times(t))
+        plan = self._plan
+        times = t if type(t) is float and math.isfinite(t) else _times(t)
+        return _refusing(lambda: self._engine.states(plan, times, out), t=times)
+
+    @cached_property
+    def _engine(self) -> engines.Engine:
+        return engines.engine(self.engine)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Without what belongs to this process."""
+        kept = self.__dict__.items()
+        return {name: value for name, value in kept if name not in ("_plan", "_engine", "_precise")}
 
     @cached_property
     def exact(self) -> dict[str, tuple[Fraction, ...]]:
@@ -74,12 +90,8 @@ class TorqueFreeMotion:
         given = self.exact
         doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
         if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
-            return exact_plan(*given.values())
-        try:
-            return torque_free.plan(*doubles.values())
-        except ValueError as error:
-            field, rule = str(error).split(": ", 1)
-            raise InputError(field, doubles[field], rule) from None
+            return _refusing(lambda: self._engine.exact_plan(*given.values()), **doubles)
+        return _refusing(lambda: self._engine.plan(*doubles.values()), **doubles)
 
     @property
     def regime(self) -> "Regime":
@@ -156,6 +168,8 @@ def propagate(
     t: Any,
     attitude0: Any = IDENTITY,
     *,
+    engine: str = "numpy",
+    out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
@@ -166,13 +180,9 @@ def propagate(
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     checked = {name: _array(name, value) for name, value in arrays.items()}
     _check_bodies(checked["inertia"], allow_nonphysical)
-    try:
-        plan = torque_free.plan(*checked.values())
-    except ValueError as error:
-        field, rule = str(error).split(": ", 1)
-        shapes = ", ".join(str(array.shape) for array in checked.values())
-        raise InputError(field, f"arrays of shapes {shapes}", rule) from None
-    return _states(plan, _times(t))
+    run = engines.engine(engine).propagate
+    times = _times(t)
+    return _refusing(lambda: run(*checked.values(), times, out), **checked, t=times)
 
 
 def _objects(states: Iterable[Any], single: bool) -> tuple[np.ndarray, np.ndarray]:
@@ -183,11 +193,29 @@ def _objects(states: Iterable[Any], single: bool) -> tuple[np.ndarray, np.ndarra
     return (q[0], omega[0]) if single else (q, omega)
 
 
-def _states(plan: dict[str, Any], t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _refusing(compute: Callable[[], Any], **given: Any) -> Any:
+    """What `compute` returns; what an engine refuses becomes an InputError with the value."""
     try:
-        return torque_free.states(plan, t)
+        return compute()
+    except InputError:
+        raise
     except ValueError as error:
-        raise InputError("t", f"up to {np.max(np.abs(t))}", str(error).split(": ", 1)[1]) from None
+        field, rule = str(error).split(": ", 1)
+        raise InputError(field, _brief(field, given), rule) from None
+
+
+def _brief(field: str, given: dict[str, Any]) -> Any:
+    """The value of a field as far as one line takes it."""
+    if field == "t":
+        times = np.asarray(given["t"])
+        return f"up to {np.max(np.abs(times))}"
+    if field == "out":
+        return "the arrays given"
+    value = given.get(field)
+    if isinstance(value, list):
+        return value
+    shapes = (str(np.shape(array)) for name, array in given.items() if name != "t")
+    return f"arrays of shapes {', '.join(shapes)}"
 
 
 def _array(name: str, value: Any) -> np.ndarray:

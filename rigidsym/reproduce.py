@@ -11,13 +11,14 @@ from typing import Any
 
 from rigidsym import inputs
 from rigidsym.cases import Case, paper_case
-from rigidsym.codegen import Generated, generate
+from rigidsym.codegen import TARGETS, Generated, generate
 from rigidsym.derive import Derivation, derive
 from rigidsym.errors import InputError
 from rigidsym.files import write_text
 from rigidsym.paper import Ruling, Verdict, verdicts
 from rigidsym.plot import Panel, svg
-from rigidsym.solution import load
+from rigidsym.seal import seal
+from rigidsym.solution import Solution, load, sealed
 from rigidsym.validate import ValidationReport, validate
 
 Say = Callable[[str, str, float, bool], None]
@@ -30,7 +31,7 @@ class Reproduction:
 
     derivation: Derivation
     checked: bool
-    generated: Generated
+    generated: tuple[Generated, ...]
     current: bool
     validation: ValidationReport
     verdicts: tuple[Verdict, ...]
@@ -56,10 +57,10 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     checked, seconds = _timed(lambda: _replayed(ledger))
     say("check", "certificates replayed in a fresh process", seconds, checked)
 
-    generated, seconds = _timed(lambda: generate("numpy", load(derivation.ledger)))
-    current = generated.files == generate("numpy").files
+    generated, seconds = _timed(lambda: _all_targets(load(derivation.ledger)))
+    current = [module.files for module in generated] == [m.files for m in _all_targets(sealed())]
     same = "the same as" if current else "NOT the same as"
-    say("codegen", f"NumPy module, {same} the one installed", seconds, current)
+    say("codegen", f"{', '.join(TARGETS)}: sealed, {same} what is installed", seconds, current)
 
     validation, seconds = _timed(lambda: validate(progress=progress("validate")))
     states = sum(stratum.states for stratum in validation.strata)
@@ -69,12 +70,19 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 
     ruled = tuple(verdicts(json.loads(derivation.ledger)))
     result = Reproduction(derivation, checked, generated, current, validation, ruled)
-    generated.write(directory)
+    for module in generated:
+        module.write(directory)
     write_text(directory / "validation.json", validation.to_json())
     write_text(directory / "validation.md", validation.to_markdown())
     write_text(directory / "motion.svg", plot(paper_case()))
     write_text(directory / "report.md", report(result))
     return result
+
+
+def _all_targets(solution: Solution) -> tuple[Generated, ...]:
+    """Every module, after the kernel has decided that it is what was derived."""
+    seal(solution)
+    return tuple(generate(target, solution) for target in TARGETS)
 
 
 def _timed(stage: Callable[[], Any]) -> tuple[Any, float]:
@@ -137,9 +145,14 @@ def report(result: Reproduction) -> str:
             "",
             "## Generated",
             "",
-            f"`torque_free.py`, sha256 {result.generated.manifest['sha256']['torque_free.py']}"
-            f"{'' if result.current else ', NOT the module that is installed'}; "
-            "`numpy.map.json` gives the equations of each line.",
+            *(
+                f"* `{name}`, sha256 {digest}"
+                for module in result.generated
+                for name, digest in module.manifest["sha256"].items()
+            ),
+            "",
+            "`numpy.map.json` and `c.map.json` give the equations of each line."
+            + ("" if result.current else "  These are NOT the modules that are installed."),
             "",
             result.validation.to_markdown().replace("# Validation", "## Validation", 1),
         ]

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.generated import torque_free
+from rigidsym.engines import Engine
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.validate.strata import Sample
 
 ULP = 2.0**-53
-# The documented bound, in units of 2^-53.
-AT_START, PER_RADIAN = 256, 8
+# The documented bound on angle (rad) and rates (relative), of bodies that can exist, at all times.
+BOUND = 2e-15
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +22,7 @@ class Measurement:
     """The worst errors of one sample, in units of 2^-53, and the largest part of the bound used.
 
     angle: rotation angle error with the sign of q; omega: |difference| / |omega|; norm: of q;
-    energy and momentum: relative drift of H and K^2.  share: angle or omega over `bound`.
+    energy and momentum: relative drift of H and K^2.  share: angle or omega over BOUND.
     """
 
     sample: Sample
@@ -36,29 +36,18 @@ class Measurement:
     worst_time: float
 
 
-def bound(sample: Sample, time: float) -> float:
-    """The documented bound on angle and omega errors of bodies that can exist, in units of 2^-53.
-
-    Constants are rounded to doubles, so errors grow with the angle |omega| |t| turned.  They start
-    from AT_START for the neighbourhood of the middle axis, where u0 nears the quarter period.
-    """
-    return AT_START + PER_RADIAN * math.hypot(*sample.omega0) * abs(time)
-
-
-def measure(sample: Sample, digits: int, module: Any = torque_free) -> Measurement:
+def measure(sample: Sample, digits: int, engine: Engine) -> Measurement:
     """Run a generated module and the derivation on a sample and compare."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     motion = TorqueFreeMotion(*state, allow_nonphysical=True)
-    given = (*sample.inertia, *sample.omega0)
-    if any(isinstance(x, Fraction) for x in given):
-        q, omega = motion(sample.times)
-    else:
-        q, omega = module.states(module.plan(*state), sample.times)
+    exact = any(isinstance(x, Fraction) for x in (*sample.inertia, *sample.omega0))
+    plan = engine.exact_plan(*motion.exact.values()) if exact else engine.plan(*state)
+    q, omega = engine.states(plan, np.array(sample.times))
     exact_q, exact_omega = motion.precise(list(map(Fraction, sample.times)), digits)
     angle = np.array([_distance(a, b) * 2 for a, b in zip(q, exact_q, strict=True)])
     size = [float(math.hypot(*map(float, row))) or 1.0 for row in exact_omega]
     rate = np.array([_distance(a, b) for a, b in zip(omega, exact_omega, strict=True)]) / size
-    both = np.maximum(angle, rate) / ULP / [bound(sample, t) for t in sample.times]
+    both = np.maximum(angle, rate) / BOUND
     worst = int(np.argmax(both))
     energy, momentum = _drift(sample, omega)
     return Measurement(

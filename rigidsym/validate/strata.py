@@ -167,6 +167,8 @@ STRATA: dict[str, tuple[Draw, Callable[[Random, Sequence[float | Fraction]], Flo
     "large scales": (_scaled(1e12, 1e6), _turns(50)),
     "decimals": (_decimals, _turns(100)),
     "long times": (_uniform, _turns(1e6)),
+    "longest times": (_uniform, _turns(1e12)),
+    "near separatrix, long": (_near_separatrix, _turns(1e12)),
 }
 
 

@@ -69,8 +69,9 @@ def test_reproduce_writes_the_same_bytes_twice(tmp_path):
         for stage in ("derive", "check", "codegen", "validate"):
             assert stage in found.stdout
     names = sorted(path.name for path in first.iterdir())
-    assert names == ["ledger.json", "motion.svg", "numpy.map.json", "report.md", "torque_free.py",
-                     "validation.json", "validation.md"]  # fmt: skip
+    assert names == ["c.map.json", "ledger.json", "motion.svg", "numpy.map.json", "report.md",
+                     "torque_free.c", "torque_free.h", "torque_free.py", "validation.json",
+                     "validation.md"]  # fmt: skip
     for name in names:
         assert (first / name).read_bytes() == (second / name).read_bytes(), name
         assert str(tmp_path) not in (first / name).read_text()
@@ -137,22 +138,30 @@ def test_errata_tells_the_misprint_in_35(capsys):
     assert "misprint" in capsys.readouterr().out
 
 
-def test_codegen_writes_checks_and_shows_a_difference(tmp_path, capsys):
-    assert main(["codegen", "numpy", "-o", str(tmp_path)]) == 0
-    assert main(["codegen", "numpy", "-o", str(tmp_path), "--check"]) == 0
-    module = tmp_path / "torque_free.py"
-    module.write_text(module.read_text().replace("x1 = ", "x1 = 2 * ", 1))
+@pytest.mark.parametrize(
+    ("target", "file", "starts"),
+    [
+        ("numpy", "torque_free.py", '"""Torque-free motion'),
+        ("c", "torque_free.c", "/* Torque-free"),
+    ],
+)
+def test_codegen_writes_checks_and_shows_a_difference(target, file, starts, tmp_path, capsys):
+    assert main(["codegen", target, "-o", str(tmp_path)]) == 0
+    assert main(["codegen", target, "-o", str(tmp_path), "--check"]) == 0
+    module = tmp_path / file
+    module.write_text(module.read_text().replace("m_1 = ", "m_1 = 2 * ", 1))
     capsys.readouterr()
-    assert main(["codegen", "numpy", "-o", str(tmp_path), "--check"]) == 1
-    assert "-    x1 = 2 * " in capsys.readouterr().out
-    assert main(["codegen", "numpy", "--stdout"]) == 0
-    assert capsys.readouterr().out.startswith('"""Torque-free motion')
+    assert main(["codegen", target, "-o", str(tmp_path), "--check"]) == 1
+    assert "m_1 = 2 * " in capsys.readouterr().out
+    assert main(["codegen", target, "--stdout"]) == 0
+    assert capsys.readouterr().out.startswith(starts)
 
 
 def test_trace_goes_both_ways(capsys):
     assert main(["trace", "--equation", "34"]) == 0
     places = [line.split(": ")[0] for line in capsys.readouterr().out.splitlines()]
     assert places
+    assert {place.split(":")[0] for place in places} == {"torque_free.py", "torque_free.c"}
     for place in places:
         assert main(["trace", place]) == 0
         assert "(34)" in capsys.readouterr().out
@@ -171,7 +180,7 @@ def test_validate_prints_json_and_writes_files(tmp_path, capsys):
 def test_a_broken_bound_exits_1(monkeypatch, capsys):
     from rigidsym.validate import measure
 
-    monkeypatch.setattr(measure, "bound", lambda sample, time: 1e-3)
+    monkeypatch.setattr(measure, "BOUND", 1e-18)
     assert main(["validate", "--cases", "1"]) == 1
     assert "BROKEN" in capsys.readouterr().out
 

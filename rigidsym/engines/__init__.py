@@ -1,0 +1,9 @@
+"""Engines: what turns plans and times into states, by NumPy or by C compiled on this machine.
+
+Both follow one protocol and give states that agree within the errors both are measured to have.
+"""
+
+from rigidsym.engines.choice import ENGINES, checked, engine, exactly
+from rigidsym.engines.protocol import Engine, EngineError, Outputs, States
+
+__all__ = ["ENGINES", "Engine", "EngineError", "Outputs", "States", "checked", "engine", "exactly"]

@@ -1,0 +1,70 @@
+"""Arrays as engines take and give them: times, batches of bodies, and outputs."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from rigidsym.engines.protocol import EngineError, Outputs, States
+
+BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
+SIZES = {"inertia": 3, "omega0": 3, "attitude0": 4}
+
+
+def times(t: Any) -> np.ndarray:
+    """A float64 array in one piece of memory, of no or one dimension."""
+    array = np.asarray(t, float)
+    if array.ndim > 1:
+        raise EngineError("t", BAD_TIMES)
+    return in_one_piece(array)
+
+
+def in_one_piece(array: np.ndarray) -> np.ndarray:
+    """The array or a copy, contiguous and aligned as C has them."""
+    whole = array.flags.c_contiguous and array.flags.aligned
+    return array if whole else array.copy(order="C")
+
+
+def batch(given: Mapping[str, np.ndarray]) -> tuple[int, ...]:
+    """The shape that the leading shapes of inertia, omega0 and attitude0 broadcast to."""
+    for name, array in given.items():
+        if array.ndim < 1 or array.shape[-1] != SIZES[name]:
+            rule = f"shape {array.shape}: the last axis must have {SIZES[name]} numbers"
+            raise EngineError(name, rule)
+    inertia, omega0, attitude0 = (array.shape[:-1] for array in given.values())
+    try:
+        return np.broadcast_shapes(inertia, omega0, attitude0)
+    except ValueError:
+        rule = f"leading shapes {omega0} and {attitude0} must broadcast with {inertia} of inertia"
+        raise EngineError("omega0, attitude0", rule) from None
+
+
+def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """The vectors of a batch one below the other, (B, 3) or (B, 4)."""
+    size = array.shape[-1]
+    return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(-1, size))
+
+
+def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States:
+    """The caller's arrays, once they have been checked, or new ones: (*shape, 4), (*shape, 3)."""
+    if out is None:
+        return np.empty((*shape, 4)), np.empty((*shape, 3))
+    if not isinstance(out, tuple | list) or len(out) != 2:
+        raise EngineError("out", "must be a pair of arrays (q, omega)")
+    q, omega = out
+    _check_output("q", q, (*shape, 4))
+    _check_output("omega", omega, (*shape, 3))
+    apart = ((q, omega), *((x, y) for x in (q, omega) for y in inputs))
+    if any(np.may_share_memory(x, y) for x, y in apart):
+        raise EngineError("out", "q and omega must not overlap each other or the inputs")
+    return q, omega
+
+
+def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:
+    if not isinstance(array, np.ndarray):
+        raise EngineError("out", f"{name} is a {type(array).__name__}: must be an array")
+    if array.dtype != np.float64 or array.shape != shape:
+        found = f"{array.dtype} of shape {array.shape}"
+        raise EngineError("out", f"{name} is {found}: must be float64 of shape {shape}")
+    if not array.flags.carray:
+        raise EngineError("out", f"{name} must be C-contiguous, aligned and writeable")

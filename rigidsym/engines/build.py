@@ -1,0 +1,92 @@
+"""The library for this machine: from the cache, or compiled and put there."""
+
+import hashlib
+import json
+import platform
+import tempfile
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+
+from rigidsym.engines import cache
+from rigidsym.engines.cache import CacheError
+from rigidsym.engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
+from rigidsym.engines.library import Library, LibraryError, load
+
+FILES = ("torque_free.h", "torque_free.c")
+# What tells processors apart in /proc/cpuinfo, on x86 and on ARM.
+_TELLING = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
+
+
+def library(remarks: list[str]) -> Library:
+    """Load or build it; what the user should hear of is added to `remarks`.
+
+    Raises CompilerError and LibraryError where there is no library to be had.
+    """
+    sources, compiler = _sources(), find()
+    key = _key(sources, compiler)
+    return _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
+
+
+def _sources() -> Mapping[str, str]:
+    """The generated C module by file name."""
+    package = resources.files("rigidsym.generated")
+    return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES}
+
+
+def _key(sources: Mapping[str, str], compiler: Compiler) -> str:
+    """A digest of all that determines a library."""
+    parts = [dict(sources), FLAGS, compiler.command, compiler.version, _processor()]
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
+
+
+def _processor() -> list[str]:
+    """What `-march=native` depends on, as far as the system tells."""
+    telling = [platform.machine()]
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as file:
+            for line in file:
+                # The first processor stands for all of them.
+                if not line.strip():
+                    break
+                if line.partition(":")[0].strip() in _TELLING:
+                    telling.append(line.strip())
+    except OSError:
+        telling.append(platform.processor())
+    return telling
+
+
+def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library | None:
+    for path in cache.kept(key):
+        try:
+            if not cache.is_whole(path):
+                raise LibraryError(f"{path} is damaged")
+            return load(path, sources)
+        except LibraryError as error:
+            remarks.append(f"engine: {error}: it is built again")
+            cache.drop(path)
+    return None
+
+
+def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]) -> Library:
+    """Compile in a temporary directory, and keep the library where that can be done."""
+    try:
+        with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
+            built = compile_library(compiler, sources, Path(work))
+            try:
+                return _kept(sources, key, built)
+            except (CacheError, LibraryError) as error:
+                found = load(built, sources)
+                remarks.append(f"engine: {error}: the library serves this process only")
+                return found
+    except OSError as error:
+        raise CompilerError(f"there is no place to compile in ({error})") from None
+
+
+def _kept(sources: Mapping[str, str], key: str, built: Path) -> Library:
+    path = cache.keep(key, built)
+    try:
+        return load(path, sources)
+    except LibraryError:
+        cache.drop(path)
+        raise

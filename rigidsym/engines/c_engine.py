@@ -1,0 +1,188 @@
+"""The engine on the generated C module, as the system's compiler built it."""
+
+import ctypes
+import math
+from collections.abc import Callable, Mapping, Sequence
+from ctypes import addressof, c_double
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from rigidsym.engines import arrays
+from rigidsym.engines.library import Library
+from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.engines.threads import in_parts, threads
+
+# Doubles, whose memory the caller owns; nobody writes to it once it is made.
+Plan = ctypes.Array
+_DOUBLE = ctypes.sizeof(c_double)
+# One state, q before omega.
+_State, _OMEGA = c_double * 7, 4 * _DOUBLE
+# A plan takes as long as this many states.
+_PLAN = 256
+_NOT_FINITE, _TIME = 1, 6
+# By the codes of torque_free.h.
+_RULES = {
+    2: ("inertia", "principal moments must be positive"),
+    3: ("inertia", "principal moments differ by more than binary64 can follow"),
+    4: ("attitude0", "a zero quaternion is no attitude"),
+    5: ("omega0", "nearer to the separatrix than binary64 can follow"),
+    6: ("t", "beyond |omega| t = 2^46 rad the angle is lost in binary64"),
+}
+
+
+class CEngine:
+    """torque_free.c as an `Engine`; plans and the engine may be shared by threads."""
+
+    __slots__ = ("_library", "_plan_type", "_state_at")
+
+    def __init__(self, library: Library) -> None:
+        self._library = library
+        self._state_at = library.state_at
+        # An array of doubles is aligned as a plan has to be.
+        self._plan_type = c_double * -(-library.plan_size() // _DOUBLE)
+
+    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Plan:
+        """See `Engine`."""
+        given = _named(inertia, omega0, attitude0)
+        return self._planned(self._library.plan_init, _vectors(given, ()))
+
+    def plan_from_pairs(
+        self, inertia: Any, omega0: Any, attitude0: Any, excess: Any, unit: float
+    ) -> Plan:
+        """Constants of one motion from sums of two doubles: (3, 2), (3, 2), (4, 2) and (2,).
+
+        Scaled as torque_free.h says, rates times `unit` rad/s; excess is K^2 - 2 H c_b.
+        """
+        given = _named(inertia, omega0, attitude0) | {"excess": np.asarray(excess, float)}
+        return self._planned(self._library.plan_init_pairs, _vectors(given, (2,)), unit)
+
+    def exact_plan(
+        self,
+        inertia: Sequence[Fraction],
+        omega0: Sequence[Fraction],
+        attitude0: Sequence[Fraction],
+    ) -> Plan:
+        """See `Engine`."""
+        # Here, because doubles need nothing of it.
+        from rigidsym.engines.exact_pairs import exact_pairs
+
+        return self.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
+
+    def _planned(
+        self, init: Callable[..., int], given: Mapping[str, np.ndarray], *unit: float
+    ) -> Plan:
+        plan = self._plan_type()
+        if code := init(plan, *(array.ctypes.data for array in given.values()), *unit):
+            raise _refused(code, given)
+        return plan
+
+    def states(self, plan: Plan, t: Any, out: Outputs = None) -> States:
+        """See `Engine`."""
+        if out is None and isinstance(t, float):
+            return self._state(plan, t)
+        t = arrays.times(t)
+        q, omega = arrays.outputs(out, t.shape, t)
+        inputs = t.ctypes.data, q.ctypes.data, omega.ctypes.data
+
+        def part(begin: int, end: int) -> int:
+            places = _offset(inputs, begin, (1, 4, 3))
+            return self._library.states_at(plan, end - begin, *places)
+
+        if code := max(in_parts(part, t.size, threads(t.size))):
+            raise _refused(code, {"t": t})
+        return q, omega
+
+    def _state(self, plan: Plan, t: float) -> States:
+        """The state at one time, by the shortest way there is from Python to C and back."""
+        state: Any = _State()
+        place = addressof(state)
+        if code := self._state_at(plan, t, place, place + _OMEGA):
+            raise _refused(code, {"t": np.array(t)})
+        return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
+
+    def grid(
+        self, plan: Plan, start: float, step: float, count: int, out: Outputs = None
+    ) -> States:
+        """See `Engine`."""
+        q, omega = arrays.outputs(out, (count,))
+        places = q.ctypes.data, omega.ctypes.data
+        if code := self._library.states_on_grid(plan, start, step, count, *places):
+            raise _refused(code, {"t": np.array([start, step])})
+        return q, omega
+
+    def propagate(
+        self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None
+    ) -> States:
+        """See `Engine`; errors have the index of the body, counted through all leading axes."""
+        given = _named(inertia, omega0, attitude0)
+        shape, t = arrays.batch(given), arrays.times(t)
+        bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
+        states = arrays.outputs(out, (*shape, *t.shape), t, *bodies.values())
+        count = math.prod(shape)
+        parts = threads(count * (t.size + _PLAN))
+        if count < parts:
+            self._one_by_one(bodies, t, states)
+        else:
+            self._bodies(bodies, t, states, parts)
+        return states
+
+    def _one_by_one(self, bodies: Mapping[str, np.ndarray], t: np.ndarray, states: States) -> None:
+        """Few bodies at many times: threads share the times."""
+        count = len(bodies["inertia"])
+        q, omega = states[0].reshape(count, t.size, 4), states[1].reshape(count, t.size, 3)
+        for k, body in enumerate(zip(*bodies.values(), strict=True)):
+            try:
+                self.states(self.plan(*body), t.reshape(-1), (q[k], omega[k]))
+            except EngineError as error:
+                raise EngineError(error.field, error.rule, k) from None
+
+    def _bodies(
+        self, bodies: Mapping[str, np.ndarray], t: np.ndarray, states: States, parts: int
+    ) -> None:
+        """Many bodies: threads share the bodies."""
+        rows = [array.ctypes.data for array in (*bodies.values(), *states)]
+        sizes = (3, 3, 4, 4 * t.size, 3 * t.size)
+
+        def part(begin: int, end: int) -> tuple[int, int]:
+            failed = ctypes.c_size_t(0)
+            *given, q, omega = _offset(rows, begin, sizes)
+            times = t.size, t.ctypes.data
+            code = self._library.propagate(end - begin, *given, *times, q, omega, addressof(failed))
+            return code, begin + failed.value
+
+        count = len(bodies["inertia"])
+        for code, body in in_parts(part, count, parts):
+            if code:
+                one = {name: array[body] for name, array in bodies.items()}
+                raise _refused(code, one | {"t": t}, body)
+
+
+def _named(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, np.ndarray]:
+    given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
+    return {name: np.asarray(value, float) for name, value in given.items()}
+
+
+def _vectors(given: Mapping[str, np.ndarray], tail: tuple[int, ...]) -> dict[str, np.ndarray]:
+    """The arrays of one body, in one piece of memory each: (3, *tail) or (4, *tail)."""
+    for name, array in given.items():
+        shape = (arrays.SIZES[name], *tail) if name in arrays.SIZES else tail
+        if array.shape != shape:
+            raise EngineError(name, f"shape {array.shape}: one body's must be {shape}")
+    return {name: arrays.in_one_piece(array) for name, array in given.items()}
+
+
+def _offset(places: Sequence[int], begin: int, sizes: Sequence[int]) -> list[int]:
+    """Addresses of row `begin` where rows have `sizes` doubles."""
+    return [place + begin * size * _DOUBLE for place, size in zip(places, sizes, strict=True)]
+
+
+def _refused(code: int, given: Mapping[str, np.ndarray], body: int | None = None) -> EngineError:
+    """What a code of torque_free.h means for these inputs."""
+    endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
+    if code == _NOT_FINITE and endless:
+        return EngineError(endless[0], "every number must be finite", body)
+    if code == _TIME and "t" in endless:
+        return EngineError("t", arrays.BAD_TIMES, body)
+    return EngineError(*_RULES.get(code, ("engine", f"unknown code {code} of torque_free.c")), body)

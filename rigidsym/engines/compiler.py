@@ -1,0 +1,96 @@
+"""The system's C compiler: found, identified, and run once."""
+
+import os
+import shlex
+import shutil
+import subprocess
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+NAMES = ("cc", "gcc", "clang")
+NATIVE = "-march=native"
+# Contraction is off because the sources write every fused product themselves: else their exact
+# error terms, and with them the last digits, would depend on the compiler.
+FLAGS = (
+    "-std=c99",
+    "-O3",
+    NATIVE,
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+    "-fPIC",
+    "-shared",
+)
+_LIBRARIES = ("-lm",)
+_OUTPUT = "torque_free.so"
+
+
+class CompilerError(Exception):
+    """No compiler, or one that cannot compile; its text is one line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Compiler:
+    """A command that compiles C, and what it says of itself."""
+
+    command: tuple[str, ...]
+    version: str
+
+
+def find() -> Compiler:
+    """The compiler that $CC names, else the first of cc, gcc and clang on the path."""
+    named = shlex.split(os.environ.get("CC", ""))
+    for name in named[:1] or NAMES:
+        if path := shutil.which(name):
+            command = (path, *named[1:])
+            return Compiler(command, _run([*command, "--version"]).stdout)
+    wanted = f"CC={named[0]}" if named else ", ".join(NAMES)
+    raise CompilerError(f"no C compiler found ({wanted})")
+
+
+def compile_library(compiler: Compiler, sources: Mapping[str, str], directory: Path) -> Path:
+    """Write the sources into an empty directory and compile them there into a shared library."""
+    for name, text in sources.items():
+        (directory / name).write_text(text, encoding="utf-8")
+    units = [name for name in sources if name.endswith(".c")]
+    done = _compile(compiler, FLAGS, units, directory)
+    if done.returncode:
+        # Some compilers for ARM do not know the flag.
+        portable = tuple(flag for flag in FLAGS if flag != NATIVE)
+        done = _compile(compiler, portable, units, directory)
+    if done.returncode:
+        raise CompilerError(f"{compiler.command[0]} failed: {_first_error(done)}")
+    built = directory / _OUTPUT
+    if not built.is_file():
+        raise CompilerError(f"{compiler.command[0]} wrote no library")
+    return built
+
+
+def _compile(
+    compiler: Compiler, flags: tuple[str, ...], units: list[str], directory: Path
+) -> subprocess.CompletedProcess[str]:
+    tail = ("-o", _OUTPUT, *units, *_LIBRARIES)
+    return _run([*compiler.command, *flags, *tail], directory)
+
+
+def _run(command: list[str], directory: Path | None = None) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run(
+            command,
+            cwd=directory,
+            env=os.environ | {"LC_ALL": "C"},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            encoding="utf-8",
+            errors="replace",
+            check=False,
+        )
+    except OSError as error:
+        raise CompilerError(f"{command[0]} cannot be run: {error.strerror}") from None
+
+
+def _first_error(done: subprocess.CompletedProcess[str]) -> str:
+    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+    errors = [line for line in lines if "error" in line.lower()]
+    return next(iter(errors + lines), f"exit status {done.returncode}")

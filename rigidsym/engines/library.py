@@ -1,0 +1,71 @@
+"""The compiled functions of torque_free.h, as ctypes calls them."""
+
+import ctypes
+import re
+from collections.abc import Callable, Mapping
+from ctypes import c_char_p, c_double, c_int, c_size_t, c_void_p
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+_BODY = (c_void_p,) * 3
+_OUT = (c_void_p,) * 2
+# Name after torque_free_, result, arguments.
+_SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "digest": (c_char_p, ()),
+    "plan_size": (c_size_t, ()),
+    "plan_init": (c_int, (c_void_p, *_BODY)),
+    "plan_init_pairs": (c_int, (c_void_p, *_BODY, c_void_p, c_double)),
+    "state_at": (c_int, (c_void_p, c_double, *_OUT)),
+    "states_at": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT)),
+    "states_on_grid": (c_int, (c_void_p, c_double, c_double, c_size_t, *_OUT)),
+    "propagate": (c_int, (c_size_t, *_BODY, c_size_t, c_void_p, *_OUT, c_void_p)),
+}
+
+
+class LibraryError(Exception):
+    """A file that is not the library it should be."""
+
+
+@dataclass(frozen=True, slots=True)
+class Library:
+    """The functions of torque_free.h; pointers are addresses or ctypes arrays."""
+
+    digest: Callable[..., bytes]
+    plan_size: Callable[..., int]
+    plan_init: Callable[..., int]
+    plan_init_pairs: Callable[..., int]
+    state_at: Callable[..., int]
+    states_at: Callable[..., int]
+    states_on_grid: Callable[..., int]
+    propagate: Callable[..., int]
+
+
+def load(path: Path, sources: Mapping[str, str]) -> Library:
+    """The library in a file; raises LibraryError where it was not built from the sources."""
+    try:
+        functions = _functions(ctypes.CDLL(str(path)))
+    except (OSError, AttributeError) as error:
+        raise LibraryError(f"{path} cannot be loaded ({_reason(error, path)})") from None
+    expected = written_digest(sources)
+    if expected and functions.digest().decode("ascii", "replace") != expected:
+        raise LibraryError(f"{path} was built from other sources")
+    return functions
+
+
+def written_digest(sources: Mapping[str, str]) -> str | None:
+    """The digest that the comment of the sources names, if one does."""
+    text = "\n".join(sources.values())
+    found = re.search(r"^\W*digest ([0-9a-f]{64})\b", text, re.MULTILINE)
+    return found[1] if found else None
+
+
+def _functions(shared: ctypes.CDLL) -> Library:
+    functions = {name: getattr(shared, f"torque_free_{name}") for name in _SIGNATURES}
+    for name, (result, arguments) in _SIGNATURES.items():
+        functions[name].restype, functions[name].argtypes = result, arguments
+    return Library(**functions)
+
+
+def _reason(error: Exception, path: Path) -> str:
+    return " ".join(str(error).removeprefix(f"{path}: ").split())

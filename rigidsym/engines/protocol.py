@@ -1,0 +1,54 @@
+"""What every engine does, and how it refuses."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, Protocol
+
+import numpy as np
+
+States = tuple[np.ndarray, np.ndarray]
+Outputs = States | None
+
+
+class EngineError(ValueError):
+    """What an engine cannot compute, as "field: rule"; `body` is the index of the first body."""
+
+    def __init__(self, field: str, rule: str, body: int | None = None) -> None:
+        super().__init__(f"{field}: {rule}")
+        self.field, self.rule, self.body = field, rule, body
+
+
+class Engine(Protocol):
+    """Plans, states at times, states on grids, and batches, all in float64.
+
+    Times in s, rates in rad/s, inertia in kg m^2, quaternions scalar first.  With `out`, a pair of
+    C-contiguous arrays of exactly the shapes named, these are filled and returned; what they hold
+    after an error is undefined.  All methods raise ValueError with one line, "field: rule".
+    """
+
+    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+        """Constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
+        ...
+
+    def exact_plan(
+        self,
+        inertia: Sequence[Fraction],
+        omega0: Sequence[Fraction],
+        attitude0: Sequence[Fraction],
+    ) -> Any:
+        """Constants of one motion from exact numbers, which are not rounded to float64 first."""
+        ...
+
+    def states(self, plan: Any, t: Any, out: Outputs = None) -> States:
+        """(q, omega): (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
+        ...
+
+    def grid(self, plan: Any, start: float, step: float, count: int, out: Outputs = None) -> States:
+        """(q, omega), (count, 4) and (count, 3), at the times start + k step."""
+        ...
+
+    def propagate(
+        self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None
+    ) -> States:
+        """(q, omega) of many bodies whose leading shapes broadcast: (..., N, 4) and (..., N, 3)."""
+        ...

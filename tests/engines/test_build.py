@@ -1,0 +1,367 @@
+"""Building and keeping the C library: what is compiled when, and what is said when it cannot be."""
+
+import os
+import shutil
+import stat
+import subprocess
+import sys
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+from rigidsym.engines import build, cache, choice, compiler, engine
+from rigidsym.engines.c_engine import CEngine
+from rigidsym.engines.library import LibraryError, load, written_digest
+from rigidsym.engines.numpy_engine import NumpyEngine
+from rigidsym.errors import InputError
+
+SYSTEM = next(filter(None, map(shutil.which, compiler.NAMES)), None)
+OF_THE_PACKAGE = build._sources
+needs_compiler = pytest.mark.skipif(SYSTEM is None, reason="needs a C compiler: cc, gcc or clang")
+
+# As much of torque_free.h as a library is asked for when it is loaded, quick to compile.
+STUB = """/* digest {digest} */
+#include <stddef.h>
+const char *torque_free_digest(void) {{ return "{digest}"; }}
+size_t torque_free_plan_size(void) {{ return 8; }}
+int torque_free_plan_init(void) {{ return 2; }}
+int torque_free_plan_init_pairs(void) {{ return 2; }}
+int torque_free_state_at(void) {{ return 6; }}
+int torque_free_states_at(void) {{ return 6; }}
+int torque_free_states_on_grid(void) {{ return 6; }}
+int torque_free_propagate(void) {{ return 2; }}
+"""
+
+
+def stub(digit):
+    return {"torque_free.h": "", "torque_free.c": STUB.format(digest=digit * 64)}
+
+
+@pytest.fixture(autouse=True)
+def fresh(monkeypatch, tmp_path):
+    """An empty cache, sources that compile at once, and nothing found yet in this process."""
+    monkeypatch.setenv("RIGIDSYM_CACHE", str(tmp_path / "cache"))
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(build, "_sources", lambda: stub("a"))
+    choice._obtained.cache_clear()
+    yield
+    choice._obtained.cache_clear()
+
+
+@pytest.fixture
+def wrapped(monkeypatch, tmp_path):
+    """A function that makes a script the compiler, and the file of its calls that compile."""
+
+    def wrap(before=""):
+        log, script = tmp_path / "calls", tmp_path / "wrapped-cc"
+        lines = [
+            "#!/bin/sh",
+            f'case "$*" in *-shared*) echo "$*" >> "{log}";; *) exec "{SYSTEM}" "$@";; esac',
+            before,
+            f'exec "{SYSTEM}" "$@"',
+        ]
+        script.write_text("\n".join(lines) + "\n")
+        script.chmod(stat.S_IRWXU)
+        log.touch()
+        monkeypatch.setenv("CC", str(script))
+        return log
+
+    return wrap
+
+
+def calls(log):
+    return log.read_text().splitlines()
+
+
+def obtained():
+    """The remarks of one start of a process."""
+    remarks = []
+    build.library(remarks)
+    return remarks
+
+
+def kept():
+    return sorted(cache.directory().glob("*.so"))
+
+
+def heard(name="c"):
+    """The engine that a call gets, and what it warns of."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = engine(name)
+    assert all(issubclass(warning.category, RuntimeWarning) for warning in caught)
+    return found, [str(warning.message) for warning in caught]
+
+
+@needs_compiler
+def test_a_library_is_compiled_once(wrapped):
+    log = wrapped()
+    assert obtained() == obtained() == []
+    assert len(calls(log)) == len(kept()) == 1
+
+
+@needs_compiler
+def test_what_determines_a_library_is_in_its_name(wrapped, monkeypatch):
+    log = wrapped()
+    obtained()
+    monkeypatch.setattr(build, "_sources", lambda: stub("b"))
+    obtained()
+    monkeypatch.setattr(build, "_processor", lambda: ["another"])
+    obtained()
+    monkeypatch.setattr(build, "FLAGS", (*compiler.FLAGS, "-g"))
+    obtained()
+    monkeypatch.setenv("CC", f"{SYSTEM} -g")
+    obtained()
+    assert len(kept()) == 5
+    assert len(calls(log)) == 4
+
+
+@needs_compiler
+@pytest.mark.parametrize(
+    "damage",
+    [lambda data: data[:-100], lambda data: data[:2048], lambda _: b"no library", lambda _: b""],
+    ids=["end lost", "most lost", "overwritten", "emptied"],
+)
+def test_a_damaged_library_is_built_again(wrapped, damage):
+    log = wrapped()
+    obtained()
+    (path,) = kept()
+    data = path.read_bytes()
+    # As a new file: this process has the old one in its memory.
+    path.unlink()
+    path.write_bytes(damage(data))
+    assert obtained() == [f"engine: {path} is damaged: it is built again"]
+    assert [cache.is_whole(path) for path in kept()] == [True]
+    assert obtained() == []
+    assert len(calls(log)) == 2
+
+
+@needs_compiler
+@pytest.mark.parametrize("mistake", ["sources", "text"])
+def test_a_whole_file_that_is_the_wrong_one_is_built_again(tmp_path, mistake):
+    obtained()
+    (path,) = kept()
+    key = path.stem.split("-")[1]
+    path.unlink()
+    other = tmp_path / "other"
+    other.mkdir()
+    if mistake == "sources":
+        wrong = compiler.compile_library(compiler.find(), stub("b"), other)
+    else:
+        wrong = other / "text.so"
+        wrong.write_text("no library")
+    wrong = cache.keep(key, wrong)
+    (remark,) = obtained()
+    assert remark.startswith(f"engine: {wrong} ")
+    assert remark.endswith(": it is built again")
+    assert "\n" not in remark
+    assert ("was built from other sources" in remark) == (mistake == "sources")
+    assert kept() == [path]
+
+
+@needs_compiler
+def test_a_cache_that_cannot_be_made_is_named(monkeypatch, tmp_path):
+    (tmp_path / "file").touch()
+    place = tmp_path / "file" / "cache"
+    monkeypatch.setenv("RIGIDSYM_CACHE", str(place))
+    found, remarks = heard()
+    assert isinstance(found, CEngine)
+    (remark,) = remarks
+    assert remark.startswith(f"engine: cache {place} cannot be written: ")
+    assert remark.endswith(": the library serves this process only")
+    assert heard() == (found, [])
+
+
+@needs_compiler
+def test_a_cache_that_cannot_be_written_is_named():
+    place = cache.directory()
+    place.mkdir(mode=0o500)
+    if os.access(place, os.W_OK):
+        pytest.skip("this user may write anywhere")
+    (remark,) = obtained()
+    assert remark.startswith(f"engine: cache {place} cannot be written: ")
+
+
+@needs_compiler
+def test_a_home_that_does_not_exist_is_told(monkeypatch):
+    def homeless():
+        raise RuntimeError("no home")
+
+    monkeypatch.delenv("RIGIDSYM_CACHE")
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(cache, "_platform_caches", homeless)
+    reason = "there is no home directory for a cache"
+    assert obtained() == [f"engine: {reason}: the library serves this process only"]
+
+
+def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    found, remarks = heard()
+    assert isinstance(found, NumpyEngine)
+    expected = "engine: no C compiler found (cc, gcc, clang): states are computed by NumPy"
+    assert remarks == [expected]
+    again, remarks = heard()
+    assert isinstance(again, NumpyEngine)
+    assert remarks == []
+
+
+def test_a_compiler_that_is_named_is_the_only_one_tried(monkeypatch):
+    monkeypatch.setenv("CC", "no-such-compiler -O1")
+    _, remarks = heard()
+    expected = "no C compiler found (CC=no-such-compiler): states are computed by NumPy"
+    assert remarks == [f"engine: {expected}"]
+
+
+@needs_compiler
+def test_the_first_error_of_a_compiler_is_told(wrapped):
+    log = wrapped('echo "note" >&2; echo "a.c:1: error: boom" >&2; echo "error: more" >&2; exit 1')
+    found, remarks = heard()
+    assert isinstance(found, NumpyEngine)
+    script = os.environ["CC"]
+    reason = f"{script} failed: a.c:1: error: boom"
+    assert remarks == [f"engine: {reason}: states are computed by NumPy"]
+    assert heard()[1] == []
+    assert len(calls(log)) == 2
+    assert kept() == []
+
+
+@needs_compiler
+def test_a_compiler_that_writes_no_library_is_told(wrapped):
+    wrapped('for last; do case "$last" in *.so) echo "no library" > "$last";; esac; done; exit 0')
+    found, remarks = heard()
+    assert isinstance(found, NumpyEngine)
+    (remark,) = remarks
+    assert "cannot be loaded" in remark
+    assert "\n" not in remark
+    assert kept() == []
+
+
+@needs_compiler
+def test_a_compiler_that_does_nothing_is_told(wrapped):
+    wrapped("exit 0")
+    _, remarks = heard()
+    assert remarks == [f"engine: {os.environ['CC']} wrote no library: states are computed by NumPy"]
+
+
+def test_a_file_that_is_no_programme_is_told(monkeypatch, tmp_path):
+    script = tmp_path / "no-programme"
+    script.write_text("#!/no/such/interpreter\n")
+    script.chmod(stat.S_IRWXU)
+    monkeypatch.setenv("CC", str(script))
+    _, remarks = heard()
+    (remark,) = remarks
+    assert remark.startswith(f"engine: {script} cannot be run: ")
+
+
+@needs_compiler
+def test_a_compiler_that_does_not_know_this_machine_is_asked_without(wrapped):
+    log = wrapped('case "$*" in *-march=native*) echo "error: unknown" >&2; exit 1;; esac')
+    assert obtained() == obtained() == []
+    first, second = calls(log)
+    assert "-march=native" in first
+    assert "-march=native" not in second
+
+
+def test_the_package_has_the_sources_and_their_digest():
+    sources = OF_THE_PACKAGE()
+    assert set(sources) == set(build.FILES)
+    assert written_digest(sources)
+
+
+def test_threads_that_ask_at_once_hear_one_warning(monkeypatch):
+    said = []
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setattr(choice.warnings, "warn", lambda remark, *_, **__: said.append(remark))
+    with ThreadPoolExecutor(8) as pool:
+        engines = list(pool.map(engine, ["c"] * 32))
+    assert len(said) == 1
+    assert {type(found) for found in engines} == {NumpyEngine}
+
+
+SCRIPT = """
+from rigidsym.engines import engine
+c = engine("c")
+q, omega = c.states(c.plan((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (1.0, 0.0, 0.0, 0.0)), 0.5)
+print(type(c).__name__, *map(float.hex, map(float, [*q, *omega])))
+"""
+
+
+def started(tmp_path):
+    paths = os.pathsep.join(filter(None, [str(Path(build.__file__).parents[2]), *sys.path]))
+    variables = {"PYTHONPATH": paths, "TMPDIR": str(tmp_path)}
+    return subprocess.Popen(
+        [sys.executable, "-W", "error", "-c", SCRIPT],
+        env=os.environ | variables,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+@needs_compiler
+def test_processes_that_build_at_once_all_succeed(tmp_path, wrapped):
+    log = wrapped()
+    processes = [started(tmp_path) for _ in range(4)]
+    answers = [process.communicate() for process in processes]
+    assert [error for _, error in answers] == [""] * 4
+    (answer,) = {answer for answer, _ in answers}
+    assert answer.startswith("CEngine ")
+    assert 1 <= len(calls(log)) <= 4
+    assert all(map(cache.is_whole, kept()))
+    compiled = len(calls(log))
+    assert started(tmp_path).communicate() == (answer, "")
+    assert len(calls(log)) == compiled
+
+
+@needs_compiler
+def test_an_interrupted_build_leaves_nothing_that_is_taken_for_a_library(tmp_path, wrapped):
+    bomb = tmp_path / "bomb"
+    log = wrapped(f'if [ -e "{bomb}" ]; then rm "{bomb}"; kill -9 $PPID; fi')
+    bomb.touch()
+    interrupted = started(tmp_path)
+    interrupted.communicate()
+    assert interrupted.returncode == -9
+    assert kept() == []
+    answer, error = started(tmp_path).communicate()
+    assert (answer.split()[0], error) == ("CEngine", "")
+    assert len(calls(log)) == 2
+
+
+@needs_compiler
+def test_a_library_that_lacks_a_function_is_refused(tmp_path):
+    sources = stub("a")
+    text = sources["torque_free.c"].replace("torque_free_propagate", "torque_free_other")
+    path = compiler.compile_library(compiler.find(), sources | {"torque_free.c": text}, tmp_path)
+    with pytest.raises(LibraryError, match="torque_free_propagate"):
+        load(path, sources)
+
+
+def test_a_digest_need_not_be_written():
+    assert written_digest({"torque_free.c": "int x;"}) is None
+    assert written_digest(stub("b")) == "b" * 64
+
+
+@pytest.mark.parametrize(
+    ("variables", "place"),
+    [
+        ({"RIGIDSYM_CACHE": "/own", "XDG_CACHE_HOME": "/xdg"}, "/own"),
+        ({"XDG_CACHE_HOME": "/xdg"}, "/xdg/rigidsym"),
+        # The specification has relative paths ignored.
+        ({"XDG_CACHE_HOME": "xdg", "HOME": "/home/me"}, "/home/me/.cache/rigidsym"),
+        ({"RIGIDSYM_CACHE": "", "HOME": "/home/me"}, "/home/me/.cache/rigidsym"),
+    ],
+)
+def test_the_place_of_the_cache(monkeypatch, variables, place):
+    monkeypatch.setattr(sys, "platform", "linux")
+    for name in ("RIGIDSYM_CACHE", "XDG_CACHE_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    assert cache.directory() == Path(place)
+
+
+def test_an_unknown_engine_is_refused():
+    with pytest.raises(InputError, match=r"^engine = 'fortran': must be one of: numpy, c$"):
+        engine("fortran")

@@ -1,0 +1,341 @@
+"""States of the C engine against those of NumPy and of `precise`, and what it refuses."""
+
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from rigidsym import InputError, TorqueFreeMotion
+from rigidsym.engines import EngineError, build, threads
+from rigidsym.engines.c_engine import CEngine
+from rigidsym.engines.compiler import CompilerError, find
+from rigidsym.engines.numpy_engine import NumpyEngine
+
+NUMPY = NumpyEngine()
+TIMES = np.array([0.0, 1e-3, 0.1, -2.5, 17.0, 180.0, -1234.5, 9e4])
+IDENTITY = (1.0, 0.0, 0.0, 0.0)
+ZEROS = (Fraction(0),) * 3
+TILTED = (0.5, -1.0, 2.0, 0.25)
+BODIES = {
+    "smallest": ((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02), IDENTITY),
+    "largest": ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), TILTED),
+    "permuted": ((2.5, 1.0, 2.0), (-0.9, 0.3, 0.2), TILTED),
+    "near separatrix": ((1.0, 2.0, 3.0), (1.0, 1e-3, 0.57735026), TILTED),
+    "on separatrix": ((3.0, 4.0, 6.0), (2.0, 1.0, 1.0), TILTED),
+    "oblate": ((1.0, 1.0, 1.7), (0.2, 0.4, 3.0), TILTED),
+    "prolate": ((2.0, 1.1, 2.0), (0.2, 0.4, -3.0), TILTED),
+    "sphere": ((2.0, 2.0, 2.0), (0.1, 0.2, -0.3), TILTED),
+    "principal": ((1.0, 2.0, 2.5), (0.0, 0.7, 0.0), TILTED),
+    "rest": ((1.0, 2.0, 2.5), (0.0, 0.0, 0.0), TILTED),
+}
+
+
+@pytest.fixture(scope="module")
+def c(tmp_path_factory):
+    try:
+        find()
+    except CompilerError as error:
+        pytest.skip(f"needs a compiler: {error}")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("RIGIDSYM_CACHE", str(tmp_path_factory.mktemp("cache")))
+        remarks = []
+        engine = CEngine(build.library(remarks))
+    assert not remarks
+    return engine
+
+
+@pytest.fixture
+def many_threads(monkeypatch):
+    monkeypatch.setattr(threads, "LEAST", 1)
+    monkeypatch.setattr(threads, "_processors", lambda: 3)
+
+
+def assert_near(states, expected, omega0, times_bound=1):
+    """Components of the quaternion are half as wrong as the rotation angle."""
+    size = float(np.max(np.abs(omega0))) or 1.0
+    for got, wanted, bound in zip(states, expected, (1e-15, 2e-15 * size), strict=True):
+        assert np.all(np.abs(got - np.array(wanted, float)) <= times_bound * bound)
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_states_agree_with_numpy(c, body):
+    given = BODIES[body]
+    expected = NUMPY.states(NUMPY.plan(*given), TIMES)
+    assert_near(c.states(c.plan(*given), TIMES), expected, given[1], 2)
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_states_agree_with_precise(c, body):
+    given = BODIES[body]
+    expected = TorqueFreeMotion(*given).precise(TIMES.tolist(), 20)
+    assert_near(c.states(c.plan(*given), TIMES), expected, given[1])
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega0"),
+    [
+        (("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")),
+        (("1", "2", "3"), ("0.9999999999999999999999", "1/7", "0")),
+        # A hair from the separatrix, on either side, and on it: 1/3 is no double.
+        (("3", "4", "6"), ("2/3", "1/7", "1/3")),
+        (("3", "4", "6"), ("2/3", "1/7", "0.33333333333333333333333333333333")),
+        (("3", "4", "6"), ("2/3", "1/7", "0.33333333333333333333333333333334")),
+        # No two moments are equal, but their doubles are.
+        (("1/3", "0.33333333333333333333333", "0.4"), ("1", "0.2", "0.1")),
+        (("1", "2", "2.5"), ("0", "0", "0")),
+    ],
+)
+def test_exact_numbers_are_not_rounded_first(c, inertia, omega0):
+    inertia, omega0 = (tuple(map(Fraction, values)) for values in (inertia, omega0))
+    attitude0 = tuple(map(Fraction, ("1/3", "0.1", "-2", "0")))
+    t = TIMES[:6]
+    plan = c.exact_plan(inertia, omega0, attitude0)
+    expected = TorqueFreeMotion(inertia, omega0, attitude0).precise(t.tolist(), 20)
+    assert_near(c.states(plan, t), expected, [float(x) for x in omega0])
+
+
+def test_an_underflowing_distance_from_the_separatrix_is_refused(c):
+    rates = (Fraction(2), Fraction(1), 1 + Fraction(1, 2**1200))
+    with pytest.raises(InputError, match=r"^omega0 = .*: nearer to the separatrix"):
+        c.exact_plan((Fraction(3), Fraction(4), Fraction(6)), rates, (Fraction(1), *ZEROS))
+
+
+@pytest.mark.parametrize("body", BODIES)
+def test_states_do_not_depend_on_company(c, body, many_threads):
+    plan = c.plan(*BODIES[body])
+    t = np.linspace(-50, 70, 1001)
+    q, omega = c.states(plan, t)
+    for k in (0, 1, 191, 192, 500, 1000):
+        one_q, one_omega = c.states(plan, float(t[k]))
+        assert np.array_equal(q[k], one_q)
+        assert np.array_equal(omega[k], one_omega)
+
+
+def test_threads_share_a_plan(c):
+    plan = c.plan(*BODIES["near separatrix"])
+    t = np.linspace(0, 50, 5000)
+    expected = c.states(plan, t)
+    with ThreadPoolExecutor(8) as pool:
+        for states in pool.map(lambda _: c.states(plan, t), range(64)):
+            assert all(map(np.array_equal, states, expected))
+
+
+@pytest.mark.parametrize("n", [0, 1, 7, 8, 63, 64, 65, 191, 192, 193, 1000])
+def test_nothing_is_written_beside_the_rows(c, n):
+    plan, t = c.plan(*BODIES["smallest"]), np.linspace(0, 9, n)
+    q, omega = np.full((n + 2, 4), 7.0), np.full((n + 2, 3), 7.0)
+    out = q[1:-1], omega[1:-1]
+    for call in (
+        lambda: c.states(plan, t, out),
+        lambda: c.grid(plan, 0.0, 0.1, n, out),
+        lambda: c.propagate(*BODIES["smallest"], t, out),
+    ):
+        call()
+        for rows in (q, omega):
+            assert np.all(rows[[0, -1]] == 7)
+            assert np.all(rows[1:-1] != 7)
+
+
+@pytest.mark.parametrize(
+    ("t", "shape"),
+    [(1, ()), (1.0, ()), (np.float64(2), ()), (np.float32(2), ()), (np.array(3.0), ()), ([], (0,)),
+     ([1], (1,)), (range(5), (5,)), (np.arange(9.0)[::-2], (5,)), (np.arange(4, dtype=">f8"), (4,)),
+     (np.frombuffer(bytes(33), np.uint8)[1:].view(float), (4,))],
+)  # fmt: skip
+def test_times_of_all_kinds(c, t, shape):
+    given = BODIES["largest"]
+    q, omega = c.states(c.plan(*given), t)
+    assert (q.shape, omega.shape) == ((*shape, 4), (*shape, 3))
+    expected, _ = NUMPY.states(NUMPY.plan(*given), np.array(t, float))
+    np.testing.assert_allclose(q, expected, rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("body", BODIES)
+@pytest.mark.parametrize("count", [0, 1, 63, 64, 1000])
+def test_grids_are_states_at_their_times(c, body, count):
+    given = BODIES[body]
+    plan = c.plan(*given)
+    t = -3.0 + 0.25 * np.arange(count)
+    assert_near(c.grid(plan, -3.0, 0.25, count), c.states(plan, t), given[1], 2)
+
+
+def batch(shape):
+    draw = np.random.default_rng(7)
+    inertia = draw.uniform(1, 1.9, (*shape, 3))
+    return inertia, draw.normal(size=(*shape, 3)), draw.normal(size=(*shape, 4))
+
+
+@pytest.mark.parametrize("t", [0.5, np.linspace(-9, 9, 33), []], ids=["one", "many", "none"])
+@pytest.mark.parametrize("shape", [(), (1,), (2,), (7,), (3, 5), (0,), (2, 0)], ids=str)
+def test_batches_are_bodies_one_by_one(c, shape, t, many_threads):
+    inertia, omega0, attitude0 = batch(shape)
+    q, omega = c.propagate(inertia, omega0, attitude0, t)
+    assert q.shape == (*shape, *np.shape(t), 4)
+    assert omega.shape == (*shape, *np.shape(t), 3)
+    for k in np.ndindex(shape):
+        one_q, one_omega = c.states(c.plan(inertia[k], omega0[k], attitude0[k]), t)
+        assert np.array_equal(q[k], one_q)
+        assert np.array_equal(omega[k], one_omega)
+
+
+def test_leading_shapes_broadcast_as_numpy_has_it(c):
+    inertia, _, _ = batch((4, 1))
+    _, omega0, _ = batch((5,))
+    t = np.linspace(0, 3, 10)
+    states = c.propagate(inertia, omega0, TILTED, t)
+    expected = NUMPY.propagate(inertia, omega0, TILTED, t)
+    for got, wanted in zip(states, expected, strict=True):
+        assert got.shape == wanted.shape
+        np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-13)
+
+
+@pytest.mark.parametrize("engine", ["c", "numpy"])
+def test_given_arrays_are_filled_and_returned(c, engine):
+    engine = c if engine == "c" else NUMPY
+    given, t = BODIES["smallest"], np.linspace(0, 9, 10)
+    plan = engine.plan(*given)
+    calls = {
+        (10,): lambda out: engine.states(plan, t, out),
+        (): lambda out: engine.states(plan, 0.25, out),
+        (12,): lambda out: engine.grid(plan, 0.0, 0.5, 12, out),
+        (2, 10): lambda out: engine.propagate([given[0]] * 2, *given[1:], t, out),
+    }
+    for shape, call in calls.items():
+        out = np.full((*shape, 4), np.nan), np.full((*shape, 3), np.nan)
+        q, omega = call(out)
+        assert q is out[0]
+        assert omega is out[1]
+        for got, wanted in zip(out, call(None), strict=True):
+            assert np.array_equal(got, wanted)
+
+
+def frozen(shape):
+    array = np.empty(shape)
+    array.flags.writeable = False
+    return array
+
+
+SINGLE = np.zeros((5, 4), "f4")
+Q, OMEGA, SHARED = np.empty((5, 4)), np.empty((5, 3)), np.empty(35)
+
+
+@pytest.mark.parametrize("engine", ["c", "numpy"])
+@pytest.mark.parametrize(
+    ("out", "rule"),
+    [
+        ((np.empty((4, 5)), OMEGA),
+         "q is float64 of shape (4, 5): must be float64 of shape (5, 4)"),
+        ((Q, np.empty(3)), "omega is float64 of shape (3,): must be float64 of shape (5, 3)"),
+        ((SINGLE, OMEGA), "q is float32 of shape (5, 4): must be float64 of shape (5, 4)"),
+        ((Q.astype(">f8"), OMEGA), "q is >f8 of shape (5, 4): must be float64 of shape (5, 4)"),
+        ((Q, np.empty((3, 5)).T), "omega must be C-contiguous, aligned and writeable"),
+        ((frozen((5, 4)), OMEGA), "q must be C-contiguous, aligned and writeable"),
+        ((Q.tolist(), OMEGA), "q is a list: must be an array"),
+        (Q, "must be a pair of arrays (q, omega)"),
+        ((Q,), "must be a pair of arrays (q, omega)"),
+        ((SHARED[:20].reshape(5, 4), SHARED[10:25].reshape(5, 3)),
+         "q and omega must not overlap each other or the inputs"),
+    ],
+)  # fmt: skip
+def test_arrays_that_cannot_be_filled(c, engine, out, rule):
+    engine = c if engine == "c" else NUMPY
+    plan = engine.plan(*BODIES["smallest"])
+    with pytest.raises(EngineError) as caught:
+        engine.states(plan, np.arange(5.0), out)
+    assert str(caught.value) == f"out: {rule}"
+
+
+def test_times_are_not_overwritten_while_they_are_read(c):
+    q, omega = np.zeros((5, 4)), np.zeros((5, 3))
+    with pytest.raises(EngineError, match=r"^out: q and omega must not overlap"):
+        c.states(c.plan(*BODIES["smallest"]), q.reshape(-1)[:5], (q, omega))
+
+
+GOOD = {"inertia": (1.0, 2.0, 2.5), "omega0": (1.0, 2.0, 3.0), "attitude0": IDENTITY}
+REFUSED = [
+    {"inertia": (1.0, -2.0, 2.5)},
+    {"inertia": (0.0, 2.0, 2.5)},
+    {"inertia": (1.0, 1e-100, 1.0)},
+    {"inertia": (1.0, np.nan, 1.0)},
+    {"omega0": (1.0, np.inf, 1.0)},
+    {"attitude0": (0.0, 0.0, np.nan, 0.0)},
+    {"attitude0": (0.0, 0.0, 0.0, 0.0)},
+    {"inertia": (1.0, 2.0, 3.0), "omega0": (1e-300, 1.0, 0.0)},
+]
+
+
+@pytest.mark.parametrize("change", REFUSED)
+def test_bodies_are_refused_in_the_words_of_the_numpy_module(c, change):
+    given = (GOOD | change).values()
+    with pytest.raises(ValueError, match=": ") as expected:
+        NUMPY.plan(*given)
+    with pytest.raises(EngineError) as caught:
+        c.plan(*given)
+    assert str(caught.value) == str(expected.value)
+
+
+@pytest.mark.parametrize("change", REFUSED)
+@pytest.mark.parametrize("bodies", [3, 8])
+def test_the_first_body_that_is_refused_is_named(c, change, bodies, many_threads):
+    rows = [GOOD | (change if k >= bodies - 2 else {}) for k in range(bodies)]
+    given = [np.array([row[name] for row in rows]) for name in GOOD]
+    with pytest.raises(ValueError, match=": ") as expected:
+        NUMPY.propagate(*given, TIMES)
+    with pytest.raises(EngineError) as caught:
+        c.propagate(*given, TIMES)
+    assert str(caught.value) == str(expected.value)
+    assert caught.value.body == bodies - 2
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"inertia": 1.0},
+        {"omega0": np.ones((5, 4))},
+        {"attitude0": np.ones(3)},
+        {"omega0": np.ones((5, 3)), "inertia": np.ones((4, 3))},
+    ],
+)
+def test_shapes_are_refused_in_the_words_of_the_numpy_module(c, change):
+    given = (GOOD | change).values()
+    with pytest.raises(ValueError, match=": ") as expected:
+        NUMPY.propagate(*given, 1.0)
+    with pytest.raises(EngineError) as caught:
+        c.propagate(*given, 1.0)
+    assert str(caught.value) == str(expected.value)
+
+
+def test_a_plan_is_of_one_body(c):
+    with pytest.raises(EngineError, match=r"^omega0: shape \(2, 3\): one body's must be \(3,\)$"):
+        c.plan(GOOD["inertia"], np.ones((2, 3)), IDENTITY)
+
+
+@pytest.mark.parametrize("t", [np.nan, -np.inf, [0.0, np.nan], np.zeros((2, 2))], ids=str)
+def test_times_are_refused_in_the_words_of_the_numpy_module(c, t):
+    with pytest.raises(ValueError, match=r"^t: ") as expected:
+        NUMPY.states(NUMPY.plan(*GOOD.values()), t)
+    calls = (
+        lambda: c.states(c.plan(*GOOD.values()), t),
+        lambda: c.propagate(*GOOD.values(), t),
+    )
+    for call in calls:
+        with pytest.raises(EngineError) as caught:
+            call()
+        assert str(caught.value) == str(expected.value)
+
+
+@pytest.mark.parametrize("t", [1e14, np.float64(-1e14), [0.0, 1e300]], ids=str)
+def test_times_too_far_away_are_refused(c, t):
+    plan = c.plan(*GOOD.values())
+    with pytest.raises(EngineError, match=r"^t: beyond \|omega\| t = 2\^46 rad"):
+        c.states(plan, t)
+    with pytest.raises(EngineError, match=r"^t: beyond \|omega\| t = 2\^46 rad"):
+        c.grid(plan, 0.0, float(np.max(np.abs(t))), 2)
+
+
+def test_an_endless_grid_is_refused(c):
+    plan = c.plan(*GOOD.values())
+    for start, step in ((np.nan, 1.0), (0.0, np.inf)):
+        with pytest.raises(EngineError, match=r"^t: times must be"):
+            c.grid(plan, start, step, 5)
