@@ -11,8 +11,8 @@ DIGEST = "@digest@"
 MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
 _DOMAIN = """\
-Domain: positive principal moments of inertia, none 2^240 times another; finite rates and attitude;
-|omega0 t| up to 2^46 rad; not within about 2^-400 of spin about the middle axis.  What lies outside
+Domain: positive principal moments of inertia, none 2^200 times another; finite rates and attitude;
+|omega0 t| up to 2^46 rad; not within about 2^-300 of spin about the middle axis.  What lies outside
 is refused.  Numbers mean their exact binary64 values.
 Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in

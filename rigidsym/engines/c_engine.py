@@ -28,6 +28,7 @@ _RULES = {
     3: ("inertia", "principal moments differ by more than binary64 can follow"),
     4: ("attitude0", "a zero quaternion is no attitude"),
     5: ("omega0", "nearer to the separatrix than binary64 can follow"),
+    7: ("omega0", "rates beyond what binary64 can hold"),
     6: ("t", "beyond |omega| t = 2^46 rad the angle is lost in binary64"),
 }
 

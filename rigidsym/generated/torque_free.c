@@ -1,6 +1,17 @@
 #include "torque_free.h"
 
+#include <float.h>
 #include <math.h>
+/* Extended numbers need every operation rounded to double once, and none reordered. */
+#if defined(__FAST_MATH__)
+#error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
+#elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
+#error "torque_free.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
 /* An extended number is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.  The relative
    errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
    sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
@@ -1222,9 +1233,11 @@ static void steady_state(const torque_free_steady *plan, size_t n, const double 
 /* Rates below this fraction of the largest cannot change a state by an ulp, unless they decide on
    which side of the separatrix a motion is: then it is refused. */
 static const double negligible = 0x1p-400;
+static const double decisive = 0x1p-300;
 static const double faintest = 0x1p-900;
-static const double thinnest = 0x1p-240;
+static const double thinnest = 0x1p-200;
 static const double farthest = 0x1p46;
+static const double fastest = 0x1p1020;
 enum { BLOCK = 192, GRID = 64 };
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
@@ -1301,10 +1314,27 @@ static void steady_init(torque_free_plan *plan, const pair omega[3], const pair 
     plan->branch = 0;
     steady_plan(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &plan->of.steady);
     if (at_rest)
-        plan->of.steady.Lambda_rate_hi = plan->of.steady.Lambda_rate_lo = 0.0;
+        plan->unit = plan->of.steady.Lambda_rate_hi = plan->of.steady.Lambda_rate_lo = 0.0;
 }
 
-static void moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
+/* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
+static void limit(torque_free_plan *plan, double rate, double other)
+{
+    const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
+    if (largest > 16.0)
+        plan->farthest = 16.0 * farthest / largest;
+}
+
+/* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
+static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
+{
+    for (int k = 0; k < 3; k++)
+        if (!(amplitude[k] * unit <= fastest))
+            return 0;
+    return all_finite(n, constants);
+}
+
+static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
                         const pair q[4], pair E_b)
 {
     const int *axis = plan->axis;
@@ -1315,6 +1345,8 @@ static void moving_init(torque_free_plan *plan, const pair inertia[3], const pai
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
     const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    const double *constants;
+    size_t n;
     pair K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
     start(c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
     if (k_1.hi * k_1.hi <= 0.5) {
@@ -1323,13 +1355,32 @@ static void moving_init(torque_free_plan *plan, const pair inertia[3], const pai
         plan->of.circular.gain_a *= plan->unit;
         plan->of.circular.gain_b *= plan->unit;
         plan->of.circular.gain_d *= plan->unit;
+        limit(plan, plan->of.circular.v_rate_hi, plan->of.circular.Lambda_rate_hi);
+        constants = (const double *)&plan->of.circular;
+        n = sizeof plan->of.circular / sizeof *constants;
     } else {
         plan->branch = 2;
         hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, &plan->of.hyperbolic);
         plan->of.hyperbolic.gain_a *= plan->unit;
         plan->of.hyperbolic.gain_b *= plan->unit;
         plan->of.hyperbolic.gain_d *= plan->unit;
+        limit(plan, plan->of.hyperbolic.y_rate_hi, plan->of.hyperbolic.Lambda_rate_hi);
+        constants = (const double *)&plan->of.hyperbolic;
+        n = sizeof plan->of.hyperbolic / sizeof *constants;
     }
+    const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
+    return is_held(plan->unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+}
+
+/* True where a rate taken for zero could decide when a spin about the middle axis turns over. */
+static int is_lost(const int axis[3], const pair omega[3], const pair given[3])
+{
+    int lost = 0, slow = 1;
+    for (int k = 0; k < 3; k += 2) {
+        lost |= is_zero(omega[axis[k]]) && !is_zero(given[axis[k]]);
+        slow &= fabs(omega[axis[k]].hi) < decisive;
+    }
+    return lost && slow;
 }
 
 /* c, omega and q in inner units; `given` are the rates before faint ones were taken for zero. */
@@ -1344,6 +1395,7 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
     }
     length = pair_sqrt(length);
     made.unit = unit;
+    made.farthest = farthest;
     for (int k = 0; k < 4; k++) {
         unit_q[k] = pair_div_xx(q[k], length);
         made.q0[k] = pair_rounded(unit_q[k]);
@@ -1359,29 +1411,28 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
     }
     const int steady = is_steady(c, omega);
     const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
-    const int lost = steady && !is_steady(c, given) && !is_zero(omega[made.axis[1]]);
     const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
-    if (distinct && (lost || faint))
+    if (distinct && (is_lost(made.axis, omega, given) || faint))
         return TORQUE_FREE_SEPARATRIX;
+    int code = TORQUE_FREE_OK;
     if (steady)
         steady_init(&made, omega, unit_q);
     else
-        moving_init(&made, c, omega, unit_q, excess);
-    *plan = made;
-    return TORQUE_FREE_OK;
+        code = moving_init(&made, c, omega, unit_q, excess);
+    if (code == TORQUE_FREE_OK)
+        *plan = made;
+    return code;
 }
 
 int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
                           const double attitude0[4])
 {
     pair c[3], omega[3], q[4];
-    double least = inertia[0], most = inertia[0];
+    double least = inertia[0];
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
-    for (int k = 1; k < 3; k++) {
+    for (int k = 1; k < 3; k++)
         least = inertia[k] < least ? inertia[k] : least;
-        most = inertia[k] > most ? inertia[k] : most;
-    }
     if (!(least > 0.0))
         return TORQUE_FREE_INERTIA;
     const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
@@ -1399,7 +1450,10 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     }
     if (is_zero_attitude)
         return TORQUE_FREE_ATTITUDE;
-    return init(plan, c, omega, q, NULL, ldexp(1.0, scale));
+    const int code = init(plan, c, omega, q, NULL, ldexp(1.0, scale));
+    for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
+        plan->omega0[k] = omega0[k];
+    return code;
 }
 
 int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
@@ -1431,12 +1485,14 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
-static int scaled_times(double unit, size_t n, const double *restrict t, double *restrict inner, int *zero)
+static int scaled_times(const torque_free_plan *plan, size_t n, const double *restrict t,
+                        double *restrict inner, int *zero)
 {
+    const double unit = plan->unit, last = plan->farthest;
     int bad = 0, zeros = 0;
     for (size_t i = 0; i < n; i++) {
         inner[i] = unit * t[i];
-        bad |= !(fabs(inner[i]) <= farthest);
+        bad |= !(fabs(inner[i]) <= last);
         zeros |= !(t[i] < 0.0 || t[i] > 0.0);
     }
     *zero = zeros;
@@ -1523,13 +1579,13 @@ int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *
     double by_time[6][BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
     for (size_t i = 0; i < n; i += BLOCK)
-        if (!scaled_times(plan->unit, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
+        if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
             return TORQUE_FREE_TIME;
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        (void)scaled_times(plan->unit, count, t + i, inner, &zero);
+        (void)scaled_times(plan, count, t + i, inner, &zero);
         block_angles(plan, count, inner, rest, by_time);
         block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
@@ -1593,9 +1649,10 @@ int torque_free_states_on_grid(const torque_free_plan *plan, double start, doubl
                                double *q, double *omega)
 {
     double table[6][BLOCK], by_time[6][BLOCK];
-    const double inner = plan->unit * start, inner_step = plan->unit * step;
+    /* A single sample does not depend on the step, however large. */
+    const double inner = plan->unit * start, inner_step = n > 1 ? plan->unit * step : 0.0;
     const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
-    if (!(fabs(inner) <= farthest && fabs(last) <= farthest))
+    if (!(fabs(inner) <= plan->farthest && fabs(last) <= plan->farthest))
         return TORQUE_FREE_TIME;
     if (plan->branch != 2)
         grid_table(plan, inner_step, table);
@@ -1634,7 +1691,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "25dcaf75ff15fb7c9f769fd2ee4a0dd2c819d3ea47f4920af1183af96a8e0f41"; }
+const char *torque_free_digest(void) { return "21b11e1d2d1eb7149f7c7117d6939121b87a1b284988bde84825edfb00f3ebe2"; }
 
 const char *torque_free_message(int code)
 {
@@ -1646,6 +1703,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
     case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
     case TORQUE_FREE_TIME: return "t: must be finite and within |omega0 t| = 2^46 rad";
+    case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
     default: return "no such code";
     }
 }

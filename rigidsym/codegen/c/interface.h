@@ -3,17 +3,19 @@ enum {
     TORQUE_FREE_OK = 0,
     TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
     TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_THIN = 3,       /* principal moments differ by more than 2^240 */
+    TORQUE_FREE_THIN = 3,       /* principal moments differ by more than 2^200 */
     TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_SEPARATRIX = 5, /* nearer to spin about the middle axis than 2^-400 */
-    TORQUE_FREE_TIME = 6        /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
+    TORQUE_FREE_SEPARATRIX = 5, /* nearer to spin about the middle axis than 2^-300 or 2^-400 */
+    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
+    TORQUE_FREE_RATES = 7       /* rates that double precision cannot hold, beyond 2^1020 rad/s */
 };
 
 /* The constants of one motion; written by torque_free_plan_init, read by all others. */
 typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
-    double unit;         /* a power of two, 1/s: inner times are unit t */
+    double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
+    double farthest;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
     union {

@@ -1,3 +1,13 @@
+/* Extended numbers need every operation rounded to double once, and none reordered. */
+#if defined(__FAST_MATH__)
+#error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
+#elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
+#error "torque_free.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
 /* An extended number is the unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.  The relative
    errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
    sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot

@@ -96,6 +96,7 @@ def _branches(functions: tuple[Function, ...]) -> list[str]:
             f"'state': {state.name},",
             f"'rates': {tuple(n for n in angles.parameters if n not in ('t', 't_lo'))!r},",
             f"'shape': {tuple(n for n in state.parameters if n not in timed)!r},",
+            f"'fast': {tuple(f'{n}_hi' for n in plan.results if n.endswith('_rate'))!r},",
             f"'steady': {name == 'steady'},",
         ]
         lines += _entry(f"    {name!r}: {{", plan, more, "    },", "        ")

@@ -18,9 +18,11 @@ from rigidsym.codegen.numpy.stubs import (
 # Rates below this fraction of the largest one cannot change a state by an ulp, unless they decide
 # on which side of the separatrix a motion is: then the motion is refused.
 _NEGLIGIBLE = 2.0**-400
+_DECISIVE = 2.0**-300
 _FAINTEST = 2.0**-900
-_THINNEST = 2.0**-240
+_THINNEST = 2.0**-200
 _FARTHEST = 2.0**46
+_FASTEST = 2.0**1020
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 2048
 
@@ -39,7 +41,8 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
     given = ((inertia, 3), (omega0, 3), (attitude0, 4))
     rows = (np.broadcast_to(x, (*shape, size)).reshape(-1, size) for x, size in given)
     (c, _), (omega, unit), (q, _) = map(_scaled, rows)
-    return _plan(_Pair(c, 0 * c), _Pair(omega, 0 * omega), _Pair(q, 0 * q), unit, shape)
+    made = _plan(_Pair(c, 0 * c), _Pair(omega, 0 * omega), _Pair(q, 0 * q), unit, shape)
+    return made | {"omega0": np.broadcast_to(omega0, (*shape, 3)).reshape(-1, 3)}
 
 
 def plan_from_pairs(inertia, omega0, attitude0, excess, unit):
@@ -63,10 +66,12 @@ def _plan(c, given, q, unit, shape, excess=None):
     omega = _Pair(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
     axes, excess = _axes(c, omega, excess)
     steady = _is_steady(c, omega)
-    _check_distance(c, steady & ~_is_steady(c, given), axes, omega, excess)
+    _check_distance(c, axes, omega, given, excess)
     made = {
         "shape": shape,
-        "unit": unit[:, 0],
+        # Nothing turns at rest, however long it takes.
+        "unit": np.where(np.any(omega.hi != 0, axis=-1), unit[:, 0], 0.0),
+        "farthest": np.full(len(unit), _FARTHEST),
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
@@ -104,10 +109,26 @@ def _add_moving(made, index, c, omega, q, excess):
         if np.any(chosen):
             some = np.flatnonzero(chosen)
             given = known if np.all(chosen) else {n: x[some] for n, x in known.items()}
-            constants = _called(BRANCHES[name], given)
-            for gain in ("gain_a", "gain_b", "gain_d"):
-                constants[gain] = constants[gain] * made["unit"][index[some]]
-            made["groups"].append((name, index[some], _filled(constants, some.size)))
+            constants = _filled(_called(BRANCHES[name], given), some.size)
+            _limit(made, index[some], constants, BRANCHES[name]["fast"])
+            amplitudes = [given[f"A_{x}"].hi for x in "abd"]
+            _scale_gains(constants, amplitudes, made["unit"][index[some]])
+            made["groups"].append((name, index[some], constants))
+
+
+def _limit(made, index, constants, fast):
+    """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
+    largest = np.max([np.abs(constants[name]) for name in fast], axis=0)
+    made["farthest"][index] = _FARTHEST * 16 / np.maximum(16, largest)
+
+
+def _scale_gains(constants, amplitudes, unit):
+    """Rates per second; refused where doubles do not hold them, up to their amplitudes."""
+    for gain in ("gain_a", "gain_b", "gain_d"):
+        constants[gain] = constants[gain] * unit
+    held = np.all([a * unit <= _FASTEST for a in amplitudes])
+    if not held or not all(np.all(np.isfinite(x)) for x in constants.values()):
+        raise ValueError("omega0: rates beyond what binary64 can hold")
 
 
 def _called(entry, known):
@@ -169,9 +190,9 @@ def states(plan, t, out=None):
 
 def _single(plan, t):
     """The state of one body at one time, by Python's floats."""
-    unit, axes, branch, rates, shape = plan.get("single") or _prepared(plan)
+    unit, farthest, axes, branch, rates, shape = plan.get("single") or _prepared(plan)
     inner = unit * t
-    if not -_FARTHEST <= inner <= _FARTHEST:
+    if not -farthest <= inner <= farthest:
         _check_times(plan, np.array([t]))
     if t == 0:
         return plan["q0"][0].copy(), plan["omega0"][0].copy()
@@ -190,7 +211,8 @@ def _prepared(plan):
     branch = BRANCHES[name]
     known = {key: float(value[0]) for key, value in constants.items()}
     rates, shape = ([known[n] for n in branch[which]] for which in ("rates", "shape"))
-    plan["single"] = float(plan["unit"][0]), plan["axes"][0].tolist(), branch, rates, shape
+    scale = float(plan["unit"][0]), float(plan["farthest"][0])
+    plan["single"] = *scale, plan["axes"][0].tolist(), branch, rates, shape
     return plan["single"]
 
 
@@ -212,12 +234,12 @@ def _fits(array, shape):
 def _check_times(plan, t):
     if t.size and plan["unit"].size:
         with np.errstate(over="ignore"):
-            farthest = np.max(plan["unit"]) * np.max(np.abs(t))
+            inner = plan["unit"] * np.max(np.abs(t))
         if not np.isfinite(np.max(np.abs(t))):
             raise ValueError(
                 "t: times must be one finite number or a one-dimensional array of them"
             )
-        if not farthest <= _FARTHEST:
+        if not np.all(inner <= plan["farthest"]):
             raise ValueError("t: beyond |omega| t = 2^46 rad the angle is lost in binary64")
 
 
@@ -287,12 +309,16 @@ def _batch(inertia, omega0, attitude0):
         raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
 
 
-def _check_distance(c, lost, axes, omega, excess):
-    """Refuse what binary64 cannot tell from the separatrix or from spin about the middle axis."""
+def _check_distance(c, axes, omega, given, excess):
+    """Refuse what binary64 cannot tell from the separatrix or from spin about the middle axis.
+
+    A rate taken for zero could decide when such a spin turns over.
+    """
     distinct = ~(_same(c[:, 0], c[:, 1]) | _same(c[:, 1], c[:, 2]) | _same(c[:, 2], c[:, 0]))
-    spin = np.take_along_axis(omega.hi, axes[:, 1:2], -1)[:, 0] != 0
+    kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
+    lost = np.any((kept == 0) & (before != 0), -1) & np.all(np.abs(kept) < _DECISIVE, -1)
     faint = (excess.hi != 0) & (np.abs(excess.hi) < _FAINTEST)
-    if np.any(distinct & (lost & spin | faint)):
+    if np.any(distinct & (lost | faint)):
         raise ValueError("omega0: nearer to the separatrix than binary64 can follow")
 
 

@@ -1,0 +1,313 @@
+"""The C target as compilers see it: clean, right in every regime, robust, self-contained."""
+
+import math
+import re
+import shutil
+import subprocess
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from compilers import STRICT, for_32_bits, gcc, needed, written
+from library import Library
+from regimes import cases, errors
+
+from rigidsym import TorqueFreeMotion
+
+ANGLE = RATE = 2e-15
+SANITIZED = (
+    "-fsanitize=address,undefined,float-cast-overflow",
+    "-fno-sanitize-recover=all",
+)
+SHARED = ("-shared", "-fPIC")
+FAST = ("-O3", "-fno-math-errno")
+BUILDS = {
+    "gcc native": ("gcc", "native", ("-std=c99", *FAST)),
+    # GNU C fuses products and sums by itself where the machine can.
+    "gcc native, GNU C": ("gcc", "native", ("-O3",)),
+    "gcc portable": ("gcc", "x86-64", ("-std=c99", "-O2")),
+    "clang native": ("clang", "native", ("-std=c99", *FAST)),
+    "clang portable": ("clang", "x86-64", ("-std=c99", "-O2")),
+}
+BODY = ((1.0, 2.0, 2.5), (0.3, 0.5, -0.7), (1.0, 0.0, 0.0, 0.0))
+MATHEMATICS = {"exp", "frexp", "ldexp", "sqrt", "fma"}
+# What compilers call by themselves.
+UNASKED = {"memset", "memcpy", "memmove", "__stack_chk_fail"}
+TO_VECTORISE = ("circular_angles", "circular_state", "hyperbolic_state")
+
+
+@pytest.fixture(scope="module")
+def here(tmp_path_factory):
+    return written(tmp_path_factory.mktemp("c"))
+
+
+@pytest.fixture(scope="module")
+def motions():
+    """All cases with their true states."""
+    return [(case, case.exact()) for case in cases()]
+
+
+@pytest.fixture(scope="module")
+def library(here):
+    """Builds by name, each made and loaded once."""
+    made = {}
+
+    def get(name):
+        if name not in made:
+            kind, machine, flags = BUILDS[name]
+            compiler = needed(kind)
+            file = name.translate(str.maketrans(" ,", "__")) + ".so"
+            flags = (*flags, *SHARED, *compiler.machine(machine))
+            made[name] = Library(compiler.build(here, file, *flags))
+        return made[name]
+
+    return get
+
+
+@pytest.fixture(params=BUILDS)
+def built(request, library):
+    return library(request.param)
+
+
+@pytest.fixture(scope="module")
+def any_library(library):
+    return library("gcc portable" if gcc() else "clang portable")
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+@pytest.mark.parametrize("source", ["torque_free.c", "driver.c", "fuzz.c"])
+def test_no_compiler_has_anything_to_say(name, source, here):
+    done = needed(name).run(*STRICT, "-c", here / source, "-o", here / "strict.o")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+@pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3"])
+def test_it_needs_nothing_but_libm_and_has_no_variables(name, machine, here):
+    if shutil.which("nm") is None:
+        pytest.skip("no nm here")
+    compiler = needed(name)
+    flags = ("-std=c99", "-O2", "-c", *compiler.machine(machine))
+    object_file = compiler.build(here, f"{name}.o", *flags)
+    listing = subprocess.run(["nm", object_file], capture_output=True, text=True, check=True)
+    symbols = re.findall(r"([A-Za-z]) (\S+)$", listing.stdout, re.MULTILINE)
+    assert {symbol for kind, symbol in symbols if kind == "U"} <= MATHEMATICS | UNASKED
+    assert not [symbol for kind, symbol in symbols if kind in "BbDdCSsG"]
+    assert all(s.startswith("torque_free_") for kind, s in symbols if kind == "T")
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+@pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3"])
+def test_the_loops_vectorise(name, machine, here):
+    compiler = needed(name)
+    report = {"gcc": "-fopt-info-vec", "clang": "-Rpass=loop-vectorize"}[name]
+    flags = ("-std=c99", *FAST, *compiler.machine(machine), report)
+    found = re.findall(r"torque_free\.c:(\d+):.*vectorized", compiler.remarks(here, *flags))
+    within = {function_at(here, int(line)) for line in found}
+    assert set(TO_VECTORISE) <= within
+
+
+def function_at(here, line):
+    """The function that a line of the source is in."""
+    before = (here / "torque_free.c").read_text().splitlines()[:line]
+    heads = [re.match(r"(?:static )?(?:inline )?\w[\w ]*?\*?(\w+)\(", text) for text in before]
+    return [head[1] for head in heads if head][-1]
+
+
+def states(built, case):
+    code, plan = built.plan(case.inertia, case.omega0, case.attitude0)
+    assert code == 0, case.name
+    code, found = built.states(plan, case.times)
+    assert code == 0, case.name
+    return found
+
+
+def check(case, found, exact):
+    angle, rate = errors(found, exact)
+    assert (angle <= ANGLE, rate <= RATE) == (True, True), (case, angle, rate)
+
+
+def test_states_are_right_in_every_regime(built, motions):
+    assert len(motions) > 100
+    for case, exact in motions:
+        check(case, states(built, case), exact)
+
+
+def driven(program, motions):
+    """A driver's states for all cases."""
+    lines = "".join(case.line() for case, _ in motions)
+    done = subprocess.run([program], input=lines, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+    for line in done.stdout.splitlines():
+        code, *values = line.split()
+        assert code == "0"
+        yield np.array(list(map(float.fromhex, values))).reshape(-1, 7)
+
+
+def test_sanitizers_find_nothing(here, motions):
+    """Undefined behaviour, bad addresses and casts, in every regime; and the states are right."""
+    flags = ("-std=c99", "-O1", "-g", *SANITIZED)
+    sources = ("driver.c", "torque_free.c")
+    program = needed("gcc").build(here, "sanitized", *flags, sources=sources)
+    for (case, exact), found in zip(motions, driven(program, motions), strict=True):
+        check(case, found, exact)
+
+
+@pytest.mark.parametrize("flags", [SANITIZED, ()], ids=["sanitized", "fast"])
+def test_arbitrary_bits_are_refused_or_move(flags, here):
+    program = needed("gcc").build(
+        here, "fuzz", "-std=c99", "-O2", *flags, sources=("fuzz.c", "torque_free.c")
+    )
+    done = subprocess.run(
+        [program, "200000", "1"], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (done.returncode, done.stderr) == (0, ""), done.stdout[-2000:]
+    counts = list(map(int, done.stdout.split()))
+    assert all(count > 50 for code, count in enumerate(counts) if code != 4), counts
+
+
+def test_on_32_bits_with_sse_states_are_right(here, motions):
+    flags = ("-std=c99", "-O2", "-msse2", "-mfpmath=sse")
+    sources = ("driver.c", "torque_free.c")
+    program = for_32_bits().build(here, "driver32", *flags, sources=sources)
+    if not can_run(program):
+        pytest.skip("programs for 32-bit x86 do not run here")
+    for (case, exact), found in zip(motions, driven(program, motions), strict=True):
+        check(case, found, exact)
+
+
+def can_run(program):
+    try:
+        return subprocess.run([program], input="", text=True, check=False).returncode == 0
+    except OSError:
+        return False
+
+
+def test_arithmetic_of_80_bits_is_refused(here):
+    done = for_32_bits().run("-mcpu=i686", "-c", here / "torque_free.c", "-o", here / "x87.o")
+    assert done.returncode != 0
+    assert "-mfpmath=sse" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "flag"), [("gcc", "-ffast-math"), ("gcc", "-Ofast"), ("clang", "-ffast-math")]
+)
+def test_fast_math_is_refused(name, flag, here):
+    done = needed(name).run(flag, "-c", here / "torque_free.c", "-o", here / "fast.o")
+    assert done.returncode != 0
+    assert "compile without it" in done.stderr
+
+
+NAN, INF, MOST = math.nan, math.inf, 1.7e308
+
+
+@pytest.mark.parametrize(
+    ("code", "inertia", "omega0", "attitude0"),
+    [
+        (1, (NAN, 1, 1), (0, 0, 1), (1, 0, 0, 0)),
+        (1, (1, 1, 1), (0, -INF, 1), (1, 0, 0, 0)),
+        (1, (1, 1, 1), (0, 0, 1), (1, 0, 0, INF)),
+        (2, (1, 0.0, 1), (0, 0, 1), (1, 0, 0, 0)),
+        (2, (1, 1, -5e-324), (0, 0, 1), (1, 0, 0, 0)),
+        (3, (1, 1, 2.0**-201), (0, 0, 1), (1, 0, 0, 0)),
+        (3, (5e-324, 1e308, 1e308), (0, 0, 1), (1, 0, 0, 0)),
+        (4, (1, 1, 1), (0, 0, 1), (0, -0.0, 0, 0)),
+        (5, (1, 2, 2.5), (0, 1, 1e-130), (1, 0, 0, 0)),
+        (5, (1, 2, 2.5), (1e-115, 1, 1e-130), (1, 0, 0, 0)),
+        (7, (1, 2, 2.5), (MOST, MOST, MOST), (1, 0, 0, 0)),
+    ],
+)
+def test_what_no_plan_is_made_of(code, inertia, omega0, attitude0, any_library):
+    found, plan = any_library.plan(inertia, omega0, attitude0)
+    assert found == code
+    assert plan.raw == bytes(len(plan)), "a refused call writes nothing"
+    assert len(any_library.message(code)) > 10
+
+
+@pytest.mark.parametrize("bad", [NAN, INF, -INF, MOST, -(2.0**46) - 1])
+@pytest.mark.parametrize("place", [0, 191, 192, 400])
+def test_times_that_are_none_or_too_far(bad, place, any_library):
+    _, plan = any_library.plan((1, 2, 2.5), (0.3, 0.5, -1.0), (1, 0, 0, 0))
+    times = np.linspace(0, 1, 401)
+    times[place] = bad
+    code, found = any_library.states(plan, times)
+    assert code == 6
+    assert np.isnan(found).all(), "a refused call writes nothing"
+
+
+@pytest.mark.parametrize("omega0", [(0.3, 0.5, -0.7), (0.75, 0.5, 1.0), (0, 0, 0), (0, 2.0, 0)])
+@pytest.mark.parametrize("zero", [0.0, -0.0])
+def test_a_motion_begins_at_its_start_to_the_last_bit(omega0, zero, any_library):
+    _, plan = any_library.plan((1, 2, 2.25), omega0, (3.0, 0, -4.0, 0))
+    code, found = any_library.states(plan, [zero])
+    assert code == 0
+    assert found[0].tolist() == [0.6, 0, -0.8, 0, *omega0]
+
+
+def test_faint_rates_are_there_at_the_start_whatever_the_largest(any_library):
+    omega0 = (1e300, 1e-20, -3e-17)
+    _, plan = any_library.plan((1, 2, 2.5), omega0, (1, 0, 0, 0))
+    assert any_library.states(plan, [0.0])[1][0, 4:].tolist() == list(omega0)
+
+
+def test_a_body_at_rest_rests_for_ever(any_library):
+    _, plan = any_library.plan((1, 2, 2.5), (0, 0, 0), (0, 1, 0, 0))
+    code, found = any_library.states(plan, [1e300, -MOST])
+    assert code == 0
+    assert found.tolist() == [[0, 1, 0, 0, 0, 0, 0]] * 2
+    assert any_library.states(plan, [INF])[0] == 6
+
+
+@pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
+@pytest.mark.parametrize("n", [0, 1, 63, 64, 65, 191, 192, 193, 383, 384, 385])
+def test_a_state_does_not_depend_on_its_place_in_a_block(n, omega0, any_library):
+    _, plan = any_library.plan((1, 2, 2.25), omega0, (1, 0, 0, 0))
+    times = np.linspace(-7, 30, 400)[:n]
+    code, found = any_library.states(plan, times)
+    assert code == 0
+    # In turns of a loop that the compiler made wide and those left over, sums may differ in a bit.
+    one_by_one = [any_library.states(plan, [t])[1][0] for t in times]
+    assert np.abs(found - np.reshape(one_by_one, (-1, 7))).max(initial=0) < 1e-15
+
+
+def test_a_grid_of_one_sample_does_not_ask_its_step(built):
+    _, plan = built.plan(*BODY)
+    code, found = built.grid(plan, 2.0, MOST, 1)
+    assert code == 0
+    assert np.array_equal(found, built.grid(plan, 2.0, 0.25, 1)[1])
+
+
+def test_grids_are_right_in_every_regime(built, motions):
+    for case, _ in motions[::7]:
+        _, plan = built.plan(case.inertia, case.omega0, case.attitude0)
+        n, start, step = 130, case.times[0] / 4, case.times[0] / 400
+        code, found = built.grid(plan, start, step, n)
+        assert code == 0, case.name
+        picked = [0, 1, 63, 64, 129]
+        check(case, found[picked], exact_grid(case, start, step, picked))
+
+
+def exact_grid(case, start, step, picked):
+    motion = TorqueFreeMotion(case.inertia, case.omega0, case.attitude0)
+    return motion.precise([Fraction(start) + k * Fraction(step) for k in picked], 40)
+
+
+def test_pairs_begin_where_doubles_do(any_library):
+    """With no low parts, and the excess of these numbers, both plans give the same states."""
+    (d, b, a), (rate_d, _, rate_a), _ = BODY
+    excess = a * (a - b) * rate_a**2 - d * (b - d) * rate_d**2
+    pairs = [[(x, 0.0) for x in values] for values in BODY]
+    code, plan = any_library.plan_of_pairs(*pairs, (excess, 0.0), 1.0)
+    assert code == 0
+    _, found = any_library.states(plan, [0.0, 1.0, 50.0])
+    _, other = any_library.plan(*BODY)
+    assert np.abs(found - any_library.states(other, [0.0, 1.0, 50.0])[1]).max() < 1e-14
+
+
+def test_bodies_that_cannot_exist_are_refused_times_they_turn_too_often_by(any_library):
+    code, plan = any_library.plan((1.0, 2.0**-60, 2.0**-90), (1.0, 0.5, 0.1), (1, 0, 0, 0))
+    assert code == 0
+    assert any_library.states(plan, [2.0**40])[0] == 6
+    code, found = any_library.states(plan, [2.0**-40])
+    assert code == 0
+    assert abs(np.linalg.norm(found[0, :4]) - 1) < 1e-15
