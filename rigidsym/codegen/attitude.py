@@ -84,11 +84,15 @@ def _rates(solution: Solution) -> dict[str, Let]:
 
 
 def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
-    """What multiplies the quotient of thetas in each rate (DLMF 22.2.4 to 22.2.6)."""
+    """What multiplies the quotient of thetas in each rate (DLMF 22.2.4 to 22.2.6).
+
+    `unit` is the power of two, in 1/s, that inner rates are times.
+    """
     lets = list(select(solution.programmes["plan"], ("tau",), SIGNS))
     for name, rate in _rates(solution).items():
         (gain,) = specialise([rate], {name: 1})
-        product = Operation("*", gain.expression, parse(scale[name]))
+        quotient = Operation("*", gain.expression, parse(scale[name]))
+        product = Operation("*", quotient, Name("unit"))
         target = f"gain_{rate.targets[0][-1]}"
         lets.append(Let((target,), product, (*rate.source, "DLMF 22.2.4"), rate.facts))
     return lets
@@ -140,7 +144,7 @@ def plan(name: str, lets: list[Let], results: tuple[str, ...], split: tuple[str,
     return Function(
         f"_{name}_plan",
         f"The constants of a motion on the {name} branch, from `_start`.",
-        (*extended, *(sign for sign in SIGNS if sign in used)),
+        (*extended, *(sign for sign in SIGNS if sign in used), "unit"),
         tuple(lets),
         results,
         frozenset(extended),

@@ -449,7 +449,8 @@ static pair logarithm(pair x)
 /* The constants of a motion on the circular branch, from `_start`. */
 static void circular_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B_d, pair k_1, pair kc_1,
     pair mu, pair psi_0, pair s, pair c, pair d, pair q_0, pair q_a, pair q_b, pair q_d,
-    double epsilon, double sigma, double rho, double chi, torque_free_circular *plan)
+    double epsilon, double sigma, double rho, double chi, double unit,
+    torque_free_circular *plan)
 {
     const pair r = root_ratio(k_1, kc_1); /* DLMF 20.9.1 */
     const pair root_r = pair_sqrt(r); /* (27); scaling.root_r */
@@ -616,9 +617,9 @@ static void circular_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B
     const pair row_d_P1_re = pair_mul_xx(over_N, pair_mul_xd(p_0, common_11)); /* (37); attitude.q_d */
     const pair row_d_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_a, chi))); /* (37); attitude.q_d */
     const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const pair gain_a = pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(four, three)); /* (10), DLMF 22.2.4; regular.Omega_a */
-    const pair gain_b = pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, two)); /* (10), DLMF 22.2.4; regular.Omega_b */
-    const pair gain_d = pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(four, two)); /* (10), DLMF 22.2.4; regular.Omega_d */
+    const pair gain_a = pair_mul_xd(pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(four, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
+    const pair gain_b = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
+    const pair gain_d = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(four, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
     plan->v_rate_hi = v_rate.hi;
     plan->v_rate_lo = v_rate.lo;
     plan->v_hi = v.hi;
@@ -811,7 +812,8 @@ static void circular_state(const torque_free_circular *plan, size_t n, const dou
 /* The constants of a motion on the hyperbolic branch, from `_start`. */
 static void hyperbolic_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B_d, pair k_1, pair kc_1,
     pair mu, pair psi_0, pair s, pair c, pair q_0, pair q_a, pair q_b, pair q_d,
-    double epsilon, double sigma, double rho, double chi, torque_free_hyperbolic *plan)
+    double epsilon, double sigma, double rho, double chi, double unit,
+    torque_free_hyperbolic *plan)
 {
     const pair root_k = pair_sqrt(k_1); /* (27); theta_form.root_k */
     const pair x = pair_div_xx(B_d, pair_mul_xx(root_k, pair_add_xx(K, B_a))); /* (28); theta_form.x */
@@ -944,9 +946,9 @@ static void hyperbolic_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair
     const pair row_d_P1_re = pair_mul_xx(over_N, pair_mul_xd(p_0, common_7)); /* (37); attitude.q_d */
     const pair row_d_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_a, chi))); /* (37); attitude.q_d */
     const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const pair gain_a = pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(two, three)); /* (10), DLMF 22.2.4; regular.Omega_a */
-    const pair gain_b = pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, four)); /* (10), DLMF 22.2.4; regular.Omega_b */
-    const pair gain_d = pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(two, four)); /* (10), DLMF 22.2.4; regular.Omega_d */
+    const pair gain_a = pair_mul_xd(pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(two, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
+    const pair gain_b = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
+    const pair gain_d = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(two, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
     plan->y_rate_hi = y_rate.hi;
     plan->y_rate_lo = y_rate.lo;
     plan->y0_hi = y0.hi;
@@ -1335,7 +1337,7 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
 }
 
 static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
-                        const pair q[4], pair E_b)
+                       const pair q[4], pair E_b)
 {
     const int *axis = plan->axis;
     const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
@@ -1345,31 +1347,25 @@ static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
     const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
-    const double *constants;
+    const double unit = plan->unit, *constants;
     size_t n;
     pair K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
     start(c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
     if (k_1.hi * k_1.hi <= 0.5) {
         plan->branch = 1;
-        circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, &plan->of.circular);
-        plan->of.circular.gain_a *= plan->unit;
-        plan->of.circular.gain_b *= plan->unit;
-        plan->of.circular.gain_d *= plan->unit;
+        circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &plan->of.circular);
         limit(plan, plan->of.circular.v_rate_hi, plan->of.circular.Lambda_rate_hi);
         constants = (const double *)&plan->of.circular;
         n = sizeof plan->of.circular / sizeof *constants;
     } else {
         plan->branch = 2;
-        hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, &plan->of.hyperbolic);
-        plan->of.hyperbolic.gain_a *= plan->unit;
-        plan->of.hyperbolic.gain_b *= plan->unit;
-        plan->of.hyperbolic.gain_d *= plan->unit;
+        hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &plan->of.hyperbolic);
         limit(plan, plan->of.hyperbolic.y_rate_hi, plan->of.hyperbolic.Lambda_rate_hi);
         constants = (const double *)&plan->of.hyperbolic;
         n = sizeof plan->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(plan->unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
 /* True where a rate taken for zero could decide when a spin about the middle axis turns over. */
@@ -1691,7 +1687,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "21b11e1d2d1eb7149f7c7117d6939121b87a1b284988bde84825edfb00f3ebe2"; }
+const char *torque_free_digest(void) { return "3ed2306fe97e7a9b326f50197e2c25f64ad5c7ad12c79789dbbc3fec63586950"; }
 
 const char *torque_free_message(int code)
 {

@@ -25,7 +25,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 emitter c/2
-digest 21b11e1d2d1eb7149f7c7117d6939121b87a1b284988bde84825edfb00f3ebe2
+digest 3ed2306fe97e7a9b326f50197e2c25f64ad5c7ad12c79789dbbc3fec63586950
 
 Re-entrant, without allocation or global variables; a call needs about 35 KB of stack.  Compile with
 -O3 -fno-math-errno for the machine it runs on (-march=native): gcc and clang vectorise the loops

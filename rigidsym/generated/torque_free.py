@@ -25,7 +25,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 emitter numpy/2
-digest 19e490b1fbd212d0f2fd047539cb19078dda62cd9ed63f8a7ddeba81e8847673
+digest 40ce15428924a694fb68ee7080c9f9748b86534f76418d6bac3e775389b6e944
 """
 
 # ruff: noqa
@@ -353,7 +353,7 @@ def _logarithm(x):
     return log_x
 
 
-def _circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi):
+def _circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit):
     """The constants of a motion on the circular branch, from `_start`."""
     r = _root_ratio(k_1, kc_1)  # DLMF 20.9.1
     root_r = _sqrt(r)  # (27); scaling.root_r
@@ -519,9 +519,9 @@ def _circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_
     row_d_P1_re = over_N * (p_0 * common_11)  # (37); attitude.q_d
     row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); attitude.q_d
     tau = -rho * epsilon * sigma  # (16), (17); regular.tau
-    gain_a = sigma * A_a * (four / three)  # (10), DLMF 22.2.4; regular.Omega_a
-    gain_b = chi * A_b * (three / two)  # (10), DLMF 22.2.4; regular.Omega_b
-    gain_d = chi * tau * A_d * (four / two)  # (10), DLMF 22.2.4; regular.Omega_d
+    gain_a = sigma * A_a * (four / three) * unit  # (10), DLMF 22.2.4; regular.Omega_a
+    gain_b = chi * A_b * (three / two) * unit  # (10), DLMF 22.2.4; regular.Omega_b
+    gain_d = chi * tau * A_d * (four / two) * unit  # (10), DLMF 22.2.4; regular.Omega_d
     return v_rate.hi, v_rate.lo, v.hi, v.lo, Lambda_rate.hi, Lambda_rate.lo, _rounded(T4_re_0), _rounded(T4_re_1), _rounded(T4_re_2), _rounded(T4_re_3), _rounded(T4_im_0), _rounded(T4_im_1), _rounded(T4_im_2), _rounded(T1_re_0), _rounded(T1_re_1), _rounded(T1_re_2), _rounded(T1_re_3), _rounded(T1_im_0), _rounded(T1_im_1), _rounded(T1_im_2), _rounded(T1_im_3), _rounded(even_0), _rounded(even_1), _rounded(even_2), _rounded(odd_0), _rounded(odd_1), _rounded(sine_even_0), _rounded(sine_even_1), _rounded(sine_even_2), _rounded(sine_odd_0), _rounded(sine_odd_1), _rounded(row_0_P4_re), _rounded(row_0_P4_im), _rounded(row_0_P1_re), _rounded(row_0_P1_im), _rounded(row_a_P4_re), _rounded(row_a_P4_im), _rounded(row_a_P1_re), _rounded(row_a_P1_im), _rounded(row_b_P4_re), _rounded(row_b_P4_im), _rounded(row_b_P1_re), _rounded(row_b_P1_im), _rounded(row_d_P4_re), _rounded(row_d_P4_im), _rounded(row_d_P1_re), _rounded(row_d_P1_im), _rounded(gain_a), _rounded(gain_b), _rounded(gain_d)
 
 
@@ -585,7 +585,7 @@ def _circular_state(sin_v, cos_v, X_im, X_re, T4_re_0, T4_re_1, T4_re_2, T4_re_3
     return q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d
 
 
-def _hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi):
+def _hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit):
     """The constants of a motion on the hyperbolic branch, from `_start`."""
     root_k = _sqrt(k_1)  # (27); theta_form.root_k
     x = B_d / (root_k * (K + B_a))  # (28); theta_form.x
@@ -717,9 +717,9 @@ def _hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0
     row_d_P1_re = over_N * (p_0 * common_7)  # (37); attitude.q_d
     row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); attitude.q_d
     tau = -rho * epsilon * sigma  # (16), (17); regular.tau
-    gain_a = sigma * A_a * (two / three)  # (10), DLMF 22.2.4; regular.Omega_a
-    gain_b = chi * A_b * (three / four)  # (10), DLMF 22.2.4; regular.Omega_b
-    gain_d = chi * tau * A_d * (two / four)  # (10), DLMF 22.2.4; regular.Omega_d
+    gain_a = sigma * A_a * (two / three) * unit  # (10), DLMF 22.2.4; regular.Omega_a
+    gain_b = chi * A_b * (three / four) * unit  # (10), DLMF 22.2.4; regular.Omega_b
+    gain_d = chi * tau * A_d * (two / four) * unit  # (10), DLMF 22.2.4; regular.Omega_d
     return y_rate.hi, y_rate.lo, y0.hi, y0.lo, L.hi, L.lo, Lambda_rate.hi, Lambda_rate.lo, jump.hi, jump.lo, L_far, L_inverse, _rounded(re_0), _rounded(re_1), _rounded(re_2), _rounded(re_3), _rounded(im_0), _rounded(im_1), _rounded(im_2), _rounded(im_3), _rounded(nome), _rounded(nome2), _rounded(nome4), _rounded(nome8), _rounded(nome12), _rounded(row_0_P4_re), _rounded(row_0_P4_im), _rounded(row_0_P1_re), _rounded(row_0_P1_im), _rounded(row_a_P4_re), _rounded(row_a_P4_im), _rounded(row_a_P1_re), _rounded(row_a_P1_im), _rounded(row_b_P4_re), _rounded(row_b_P4_im), _rounded(row_b_P1_re), _rounded(row_b_P1_im), _rounded(row_d_P4_re), _rounded(row_d_P4_im), _rounded(row_d_P1_re), _rounded(row_d_P1_im), _rounded(gain_a), _rounded(gain_b), _rounded(gain_d)
 
 
@@ -855,7 +855,7 @@ START = {
 BRANCHES = {
     'circular': {
         'plan': _circular_plan,
-        'given': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'd', 'q_0', 'q_a', 'q_b', 'q_d', 'epsilon', 'sigma', 'rho', 'chi'),
+        'given': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'd', 'q_0', 'q_a', 'q_b', 'q_d', 'epsilon', 'sigma', 'rho', 'chi', 'unit'),
         'names': ('v_rate_hi', 'v_rate_lo', 'v_hi', 'v_lo', 'Lambda_rate_hi', 'Lambda_rate_lo', 'T4_re_0', 'T4_re_1', 'T4_re_2', 'T4_re_3', 'T4_im_0', 'T4_im_1', 'T4_im_2', 'T1_re_0', 'T1_re_1', 'T1_re_2', 'T1_re_3', 'T1_im_0', 'T1_im_1', 'T1_im_2', 'T1_im_3', 'even_0', 'even_1', 'even_2', 'odd_0', 'odd_1', 'sine_even_0', 'sine_even_1', 'sine_even_2', 'sine_odd_0', 'sine_odd_1', 'row_0_P4_re', 'row_0_P4_im', 'row_0_P1_re', 'row_0_P1_im', 'row_a_P4_re', 'row_a_P4_im', 'row_a_P1_re', 'row_a_P1_im', 'row_b_P4_re', 'row_b_P4_im', 'row_b_P1_re', 'row_b_P1_im', 'row_d_P4_re', 'row_d_P4_im', 'row_d_P1_re', 'row_d_P1_im', 'gain_a', 'gain_b', 'gain_d'),
         'angles': _circular_angles,
         'state': _circular_state,
@@ -866,7 +866,7 @@ BRANCHES = {
     },
     'hyperbolic': {
         'plan': _hyperbolic_plan,
-        'given': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'q_0', 'q_a', 'q_b', 'q_d', 'epsilon', 'sigma', 'rho', 'chi'),
+        'given': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'q_0', 'q_a', 'q_b', 'q_d', 'epsilon', 'sigma', 'rho', 'chi', 'unit'),
         'names': ('y_rate_hi', 'y_rate_lo', 'y0_hi', 'y0_lo', 'L_hi', 'L_lo', 'Lambda_rate_hi', 'Lambda_rate_lo', 'jump_hi', 'jump_lo', 'L_far', 'L_inverse', 're_0', 're_1', 're_2', 're_3', 'im_0', 'im_1', 'im_2', 'im_3', 'nome', 'nome2', 'nome4', 'nome8', 'nome12', 'row_0_P4_re', 'row_0_P4_im', 'row_0_P1_re', 'row_0_P1_im', 'row_a_P4_re', 'row_a_P4_im', 'row_a_P1_re', 'row_a_P1_im', 'row_b_P4_re', 'row_b_P4_im', 'row_b_P1_re', 'row_b_P1_im', 'row_d_P4_re', 'row_d_P4_im', 'row_d_P1_re', 'row_d_P1_im', 'gain_a', 'gain_b', 'gain_d'),
         'angles': _hyperbolic_angles,
         'state': _hyperbolic_state,
@@ -974,7 +974,7 @@ def _add_moving(made, index, c, omega, q, excess):
     known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= signs | {"E_b": excess[index]}
+    known |= signs | {"E_b": excess[index], "unit": made["unit"][index]}
     if len(index) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(START, known)
@@ -985,8 +985,7 @@ def _add_moving(made, index, c, omega, q, excess):
             given = known if np.all(chosen) else {n: x[some] for n, x in known.items()}
             constants = _filled(_called(BRANCHES[name], given), some.size)
             _limit(made, index[some], constants, BRANCHES[name]["fast"])
-            amplitudes = [given[f"A_{x}"].hi for x in "abd"]
-            _scale_gains(constants, amplitudes, made["unit"][index[some]])
+            _check_rates(constants, [given[f"A_{x}"].hi * given["unit"] for x in "abd"])
             made["groups"].append((name, index[some], constants))
 
 
@@ -996,12 +995,10 @@ def _limit(made, index, constants, fast):
     made["farthest"][index] = _FARTHEST * 16 / np.maximum(16, largest)
 
 
-def _scale_gains(constants, amplitudes, unit):
-    """Rates per second; refused where doubles do not hold them, up to their amplitudes."""
-    for gain in ("gain_a", "gain_b", "gain_d"):
-        constants[gain] = constants[gain] * unit
-    held = np.all([a * unit <= _FASTEST for a in amplitudes])
-    if not held or not all(np.all(np.isfinite(x)) for x in constants.values()):
+def _check_rates(constants, amplitudes):
+    """Refuse what doubles do not hold, rates up to their amplitudes."""
+    finite = all(np.all(np.isfinite(x)) for x in constants.values())
+    if not finite or not np.all(np.array(amplitudes) <= _FASTEST):
         raise ValueError("omega0: rates beyond what binary64 can hold")
 
 

@@ -103,7 +103,7 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
 }
 
 static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
-                        const pair q[4], pair E_b)
+                       const pair q[4], pair E_b)
 {
     const int *axis = plan->axis;
     const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
@@ -113,31 +113,25 @@ static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
     const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
-    const double *constants;
+    const double unit = plan->unit, *constants;
     size_t n;
     pair @started@;
     start(@start given@, @started out@);
     if (k_1.hi * k_1.hi <= 0.5) {
         plan->branch = 1;
         circular_plan(@circular given@, &plan->of.circular);
-        plan->of.circular.gain_a *= plan->unit;
-        plan->of.circular.gain_b *= plan->unit;
-        plan->of.circular.gain_d *= plan->unit;
         limit(plan, plan->of.circular.v_rate_hi, plan->of.circular.Lambda_rate_hi);
         constants = (const double *)&plan->of.circular;
         n = sizeof plan->of.circular / sizeof *constants;
     } else {
         plan->branch = 2;
         hyperbolic_plan(@hyperbolic given@, &plan->of.hyperbolic);
-        plan->of.hyperbolic.gain_a *= plan->unit;
-        plan->of.hyperbolic.gain_b *= plan->unit;
-        plan->of.hyperbolic.gain_d *= plan->unit;
         limit(plan, plan->of.hyperbolic.y_rate_hi, plan->of.hyperbolic.Lambda_rate_hi);
         constants = (const double *)&plan->of.hyperbolic;
         n = sizeof plan->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(plan->unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
 /* True where a rate taken for zero could decide when a spin about the middle axis turns over. */

@@ -100,7 +100,7 @@ def _add_moving(made, index, c, omega, q, excess):
     known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= signs | {"E_b": excess[index]}
+    known |= signs | {"E_b": excess[index], "unit": made["unit"][index]}
     if len(index) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(START, known)
@@ -111,8 +111,7 @@ def _add_moving(made, index, c, omega, q, excess):
             given = known if np.all(chosen) else {n: x[some] for n, x in known.items()}
             constants = _filled(_called(BRANCHES[name], given), some.size)
             _limit(made, index[some], constants, BRANCHES[name]["fast"])
-            amplitudes = [given[f"A_{x}"].hi for x in "abd"]
-            _scale_gains(constants, amplitudes, made["unit"][index[some]])
+            _check_rates(constants, [given[f"A_{x}"].hi * given["unit"] for x in "abd"])
             made["groups"].append((name, index[some], constants))
 
 
@@ -122,12 +121,10 @@ def _limit(made, index, constants, fast):
     made["farthest"][index] = _FARTHEST * 16 / np.maximum(16, largest)
 
 
-def _scale_gains(constants, amplitudes, unit):
-    """Rates per second; refused where doubles do not hold them, up to their amplitudes."""
-    for gain in ("gain_a", "gain_b", "gain_d"):
-        constants[gain] = constants[gain] * unit
-    held = np.all([a * unit <= _FASTEST for a in amplitudes])
-    if not held or not all(np.all(np.isfinite(x)) for x in constants.values()):
+def _check_rates(constants, amplitudes):
+    """Refuse what doubles do not hold, rates up to their amplitudes."""
+    finite = all(np.all(np.isfinite(x)) for x in constants.values())
+    if not finite or not np.all(np.array(amplitudes) <= _FASTEST):
         raise ValueError("omega0: rates beyond what binary64 can hold")
 
 
