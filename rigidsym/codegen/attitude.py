@@ -119,7 +119,7 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
         turned = f"{flip}*({third} + {fourth})" if flip else f"({third} + {fourth})"
         lets.append(
             let(
-                f"q_{x} = scale*(({first} + {second}) + {turned})",
+                f"q_{x} = scale*({first} + ({second} + {turned}))",
                 "18",
                 "37",
                 facts=(f"attitude.q_{x}",),

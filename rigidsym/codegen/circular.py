@@ -61,11 +61,10 @@ def _plan(solution: Solution) -> list[Let]:
 def _angles() -> list[Let]:
     return [
         *reduction.product("p", "v_rate", extra="v_lo"),
-        *reduction.whole("p", "p"),
-        *reduction.total("v", "p_rest", "v_hi"),
+        *reduction.total("v", "p", "v_hi"),
         *reduction.whole("v", "v"),
         let("v_turns = v_rest + (p_error + v_error)"),
-        *reduction.sine_and_cosine("v", "v_turns", "p_whole + v_whole", "sin_v", "cos_v"),
+        *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
         *phase(),
     ]
 

@@ -37,10 +37,10 @@ def functions(solution: Solution) -> tuple[Function, ...]:
         *hyperbolic(solution),
         *steady(solution),
     )
-    return tuple(map(_finished, every))
+    return tuple(map(finished, every))
 
 
-def _finished(function: Function) -> Function:
+def finished(function: Function) -> Function:
     """The function with what its results need alone, shared and without powers."""
     formulas = live(function.lets, function.results)
     lets = share(products(formulas))

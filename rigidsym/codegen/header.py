@@ -4,7 +4,7 @@ import hashlib
 import json
 from pathlib import Path
 
-from rigidsym.codegen.kernels import angles, circle, landen, reduction, theta_circular
+from rigidsym.codegen.kernels import angles, circle, exponential, landen, reduction, theta_circular
 
 DIGEST = "@digest@"
 # Written by `rigidsym validate TARGET --record`.
@@ -40,6 +40,12 @@ def kernels() -> list[str]:
     ]
 
 
+def _exponential() -> str:
+    """The error bound of the exponential, which NumPy brings itself."""
+    left_out = exponential.bound(exponential.coefficients(exponential.TERMS))
+    return f"  exp(x), x <= 0                 relative, below {_up(left_out)}"
+
+
 def _up(value: float) -> str:
     """Two digits, rounded up."""
     text = f"{value:.1e}"
@@ -48,9 +54,9 @@ def _up(value: float) -> str:
 
 def text(target: str) -> str:
     """The whole paragraph, with places for the digest and what was measured."""
-    return "\n".join(
-        [_DOMAIN, *kernels(), "", MEASURED, "", f"emitter {target}/2", f"digest {DIGEST}"]
-    )
+    bounds = [*kernels(), *([_exponential()] if target == "c" else [])]
+    ends = [f"emitter {target}/2", f"digest {DIGEST}"]
+    return "\n".join([_DOMAIN, *bounds, "", MEASURED, "", *ends])
 
 
 def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:

@@ -24,6 +24,7 @@ CALLS = {
     "nearest": "double",
     "alternating": "double",
     "exp": "double",
+    "power_of_two": "double",
 }
 
 

@@ -15,8 +15,8 @@ class Lines:
 
     @classmethod
     def plain(cls, text: str) -> "Lines":
-        """Text that no let stands behind."""
-        return cls(tuple(text.rstrip("\n").split("\n")), {})
+        """Text that no let stands behind; a line feed at its end ends the last line."""
+        return cls(tuple(text.removesuffix("\n").split("\n")), {})
 
 
 def joined(pieces: Iterable[Lines]) -> Lines:

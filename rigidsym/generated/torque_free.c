@@ -2,6 +2,9 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
+#include <string.h>
+
 /* Extended numbers need every operation rounded to double once, and none reordered. */
 #if defined(__FAST_MATH__)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
@@ -51,12 +54,32 @@ static inline double nearest(double x)
     return shifted - 6755399441055744.0;
 }
 
-/* (-1)^n for a whole number n. */
+/* Copies that compilers see through.  In n + 3 2^51 the last bits are those of the whole number n,
+   |n| < 2^51. */
+static inline uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline double from_bits(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* (-1)^n for a whole number n: its last bit becomes the sign of 1. */
 static inline double alternating(double n)
 {
-    const double half = 0.5 * n;
-    const double rest = half - nearest(half);
-    return 1.0 - 8.0 * (rest * rest);
+    return from_bits(UINT64_C(0x3ff0000000000000) | bits_of(n + 6755399441055744.0) << 63);
+}
+
+/* 2^n for a whole number n between -1022 and 1023, from its bits. */
+static inline double power_of_two(double n)
+{
+    return from_bits(bits_of(n + (6755399441055744.0 + 1023.0)) << 52);
 }
 
 /* one where x <= y, else other. */
@@ -253,21 +276,47 @@ static const double over_29 = 0.034482758620689655; /* 1/29 */
 static const double over_31 = 0.03225806451612903; /* 1/31 */
 static const double over_33 = 0.030303030303030304; /* 1/33 */
 static const double sine_0 = -5.16771278004997; /* sin(pi f)/f, z^1 */
-static const double sine_1 = 2.5501640398774343; /* sin(pi f)/f, z^2 */
-static const double sine_2 = -0.5992645293264127; /* sin(pi f)/f, z^3 */
-static const double sine_3 = 0.08214588674339689; /* sin(pi f)/f, z^4 */
-static const double sine_4 = -0.007370432404446628; /* sin(pi f)/f, z^5 */
-static const double sine_5 = 0.00046631080092702414; /* sin(pi f)/f, z^6 */
-static const double sine_6 = -2.1935182852970286e-05; /* sin(pi f)/f, z^7 */
-static const double sine_7 = 8.057954463945433e-07; /* sin(pi f)/f, z^8 */
+static const double sine_1 = 2.5501640398774312; /* sin(pi f)/f, z^2 */
+static const double sine_2 = -0.5992645293260574; /* sin(pi f)/f, z^3 */
+static const double sine_3 = 0.08214588673057224; /* sin(pi f)/f, z^4 */
+static const double sine_4 = -0.007370432209249014; /* sin(pi f)/f, z^5 */
+static const double sine_5 = 0.00046630937491450004; /* sin(pi f)/f, z^6 */
+static const double sine_6 = -2.1930233242974144e-05; /* sin(pi f)/f, z^7 */
+static const double sine_7 = 7.992431720329268e-07; /* sin(pi f)/f, z^8 */
 static const double cosine_0 = -4.934802200544679; /* cos(pi f), z^1 */
-static const double cosine_1 = 4.058712126416644; /* cos(pi f), z^2 */
-static const double cosine_2 = -1.335262768846334; /* cos(pi f), z^3 */
-static const double cosine_3 = 0.23533063014490277; /* cos(pi f), z^4 */
-static const double cosine_4 = -0.025806888625058765; /* cos(pi f), z^5 */
-static const double cosine_5 = 0.0019295546911797298; /* cos(pi f), z^6 */
-static const double cosine_6 = -0.00010456032595071075; /* cos(pi f), z^7 */
-static const double cosine_7 = 4.141243797612031e-06; /* cos(pi f), z^8 */
+static const double cosine_1 = 4.058712126416648; /* cos(pi f), z^2 */
+static const double cosine_2 = -1.335262768846726; /* cos(pi f), z^3 */
+static const double cosine_3 = 0.2353306301574239; /* cos(pi f), z^4 */
+static const double cosine_4 = -0.025806888796526702; /* cos(pi f), z^5 */
+static const double cosine_5 = 0.0019295558327461697; /* cos(pi f), z^6 */
+static const double cosine_6 = -0.00010456397431434991; /* cos(pi f), z^7 */
+static const double cosine_7 = 4.1457287175433435e-06; /* cos(pi f), z^8 */
+static const double least = -708.0; /* e^x is taken for 0 below it */
+static const double log_2_inverse = 1.4426950408889634; /* 1/log 2 */
+static const double log_2_short = 0.6931471803691238; /* log 2, its first digits */
+static const double log_2_rest = 1.9082149292705877e-10; /* log 2, the others */
+static const double half = 0.5; /* 1/2 */
+static const double exponential_0 = 0.16666666666666666; /* e^r, r^3 */
+static const double exponential_1 = 0.04166666666665132; /* e^r, r^4 */
+static const double exponential_2 = 0.008333333333332154; /* e^r, r^5 */
+static const double exponential_3 = 0.0013888888905908563; /* e^r, r^6 */
+static const double exponential_4 = 0.0001984126985435939; /* e^r, r^7 */
+static const double exponential_5 = 2.4801536334724617e-05; /* e^r, r^8 */
+static const double exponential_6 = 2.7557280025515365e-06; /* e^r, r^9 */
+static const double exponential_7 = 2.7613836801372293e-07; /* e^r, r^10 */
+static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
+/* e^x for x <= 0. */
+static inline double exponential(double x)
+{
+    const double bounded = choose(least, x, x, least);
+    const double n = nearest(bounded * log_2_inverse);
+    const double r = fused(-n, log_2_rest, fused(-n, log_2_short, bounded)); /* DLMF 4.2.19 */
+    const double rest = fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, exponential_8, exponential_7), exponential_6), exponential_5), exponential_4), exponential_3), exponential_2), exponential_1), exponential_0); /* DLMF 4.2.19 */
+    const double grown = 1.0 + fused(r * r, fused(r, rest, half), r); /* DLMF 4.2.19 */
+    const double value = choose(least, x, power_of_two(n) * grown, 0.0);
+    return value;
+}
+
 /* K^2 - 2 H c_b over any numbers. */
 static pair excess_pair(pair c_a, pair c_b, pair c_d, pair Omega_a, pair Omega_d)
 {
@@ -687,17 +736,15 @@ static void circular_angles(const torque_free_circular *plan, size_t n, const do
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
         const double p = v_rate_hi * t;
-        const double p_error = product_error(v_rate_hi, t, p) + (fused(v_rate_lo, t, v_rate_hi * t_lo) + v_lo);
-        const double p_whole = nearest(p);
-        const double p_rest = p - p_whole;
-        const double v = p_rest + v_hi;
-        const double v_other = v - p_rest;
-        const double v_error = p_rest - (v - v_other) + (v_hi - v_other);
+        const double p_error = product_error(v_rate_hi, t, p) + fused(v_rate_lo, t, fused(v_rate_hi, t_lo, v_lo));
+        const double v = p + v_hi;
+        const double v_other = v - p;
+        const double v_error = p - (v - v_other) + (v_hi - v_other);
         const double v_whole = nearest(v);
         const double v_rest = v - v_whole;
         const double v_turns = v_rest + (p_error + v_error);
         const double v_square = v_turns * v_turns;
-        const double v_sign = alternating(p_whole + v_whole);
+        const double v_sign = alternating(v_whole);
         const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
         const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
         const double L = Lambda_rate_hi * t;
@@ -792,10 +839,10 @@ static void circular_state(const torque_free_circular *plan, size_t n, const dou
         const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); theta_form.P1_im */
         const double over = 1.0 / theta4_v; /* (10) */
         const double scale = sqrt(over); /* (1) */
-        const double q_0 = scale * (fused(row_0_P4_re, P4_re, row_0_P4_im * P4_im) + fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im)); /* (18), (37); attitude.q_0 */
-        const double q_a = scale * (fused(row_a_P4_re, P4_re, row_a_P4_im * P4_im) + fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im)); /* (18), (37); attitude.q_a */
-        const double q_b = scale * (fused(row_b_P4_re, P4_re, row_b_P4_im * P4_im) + fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im)); /* (18), (37); attitude.q_b */
-        const double q_d = scale * (fused(row_d_P4_re, P4_re, row_d_P4_im * P4_im) + fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im)); /* (18), (37); attitude.q_d */
+        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); attitude.q_0 */
+        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); attitude.q_a */
+        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); attitude.q_b */
+        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); attitude.q_d */
         const double Omega_a = gain_a * (theta3_v * over); /* (10); regular.Omega_a */
         const double Omega_b = gain_b * (theta1_v * over); /* (10); regular.Omega_b */
         const double Omega_d = gain_d * (theta2_v * over); /* (10); regular.Omega_d */
@@ -1017,7 +1064,7 @@ static void hyperbolic_angles(const torque_free_hyperbolic *plan, size_t n, cons
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
         const double p_y = y_rate_hi * t;
-        const double p_y_error = product_error(y_rate_hi, t, p_y) + (fused(y_rate_lo, t, y_rate_hi * t_lo) + y0_lo);
+        const double p_y_error = product_error(y_rate_hi, t, p_y) + fused(y_rate_lo, t, fused(y_rate_hi, t_lo, y0_lo));
         const double periods = nearest((p_y + y0_hi) * L_inverse);
         const double back = L_hi * periods;
         const double back_error = fused(L_lo, periods, product_error(L_hi, periods, back));
@@ -1031,8 +1078,8 @@ static void hyperbolic_angles(const torque_free_hyperbolic *plan, size_t n, cons
         const double side = choose(0.0, y, 1.0, -1.0);
         const double flip = alternating(periods); /* DLMF 20.2.1 */
         const double depth = fabs(2.0 * y);
-        const double w = exp(-depth); /* DLMF 20.2.2 */
-        const double p = exp(depth - L_far); /* DLMF 20.2.2 */
+        const double w = exponential(-depth); /* DLMF 20.2.2 */
+        const double p = exponential(depth - L_far); /* DLMF 20.2.2 */
         const double L = Lambda_rate_hi * t;
         const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo);
         const double L_whole = nearest(L);
@@ -1141,10 +1188,10 @@ static void hyperbolic_state(const torque_free_hyperbolic *plan, size_t n, const
         const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); theta_form.P1_im */
         const double over = 1.0 / theta2_y; /* (10) */
         const double scale = sqrt(over); /* (1) */
-        const double q_0 = scale * fused(flip, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im), fused(row_0_P4_re, P4_re, row_0_P4_im * P4_im)); /* (18), (37); attitude.q_0 */
-        const double q_a = scale * fused(flip, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im), fused(row_a_P4_re, P4_re, row_a_P4_im * P4_im)); /* (18), (37); attitude.q_a */
-        const double q_b = scale * fused(flip, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im), fused(row_b_P4_re, P4_re, row_b_P4_im * P4_im)); /* (18), (37); attitude.q_b */
-        const double q_d = scale * fused(flip, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im), fused(row_d_P4_re, P4_re, row_d_P4_im * P4_im)); /* (18), (37); attitude.q_d */
+        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, flip * fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); attitude.q_0 */
+        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, flip * fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); attitude.q_a */
+        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, flip * fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); attitude.q_b */
+        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, flip * fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); attitude.q_d */
         const double Omega_a = gain_a * (theta3_y * over); /* (10); regular.Omega_a */
         const double Omega_b = gain_b * (flip * theta1_y * over); /* (10); regular.Omega_b */
         const double Omega_d = gain_d * (flip * theta4_y * over); /* (10); regular.Omega_d */
@@ -1240,7 +1287,7 @@ static const double faintest = 0x1p-900;
 static const double thinnest = 0x1p-200;
 static const double farthest = 0x1p46;
 static const double fastest = 0x1p1020;
-enum { BLOCK = 192, GRID = 64 };
+enum { BLOCK = 64 };
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
@@ -1560,6 +1607,19 @@ static void block_angles(const torque_free_plan *plan, size_t n, const double *r
                           by_time[3], by_time[4], by_time[5]);
 }
 
+/* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
+static void fetch(const double *q, const double *omega)
+{
+#ifdef __GNUC__
+    for (size_t i = 0; i < 4 * BLOCK; i += 8)
+        __builtin_prefetch(q + i, 1);
+    for (size_t i = 0; i < 3 * BLOCK; i += 8)
+        __builtin_prefetch(omega + i, 1);
+#else
+    (void)q, (void)omega;
+#endif
+}
+
 /* A motion is at its start at t = 0, to the last bit. */
 static void at_start(const torque_free_plan *plan, double *q, double *omega)
 {
@@ -1582,6 +1642,8 @@ int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         (void)scaled_times(plan, count, t + i, inner, &zero);
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
         block_angles(plan, count, inner, rest, by_time);
         block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
@@ -1601,61 +1663,75 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
     }
 }
 
-/* Sines and cosines of both angles at the times k step, k = 0 ... GRID - 1, as from zero. */
+/* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
 static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
 {
     double t[BLOCK], t_lo[BLOCK];
     torque_free_plan from_zero = *plan;
     if (plan->branch == 1)
         from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
-    for (size_t k = 0; k < GRID; k++) {
+    for (size_t k = 0; k < BLOCK; k++) {
         const pair time = two_product((double)k, step);
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
-    block_angles(&from_zero, GRID, t, t_lo, table);
+    block_angles(&from_zero, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n grid times from number `first` on: by turning the values at every
-   GRID-th of them, but on the hyperbolic branch, where it is more than sines and cosines. */
+/* What changes with time at n times, every `stride`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
-                        size_t n, double (*restrict table)[BLOCK], double (*restrict by_time)[BLOCK])
+                        size_t stride, size_t n, double (*restrict by_time)[BLOCK])
 {
-    double t[BLOCK], t_lo[BLOCK], base[6][BLOCK];
-    const size_t every = plan->branch == 2 ? 1 : GRID, count = (n + every - 1) / every;
-    for (size_t i = 0; i < count; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+    double t[BLOCK], t_lo[BLOCK];
+    for (size_t i = 0; i < n; i++) {
+        const pair time = pair_add_xd(two_product((double)(first + i * stride), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    if (every == 1) {
-        block_angles(plan, n, t, t_lo, by_time);
-        return;
-    }
-    block_angles(plan, count, t, t_lo, base);
-    for (size_t i = 0; i < count; i++) {
-        const size_t at = i * every, rest = n - at < every ? n - at : every;
+    block_angles(plan, n, t, t_lo, by_time);
+}
+
+/* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
+   turned. */
+static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
+                        double (*restrict table)[BLOCK], double *restrict q, double *restrict omega)
+{
+    double base[6][BLOCK], by_time[6][BLOCK];
+    grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
         for (int s = 0; s < 2 * plan->branch + 2; s += 2)
-            turned(rest, base[s][i], base[s + 1][i], table[s], table[s + 1], by_time[s] + at,
-                   by_time[s + 1] + at);
+            turned(count, base[s][k], base[s + 1][k], table[s], table[s + 1], by_time[s], by_time[s + 1]);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
     }
 }
 
 int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
                                double *q, double *omega)
 {
-    double table[6][BLOCK], by_time[6][BLOCK];
+    double table[6][BLOCK];
     /* A single sample does not depend on the step, however large. */
     const double inner = plan->unit * start, inner_step = n > 1 ? plan->unit * step : 0.0;
     const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
+    /* On the hyperbolic branch what changes with time is more than sines and cosines. */
+    const int turns = plan->branch != 2;
+    const size_t most = turns ? BLOCK * BLOCK : BLOCK;
     if (!(fabs(inner) <= plan->farthest && fabs(last) <= plan->farthest))
         return TORQUE_FREE_TIME;
-    if (plan->branch != 2)
+    if (turns)
         grid_table(plan, inner_step, table);
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        grid_angles(plan, inner, inner_step, i, count, table, by_time);
-        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+    for (size_t i = 0; i < n; i += most) {
+        const size_t count = n - i < most ? n - i : most;
+        if (turns) {
+            grid_states(plan, inner, inner_step, i, count, table, q + 4 * i, omega + 3 * i);
+        } else {
+            if (n - i >= 2 * BLOCK)
+                fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+            grid_angles(plan, inner, inner_step, i, 1, count, table);
+            block_states(plan, count, table, q + 4 * i, omega + 3 * i);
+        }
     }
     if (!(start < 0.0 || start > 0.0))
         for (size_t i = 0; i < (is_zero(pair_of(step)) ? n : n > 0); i++)
@@ -1687,7 +1763,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "3ed2306fe97e7a9b326f50197e2c25f64ad5c7ad12c79789dbbc3fec63586950"; }
+const char *torque_free_digest(void) { return "3e01878de7cdfaac7b369b6e79a00341857ee5c17b58de64fdbb921c6fd2f05f"; }
 
 const char *torque_free_message(int code)
 {

@@ -9,7 +9,8 @@ import pytest
 import rigidsym
 from rigidsym import generate
 from rigidsym.codegen.c import emit, module
-from rigidsym.codegen.functions import constants, functions
+from rigidsym.codegen.functions import constants, finished, functions
+from rigidsym.codegen.kernels import exponential
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.seal import is_equal
 from rigidsym.solution import sealed
@@ -18,7 +19,7 @@ from rigidsym.solution.expression import Call, children, parse, rebuild
 HOME = Path(rigidsym.__path__[0]) / "generated"
 GENERATED = generate("c")
 SOURCE = GENERATED.files[module.SOURCE]
-FUNCTIONS = functions(sealed())
+FUNCTIONS = (*functions(sealed()), finished(exponential.function()))
 
 
 def test_the_committed_files_are_what_the_ledger_says():
@@ -29,7 +30,7 @@ def test_the_committed_files_are_what_the_ledger_says():
 def body(name):
     """The lines of a function between its braces."""
     found = re.search(
-        rf"^static \w+ {name}\([^)]*\)\n{{\n(.*?)^}}", SOURCE, re.DOTALL | re.MULTILINE
+        rf"^static (?:inline )?\w+ {name}\([^)]*\)\n{{\n(.*?)^}}", SOURCE, re.DOTALL | re.MULTILINE
     )
     assert found, name
     return found[1].splitlines()

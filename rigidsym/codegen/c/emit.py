@@ -20,8 +20,8 @@ from rigidsym.solution.expression import (
 )
 
 _VERBS = {"+": "add", "-": "sub", "*": "mul", "/": "div"}
-_DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exp"}
-_CALLED_BACK = {"fused": "fma", "fabs": "size"}
+_DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponential"}
+_CALLED_BACK = {"fused": "fma", "fabs": "size", "exponential": "exp"}
 
 
 def lowered(expression: Expression, extended: set[str], number: str) -> Expression:
@@ -135,6 +135,8 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
             parts += [_valued(every, number, f"excess_{number}") for number in ("pair", "exact")]
         elif function.rounds:
             parts.append(_plan(function))
+        elif len(function.parameters) == 1 and not function.extended:
+            parts.append(_valued(function, "double", function.name[1:], "inline double"))
         elif function.extended:
             parts.append(_extended_function(function))
         else:
@@ -176,9 +178,9 @@ def _head(kind: str, name: str, parameters: list[str], summary: str) -> list[str
     return [f"/* {summary} */", *f"static {kind} {name}({inside})".split("\n"), "{"]
 
 
-def _valued(function: Function, number: str, name: str) -> Lines:
+def _valued(function: Function, number: str, name: str, kind: str = "") -> Lines:
     parameters = [f"{number} {p}" for p in function.parameters]
-    head = _head(number, name, parameters, function.summary)
+    head = _head(kind or number, name, parameters, function.summary)
     return function_lines(function, number, head, [f"    return {function.results[0]};", "}", ""])
 
 

@@ -6,7 +6,7 @@ static const double faintest = 0x1p-900;
 static const double thinnest = 0x1p-200;
 static const double farthest = 0x1p46;
 static const double fastest = 0x1p1020;
-enum { BLOCK = 192, GRID = 64 };
+enum { BLOCK = 64 };
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
@@ -326,6 +326,19 @@ static void block_angles(const torque_free_plan *plan, size_t n, const double *r
                           by_time[3], by_time[4], by_time[5]);
 }
 
+/* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
+static void fetch(const double *q, const double *omega)
+{
+#ifdef __GNUC__
+    for (size_t i = 0; i < 4 * BLOCK; i += 8)
+        __builtin_prefetch(q + i, 1);
+    for (size_t i = 0; i < 3 * BLOCK; i += 8)
+        __builtin_prefetch(omega + i, 1);
+#else
+    (void)q, (void)omega;
+#endif
+}
+
 /* A motion is at its start at t = 0, to the last bit. */
 static void at_start(const torque_free_plan *plan, double *q, double *omega)
 {
@@ -348,6 +361,8 @@ int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         (void)scaled_times(plan, count, t + i, inner, &zero);
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
         block_angles(plan, count, inner, rest, by_time);
         block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
@@ -367,61 +382,75 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
     }
 }
 
-/* Sines and cosines of both angles at the times k step, k = 0 ... GRID - 1, as from zero. */
+/* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
 static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
 {
     double t[BLOCK], t_lo[BLOCK];
     torque_free_plan from_zero = *plan;
     if (plan->branch == 1)
         from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
-    for (size_t k = 0; k < GRID; k++) {
+    for (size_t k = 0; k < BLOCK; k++) {
         const pair time = two_product((double)k, step);
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
-    block_angles(&from_zero, GRID, t, t_lo, table);
+    block_angles(&from_zero, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n grid times from number `first` on: by turning the values at every
-   GRID-th of them, but on the hyperbolic branch, where it is more than sines and cosines. */
+/* What changes with time at n times, every `stride`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
-                        size_t n, double (*restrict table)[BLOCK], double (*restrict by_time)[BLOCK])
+                        size_t stride, size_t n, double (*restrict by_time)[BLOCK])
 {
-    double t[BLOCK], t_lo[BLOCK], base[6][BLOCK];
-    const size_t every = plan->branch == 2 ? 1 : GRID, count = (n + every - 1) / every;
-    for (size_t i = 0; i < count; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+    double t[BLOCK], t_lo[BLOCK];
+    for (size_t i = 0; i < n; i++) {
+        const pair time = pair_add_xd(two_product((double)(first + i * stride), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    if (every == 1) {
-        block_angles(plan, n, t, t_lo, by_time);
-        return;
-    }
-    block_angles(plan, count, t, t_lo, base);
-    for (size_t i = 0; i < count; i++) {
-        const size_t at = i * every, rest = n - at < every ? n - at : every;
+    block_angles(plan, n, t, t_lo, by_time);
+}
+
+/* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
+   turned. */
+static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
+                        double (*restrict table)[BLOCK], double *restrict q, double *restrict omega)
+{
+    double base[6][BLOCK], by_time[6][BLOCK];
+    grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
         for (int s = 0; s < 2 * plan->branch + 2; s += 2)
-            turned(rest, base[s][i], base[s + 1][i], table[s], table[s + 1], by_time[s] + at,
-                   by_time[s + 1] + at);
+            turned(count, base[s][k], base[s + 1][k], table[s], table[s + 1], by_time[s], by_time[s + 1]);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
     }
 }
 
 int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
                                double *q, double *omega)
 {
-    double table[6][BLOCK], by_time[6][BLOCK];
+    double table[6][BLOCK];
     /* A single sample does not depend on the step, however large. */
     const double inner = plan->unit * start, inner_step = n > 1 ? plan->unit * step : 0.0;
     const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
+    /* On the hyperbolic branch what changes with time is more than sines and cosines. */
+    const int turns = plan->branch != 2;
+    const size_t most = turns ? BLOCK * BLOCK : BLOCK;
     if (!(fabs(inner) <= plan->farthest && fabs(last) <= plan->farthest))
         return TORQUE_FREE_TIME;
-    if (plan->branch != 2)
+    if (turns)
         grid_table(plan, inner_step, table);
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        grid_angles(plan, inner, inner_step, i, count, table, by_time);
-        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+    for (size_t i = 0; i < n; i += most) {
+        const size_t count = n - i < most ? n - i : most;
+        if (turns) {
+            grid_states(plan, inner, inner_step, i, count, table, q + 4 * i, omega + 3 * i);
+        } else {
+            if (n - i >= 2 * BLOCK)
+                fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+            grid_angles(plan, inner, inner_step, i, 1, count, table);
+            block_states(plan, count, table, q + 4 * i, omega + 3 * i);
+        }
     }
     if (!(start < 0.0 || start > 0.0))
         for (size_t i = 0; i < (is_zero(pair_of(step)) ? n : n > 0); i++)

@@ -47,12 +47,32 @@ static inline double nearest(double x)
     return shifted - 6755399441055744.0;
 }
 
-/* (-1)^n for a whole number n. */
+/* Copies that compilers see through.  In n + 3 2^51 the last bits are those of the whole number n,
+   |n| < 2^51. */
+static inline uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static inline double from_bits(uint64_t bits)
+{
+    double x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* (-1)^n for a whole number n: its last bit becomes the sign of 1. */
 static inline double alternating(double n)
 {
-    const double half = 0.5 * n;
-    const double rest = half - nearest(half);
-    return 1.0 - 8.0 * (rest * rest);
+    return from_bits(UINT64_C(0x3ff0000000000000) | bits_of(n + 6755399441055744.0) << 63);
+}
+
+/* 2^n for a whole number n between -1022 and 1023, from its bits. */
+static inline double power_of_two(double n)
+{
+    return from_bits(bits_of(n + (6755399441055744.0 + 1023.0)) << 52);
 }
 
 /* one where x <= y, else other. */

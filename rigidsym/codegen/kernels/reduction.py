@@ -33,8 +33,9 @@ def product(
     name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
 ) -> list[Let]:
     """name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra; no of_lo unless `later`."""
-    small = f"{factor}_lo*{of}" + (f" + {factor}_hi*{of}_lo" if later else "")
-    small += f" + {extra}" if extra else ""
+    terms = [f"{factor}_lo*{of}", f"{factor}_hi*{of}_lo" if later else "", extra]
+    small = " + (".join(filter(None, terms))
+    small += ")" * small.count("(")
     return [
         let(f"{name} = {factor}_hi*{of}"),
         let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})"),

@@ -24,7 +24,7 @@ _THINNEST = 2.0**-200
 _FARTHEST = 2.0**46
 _FASTEST = 2.0**1020
 # States computed at a time: their intermediate arrays fit the cache.
-_BLOCK = 2048
+_BLOCK = 8192
 
 
 def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
@@ -231,8 +231,10 @@ def _fits(array, shape):
 def _check_times(plan, t):
     if t.size and plan["unit"].size:
         with np.errstate(over="ignore"):
-            inner = plan["unit"] * np.max(np.abs(t))
-        if not np.isfinite(np.max(np.abs(t))):
+            # No array as long as t is made for this.
+            latest = max(-np.min(t), np.max(t))
+            inner = plan["unit"] * latest
+        if not np.isfinite(latest):
             raise ValueError(
                 "t: times must be one finite number or a one-dimensional array of them"
             )

@@ -1,0 +1,65 @@
+"""Near-minimax polynomials, and proved bounds for how far they are from a power series."""
+
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from math import inf, nextafter
+from typing import Any
+
+import mpmath
+from flint import arb, arb_poly, ctx, fmpq
+
+DIGITS = 60
+_BITS = 300
+_PIECES = 64
+
+
+def interpolated(
+    function: Callable[[Any], Any], least: Fraction, most: Fraction, count: int
+) -> list[Any]:
+    """The coefficients of the polynomial through a function at Chebyshev's points, lowest first."""
+    middle, half = _number((least + most) / 2), _number((most - least) / 2)
+    rows, values = mpmath.matrix(count), mpmath.matrix(count, 1)
+    for k in range(count):
+        x = middle - half * mpmath.cos(mpmath.pi * (2 * k + 1) / (2 * count))
+        values[k] = function(x)
+        for j in range(count):
+            rows[k, j] = x**j
+    return list(mpmath.lu_solve(rows, values))
+
+
+def _number(value: Fraction) -> Any:
+    return mpmath.mpf(value.numerator) / value.denominator
+
+
+def distance(
+    terms: Sequence[float],
+    series: Callable[[int], arb],
+    least: Fraction,
+    most: Fraction,
+    *,
+    length: int = 30,
+    weight: Callable[[arb], arb] = abs,
+) -> float:
+    """A bound for weight(x) |sum terms_k x^k - sum series(k) x^k| over [least, most].
+
+    `weight` takes a ball of x.  Terms of the series fall by half at least from `length` on; the
+    rest is expanded about the middles of pieces, in balls.
+    """
+    with ctx.workprec(_BITS):
+        exact = [ball(Fraction(term)) for term in terms] + [arb(0)] * (length - len(terms))
+        difference = arb_poly([term - series(k) for k, term in enumerate(exact)])
+        width = (most - least) / _PIECES
+        worst = arb(0)
+        for piece in range(_PIECES):
+            middle, radius = ball(least + (piece + Fraction(1, 2)) * width), ball(width / 2)
+            shifted = difference(arb_poly([middle, 1]))
+            size = sum((abs(shifted[j]) * radius**j for j in range(length)), arb(0))
+            rest = 2 * abs(series(length)) * (abs(middle) + radius) ** length
+            around = middle + radius * arb(0, 1)
+            worst = max(worst, ((size + rest) * weight(around)).upper(), key=float)
+        return nextafter(float(worst.upper()), inf)
+
+
+def ball(value: Fraction) -> arb:
+    """A rational number as a ball."""
+    return arb(fmpq(value.numerator, value.denominator))
