@@ -1,0 +1,325 @@
+"""The generated modules beside the machine's bound, integrators and the paper's own formulas.
+
+    python tests/benchmarks/generated.py [ROUNDS]
+
+Needs gcc on x86-64 with glibc, and the extra `bench`.  One motion is the paper's, at random times
+in [0, 100] s.  What is compared takes turns, so that a busy minute of the machine spoils one round
+and not one figure; the fastest round counts.  van Zon and Schofield's code is not to be had.
+"""
+
+import ctypes
+import math
+import subprocess
+import sys
+import tempfile
+import tracemalloc
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+import rivals
+from mpmath import mp
+
+from rigidsym import TorqueFreeMotion, generated
+from rigidsym.generated import torque_free
+
+PAPER = rivals.Motion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
+NEAR = rivals.Motion((0.3, 0.5, 0.6), (0.01, 1.0, 0.02))
+SEPARATRIX = rivals.Motion((1.0, 2.0, 2.25), (0.75, 0.5, 1.0))
+SOURCE = Path(generated.__file__).with_name("torque_free.c")
+STRICT = ("-std=c99", "-O3", "-fno-math-errno")
+NATIVE = (*STRICT, "-march=native", "-mprefer-vector-width=512")
+# What the header speaks of, by what distinguishes it.
+BUILDS = {
+    "-O3 -march=native, 512 bits": NATIVE,
+    "-O3 -march=native": (*STRICT, "-march=native"),
+    "-O2 -march=native": (*STRICT, "-march=native", "-O2"),
+    "-O3 -march=x86-64-v3": (*STRICT, "-march=x86-64-v3"),
+    "-O3 -msse2": (*STRICT, "-march=x86-64"),
+}
+ENGINES = {"NumPy": "numpy", "C": "c"}
+BODIES, LATEST, SECONDS = 10_000, 10.0, 100.0
+Work = Callable[[], object]
+
+
+def main(rounds: int) -> int:
+    """Print every table; 1 where a goal is missed."""
+    tables = [
+        *(_states(size, rounds) for size in (10_000, 1_000_000)),
+        _bodies(rounds),
+        _small(rounds),
+        _builds(rounds),
+    ]
+    errors = [_errors("the paper's motion, 50 times in [0, 100] s", PAPER, 50)]
+    errors += [_errors("the separatrix, t = 100 s", SEPARATRIX, 1)]
+    met = [table.print() for table in [*tables, *errors]]
+    return int(not all(met))
+
+
+@dataclass
+class Table:
+    """Figures by name in a unit, and goals: a text, and whether it is met."""
+
+    title: str
+    figures: dict[str, float]
+    unit: str
+    goals: list[tuple[str, bool]] = field(default_factory=list)
+
+    def at_most(self, name: str, limit: float) -> None:
+        found = self.figures[name]
+        self.goals.append((f"{name}: {found:.3g} {self.unit}, at most {limit}", found <= limit))
+
+    def within(self, name: str, factor: float, other: str) -> None:
+        """The first takes at most so many times as long as the other."""
+        ratio = self.figures[name] / self.figures[other]
+        self.goals.append((f"{name}: {ratio:.2f} x {other}, at most {factor}", ratio <= factor))
+
+    def faster(self, name: str, factor: float, others: list[str]) -> None:
+        """The first is at least so many times as fast as the fastest of the others."""
+        other = min(others, key=self.figures.__getitem__)
+        ratio = self.figures[other] / self.figures[name]
+        self.goals.append((f"{other}: {ratio:.1f} x {name}, at least {factor}", ratio >= factor))
+
+    def print(self) -> bool:
+        """Whether every goal is met."""
+        print(f"\n{self.title}")
+        for name, figure in self.figures.items():
+            print(f"  {name:40}{figure:12.4g} {self.unit}")
+        for text, met in self.goals:
+            print(f"  {'met   ' if met else 'MISSED'} {text}")
+        return all(met for _, met in self.goals)
+
+
+def _best(works: dict[str, Work], rounds: int, per: int) -> dict[str, float]:
+    """Fastest nanoseconds of each over `per`, in turns; what takes a second takes two rounds."""
+    found = {name: _seconds(work, 1) for name, work in works.items()}
+    for k in range(rounds):
+        for name, work in works.items():
+            if k < 2 or found[name] < 0.5:
+                found[name] = min(found[name], _seconds(work, math.ceil(4e-3 / found[name])))
+    return {name: 1e9 * seconds / per for name, seconds in found.items()}
+
+
+def _seconds(work: Work, times: int) -> float:
+    """The mean of some runs in a row: each finds the caches as the one before left them."""
+    start = perf_counter()
+    for _ in range(times):
+        work()
+    return (perf_counter() - start) / times
+
+
+# The C module, by ctypes and not by the engine: in several builds, without Python in between.
+
+
+class CModule:
+    """The generated source as it is, compiled in a directory that is left to its caller."""
+
+    def __init__(self, directory: str, flags: tuple[str, ...] = NATIVE) -> None:
+        self.library = _compiled(SOURCE, directory, flags)
+
+    def plan(self, motion: rivals.Motion) -> ctypes.Array:
+        self.library.torque_free_plan_size.restype = ctypes.c_size_t
+        plan = ctypes.create_string_buffer(self.library.torque_free_plan_size())
+        start = motion.inertia, motion.omega0, (1.0, 0, 0, 0)
+        self.call("plan_init", plan, *map(np.array, start))()
+        return plan
+
+    def call(self, name: str, *arguments: object) -> Work:
+        """A call of torque_free_<name> with pointers to arrays, sizes and doubles."""
+        function, given = self.library[f"torque_free_{name}"], [_given(x) for x in arguments]
+
+        def run() -> None:
+            if function(*given):
+                raise ValueError(f"torque_free_{name}: refused")
+
+        # The arrays have to live as long as what points to them.
+        run.arrays = arguments
+        return run
+
+
+def _compiled(source: Path, directory: str, flags: tuple[str, ...]) -> ctypes.CDLL:
+    path = Path(directory, f"{source.stem}-{abs(hash(flags))}.so")
+    ends = "-shared", "-fPIC", str(source), "-o", str(path), "-lmvec", "-lm"
+    subprocess.run(["gcc", *flags, *ends], check=True)
+    return ctypes.CDLL(str(path))
+
+
+def _given(value: object) -> object:
+    if isinstance(value, np.ndarray):
+        return ctypes.c_void_p(value.ctypes.data)
+    if isinstance(value, int):
+        return ctypes.c_size_t(value)
+    return ctypes.c_double(value) if isinstance(value, float) else value
+
+
+def _bounds(directory: str, t: np.ndarray, out: rivals.States) -> dict[str, Work]:
+    """The machine's bound in both widths."""
+    source = Path(__file__).with_name("bound.c")
+    library = _compiled(source, directory, ("-O3", "-march=native"))
+    given = [_given(x) for x in (t.size, t, 0.3, 0.4, *out)]
+    return {
+        f"bound, {width} bits": lambda f=library[f"bound_{width}"]: f(*given)
+        for width in (256, 512)
+    }
+
+
+# The tables.
+
+
+def _states(size: int, rounds: int) -> Table:
+    """One body, N states into arrays that are there already."""
+    t = np.random.default_rng(size).uniform(0, SECONDS, size)
+    in_order = np.sort(t)
+    out = np.zeros((size, 4)), np.zeros((size, 3))
+    plan = torque_free.plan(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
+    with tempfile.TemporaryDirectory() as directory:
+        c = CModule(directory)
+        paper, near = c.plan(PAPER), c.plan(NEAR)
+        works = _bounds(directory, t, out) | {
+            "C": c.call("states_at", paper, size, t, *out),
+            "C, sorted": c.call("states_at", paper, size, in_order, *out),
+            "C, grid": c.call("states_on_grid", paper, 0.0, SECONDS / size, size, *out),
+            "C, hyperbolic branch": c.call("states_at", near, size, t, *out),
+            "NumPy": lambda: torque_free.states(plan, t, out),
+            "NumPy, sorted": lambda: torque_free.states(plan, in_order, out),
+        }
+        rest = {name: rival(PAPER, in_order) for name, rival in RIVALS.items()}
+        figures = _best(works | rest, rounds, size)
+    figures["bound"] = min(figures.pop(f"bound, {width} bits") for width in (256, 512))
+    return _judged(Table(f"{size} states of one body", figures, "ns a state"), size)
+
+
+def _judged(table: Table, size: int) -> Table:
+    small = size < 100_000
+    table.within("C", 2.0 if small else 2.4, "bound")
+    table.faster("C", 8 if small else 5.5, [name for name in FROM_START if "heyoka" in name])
+    table.within("NumPy", 1.2, "heyoka, propagate_grid")
+    table.faster("C", 300, ["SciPy, DOP853"])
+    table.faster("NumPy", 4, ["SciPy, the paper's formulas"])
+    return table
+
+
+RIVALS = {
+    "heyoka, propagate_grid": rivals.heyoka_grid,
+    "heyoka, continuous output": rivals.heyoka_dense,
+    "heyoka, propagate_grid in lanes": rivals.heyoka_lanes_grid,
+    "heyoka, continuous output in lanes": rivals.heyoka_lanes_dense,
+    "heyoka, evaluation alone": rivals.heyoka_evaluation,
+    "SciPy, DOP853": rivals.dop853,
+    "SciPy, the paper's formulas": rivals.paper,
+}
+FROM_START = [name for name in RIVALS if name != "heyoka, evaluation alone"]
+
+
+def _bodies(rounds: int) -> Table:
+    """Many bodies, one time for all of them."""
+    random = np.random.default_rng(0)
+    # Moments of real bodies: sums of two of three positive numbers.
+    parts = random.uniform(0.1, 1.0, (BODIES, 3))
+    inertia = np.ascontiguousarray(parts.sum(axis=1, keepdims=True) - parts)
+    omega0, start = random.normal(size=(BODIES, 3)), np.tile([1.0, 0, 0, 0], (BODIES, 1))
+    t, out = np.array([LATEST]), (np.empty((BODIES, 1, 4)), np.empty((BODIES, 1, 3)))
+    failed = ctypes.c_size_t()
+    with tempfile.TemporaryDirectory() as directory:
+        c = CModule(directory)
+        given = (BODIES, inertia, omega0, start, 1, t, *out, ctypes.byref(failed))
+        works = {
+            "C": c.call("propagate", *given),
+            "NumPy": lambda: torque_free.states(torque_free.plan(inertia, omega0, start), t, out),
+            "heyoka, eight bodies at once": rivals.heyoka_bodies(inertia, omega0, LATEST),
+        }
+        figures = {name: x / 1000 for name, x in _best(works, rounds, BODIES).items()}
+    table = Table(f"{BODIES} bodies, one state each at t = {LATEST:g} s", figures, "us a body")
+    table.at_most("C", 3)
+    table.faster("C", 20, ["heyoka, eight bodies at once"])
+    table.at_most("NumPy", 20)
+    return table
+
+
+def _small(rounds: int) -> Table:
+    """One state by a call in Python, and the memory that many take."""
+    repeated = 200
+
+    def calls(engine: str) -> Work:
+        motion = TorqueFreeMotion(PAPER.inertia, PAPER.omega0, engine=engine)
+        return lambda: [motion(0.1) for _ in range(repeated)]
+
+    works = {f"{name}, motion(0.1)": calls(engine) for name, engine in ENGINES.items()}
+    figures = {name: x / 1000 for name, x in _best(works, rounds, repeated).items()}
+    table = Table("one state by a call in Python", figures, "us")
+    for name in figures:
+        table.at_most(name, 15)
+    size, most = 10_000_000, 64
+    used = _memory(size)
+    text = f"NumPy, {size} states: {used:.1f} MB beyond them, at most {most}"
+    table.goals.append((text, used <= most))
+    return table
+
+
+def _memory(size: int) -> float:
+    """Megabytes beyond the output at the worst moment, as NumPy reports them to tracemalloc."""
+    plan = torque_free.plan(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
+    t, out = np.linspace(0, SECONDS, size), (np.empty((size, 4)), np.empty((size, 3)))
+    tracemalloc.start()
+    torque_free.states(plan, t, out)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    return peak / 1e6
+
+
+def _builds(rounds: int, size: int = 10_000) -> Table:
+    """The same source for different machines."""
+    t = np.random.default_rng(1).uniform(0, SECONDS, size)
+    out = np.zeros((size, 4)), np.zeros((size, 3))
+    with tempfile.TemporaryDirectory() as directory:
+        works = {}
+        for name, flags in BUILDS.items():
+            c = CModule(directory, flags)
+            for motion, branch in ((PAPER, ""), (NEAR, "; hyperbolic")):
+                works[name + branch] = c.call("states_at", c.plan(motion), size, t, *out)
+        return Table("one source, several builds", _best(works, rounds, size), "ns a state")
+
+
+def _errors(title: str, motion: rivals.Motion, count: int) -> Table:
+    """The worst error of the rotation angle in rad, against certain digits."""
+    t = np.sort(np.random.default_rng(7).uniform(0, SECONDS, 8000))
+    t[-1] = SECONDS
+    chosen = np.linspace(0, t.size - 1, count, dtype=int) if count > 1 else np.array([t.size - 1])
+    exact = TorqueFreeMotion(motion.inertia, motion.omega0).precise(t[chosen].tolist(), 30)[0]
+    figures = {name: _worst(q[chosen], exact) for name, q in _attitudes(motion, t).items()}
+    table = Table(f"rotation angle, {title}", figures, "rad")
+    ours = max(figures["C"], figures["NumPy"])
+    for name in RIVALS:
+        ratio = figures[name] / ours
+        table.goals.append((f"{name}: {ratio:.3g} times our error, more than 1", not ratio <= 1))
+    return table
+
+
+def _attitudes(motion: rivals.Motion, t: np.ndarray) -> dict[str, np.ndarray]:
+    """By name, every attitude (N, 4) that is to be compared."""
+    out = np.zeros((t.size, 4)), np.zeros((t.size, 3))
+    with tempfile.TemporaryDirectory() as directory:
+        c = CModule(directory)
+        c.call("states_at", c.plan(motion), t.size, t, *out)()
+    plan = torque_free.plan(motion.inertia, motion.omega0, (1.0, 0, 0, 0))
+    ours = {"C": out[0], "NumPy": torque_free.states(plan, t)[0]}
+    return ours | {n: rival(motion, t)()[0].reshape(-1, 4) for n, rival in RIVALS.items()}
+
+
+def _worst(found: np.ndarray, exact: np.ndarray) -> float:
+    """Twice the distance of quaternions, either sign of one; NaN where one is no number."""
+    if not np.all(np.isfinite(found)):
+        return math.nan
+    with mp.workdps(40):
+        pairs = zip(found.tolist(), exact, strict=True)
+        return max(float(2 * min(_distance(q, e, 1), _distance(q, e, -1))) for q, e in pairs)
+
+
+def _distance(q: list[float], exact: np.ndarray, sign: int) -> object:
+    return mp.sqrt(sum((x - sign * y) ** 2 for x, y in zip(q, exact, strict=True)))
+
+
+if __name__ == "__main__":
+    sys.exit(main(int(sys.argv[1]) if len(sys.argv) > 1 else 30))

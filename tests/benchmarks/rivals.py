@@ -1,0 +1,263 @@
+"""Other ways to the same states, each at the best that we found for it.
+
+A rival is given sorted times and returns what to run: from the start of the motion to q (N, 4) and
+omega (N, 3).  Its compilation, where it has one, is over by then.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.special import ellipj, ellipkinc, elliprf, elliprj
+
+States = tuple[np.ndarray, np.ndarray]
+Run = Callable[[], States]
+LANES = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    inertia: tuple[float, float, float]
+    omega0: tuple[float, float, float]
+
+    @property
+    def start(self) -> np.ndarray:
+        """The identity as attitude, and the rates."""
+        return np.array([1.0, 0, 0, 0, *self.omega0])
+
+
+def rates(y, c):
+    """The right sides of (3) and (5); c are numbers, or heyoka's parameters."""
+    q0, q1, q2, q3, *w = y
+    return [
+        -0.5 * (q1 * w[0] + q2 * w[1] + q3 * w[2]),
+        0.5 * (q0 * w[0] + q2 * w[2] - q3 * w[1]),
+        0.5 * (q0 * w[1] + q3 * w[0] - q1 * w[2]),
+        0.5 * (q0 * w[2] + q1 * w[1] - q2 * w[0]),
+        *((c[k - 2] - c[k - 1]) / c[k] * w[k - 2] * w[k - 1] for k in range(3)),
+    ]
+
+
+def _split(y: np.ndarray) -> States:
+    return y[:, :4], y[:, 4:]
+
+
+# heyoka: Taylor's method of order 20, compiled for the machine.
+
+
+@cache
+def _system(inertia):
+    import heyoka as hy
+
+    names = hy.make_vars("q0", "q1", "q2", "q3", "w1", "w2", "w3")
+    return list(zip(names, rates(names, inertia), strict=True))
+
+
+@cache
+def _integrator(inertia):
+    import heyoka as hy
+
+    return hy.taylor_adaptive(_system(inertia), [1.0] + [0.0] * 6, tol=1e-16)
+
+
+@cache
+def _lanes(inertia):
+    import heyoka as hy
+
+    start = np.zeros((7, LANES))
+    start[0] = 1
+    return hy.taylor_adaptive_batch(_system(inertia), start, tol=1e-16)
+
+
+def _started(motion: Motion):
+    integrator = _integrator(motion.inertia)
+    integrator.time = 0.0
+    integrator.state[:] = motion.start
+    return integrator
+
+
+def heyoka_grid(motion: Motion, t: np.ndarray) -> Run:
+    """`propagate_grid`; the grid has to begin where the integrator is."""
+    grid = np.concatenate(([0.0], t))
+    return lambda: _split(_started(motion).propagate_grid(grid)[-1][1:])
+
+
+def heyoka_dense(motion: Motion, t: np.ndarray) -> Run:
+    """Continuous output, which is compiled anew in each call, evaluated at all times at once."""
+    return lambda: _split(_started(motion).propagate_until(t[-1], c_output=True)[4](t))
+
+
+def _in_lanes(motion: Motion, t: np.ndarray):
+    """Each lane follows its share of the times, from a state that one pass before has found."""
+    columns = np.ascontiguousarray(t[: t.size // LANES * LANES].reshape(LANES, -1).T)
+    integrator = _lanes(motion.inertia)
+
+    def begin():
+        heads = np.concatenate(([0.0], columns[0]))
+        integrator.set_time(columns[0].copy())
+        integrator.state[:] = _started(motion).propagate_grid(heads)[-1][1:].T
+        return integrator
+
+    return columns, begin
+
+
+def _gathered(found: np.ndarray) -> States:
+    """(N/LANES, 7, LANES), as the lanes leave it: views in the order of the times."""
+    rows = found.transpose(2, 0, 1)
+    return rows[..., :4], rows[..., 4:]
+
+
+def heyoka_lanes_grid(motion: Motion, t: np.ndarray) -> Run:
+    """`propagate_grid` in lanes."""
+    columns, begin = _in_lanes(motion, t)
+    return lambda: _gathered(begin().propagate_grid(columns)[1])
+
+
+def heyoka_lanes_dense(motion: Motion, t: np.ndarray) -> Run:
+    """Continuous output in lanes."""
+    columns, begin = _in_lanes(motion, t)
+    return lambda: _gathered(begin().propagate_until(columns[-1].copy(), c_output=True)[0](columns))
+
+
+def heyoka_evaluation(motion: Motion, t: np.ndarray) -> Run:
+    """Only the evaluation of continuous output in lanes: it has been made before."""
+    columns, begin = _in_lanes(motion, t)
+    output = begin().propagate_until(columns[-1].copy(), c_output=True)[0]
+    return lambda: _gathered(output(columns))
+
+
+def heyoka_bodies(inertia: np.ndarray, omega0: np.ndarray, time: float) -> Run:
+    """Many bodies, LANES at once, to one time; the moments are parameters."""
+    import heyoka as hy
+
+    integrator = hy.taylor_adaptive_batch(
+        _system(tuple(hy.par[k] for k in range(3))),
+        np.zeros((7, LANES)),
+        tol=1e-16,
+        pars=np.ones((3, LANES)),
+    )
+    moments, starts = _columns(inertia), _columns(omega0)
+
+    def run():
+        found = np.empty((len(starts), 7, LANES))
+        for k, (moment, start) in enumerate(zip(moments, starts, strict=True)):
+            integrator.set_time(0.0)
+            integrator.pars[:] = moment
+            integrator.state[:4] = [[1.0], [0], [0], [0]]
+            integrator.state[4:] = start
+            integrator.propagate_until(time)
+            found[k] = integrator.state
+        return _split(found.transpose(0, 2, 1).reshape(-1, 7))
+
+    return run
+
+
+def _columns(rows: np.ndarray) -> np.ndarray:
+    return np.ascontiguousarray(rows.reshape(-1, LANES, 3).transpose(0, 2, 1))
+
+
+# SciPy: Dormand and Prince's method of order 8, and the paper's formulas.
+
+
+def dop853(motion: Motion, t: np.ndarray) -> Run:
+    """`solve_ivp` at 1e-12; `t_eval` evaluates its dense output."""
+
+    def run():
+        found = solve_ivp(
+            lambda _, y: rates(y, motion.inertia),
+            (0.0, float(t[-1])),
+            motion.start,
+            "DOP853",
+            t,
+            rtol=1e-12,
+            atol=1e-12,
+        )
+        return _split(found.y.T)
+
+    return run
+
+
+def paper(motion: Motion, t: np.ndarray) -> Run:
+    """(10) and (18) to (21) as mended."""
+    return lambda: Paper(motion).states(t)
+
+
+class Paper:
+    """The paper's solution in its own names, for i = 1 the middle axis and 3 that of circulation.
+
+    Written for what is measured here: those axes in a right-handed order, and Omega_3 > 0.
+    """
+
+    def __init__(self, motion: Motion) -> None:
+        c, w = np.array(motion.inertia), np.array(motion.omega0)
+        self.axes = _axes(c, w)
+        (c1, c2, c3), (w1, w2, _) = c[self.axes], w[self.axes]
+        H, K2 = np.sum(c * w**2) / 2, np.sum((c * w) ** 2)
+        e_2, e_3 = K2 - 2 * H * c2, 2 * H * c3 - K2
+        s_1 = e_3 / (c1 * (c3 - c1))
+        self.c, self.K = (c1, c2, c3), np.sqrt(K2)
+        squares = s_1, e_3 / (c2 * (c3 - c2)), e_2 / (c3 * (c3 - c2))
+        self.amplitudes = np.sqrt(squares)
+        self.m = e_3 * (c2 - c1) / (e_2 * (c1 - c3))
+        self.n = c1**2 * s_1 / K2
+        self.sign = np.sign(w2)
+        # The sign of the rate of f, by Euler's equation for Omega_1.
+        self.rate = np.sqrt((c3 - c1) * e_2 / (c1 * c2 * c3)) * self.sign * np.sign(c2 - c3)
+        self.kappa = (2 * H * c1 - K2) / (self.K * c1 * self.rate)
+        self.C1 = ellipkinc(np.arcsin(w1 / self.amplitudes[0]), self.m)
+
+    def states(self, t: np.ndarray) -> States:
+        """The attitude is the identity at t = 0: what is there in front is undone."""
+        turned, omega = self._oriented(t)
+        first, _ = self._oriented(np.zeros(1))
+        q = np.empty_like(turned)
+        q[:, np.append(0, 1 + self.axes)] = _product(first[0] * [1, -1, -1, -1], turned)
+        return q, omega
+
+    def _oriented(self, t: np.ndarray) -> States:
+        """(18), where angular momentum lies along axis 1, and the rates."""
+        sn, cn, dn, theta = ellipj(self.rate * t + self.C1, self.m)
+        A1, A2, A3 = self.amplitudes
+        w = A1 * sn, self.sign * A2 * cn, A3 * dn
+        phi1 = self.K / self.c[0] * t + self.kappa * self._third_kind(theta)
+        x, y = self.c[0] * w[0] / self.K, self.c[1] * w[1] / (self.c[2] * w[2])
+        F1, F2 = np.sqrt((1 + x) / 2), np.sqrt((1 - x) / 2)
+        y_star = y / (1 + np.sqrt(1 + y * y))
+        F3 = 1 / np.sqrt(1 + y_star**2)
+        F4, cos, sin = y_star * F3, np.cos(phi1 / 2), np.sin(phi1 / 2)
+        parts = F1 * (cos * F3 - sin * F4), F1 * (sin * F3 + cos * F4)
+        parts += F2 * (cos * F3 + sin * F4), F2 * (sin * F3 - cos * F4)
+        omega = np.empty((t.size, 3))
+        omega[:, self.axes] = np.stack(w, axis=-1)
+        return np.stack(parts, axis=-1), omega
+
+    def _third_kind(self, theta: np.ndarray) -> np.ndarray:
+        """Pi(n; theta | m), whole half turns apart."""
+        turns = np.rint(theta / np.pi)
+        # On the separatrix the complete integral is infinite, and theta stays within a half turn.
+        whole = self._within(np.array(np.pi / 2)) if np.any(turns) else 0.0
+        return 2 * turns * whole + self._within(theta - turns * np.pi)
+
+    def _within(self, phi: np.ndarray) -> np.ndarray:
+        """Pi(n; phi | m) for |phi| <= pi/2 by Carlson's integrals (DLMF 19.25.14)."""
+        s, c = np.sin(phi), np.cos(phi)
+        x, y, p = c * c, 1 - self.m * s * s, 1 - self.n * s * s
+        return s * elliprf(x, y, 1.0) + self.n / 3 * s**3 * elliprj(x, y, 1.0, p)
+
+
+def _axes(c: np.ndarray, w: np.ndarray) -> np.ndarray:
+    """The middle axis, the third one, and that of circulation; on the separatrix the least."""
+    low, middle, high = np.argsort(c)
+    third = high if np.sum(c * (c - c[middle]) * w**2) > 0 else low
+    return np.array([middle, low + high - third, third])
+
+
+def _product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """The quaternion product, scalar first, of one and many."""
+    a, b, c, d = p
+    e, f, g, h = q.T
+    parts = a * e - b * f - c * g - d * h, a * f + b * e + c * h - d * g
+    parts += a * g - b * h + c * e + d * f, a * h + b * g - c * f + d * e
+    return np.stack(parts, axis=-1)
