@@ -1,6 +1,6 @@
 """Torque-free motion of a rigid body: the public class, on the generated NumPy module."""
 
-import math
+import sys
 from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import cached_property
@@ -68,7 +68,7 @@ class TorqueFreeMotion:
         than binary64 can follow; `precise` follows both.
         """
         plan = self._plan
-        times = t if type(t) is float and math.isfinite(t) else _times(t)
+        times = float(t) if _is_one_double(t) else _times(t)
         return _refusing(lambda: self._engine.states(plan, times, out), t=times)
 
     @cached_property
@@ -200,22 +200,32 @@ def _refusing(compute: Callable[[], Any], **given: Any) -> Any:
     except InputError:
         raise
     except ValueError as error:
-        field, rule = str(error).split(": ", 1)
-        raise InputError(field, _brief(field, given), rule) from None
+        field, colon, rule = str(error).partition(": ")
+        if not colon:
+            raise
+        body = getattr(error, "body", None)
+        raise InputError(*_named(field, given, body), rule) from None
 
 
-def _brief(field: str, given: dict[str, Any]) -> Any:
-    """The value of a field as far as one line takes it."""
+def _named(field: str, given: dict[str, Any], body: int | None) -> tuple[str, Any]:
+    """A field, with the index of the body in a batch, and its value as one line takes it."""
     if field == "t":
-        times = np.asarray(given["t"])
-        return f"up to {np.max(np.abs(times))}"
-    if field == "out":
-        return "the arrays given"
-    value = given.get(field)
-    if isinstance(value, list):
-        return value
-    shapes = (str(np.shape(array)) for name, array in given.items() if name != "t")
-    return f"arrays of shapes {', '.join(shapes)}"
+        return field, f"up to {np.max(np.abs(given['t']))}"
+    if field not in given:
+        return field, "as given"
+    value = given[field]
+    if body is None or np.ndim(value) < 2:
+        return field, value if np.ndim(value) < 2 else f"an array of shape {np.shape(value)}"
+    shapes = [np.shape(array)[:-1] for name, array in given.items() if name != "t"]
+    index = np.unravel_index(body, np.broadcast_shapes(*shapes))
+    rows = np.broadcast_to(value, (*np.broadcast_shapes(*shapes), np.shape(value)[-1]))
+    return f"{field}[{', '.join(map(str, index))}]", rows[index]
+
+
+def _is_one_double(t: Any) -> bool:
+    """A finite number that needs no array on its way."""
+    is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
+    return is_number and abs(t) <= sys.float_info.max
 
 
 def _array(name: str, value: Any) -> np.ndarray:
@@ -224,11 +234,12 @@ def _array(name: str, value: Any) -> np.ndarray:
         given = np.asarray(value)
         if given.dtype.kind in "bmMc" or value is None:
             raise TypeError(given.dtype)
-        array = given.astype(float)
+        array = given.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
         raise InputError(name, repr(value), "must be an array of numbers") from None
-    for place in np.argwhere(~np.isfinite(array))[:1]:
-        _refuse(name, array, place, "must be finite")
+    # The extremes tell, without another array of that size; NaN comes through both.
+    if array.size and not np.isfinite([np.min(array), np.max(array)]).all():
+        _refuse(name, array, np.argwhere(~np.isfinite(array))[0], "must be finite")
     return array
 
 

@@ -46,7 +46,7 @@ def generate(target: str, solution: Solution | None = None) -> Generated:
 
     Raises InputError (a ValueError) for an unknown target.
     """
-    if target not in TARGETS:
+    if not isinstance(target, str) or target not in TARGETS:
         raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
     module = TARGETS[target](functions(solution or sealed()), constants())
     digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}

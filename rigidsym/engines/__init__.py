@@ -1,6 +1,7 @@
 """Engines: what turns plans and times into states, by NumPy or by C compiled on this machine.
 
-Both follow one protocol and give states that agree within the errors both are measured to have.
+Both follow one protocol, and their states at given times agree within the errors they are measured
+to have.
 """
 
 from rigidsym.engines.choice import ENGINES, checked, engine, exactly

@@ -19,6 +19,13 @@ def times(t: Any) -> np.ndarray:
     return in_one_piece(array)
 
 
+def count(value: int) -> int:
+    """How many samples a grid has."""
+    if value < 0:
+        raise EngineError("count", f"must not be negative, {value} is")
+    return value
+
+
 def in_one_piece(array: np.ndarray) -> np.ndarray:
     """The array or a copy, contiguous and aligned as C has them."""
     whole = array.flags.c_contiguous and array.flags.aligned
@@ -61,7 +68,7 @@ def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:
-    if not isinstance(array, np.ndarray):
+    if type(array) is not np.ndarray:
         raise EngineError("out", f"{name} is a {type(array).__name__}: must be an array")
     if array.dtype != np.float64 or array.shape != shape:
         found = f"{array.dtype} of shape {array.shape}"

@@ -107,7 +107,7 @@ class CEngine:
         self, plan: Plan, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
         """See `Engine`."""
-        q, omega = arrays.outputs(out, (count,))
+        q, omega = arrays.outputs(out, (arrays.count(count),))
         places = q.ctypes.data, omega.ctypes.data
         if code := self._library.states_on_grid(plan, start, step, count, *places):
             raise _refused(code, {"t": np.array([start, step])})

@@ -40,7 +40,11 @@ class Compiler:
 
 def find() -> Compiler:
     """The compiler that $CC names, else the first of cc, gcc and clang on the path."""
-    named = shlex.split(os.environ.get("CC", ""))
+    given = os.environ.get("CC", "")
+    try:
+        named = shlex.split(given)
+    except ValueError as error:
+        raise CompilerError(f"CC={given} cannot be read ({error})") from None
     for name in named[:1] or NAMES:
         if path := shutil.which(name):
             command = (path, *named[1:])

@@ -14,7 +14,9 @@ from rigidsym.errors import InputError
 from rigidsym.solution.polhode import excess
 
 Pair = tuple[float, float]
+# As in the frames of the numeric modules.
 _FAINTEST = Fraction(1, 2**900)
+_THINNEST = Fraction(1, 2**200)
 
 
 class ExactPairs(NamedTuple):
@@ -31,15 +33,20 @@ def exact_pairs(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
 ) -> ExactPairs:
     """Scale by powers of two and round to pairs; raises InputError for what is out of range."""
-    moments, _ = _over_power_of_two("inertia", inertia)
-    rates, unit = _over_power_of_two("omega0", omega0)
-    quaternion, _ = _over_power_of_two("attitude0", attitude0)
+    moments, _ = _over_power_of_two(inertia)
+    rates, exponent = _over_power_of_two(omega0)
+    quaternion, _ = _over_power_of_two(attitude0)
+    if min(moments) < _THINNEST:
+        rule = "principal moments differ by more than binary64 can follow"
+        raise InputError("inertia", inputs.shown(inertia), rule)
+    if not -1074 <= exponent <= 1020:
+        raise InputError("omega0", inputs.shown(omega0), "is beyond the range of binary64")
     decides = excess(_distinguished(moments), rates)
-    if 0 < abs(decides) < _FAINTEST:
+    if len(set(moments)) == 3 and 0 < abs(decides) < _FAINTEST:
         rule = "nearer to the separatrix than binary64 can follow"
         raise InputError("omega0", inputs.shown(omega0), rule)
     pairs = ([pair(value) for value in values] for values in (moments, rates, quaternion))
-    return ExactPairs(*pairs, pair(decides), unit)
+    return ExactPairs(*pairs, pair(decides), 2.0**exponent)
 
 
 def pair(value: Fraction) -> Pair:
@@ -61,12 +68,10 @@ def _distinguished(moments: Sequence[Fraction]) -> Sequence[Fraction]:
     return rounded if len(set(rounded)) < len(set(moments)) else moments
 
 
-def _over_power_of_two(
-    field: str, values: Sequence[Fraction]
-) -> tuple[tuple[Fraction, ...], float]:
-    """The values over a power of two near the largest, and that power as a double."""
+def _over_power_of_two(values: Sequence[Fraction]) -> tuple[tuple[Fraction, ...], int]:
+    """The values over the power of two that brings the largest into [1, 2), and its exponent."""
     largest = max(map(abs, values))
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length() if largest else 0
-    if abs(exponent) > 1000:
-        raise InputError(field, inputs.shown(values), "is beyond the range of binary64")
-    return tuple(value / Fraction(2) ** exponent for value in values), 2.0**exponent
+    if largest and largest < Fraction(2) ** exponent:
+        exponent -= 1
+    return tuple(value / Fraction(2) ** exponent for value in values), exponent

@@ -47,8 +47,8 @@ class NumpyEngine:
         count: int,
         out: Outputs = None,
     ) -> States:
-        """See `Engine`."""
-        return self.states(plan, start + step * np.arange(count), out)
+        """See `Engine`; at the doubles nearest to these times."""
+        return self.states(plan, start + step * np.arange(arrays.count(count)), out)
 
     def propagate(
         self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None

@@ -44,7 +44,10 @@ class Engine(Protocol):
         ...
 
     def grid(self, plan: Any, start: float, step: float, count: int, out: Outputs = None) -> States:
-        """(q, omega), (count, 4) and (count, 3), at the times start + k step."""
+        """(q, omega), (count, 4) and (count, 3), at the times start + k step.
+
+        C takes these times exactly, NumPy the doubles nearest to them.
+        """
         ...
 
     def propagate(

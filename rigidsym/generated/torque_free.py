@@ -25,7 +25,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 emitter numpy/2
-digest 846203e5c8cd526e52b933eac4d40905d4792adae06e00a3f9557eaf83948c2f
+digest b6e4f4fcdb912042701d607a6ad0dd762cd525eca47a0dc368cc2f8fd71db9a9
 """
 
 # ruff: noqa
@@ -901,6 +901,14 @@ _FASTEST = 2.0**1020
 _BLOCK = 8192
 
 
+class _RefusedError(ValueError):
+    """What a body is refused for; `body` is its number, counted through the leading axes."""
+
+    def __init__(self, message, body):
+        super().__init__(message)
+        self.body = body
+
+
 def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
     """Constants of free motions, for `states`.
 
@@ -985,7 +993,8 @@ def _add_moving(made, index, c, omega, q, excess):
             given = known if np.all(chosen) else {n: x[some] for n, x in known.items()}
             constants = _filled(_called(BRANCHES[name], given), some.size)
             _limit(made, index[some], constants, BRANCHES[name]["fast"])
-            _check_rates(constants, [given[f"A_{x}"].hi * given["unit"] for x in "abd"])
+            amplitudes = [given[f"A_{x}"].hi * given["unit"] for x in "abd"]
+            _check_rates(constants, amplitudes, index[some])
             made["groups"].append((name, index[some], constants))
 
 
@@ -995,11 +1004,12 @@ def _limit(made, index, constants, fast):
     made["farthest"][index] = _FARTHEST * 16 / np.maximum(16, largest)
 
 
-def _check_rates(constants, amplitudes):
+def _check_rates(constants, amplitudes, bodies):
     """Refuse what doubles do not hold, rates up to their amplitudes."""
-    finite = all(np.all(np.isfinite(x)) for x in constants.values())
-    if not finite or not np.all(np.array(amplitudes) <= _FASTEST):
-        raise ValueError("omega0: rates beyond what binary64 can hold")
+    held = np.all([np.isfinite(x) for x in constants.values()], axis=0)
+    for amplitude in amplitudes:
+        held = held & (amplitude <= _FASTEST)
+    _refuse("omega0", "rates beyond what binary64 can hold", ~held, bodies)
 
 
 def _called(entry, known):
@@ -1167,7 +1177,7 @@ def _check(inertia, omega0, attitude0):
             raise ValueError(f"{name}: every number must be finite")
     if np.any(inertia <= 0):
         raise ValueError("inertia: principal moments must be positive")
-    if np.any(np.min(inertia, axis=-1) < _THINNEST * np.max(inertia, axis=-1)):
+    if np.any(np.min(_scaled(inertia)[0], axis=-1) < _THINNEST):
         raise ValueError("inertia: principal moments differ by more than binary64 can follow")
     if not np.all(np.any(attitude0 != 0, axis=-1)):
         raise ValueError("attitude0: a zero quaternion is no attitude")
@@ -1182,6 +1192,13 @@ def _batch(inertia, omega0, attitude0):
         raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
 
 
+def _refuse(field, rule, bad, bodies):
+    """Raise an error where something is bad, with the number of the first such body."""
+    found = bodies[np.broadcast_to(bad, bodies.shape)]
+    if found.size:
+        raise _RefusedError(f"{field}: {rule}", int(found[0]))
+
+
 def _check_distance(c, axes, omega, given, excess):
     """Refuse what binary64 cannot tell from the separatrix or from spin about the middle axis.
 
@@ -1191,8 +1208,8 @@ def _check_distance(c, axes, omega, given, excess):
     kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
     lost = np.any((kept == 0) & (before != 0), -1) & np.all(np.abs(kept) < _DECISIVE, -1)
     faint = (excess.hi != 0) & (np.abs(excess.hi) < _FAINTEST)
-    if np.any(distinct & (lost | faint)):
-        raise ValueError("omega0: nearer to the separatrix than binary64 can follow")
+    rule = "nearer to the separatrix than binary64 can follow"
+    _refuse("omega0", rule, distinct & (lost | faint), np.arange(len(lost)))
 
 
 def _scaled(x):

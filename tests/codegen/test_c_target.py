@@ -277,6 +277,34 @@ def test_a_grid_of_one_sample_does_not_ask_its_step(built):
     assert np.array_equal(found, built.grid(plan, 2.0, 0.25, 1)[1])
 
 
+@pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
+def test_a_grid_that_passes_zero_is_at_its_start_there(omega0, any_library):
+    _, plan = any_library.plan((1.0, 2.0, 2.25), omega0, (3.0, 0, -4.0, 0))
+    expected = [0.6, 0, -0.8, 0, *omega0]
+    for start, step, at in ((-1.0, 0.5, [2]), (6.25, -0.125, [50]), (0.0, 1.0, [0])):
+        found = any_library.grid(plan, start, step, 100)[1]
+        assert [k for k in range(100) if found[k].tolist() == expected] == at
+    assert any_library.grid(plan, 0.0, 0.0, 3)[1].tolist() == [expected] * 3
+
+
+@pytest.mark.parametrize(
+    ("code", "inertia", "omega0", "unit"),
+    [
+        (7, (1.0, 1.5, 1.2), (1e300, 0.0, 0.0), 1.0),
+        (7, (1.0, 1.5, 1.2), (1.0, 0.5, 0.1), -3.0),
+        (7, (1.0, 1.5, 1.2), (1.0, 0.5, 0.1), 0.0),
+        (3, (1.0, 1.5, 1e-70), (1.0, 0.5, 0.1), 1.0),
+        (1, (1.0, 1.5, 1.2), (NAN, 0.5, 0.1), 1.0),
+        (2, (1.0, -1.5, 1.2), (1.0, 0.5, 0.1), 1.0),
+    ],
+)
+def test_pairs_that_no_plan_is_made_of(code, inertia, omega0, unit, any_library):
+    pairs = [[(x, 0.0) for x in values] for values in (inertia, omega0, (1.0, 0, 0, 0))]
+    found, plan = any_library.plan_of_pairs(*pairs, (0.1, 0.0), unit)
+    assert found == code
+    assert plan.raw == bytes(len(plan)), "a refused call writes nothing"
+
+
 def test_grids_are_right_in_every_regime(built, motions):
     for case, _ in motions[::7]:
         _, plan = built.plan(case.inertia, case.omega0, case.attitude0)

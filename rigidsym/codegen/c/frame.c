@@ -237,9 +237,13 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
             return TORQUE_FREE_INERTIA;
         if (moment.hi < thinnest || moment.hi > 4.0)
             return TORQUE_FREE_THIN;
+        if (fabs(rate.hi) > 4.0)
+            return TORQUE_FREE_RATES;
     }
     if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, excess) || !isfinite(unit))
         return TORQUE_FREE_NOT_FINITE;
+    if (!(unit > 0.0))
+        return TORQUE_FREE_RATES;
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
     const pair known = {excess[0], excess[1]};
@@ -427,6 +431,14 @@ static void grid_states(const torque_free_plan *plan, double start, double step,
     }
 }
 
+/* The number of the first sample at t = 0 exactly, or n where there is none. */
+static size_t grid_zero(double start, double step, size_t n)
+{
+    const double k = is_zero(pair_of(step)) ? 0.0 : nearest(-start / step);
+    const pair t = pair_add_xd(two_product(k, step), start);
+    return k >= 0.0 && k < (double)n && fabs(t.hi) <= 0.0 ? (size_t)k : n;
+}
+
 int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
                                double *q, double *omega)
 {
@@ -452,9 +464,8 @@ int torque_free_states_on_grid(const torque_free_plan *plan, double start, doubl
             block_states(plan, count, table, q + 4 * i, omega + 3 * i);
         }
     }
-    if (!(start < 0.0 || start > 0.0))
-        for (size_t i = 0; i < (is_zero(pair_of(step)) ? n : n > 0); i++)
-            at_start(plan, q + 4 * i, omega + 3 * i);
+    for (size_t i = grid_zero(start, step, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
+        at_start(plan, q + 4 * i, omega + 3 * i);
     return TORQUE_FREE_OK;
 }
 
