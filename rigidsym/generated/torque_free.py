@@ -25,7 +25,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 emitter numpy/2
-digest b6e4f4fcdb912042701d607a6ad0dd762cd525eca47a0dc368cc2f8fd71db9a9
+digest f53ec66919ab02f5285a170f9d44ddf8e5b6c32c79a40343ef17e2def69323f5
 """
 
 # ruff: noqa
@@ -49,7 +49,12 @@ def _product_error(a, b, p):
     """a b - p exactly, where p is the rounded product (Dekker)."""
     a1, b1 = _upper_half(a), _upper_half(b)
     a2, b2 = a - a1, b - b1
-    return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
+    error = a1 * b1
+    error -= p
+    error += a1 * b2
+    error += a2 * b1
+    error += a2 * b2
+    return error
 
 
 def _two_sum(a, b):
@@ -140,6 +145,16 @@ def _sqrt(x):
 
 def _exp(x):
     return math.exp(x) if type(x) is float else np.exp(x)
+
+
+def _horner(x, *coefficients):
+    """c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
+    total = x * coefficients[-1]
+    for c in coefficients[-2:0:-1]:
+        total += c
+        total *= x
+    total += coefficients[0]
+    return total
 
 
 def _nearest(x):
@@ -324,7 +339,7 @@ def _root_ratio(k, kc):
     e = k_next * k_next / f  # DLMF 20.9.1
     e2 = e * e  # DLMF 20.9.1
     e4 = e2 * e2  # DLMF 20.9.1
-    r = common_1 / _sqrt(_sqrt((1 + e4 * (2 + e4 * (15 + e4 * 150))) / f))  # DLMF 20.9.1
+    r = common_1 / _sqrt(_sqrt(_horner(e4, 1, 2, 15, 150) / f))  # DLMF 20.9.1
     return r
 
 
@@ -336,8 +351,8 @@ def _half_turns(s, c):
     t4 = t3 / (1 + _sqrt(1 + t3 * t3))  # DLMF 4.21.28
     z = -(t4 * t4)  # DLMF 4.24.3
     z_d = _rounded(z)
-    tail = over_19 + z_d * (over_21 + z_d * (over_23 + z_d * (over_25 + z_d * (over_27 + z_d * (over_29 + z_d * (over_31 + z_d * over_33))))))  # DLMF 4.24.3
-    series = 1 + z * (over_3 + z * (over_5 + z * (over_7 + z * (over_9 + z * (over_11 + z * (over_13 + z * (over_15 + z * (over_17 + z * tail))))))))  # DLMF 4.24.3
+    tail = _horner(z_d, over_19, over_21, over_23, over_25, over_27, over_29, over_31, over_33)  # DLMF 4.24.3
+    series = _horner(z, 1, over_3, over_5, over_7, over_9, over_11, over_13, over_15, over_17, tail)  # DLMF 4.24.3
     angle = 16 * t4 * series / pi  # DLMF 4.24.3
     return angle
 
@@ -349,8 +364,8 @@ def _logarithm(x):
     t4 = (f - 1) / (f + 1)  # DLMF 4.38.5
     z = t4 * t4  # DLMF 4.38.5
     z_d = _rounded(z)
-    tail = over_19 + z_d * (over_21 + z_d * (over_23 + z_d * (over_25 + z_d * (over_27 + z_d * (over_29 + z_d * (over_31 + z_d * over_33))))))  # DLMF 4.38.5
-    series = 1 + z * (over_3 + z * (over_5 + z * (over_7 + z * (over_9 + z * (over_11 + z * (over_13 + z * (over_15 + z * (over_17 + z * tail))))))))  # DLMF 4.38.5
+    tail = _horner(z_d, over_19, over_21, over_23, over_25, over_27, over_29, over_31, over_33)  # DLMF 4.38.5
+    series = _horner(z, 1, over_3, over_5, over_7, over_9, over_11, over_13, over_15, over_17, tail)  # DLMF 4.38.5
     log_x = e * log_2 + 4 * t4 * series  # DLMF 4.38.5
     return log_x
 
@@ -481,11 +496,11 @@ def _circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_
     v_rate = mu * g / pi  # (10), (20)
     x = 1 - 2 * (sin_v * sin_v)  # DLMF 4.21.27
     x2 = x * x
-    T4_re = T4_re_0 + x * (T4_re_1 + x * (T4_re_2 + x * T4_re_3))  # (18), DLMF 20.2.4
-    T4_im = sin_v * cos_v * (T4_im_0 + x * (T4_im_1 + x * T4_im_2))  # (18), DLMF 20.2.4
-    T1_re = sin_v * (T1_re_0 + x * (T1_re_1 + x * (T1_re_2 + x * T1_re_3)))  # (18), DLMF 20.2.1
-    T1_im = cos_v * (T1_im_0 + x * (T1_im_1 + x * (T1_im_2 + x * T1_im_3)))  # (18), DLMF 20.2.1
-    sum_even = even_0 + x2 * (even_1 + x2 * even_2)  # DLMF 20.2.4
+    T4_re = _horner(x, T4_re_0, T4_re_1, T4_re_2, T4_re_3)  # (18), DLMF 20.2.4
+    T4_im = sin_v * cos_v * _horner(x, T4_im_0, T4_im_1, T4_im_2)  # (18), DLMF 20.2.4
+    T1_re = sin_v * _horner(x, T1_re_0, T1_re_1, T1_re_2, T1_re_3)  # (18), DLMF 20.2.1
+    T1_im = cos_v * _horner(x, T1_im_0, T1_im_1, T1_im_2, T1_im_3)  # (18), DLMF 20.2.1
+    sum_even = _horner(x2, even_0, even_1, even_2)  # DLMF 20.2.4
     sum_odd = x * (odd_0 + x2 * odd_1)  # DLMF 20.2.4
     theta4_v = sum_even - sum_odd  # (10), DLMF 20.2.4
     P4_re = T4_re  # (18); theta_form.P4_re
@@ -539,8 +554,8 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
     v_turns = v_rest + (p_error + v_error)
     v_square = v_turns * v_turns
     v_sign = _alternating(v_whole)
-    sin_v = v_sign * (v_turns * pi_hi + v_turns * (pi_lo + v_square * (sine_0 + v_square * (sine_1 + v_square * (sine_2 + v_square * (sine_3 + v_square * (sine_4 + v_square * (sine_5 + v_square * (sine_6 + v_square * sine_7)))))))))  # DLMF 4.19.1
-    cos_v = v_sign * (1 + v_square * (cosine_0 + v_square * (cosine_1 + v_square * (cosine_2 + v_square * (cosine_3 + v_square * (cosine_4 + v_square * (cosine_5 + v_square * (cosine_6 + v_square * cosine_7))))))))  # DLMF 4.19.2
+    sin_v = v_sign * (v_turns * pi_hi + v_turns * _horner(v_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
+    cos_v = v_sign * _horner(v_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
     L = Lambda_rate_hi * t
     L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t
     L_whole = _nearest(L)
@@ -548,8 +563,8 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
     L_turns = L_rest + L_error
     L_square = L_turns * L_turns
     L_sign = _alternating(L_whole)
-    X_im = L_sign * (L_turns * pi_hi + L_turns * (pi_lo + L_square * (sine_0 + L_square * (sine_1 + L_square * (sine_2 + L_square * (sine_3 + L_square * (sine_4 + L_square * (sine_5 + L_square * (sine_6 + L_square * sine_7)))))))))  # DLMF 4.19.1
-    X_re = L_sign * (1 + L_square * (cosine_0 + L_square * (cosine_1 + L_square * (cosine_2 + L_square * (cosine_3 + L_square * (cosine_4 + L_square * (cosine_5 + L_square * (cosine_6 + L_square * cosine_7))))))))  # DLMF 4.19.2
+    X_im = L_sign * (L_turns * pi_hi + L_turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
+    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
     return sin_v, cos_v, X_im, X_re
 
 
@@ -557,15 +572,15 @@ def _circular_state(sin_v, cos_v, X_im, X_re, T4_re_0, T4_re_1, T4_re_2, T4_re_3
     """The state on the circular branch, from `_circular_angles`."""
     x = 1 - 2 * (sin_v * sin_v)  # DLMF 4.21.27
     x2 = x * x
-    T4_re = T4_re_0 + x * (T4_re_1 + x * (T4_re_2 + x * T4_re_3))  # (18), DLMF 20.2.4
-    T4_im = sin_v * cos_v * (T4_im_0 + x * (T4_im_1 + x * T4_im_2))  # (18), DLMF 20.2.4
-    T1_re = sin_v * (T1_re_0 + x * (T1_re_1 + x * (T1_re_2 + x * T1_re_3)))  # (18), DLMF 20.2.1
-    T1_im = cos_v * (T1_im_0 + x * (T1_im_1 + x * (T1_im_2 + x * T1_im_3)))  # (18), DLMF 20.2.1
-    sum_even = even_0 + x2 * (even_1 + x2 * even_2)  # DLMF 20.2.4
+    T4_re = _horner(x, T4_re_0, T4_re_1, T4_re_2, T4_re_3)  # (18), DLMF 20.2.4
+    T4_im = sin_v * cos_v * _horner(x, T4_im_0, T4_im_1, T4_im_2)  # (18), DLMF 20.2.4
+    T1_re = sin_v * _horner(x, T1_re_0, T1_re_1, T1_re_2, T1_re_3)  # (18), DLMF 20.2.1
+    T1_im = cos_v * _horner(x, T1_im_0, T1_im_1, T1_im_2, T1_im_3)  # (18), DLMF 20.2.1
+    sum_even = _horner(x2, even_0, even_1, even_2)  # DLMF 20.2.4
     sum_odd = x * (odd_0 + x2 * odd_1)  # DLMF 20.2.4
     theta4_v = sum_even - sum_odd  # (10), DLMF 20.2.4
     theta3_v = sum_even + sum_odd  # (10), DLMF 20.2.3
-    part_even = sine_even_0 + x2 * (sine_even_1 + x2 * sine_even_2)  # DLMF 20.2.1
+    part_even = _horner(x2, sine_even_0, sine_even_1, sine_even_2)  # DLMF 20.2.1
     part_odd = x * (sine_odd_0 + x2 * sine_odd_1)  # DLMF 20.2.1
     theta1_v = sin_v * (part_even + part_odd)  # (10), DLMF 20.2.1
     theta2_v = cos_v * (part_even - part_odd)  # (10), DLMF 20.2.2
@@ -681,8 +696,8 @@ def _hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0
     T1_re = side * (near_re_even - near_re_odd - w * (far_re_even - far_re_odd))  # (18), DLMF 20.2.1
     T1_im = near_im_even - near_im_odd + w * (far_im_even - far_im_odd)  # (18), DLMF 20.2.1
     w2 = w * w
-    tall = 1 + p2 * (nome2 + p2 * nome8)  # DLMF 20.2.2
-    deep = w2 * (1 + qw2 * (nome2 + qw2 * nome8))  # DLMF 20.2.2
+    tall = _horner(p2, 1, nome2, nome8)  # DLMF 20.2.2
+    deep = w2 * _horner(qw2, 1, nome2, nome8)  # DLMF 20.2.2
     theta2_y = tall + deep  # (10), DLMF 20.2.2
     P4_re = T4_re  # (18); theta_form.P4_re
     P4_im = T4_im  # (18); theta_form.P4_im
@@ -759,8 +774,8 @@ def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, L_hi, L_lo, Lambda
     whole = L_whole + (j_whole + turned_whole)
     L_square = turns * turns
     L_sign = _alternating(whole)
-    X_im = L_sign * (turns * pi_hi + turns * (pi_lo + L_square * (sine_0 + L_square * (sine_1 + L_square * (sine_2 + L_square * (sine_3 + L_square * (sine_4 + L_square * (sine_5 + L_square * (sine_6 + L_square * sine_7)))))))))  # DLMF 4.19.1
-    X_re = L_sign * (1 + L_square * (cosine_0 + L_square * (cosine_1 + L_square * (cosine_2 + L_square * (cosine_3 + L_square * (cosine_4 + L_square * (cosine_5 + L_square * (cosine_6 + L_square * cosine_7))))))))  # DLMF 4.19.2
+    X_im = L_sign * (turns * pi_hi + turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
+    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
     return w, p, side, flip, X_im, X_re
 
 
@@ -828,8 +843,8 @@ def _steady_angles(t, Lambda_rate_hi, Lambda_rate_lo):
     L_turns = L_rest + L_error
     L_square = L_turns * L_turns
     L_sign = _alternating(L_whole)
-    X_im = L_sign * (L_turns * pi_hi + L_turns * (pi_lo + L_square * (sine_0 + L_square * (sine_1 + L_square * (sine_2 + L_square * (sine_3 + L_square * (sine_4 + L_square * (sine_5 + L_square * (sine_6 + L_square * sine_7)))))))))  # DLMF 4.19.1
-    X_re = L_sign * (1 + L_square * (cosine_0 + L_square * (cosine_1 + L_square * (cosine_2 + L_square * (cosine_3 + L_square * (cosine_4 + L_square * (cosine_5 + L_square * (cosine_6 + L_square * cosine_7))))))))  # DLMF 4.19.2
+    X_im = L_sign * (L_turns * pi_hi + L_turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
+    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
     return X_im, X_re
 
 
@@ -1140,10 +1155,11 @@ def _fill(plan, name, index, constants, t, q, omega):
             inner = plan["unit"][index[some], None] * t
             _write(plan, branch, index[some], columns, inner, q, omega, slice(None))
         return
+    step = -(-t.size // -(-t.size // _BLOCK))
     for number, body in enumerate(index):
         columns = [[float(x[number]) for x in values] for values in (timed, kept)]
-        for first in range(0, t.size, _BLOCK):
-            some = slice(first, first + _BLOCK)
+        for first in range(0, t.size, step):
+            some = slice(first, first + step)
             inner = float(plan["unit"][body]) * t[some]
             _write(plan, branch, body, columns, inner, q, omega, some)
 

@@ -3,7 +3,16 @@
 from rigidsym.codegen.ir import CALLS, Constant, Function, is_extended
 from rigidsym.codegen.lines import Lines, comment, flat_results
 from rigidsym.codegen.passes import specialise
-from rigidsym.solution.expression import Call, Expression, children, parse, rebuild, to_text
+from rigidsym.solution.expression import (
+    Call,
+    Expression,
+    Name,
+    Operation,
+    children,
+    parse,
+    rebuild,
+    to_text,
+)
 
 _CALLS = {name: f"_{name}" for name in CALLS} | {"size": "abs", "neg": "neg"}
 _BACK = {text: name for name, text in _CALLS.items()}
@@ -43,7 +52,31 @@ def _function(function: Function) -> Lines:
 def printed(expression: Expression) -> str:
     """An expression as Python; raises ValueError for a function that the module does not have."""
     _check(expression)
-    return to_text(expression, _CALLS)
+    return to_text(_with_horner(expression), _CALLS | {"horner": "_horner"})
+
+
+def _with_horner(expression: Expression) -> Expression:
+    """Nested polynomials as one call, which works in place."""
+    variable, coefficients = _polynomial(expression)
+    if len(coefficients) > 2:
+        return Call("horner", (variable, *map(_with_horner, coefficients)))
+    return rebuild(expression, tuple(map(_with_horner, children(expression))))
+
+
+def _polynomial(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
+    """The variable and the coefficients of a + x*(b + x*c), lowest first."""
+    match expression:
+        case Operation("+", first, Operation("*", Name() as variable, inner)):
+            same, rest = _polynomial(inner)
+            return variable, (first, *(rest if same == variable else (inner,)))
+    return expression, (expression,)
+
+
+def _nested(variable: Expression, coefficients: tuple[Expression, ...]) -> Expression:
+    first, *rest = coefficients
+    if not rest:
+        return first
+    return Operation("+", first, Operation("*", variable, _nested(variable, tuple(rest))))
 
 
 def _check(expression: Expression) -> None:
@@ -61,6 +94,8 @@ def read(line: str) -> Expression:
 
 def _read(expression: Expression) -> Expression:
     match rebuild(expression, tuple(map(_read, children(expression)))):
+        case Call("_horner", (variable, *coefficients)):
+            return _nested(variable, tuple(coefficients))
         case Call(function, arguments):
             return Call(_BACK.get(function, function), arguments)
         case other:

@@ -266,10 +266,11 @@ def _fill(plan, name, index, constants, t, q, omega):
             inner = plan["unit"][index[some], None] * t
             _write(plan, branch, index[some], columns, inner, q, omega, slice(None))
         return
+    step = -(-t.size // -(-t.size // _BLOCK))
     for number, body in enumerate(index):
         columns = [[float(x[number]) for x in values] for values in (timed, kept)]
-        for first in range(0, t.size, _BLOCK):
-            some = slice(first, first + _BLOCK)
+        for first in range(0, t.size, step):
+            some = slice(first, first + step)
             inner = float(plan["unit"][body]) * t[some]
             _write(plan, branch, body, columns, inner, q, omega, some)
 

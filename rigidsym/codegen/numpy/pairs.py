@@ -24,7 +24,12 @@ def _product_error(a, b, p):
     """a b - p exactly, where p is the rounded product (Dekker)."""
     a1, b1 = _upper_half(a), _upper_half(b)
     a2, b2 = a - a1, b - b1
-    return ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
+    error = a1 * b1
+    error -= p
+    error += a1 * b2
+    error += a2 * b1
+    error += a2 * b2
+    return error
 
 
 def _two_sum(a, b):
@@ -115,6 +120,16 @@ def _sqrt(x):
 
 def _exp(x):
     return math.exp(x) if type(x) is float else np.exp(x)
+
+
+def _horner(x, *coefficients):
+    """c_0 + x (c_1 + x (c_2 + ...)); arrays are added and multiplied in place."""
+    total = x * coefficients[-1]
+    for c in coefficients[-2:0:-1]:
+        total += c
+        total *= x
+    total += coefficients[0]
+    return total
 
 
 def _nearest(x):
