@@ -21,16 +21,8 @@ _DOUBLE = ctypes.sizeof(c_double)
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
 # A plan takes as long as this many states.
 _PLAN = 256
+# Codes of torque_free.h that many inputs can be meant by.
 _NOT_FINITE, _TIME = 1, 6
-# By the codes of torque_free.h.
-_RULES = {
-    2: ("inertia", "principal moments must be positive"),
-    3: ("inertia", "principal moments differ by more than binary64 can follow"),
-    4: ("attitude0", "a zero quaternion is no attitude"),
-    5: ("omega0", "nearer to the separatrix than binary64 can follow"),
-    7: ("omega0", "rates beyond what binary64 can hold"),
-    6: ("t", "beyond |omega| t = 2^46 rad the angle is lost in binary64"),
-}
 
 
 class CEngine:
@@ -76,8 +68,20 @@ class CEngine:
     ) -> Plan:
         plan = self._plan_type()
         if code := init(plan, *(array.ctypes.data for array in given.values()), *unit):
-            raise _refused(code, given)
+            raise self._refused(code, given)
         return plan
+
+    def _refused(
+        self, code: int, given: Mapping[str, np.ndarray], body: int | None = None
+    ) -> EngineError:
+        """What a code of torque_free.h means for these inputs."""
+        endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
+        if code == _NOT_FINITE and endless:
+            return EngineError(endless[0], "every number must be finite", body)
+        if code == _TIME and "t" in endless:
+            return EngineError("t", arrays.BAD_TIMES, body)
+        field, _, rule = self._library.message(code).decode().rpartition(": ")
+        return EngineError(field or "engine", rule, body)
 
     def states(self, plan: Plan, t: Any, out: Outputs = None) -> States:
         """See `Engine`."""
@@ -92,7 +96,7 @@ class CEngine:
             return self._library.states_at(plan, end - begin, *places)
 
         if code := max(in_parts(part, t.size, threads(t.size))):
-            raise _refused(code, {"t": t})
+            raise self._refused(code, {"t": t})
         return q, omega
 
     def _state(self, plan: Plan, t: float) -> States:
@@ -100,7 +104,7 @@ class CEngine:
         state: Any = _State()
         place = addressof(state)
         if code := self._state_at(plan, t, place, place + _OMEGA):
-            raise _refused(code, {"t": np.array(t)})
+            raise self._refused(code, {"t": np.array(t)})
         return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
 
     def grid(
@@ -110,7 +114,7 @@ class CEngine:
         q, omega = arrays.outputs(out, (arrays.count(count),))
         places = q.ctypes.data, omega.ctypes.data
         if code := self._library.states_on_grid(plan, start, step, count, *places):
-            raise _refused(code, {"t": np.array([start, step])})
+            raise self._refused(code, {"t": np.array([start, step])})
         return q, omega
 
     def propagate(
@@ -157,7 +161,7 @@ class CEngine:
         for code, body in in_parts(part, count, parts):
             if code:
                 one = {name: array[body] for name, array in bodies.items()}
-                raise _refused(code, one | {"t": t}, body)
+                raise self._refused(code, one | {"t": t}, body)
 
 
 def _named(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, np.ndarray]:
@@ -177,13 +181,3 @@ def _vectors(given: Mapping[str, np.ndarray], tail: tuple[int, ...]) -> dict[str
 def _offset(places: Sequence[int], begin: int, sizes: Sequence[int]) -> list[int]:
     """Addresses of row `begin` where rows have `sizes` doubles."""
     return [place + begin * size * _DOUBLE for place, size in zip(places, sizes, strict=True)]
-
-
-def _refused(code: int, given: Mapping[str, np.ndarray], body: int | None = None) -> EngineError:
-    """What a code of torque_free.h means for these inputs."""
-    endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
-    if code == _NOT_FINITE and endless:
-        return EngineError(endless[0], "every number must be finite", body)
-    if code == _TIME and "t" in endless:
-        return EngineError("t", arrays.BAD_TIMES, body)
-    return EngineError(*_RULES.get(code, ("engine", f"unknown code {code} of torque_free.c")), body)

@@ -13,6 +13,7 @@ _OUT = (c_void_p,) * 2
 # Name after torque_free_, result, arguments.
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "digest": (c_char_p, ()),
+    "message": (c_char_p, (c_int,)),
     "plan_size": (c_size_t, ()),
     "plan_init": (c_int, (c_void_p, *_BODY)),
     "plan_init_pairs": (c_int, (c_void_p, *_BODY, c_void_p, c_double)),
@@ -32,6 +33,7 @@ class Library:
     """The functions of torque_free.h; pointers are addresses or ctypes arrays."""
 
     digest: Callable[..., bytes]
+    message: Callable[..., bytes]
     plan_size: Callable[..., int]
     plan_init: Callable[..., int]
     plan_init_pairs: Callable[..., int]

@@ -1323,7 +1323,7 @@ static int is_steady(const pair c[3], const pair omega[3])
     return 1;
 }
 
-/* The axes by their moments, largest first; equal ones in the order a plain argsort leaves. */
+/* The axes by their moments, largest first; equal ones stay in their order. */
 static void sorted(const pair c[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
@@ -1774,7 +1774,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "1a7c2fd42c524069f0d4a486ff3f1027479a8e29230a44aafdad6184d1948f92"; }
+const char *torque_free_digest(void) { return "c8bc80df3612bfd288bbd38694b738949143b0855c7949f421f3259bee408f2d"; }
 
 const char *torque_free_message(int code)
 {
@@ -1785,7 +1785,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
     case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
-    case TORQUE_FREE_TIME: return "t: must be finite and within |omega0 t| = 2^46 rad";
+    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
     default: return "no such code";
     }

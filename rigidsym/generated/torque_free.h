@@ -26,7 +26,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 emitter c/2
-digest 1a7c2fd42c524069f0d4a486ff3f1027479a8e29230a44aafdad6184d1948f92
+digest c8bc80df3612bfd288bbd38694b738949143b0855c7949f421f3259bee408f2d
 
 Re-entrant, without allocation or global variables; a call needs about 16 KB of stack.  Compile with
 -O3 -fno-math-errno for the machine it runs on (-march=native): gcc and clang vectorise the loops

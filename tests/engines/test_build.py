@@ -25,6 +25,7 @@ needs_compiler = pytest.mark.skipif(SYSTEM is None, reason="needs a C compiler: 
 STUB = """/* digest {digest} */
 #include <stddef.h>
 const char *torque_free_digest(void) {{ return "{digest}"; }}
+const char *torque_free_message(int code) {{ (void)code; return "inertia: refused"; }}
 size_t torque_free_plan_size(void) {{ return 8; }}
 int torque_free_plan_init(void) {{ return 2; }}
 int torque_free_plan_init_pairs(void) {{ return 2; }}
