@@ -11,12 +11,10 @@ from typing import NamedTuple
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
+from rigidsym.generated import torque_free
 from rigidsym.solution.polhode import excess
 
 Pair = tuple[float, float]
-# As in the frames of the numeric modules.
-_FAINTEST = Fraction(1, 2**900)
-_THINNEST = Fraction(1, 2**200)
 
 
 class ExactPairs(NamedTuple):
@@ -36,13 +34,13 @@ def exact_pairs(
     moments, _ = _over_power_of_two(inertia)
     rates, exponent = _over_power_of_two(omega0)
     quaternion, _ = _over_power_of_two(attitude0)
-    if min(moments) < _THINNEST:
+    if min(moments) < torque_free.THINNEST:
         rule = "principal moments differ by more than binary64 can follow"
         raise InputError("inertia", inputs.shown(inertia), rule)
     if not -1074 <= exponent <= 1020:
         raise InputError("omega0", inputs.shown(omega0), "is beyond the range of binary64")
     decides = excess(_distinguished(moments), rates)
-    if len(set(moments)) == 3 and 0 < abs(decides) < _FAINTEST:
+    if len(set(moments)) == 3 and 0 < abs(decides) < torque_free.FAINTEST:
         rule = "nearer to the separatrix than binary64 can follow"
         raise InputError("omega0", inputs.shown(omega0), rule)
     pairs = ([pair(value) for value in values] for values in (moments, rates, quaternion))

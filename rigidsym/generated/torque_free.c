@@ -1279,14 +1279,12 @@ static void steady_state(const torque_free_steady *plan, size_t n, const double 
     }
 }
 
-/* Rates below this fraction of the largest cannot change a state by an ulp, unless they decide on
-   which side of the separatrix a motion is: then it is refused. */
-static const double negligible = 0x1p-400;
-static const double decisive = 0x1p-300;
-static const double faintest = 0x1p-900;
-static const double thinnest = 0x1p-200;
-static const double farthest = 0x1p46;
-static const double fastest = 0x1p1020;
+static const double negligible = 0x1p-400; /* rates below this share of the largest are taken for zero */
+static const double decisive = 0x1p-300; /* unless one could decide when spin about the middle axis turns over */
+static const double faintest = 0x1p-900; /* of E_b in inner units; nearer to the separatrix is refused */
+static const double thinnest = 0x1p-200; /* of one principal moment over another */
+static const double farthest = 0x1p46; /* of |omega0 t|, rad */
+static const double fastest = 0x1p1020; /* of a rate, rad/s */
 enum { BLOCK = 64 };
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
@@ -1774,7 +1772,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "c8bc80df3612bfd288bbd38694b738949143b0855c7949f421f3259bee408f2d"; }
+const char *torque_free_digest(void) { return "0acb1811e6048bbf73fd8ea326b7dfa41d29be604c6dd6822fd373e04b4a291f"; }
 
 const char *torque_free_message(int code)
 {

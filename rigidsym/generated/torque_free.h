@@ -26,7 +26,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 emitter c/2
-digest c8bc80df3612bfd288bbd38694b738949143b0855c7949f421f3259bee408f2d
+digest 0acb1811e6048bbf73fd8ea326b7dfa41d29be604c6dd6822fd373e04b4a291f
 
 Re-entrant, without allocation or global variables; a call needs about 16 KB of stack.  Compile with
 -O3 -fno-math-errno for the machine it runs on (-march=native): gcc and clang vectorise the loops

@@ -25,7 +25,7 @@ by `rigidsym.codegen.kernels` in exact or ball arithmetic:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 emitter numpy/2
-digest f53ec66919ab02f5285a170f9d44ddf8e5b6c32c79a40343ef17e2def69323f5
+digest cdbc7bcc3566a1c3324b9cdbea09e3f3934660d8cccbbba6837cbacfceaeae16
 """
 
 # ruff: noqa
@@ -904,14 +904,12 @@ BRANCHES = {
 }
 
 
-# Rates below this fraction of the largest one cannot change a state by an ulp, unless they decide
-# on which side of the separatrix a motion is: then the motion is refused.
-_NEGLIGIBLE = 2.0**-400
-_DECISIVE = 2.0**-300
-_FAINTEST = 2.0**-900
-_THINNEST = 2.0**-200
-_FARTHEST = 2.0**46
-_FASTEST = 2.0**1020
+NEGLIGIBLE = 2.0**-400  # rates below this share of the largest are taken for zero
+DECISIVE = 2.0**-300  # unless one could decide when spin about the middle axis turns over
+FAINTEST = 2.0**-900  # of E_b in inner units; nearer to the separatrix is refused
+THINNEST = 2.0**-200  # of one principal moment over another
+FARTHEST = 2.0**46  # of |omega0 t|, rad
+FASTEST = 2.0**1020  # of a rate, rad/s
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 8192
 
@@ -959,7 +957,7 @@ def _plan(c, given, q, unit, shape, excess=None):
     """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units."""
     length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
     q = [q[:, k] / length for k in range(4)]
-    kept = np.abs(given.hi) >= _NEGLIGIBLE
+    kept = np.abs(given.hi) >= NEGLIGIBLE
     omega = _Pair(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
     axes, excess = _axes(c, omega, excess)
     steady = _is_steady(c, omega)
@@ -968,7 +966,7 @@ def _plan(c, given, q, unit, shape, excess=None):
         "shape": shape,
         # Nothing turns at rest, however long it takes.
         "unit": np.where(np.any(omega.hi != 0, axis=-1), unit[:, 0], 0.0),
-        "farthest": np.full(len(unit), _FARTHEST),
+        "farthest": np.full(len(unit), FARTHEST),
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
@@ -1016,14 +1014,14 @@ def _add_moving(made, index, c, omega, q, excess):
 def _limit(made, index, constants, fast):
     """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
     largest = np.max([np.abs(constants[name]) for name in fast], axis=0)
-    made["farthest"][index] = _FARTHEST * 16 / np.maximum(16, largest)
+    made["farthest"][index] = FARTHEST * 16 / np.maximum(16, largest)
 
 
 def _check_rates(constants, amplitudes, bodies):
     """Refuse what doubles do not hold, rates up to their amplitudes."""
     held = np.all([np.isfinite(x) for x in constants.values()], axis=0)
     for amplitude in amplitudes:
-        held = held & (amplitude <= _FASTEST)
+        held = held & (amplitude <= FASTEST)
     _refuse("omega0", "rates beyond what binary64 can hold", ~held, bodies)
 
 
@@ -1193,7 +1191,7 @@ def _check(inertia, omega0, attitude0):
             raise ValueError(f"{name}: every number must be finite")
     if np.any(inertia <= 0):
         raise ValueError("inertia: principal moments must be positive")
-    if np.any(np.min(_scaled(inertia)[0], axis=-1) < _THINNEST):
+    if np.any(np.min(_scaled(inertia)[0], axis=-1) < THINNEST):
         raise ValueError("inertia: principal moments differ by more than binary64 can follow")
     if not np.all(np.any(attitude0 != 0, axis=-1)):
         raise ValueError("attitude0: a zero quaternion is no attitude")
@@ -1222,8 +1220,8 @@ def _check_distance(c, axes, omega, given, excess):
     """
     distinct = ~(_same(c[:, 0], c[:, 1]) | _same(c[:, 1], c[:, 2]) | _same(c[:, 2], c[:, 0]))
     kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
-    lost = np.any((kept == 0) & (before != 0), -1) & np.all(np.abs(kept) < _DECISIVE, -1)
-    faint = (excess.hi != 0) & (np.abs(excess.hi) < _FAINTEST)
+    lost = np.any((kept == 0) & (before != 0), -1) & np.all(np.abs(kept) < DECISIVE, -1)
+    faint = (excess.hi != 0) & (np.abs(excess.hi) < FAINTEST)
     rule = "nearer to the separatrix than binary64 can follow"
     _refuse("omega0", rule, distinct & (lost | faint), np.arange(len(lost)))
 

@@ -1,11 +1,4 @@
-/* Rates below this fraction of the largest cannot change a state by an ulp, unless they decide on
-   which side of the separatrix a motion is: then it is refused. */
-static const double negligible = 0x1p-400;
-static const double decisive = 0x1p-300;
-static const double faintest = 0x1p-900;
-static const double thinnest = 0x1p-200;
-static const double farthest = 0x1p46;
-static const double fastest = 0x1p1020;
+@limits@
 enum { BLOCK = 64 };
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */

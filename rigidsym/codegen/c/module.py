@@ -7,6 +7,7 @@ from rigidsym.codegen.c import emit
 from rigidsym.codegen.functions import finished
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.kernels import exponential
+from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
 
 HEADER, SOURCE = "torque_free.h", "torque_free.c"
@@ -89,6 +90,10 @@ def _frame(by_name: dict[str, Function]) -> str:
         "@start given@": ", ".join(start.parameters),
         "@started out@": ", ".join(f"&{name}" for name in start.results),
     }
+    places["@limits@"] = "\n".join(
+        f"static const double {limit.name} = 0x1p{limit.exponent}; /* {limit.meaning} */"
+        for limit in LIMITS
+    )
     for branch in ("circular", "hyperbolic"):
         places[f"@{branch} given@"] = ", ".join(by_name[f"_{branch}_plan"].parameters)
     text = _part("frame.c")

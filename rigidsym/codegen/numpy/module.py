@@ -4,6 +4,7 @@ from importlib import resources
 
 from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
 from rigidsym.codegen.numpy import emit
 
@@ -35,6 +36,7 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
         Lines.plain(_part("pairs.py", "# --- pairs ---\n")),
         _GAP,
         *emit.module(functions, constants),
+        Lines(tuple(_limits()), {}),
         Lines.plain(_part("frame.py", "# --- frame ---\n")),
     ]
     whole = joined(pieces)
@@ -42,6 +44,10 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
     grown = files[FILE].count("\n") - len(whole.text)
     lets = {number + grown: let for number, let in whole.lets.items()}
     return Module(files, {FILE: lets}, digest)
+
+
+def _limits() -> list[str]:
+    return [f"{x.name.upper()} = 2.0**{x.exponent}  # {x.meaning}" for x in LIMITS]
 
 
 def _part(name: str, mark: str) -> str:

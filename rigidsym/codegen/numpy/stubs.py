@@ -6,13 +6,20 @@ from rigidsym.codegen.numpy.pairs import _Pair
 
 __all__ = [
     "BRANCHES",
+    "DECISIVE",
+    "FAINTEST",
+    "FARTHEST",
+    "FASTEST",
+    "NEGLIGIBLE",
     "START",
+    "THINNEST",
     "_Pair",
     "_excess",
     "_steady_plan",
 ]
 
 START: dict[str, Any] = {}
+NEGLIGIBLE = DECISIVE = FAINTEST = THINNEST = FARTHEST = FASTEST = 1.0
 BRANCHES: dict[str, Any] = {}
 
 

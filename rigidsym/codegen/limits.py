@@ -1,0 +1,22 @@
+"""Where generated code ends, as powers of two: one table for all targets."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """2^exponent, and what it is a limit of."""
+
+    name: str
+    exponent: int
+    meaning: str
+
+
+LIMITS = (
+    Limit("negligible", -400, "rates below this share of the largest are taken for zero"),
+    Limit("decisive", -300, "unless one could decide when spin about the middle axis turns over"),
+    Limit("faintest", -900, "of E_b in inner units; nearer to the separatrix is refused"),
+    Limit("thinnest", -200, "of one principal moment over another"),
+    Limit("farthest", 46, "of |omega0 t|, rad"),
+    Limit("fastest", 1020, "of a rate, rad/s"),
+)
