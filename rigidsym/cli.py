@@ -296,11 +296,12 @@ def _errata(options: Any) -> int:
 
 def _codegen(options: Any) -> int:
     from rigidsym.codegen import generate
-    from rigidsym.seal import seal
+    from rigidsym.seal import seal, seal_text
     from rigidsym.solution import sealed
 
     generated = generate(options.target)
     seal(sealed())
+    seal_text(generated, sealed())
     if options.stdout:
         print("".join(generated.files.values()), end="")
         return 0

@@ -17,7 +17,7 @@ from rigidsym.errors import InputError
 from rigidsym.files import write_text
 from rigidsym.paper import Ruling, Verdict, verdicts
 from rigidsym.plot import Panel, svg
-from rigidsym.seal import seal
+from rigidsym.seal import seal, seal_text
 from rigidsym.solution import Solution, load, sealed
 from rigidsym.validate import ValidationReport, validate
 
@@ -82,7 +82,10 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 def _all_targets(solution: Solution) -> tuple[Generated, ...]:
     """Every module, after the kernel has decided that it is what was derived."""
     seal(solution)
-    return tuple(generate(target, solution) for target in TARGETS)
+    generated = tuple(generate(target, solution) for target in TARGETS)
+    for module in generated:
+        seal_text(module, solution)
+    return generated
 
 
 def _timed(stage: Callable[[], Any]) -> tuple[Any, float]:

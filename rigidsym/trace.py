@@ -30,7 +30,9 @@ def origin_of_line(place: str) -> list[str]:
             found = places[int(number)]
             equations = ", ".join(f"({e})" if e[0].isdigit() else e for e in found["equations"])
             facts = ", ".join(found["facts"])
-            return [_code(lines[int(number) - 1]), f"equations: {equations}", f"facts: {facts}"]
+            known = {"equations": equations, "facts": facts}
+            said = [f"{what}: {text}" for what, text in known.items() if text]
+            return [_code(lines[int(number) - 1]), *said]
     return []
 
 

@@ -4,14 +4,14 @@ What does not change with time is multiplied out beforehand: every component of 
 linear in the parts P4 and P1 over N, and every rate is a constant times a quotient of thetas.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.kernels import reduction
 from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, PARTS, RATES, SIGNS, STARTED, STATE
 from rigidsym.codegen.passes import coefficient, inlined, live, select, specialise
 from rigidsym.solution import Solution
-from rigidsym.solution.expression import Expression, Name, Number, Operation, names, parse
+from rigidsym.solution.expression import Name, Operation, names, parse
 from rigidsym.solution.formulas import AXES
 
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
@@ -31,7 +31,7 @@ def phase() -> list[Let]:
     return [
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
-        let("L_turns = L_rest + L_error"),
+        let("L_turns = L_rest + L_error", reduction.TURNS),
         *reduction.sine_and_cosine("L", "L_turns", "L_whole", "X_im", "X_re"),
     ]
 
@@ -96,19 +96,6 @@ def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
         target = f"gain_{rate.targets[0][-1]}"
         lets.append(Let((target,), product, (*rate.source, "DLMF 22.2.4"), rate.facts))
     return lets
-
-
-def folding(solution: Solution) -> Iterator[tuple[Let, Expression]]:
-    """Each formula of attitude and rates, and what it becomes when constants are multiplied out."""
-    for formula in _linear(solution):
-        total: Expression = Number(0)
-        for part in PARTS:
-            factor = coefficient(formula.expression, part, PARTS, "N")
-            total = Operation("+", total, Operation("*", factor, Name(part)))
-        yield formula, Operation("/", total, Name("N"))
-    for name, rate in _rates(solution).items():
-        (gain,) = specialise([rate], {name: 1})
-        yield rate, Operation("*", gain.expression, Name(name))
 
 
 def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:

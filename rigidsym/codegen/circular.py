@@ -63,7 +63,7 @@ def _angles() -> list[Let]:
         *reduction.product("p", "v_rate", extra="v_lo"),
         *reduction.total("v", "p", "v_hi"),
         *reduction.whole("v", "v"),
-        let("v_turns = v_rest + (p_error + v_error)"),
+        let("v_turns = v_rest + (p_error + v_error)", reduction.TURNS),
         *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
         *phase(),
     ]

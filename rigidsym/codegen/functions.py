@@ -25,7 +25,12 @@ from rigidsym.solution.expression import names
 
 def functions(solution: Solution) -> tuple[Function, ...]:
     """All functions, in an order in which each calls those before it."""
-    every = (
+    return tuple(map(finished, stated(solution)))
+
+
+def stated(solution: Solution) -> tuple[Function, ...]:
+    """All functions as ledger and kernels state them, before anything is left out or shared."""
+    return (
         excess(solution),
         start(solution),
         landen.step(solution),
@@ -37,7 +42,6 @@ def functions(solution: Solution) -> tuple[Function, ...]:
         *hyperbolic(solution),
         *steady(solution),
     )
-    return tuple(map(finished, every))
 
 
 def finished(function: Function) -> Function:

@@ -4,26 +4,39 @@ import hashlib
 import json
 from pathlib import Path
 
-from rigidsym.codegen.kernels import angles, circle, exponential, landen, reduction, theta_circular
+from rigidsym import __version__
+from rigidsym.codegen.kernels import (
+    angles,
+    circle,
+    exponential,
+    landen,
+    nome,
+    reduction,
+    theta_circular,
+    theta_hyperbolic,
+)
+from rigidsym.codegen.limits import LIMITS
 
 DIGEST = "@digest@"
 # Written by `rigidsym validate TARGET --record`.
 MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
 _DOMAIN = """\
-Domain: positive principal moments of inertia, none 2^200 times another; finite rates and attitude;
-|omega0 t| up to 2^46 rad; not within about 2^-300 of spin about the middle axis.  What lies outside
-is refused.  Numbers mean their exact binary64 values.
+Domain: positive principal moments of inertia, none below 2^{thinnest} of another; finite rates and
+attitude; |omega0 t| up to 2^{farthest} rad; not within about 2^{decisive} of spin about the middle
+axis.  What lies outside is refused.  Numbers mean their exact binary64 values.
 Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
 kg m^2; t in s.
 
 A comment gives the equations of the paper that its line corresponds to, or the formulas of the
 Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it
-(`reading`: the standard function that a quantity is).  Grades: facts are PROVED by normal form, in
-contexts where the thetas' slopes and Watson's identity are hypotheses; these are ENCLOSED.  Kernels
-(Landen's ladder, nome, theta series, angles and their reduction) are truncated as follows, bounds
-by `rigidsym.codegen.kernels` in exact or ball arithmetic:"""
+(`reading`: the standard function that a quantity is); exact sums, products and differences of
+doubles are Knuth's (The Art of Computer Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
+Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
+are hypotheses; these are ENCLOSED.  Kernels (Landen's ladder, nome, theta series, angles and their
+reduction) are truncated as follows, bounds by `rigidsym.codegen.kernels` in exact or ball
+arithmetic:"""
 
 
 def kernels() -> list[str]:
@@ -33,11 +46,17 @@ def kernels() -> list[str]:
     return [
         f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
         f"{_up(float(landen.modulus_left()))}",
+        f"  nome                           relative, below {_up(float(nome.series_tail()))}",
         "  theta series in a state        what is left out below "
-        f"{_up(theta_circular.series_tail())}",
+        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(_hyperbolic())}",
         f"  arctangent and logarithm       relative, below {_up(float(angles.series_tail()))}",
         f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
+        "  reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46",
     ]
+
+
+def _hyperbolic() -> float:
+    return float(theta_hyperbolic.series_tail())
 
 
 def _exponential() -> str:
@@ -55,8 +74,9 @@ def _up(value: float) -> str:
 def text(target: str) -> str:
     """The whole paragraph, with places for the digest and what was measured."""
     bounds = [*kernels(), *([_exponential()] if target == "c" else [])]
-    ends = [f"emitter {target}/2", f"digest {DIGEST}"]
-    return "\n".join([_DOMAIN, *bounds, "", MEASURED, "", *ends])
+    ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
+    domain = _DOMAIN.format(**{limit.name: limit.exponent for limit in LIMITS})
+    return "\n".join([domain, *bounds, "", MEASURED, "", *ends])
 
 
 def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
@@ -83,6 +103,7 @@ def _measured(target: str, digest: str) -> list[str]:
             f"Errors: not measured since this code changed; `rigidsym validate {target} --record`"
         ]
     lines = [
-        f"Worst errors measured by `{found['command']}`: rotation angle in rad, |domega|/|omega|",
+        f"Worst errors measured by `{found['command']}`:",
+        "rotation angle in rad, |domega|/|omega|",
     ]
     return lines + [f"  {name:22} {angle:.1e}  {rate:.1e}" for name, angle, rate in found["worst"]]

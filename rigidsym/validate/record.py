@@ -34,7 +34,8 @@ def record(report: ValidationReport, installed: Path) -> Path:
         [stratum.name, *(_digits(stratum.worst[field]) for field in ("angle", "omega"))]
         for stratum in report.strata
     ]
-    command = f"rigidsym validate {target} --cases {report.cases} --record"
+    drawn = f"--cases {report.cases} --digits {report.digits} --seed {report.seed}"
+    command = f"rigidsym validate {target} {drawn} --record"
     known[target] = {"digest": digest, "command": command, "worst": worst}
     return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")
 

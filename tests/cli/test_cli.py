@@ -169,6 +169,14 @@ def test_trace_goes_both_ways(capsys):
     assert main(["trace", "--equation", "99"]) == 1
 
 
+def test_trace_names_what_rests_on_no_fact(capsys):
+    assert main(["trace", "--equation", "Dekker 1971"]) == 0
+    place = capsys.readouterr().out.split(": ")[0]
+    assert main(["trace", place]) == 0
+    _, equations = capsys.readouterr().out.splitlines()
+    assert equations == "equations: Dekker 1971"
+
+
 def test_validate_prints_json_and_writes_files(tmp_path, capsys):
     arguments = ["validate", "numpy", "--cases", "1", "--digits", "20", "--seed", "3", "--json"]
     assert main([*arguments, "-o", str(tmp_path)]) == 0

@@ -128,6 +128,8 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     """All functions in order, over pairs; `_excess` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
+    timed = {name for f in functions if f.name.endswith("_angles") for name in f.results}
+    changing = frozenset({"t", "t_lo", *timed})
     parts = [Lines(head, {})]
     for function in functions:
         if function.name == "_excess":
@@ -140,7 +142,7 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
         elif function.extended:
             parts.append(_extended_function(function))
         else:
-            parts.append(_loop(function))
+            parts.append(_loop(function, changing))
     return parts
 
 
@@ -217,14 +219,11 @@ def _all_extended(function: Function) -> set[str]:
     return extended
 
 
-_TIMED = ("t", "t_lo", "sin_v", "cos_v", "X_re", "X_im", "w", "p", "side", "flip")
-
-
-def _loop(function: Function) -> Lines:
+def _loop(function: Function, changing: frozenset[str]) -> Lines:
     """A function of doubles over arrays: what changes with time is read and written by index."""
-    timed = [name for name in function.parameters if name in _TIMED]
+    timed = [name for name in function.parameters if name in changing]
     used = function.used()
-    kept = [name for name in function.parameters if name not in _TIMED and name in used]
+    kept = [name for name in function.parameters if name not in changing and name in used]
     parameters = [f"const torque_free_{branch(function)} *plan", "size_t n"]
     parameters += [f"const double *restrict {name}_in" for name in timed]
     parameters += [f"double *restrict {name}_out" for name in function.results]

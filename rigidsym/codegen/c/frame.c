@@ -497,7 +497,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
     case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
-    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
+    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^@farthest@ rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
     default: return "no such code";
     }

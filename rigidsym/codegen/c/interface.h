@@ -3,11 +3,11 @@ enum {
     TORQUE_FREE_OK = 0,
     TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
     TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_THIN = 3,       /* principal moments differ by more than 2^200 */
+    TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^@thinnest@ of another */
     TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_SEPARATRIX = 5, /* nearer to spin about the middle axis than 2^-300 or 2^-400 */
-    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
-    TORQUE_FREE_RATES = 7       /* rates that double precision cannot hold, beyond 2^1020 rad/s */
+    TORQUE_FREE_SEPARATRIX = 5, /* nearer to spin about the middle axis than about 2^@decisive@ */
+    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@farthest@ rad, or t is infinite or no number */
+    TORQUE_FREE_RATES = 7       /* rates that double precision cannot hold, beyond 2^@fastest@ rad/s */
 };
 
 /* The constants of one motion; written by torque_free_plan_init, read by all others. */

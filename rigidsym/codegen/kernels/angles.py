@@ -46,8 +46,8 @@ def half_turns() -> Function:
 def logarithm() -> Function:
     """log x for x > 0."""
     lets = [
-        let("e = exponent(x)"),
-        let("f = sqrt(mantissa(x))"),
+        let("e = exponent(x)", "DLMF 4.8"),
+        let("f = sqrt(mantissa(x))", "DLMF 4.8"),
         let("t4 = (f - 1)/(f + 1)", LOGARITHM),
         *_series("t4", "+", LOGARITHM),
         let("log_x = e*log_2 + 4*t4*series", LOGARITHM),
@@ -63,7 +63,7 @@ def _series(variable: str, sign: str, source: str) -> list[Let]:
         let(
             f"z = {variable}*{variable}" if sign == "+" else f"z = -({variable}*{variable})", source
         ),
-        let("z_d = rounded(z)"),
+        let("z_d = rounded(z)", source),
         let(f"tail = {horner('z_d', names[_EXTENDED:])}", source),
         let(f"series = {horner('z', ['1', *names[:_EXTENDED], 'tail'])}", source),
     ]

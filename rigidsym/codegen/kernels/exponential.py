@@ -30,12 +30,12 @@ _NAMES = [f"exponential_{k}" for k in range(TERMS)]
 def function() -> Function:
     """e^x for x <= 0, and 0 below -708, without a branch, so that loops around it vectorise."""
     lets = (
-        let("bounded = choose(least, x, x, least)"),
-        let("n = nearest(bounded*log_2_inverse)"),
+        let("bounded = choose(least, x, x, least)", "DLMF 4.8"),
+        let("n = nearest(bounded*log_2_inverse)", "DLMF 4.8"),
         let("r = (bounded - n*log_2_short) - n*log_2_rest", "DLMF 4.2.19"),
         let(f"rest = {horner('r', _NAMES)}", "DLMF 4.2.19"),
         let("grown = 1 + (r + r*r*(half + r*rest))", "DLMF 4.2.19"),
-        let("value = choose(least, x, power_of_two(n)*grown, 0)"),
+        let("value = choose(least, x, power_of_two(n)*grown, 0)", "DLMF 4.8"),
     )
     return Function("_exponential", "e^x for x <= 0.", ("x",), lets, ("value",))
 

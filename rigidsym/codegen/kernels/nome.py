@@ -4,7 +4,8 @@ q(k_next) = q(k)^2, and with e = k^2/(2 (1 + k') (1 + root k')^2) at that level
 
     q = e (1 + 2 e^4 + 15 e^8 + 150 e^12 + ...)        (DLMF 19.5.5 with 20.9)
 
-All terms are positive; for k^2 <= 1/2 above, e < 1/500 below, and what is left out is negligible.
+All terms are positive.  For k^2 <= 1/2 above, k_next^2 is below 3/100 at that level, so that k' and
+its root, which are no less than 1 - k_next^2, leave e < 1/500.
 """
 
 from fractions import Fraction
@@ -15,6 +16,22 @@ from rigidsym.codegen.kernels.text import horner
 TERMS = 4
 _SOURCE = "DLMF 20.9.1"
 LARGEST = Fraction(1, 500)
+
+
+def series_tail() -> Fraction:
+    """A bound for what TERMS leave out of q/e, e at most LARGEST, relative to it: q/e >= 1.
+
+    With e = q R(q^4) as in `coefficients`, let L be a lower bound for |R| where |q| = r = 3/5; |e|
+    is at least r L there, and e has the zero q = 0 alone within.  By Rouche's theorem q is analytic
+    in e where |e| < r L, with |q| < r, and by Cauchy's estimate the coefficient of e^(4 n) in q/e
+    is at most (r L)^(-4 n)/L: a geometric series.
+    """
+    radius = Fraction(3, 5)
+    p = radius**4
+    over, under = 1 - p**2 / (1 - p**4), 1 + 2 * p / (1 - p**3)
+    least = over / under
+    ratio = (LARGEST / (radius * least)) ** 4
+    return ratio**TERMS / (1 - ratio) / least
 
 
 def coefficients(count: int) -> list[int]:

@@ -2,7 +2,8 @@
 
 A rate is hi + lo, and hi*t is formed with its rounding error; whole half turns are taken off the
 product, which is exact, before the small parts are added.  For |rate t| < 2^46 the rest is right
-to 2^-54 half turns.
+to 2^-54 half turns: what is left out of the product is below 2^46 2^-106, what is added is below
+2^-7 and right to 2^-60, and the last sum, below 1/2 + 2^-7, is rounded once.
 """
 
 from rigidsym.codegen.ir import Constant, Let, let
@@ -10,6 +11,9 @@ from rigidsym.codegen.kernels import circle
 from rigidsym.codegen.kernels.text import horner
 
 TERMS = 8
+_PRODUCT, _SUM, _EXACT = "Dekker 1971", "Knuth 4.2.2", "Sterbenz 1974"
+# What whole half turns do to sine and cosine; the sign they leave.
+TURNS = "DLMF 4.16"
 _SINE = [f"sine_{k}" for k in range(TERMS)]
 _COSINE = [f"cosine_{k}" for k in range(TERMS)]
 
@@ -37,31 +41,35 @@ def product(
     small = " + (".join(filter(None, terms))
     small += ")" * small.count("(")
     return [
-        let(f"{name} = {factor}_hi*{of}"),
-        let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})"),
+        let(f"{name} = {factor}_hi*{of}", _PRODUCT),
+        let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})", _PRODUCT),
     ]
 
 
 def total(name: str, one: str, other: str) -> list[Let]:
     """name + name_error = one + other exactly (Knuth's sum of two)."""
+    lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
     return [
-        let(f"{name} = {one} + {other}"),
-        let(f"{name}_other = {name} - {one}"),
-        let(f"{name}_error = ({one} - ({name} - {name}_other)) + ({other} - {name}_other)"),
+        let(f"{name} = {one} + {other}", _SUM),
+        let(f"{name}_other = {name} - {one}", _SUM),
+        let(f"{name}_error = {lost}", _SUM),
     ]
 
 
 def whole(name: str, value: str) -> list[Let]:
     """The nearest whole number, and the rest, which is exact."""
-    return [let(f"{name}_whole = nearest({value})"), let(f"{name}_rest = {value} - {name}_whole")]
+    return [
+        let(f"{name}_whole = nearest({value})", TURNS),
+        let(f"{name}_rest = {value} - {name}_whole", TURNS, _EXACT),
+    ]
 
 
 def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
     """Sine and cosine of pi times half_turns, whose whole part is given apart."""
     square, sign = f"{angle}_square", f"{angle}_sign"
     return [
-        let(f"{square} = {half_turns}*{half_turns}"),
-        let(f"{sign} = alternating({whole})"),
+        let(f"{square} = {half_turns}*{half_turns}", "DLMF 4.19.1", "DLMF 4.19.2"),
+        let(f"{sign} = alternating({whole})", TURNS),
         let(
             f"{sine} = {sign}*({half_turns}*pi_hi"
             f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",

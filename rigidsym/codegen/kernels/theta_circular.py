@@ -97,7 +97,7 @@ def values() -> list[Let]:
     """Everything a state needs, from sin v and cos v."""
     return [
         let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
-        let("x2 = x*x"),
+        let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
         let(f"T4_re = {horner('x', names('T4_re'))}", "18", "DLMF 20.2.4"),
         let(f"T4_im = sin_v*cos_v*({horner('x', names('T4_im'))})", "18", "DLMF 20.2.4"),
         let(f"T1_re = sin_v*({horner('x', names('T1_re'))})", "18", "DLMF 20.2.1"),

@@ -11,10 +11,14 @@ with C_n, S_n = cos, sin (2n+1)a; theta_1 likewise.  The rates and N^2 take nome
 q < 0.0433, so that what is left out, q^16, is below 2^-72.
 """
 
+from fractions import Fraction
+
 from rigidsym.codegen.ir import Let, let
 from rigidsym.codegen.kernels.text import horner
 
 STATE, SECULAR = 4, 6
+# Above e^-pi, the nome where k_1^2 = 1/2.
+LARGEST = Fraction(433, 10_000)
 _SERIES, _WATSON = ("DLMF 20.2.1", "DLMF 20.2.2"), "DLMF 20.7.14"
 
 
@@ -73,7 +77,11 @@ def constants() -> list[Let]:
 
 def values() -> list[Let]:
     """Everything a state needs, from w, p and sgn(y)."""
-    lets = [let("p2 = p*p"), let("qw = nome*w"), let("qw2 = qw*qw")]
+    lets = [
+        let("p2 = p*p", *_SERIES),
+        let("qw = nome*w", *_SERIES),
+        let("qw2 = qw*qw", *_SERIES),
+    ]
     for part in ("re", "im"):
         for name, variable in (("near", "p"), ("far", "qw")):
             square = f"{variable}2"
@@ -102,7 +110,7 @@ def values() -> list[Let]:
             "18",
             "DLMF 20.2.1",
         ),
-        let("w2 = w*w"),
+        let("w2 = w*w", *_SERIES),
         let(f"tall = {horner('p2', ['1', 'nome2', 'nome8'])}", "DLMF 20.2.2"),
         let("deep = w2*(1 + qw2*(nome2 + qw2*nome8))", "DLMF 20.2.2"),
         let("theta2_y = tall + deep", "10", "DLMF 20.2.2"),
@@ -117,3 +125,12 @@ def values() -> list[Let]:
         let("theta4_y = 2*(w*(middle - ends))", "10", "DLMF 20.2.4"),
     ]
     return lets
+
+
+def series_tail() -> Fraction:
+    """A bound for what a state leaves out of each theta, over q^(1/4) e^|y| as above.
+
+    The n-th term is at most q^(n^2) (p^n + w (q w)^n) <= 2 q^(n^2); these fall by q^(2 STATE + 1)
+    at least from n = STATE on.  The thetas of nome q^2 leave out less, 2 (q^18 + 2 q^24) at most.
+    """
+    return 2 * LARGEST ** (STATE**2) / (1 - LARGEST ** (2 * STATE + 1))

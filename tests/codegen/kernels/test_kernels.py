@@ -1,6 +1,7 @@
 """Special functions of the generated code against mpmath, over mpmath's own numbers."""
 
 import random
+from itertools import pairwise
 
 import mpmath
 import pytest
@@ -90,6 +91,19 @@ def test_the_coefficients_of_the_nome_are_the_known_ones():
     assert nome.coefficients(8) == [1, 2, 15, 150, 1707, 20910, 268616, 3567400]  # OEIS A002103
 
 
+def test_what_the_series_of_the_nome_leaves_out_is_within_its_bound():
+    worst = 3 / mpf(100)  # k_next^2 where k^2 = 1/2 is (3 - 2 sqrt(2))^2, k' and its root more
+    assert (3 - 2 * mpmath.sqrt(2)) ** 2 < worst
+    assert worst / (2 * (2 - worst) ** 3) < mpf(1) / nome.LARGEST.denominator
+    e = mpf(1) / nome.LARGEST.denominator
+    rest = nome.coefficients(12)[nome.TERMS :]
+    left_out = sum(a * e ** (4 * n) for n, a in enumerate(rest, nome.TERMS))
+    assert left_out < float(nome.series_tail()) < 200 * left_out
+    assert nome.series_tail() < 2.0**-106
+    growth = [b / a for a, b in pairwise(nome.coefficients(12))]
+    assert max(growth) < 21  # by Cauchy's estimate; it tends to 16
+
+
 @pytest.mark.parametrize("angle", ["0", "1e-30", "0.1", "-0.4999", "0.5", "-0.5", "0.25"])
 def test_half_turns(angle):
     theta = mpmath.pi * mpf(angle)
@@ -173,6 +187,8 @@ def test_hyperbolic_thetas(rho, q, a):
         {"nome": q, "sin_a": mpmath.sin(a), "cos_a": mpmath.cos(a), "rho": rho, "gc": mpf(1)},
     )
     most = -mpmath.log(q) / 2
+    tail = mpf(float(theta_hyperbolic.series_tail()))
+    assert float(theta_hyperbolic.LARGEST) > mpmath.exp(-mpmath.pi)
     for y in (0, most / 3, -most / 3, most, -most):
         w = mpmath.exp(-2 * abs(y))
         given = {"w": w, "p": q / w, "side": 1 if y >= 0 else -1}
@@ -182,11 +198,13 @@ def test_hyperbolic_thetas(rho, q, a):
         two, one = scale * theta(2, z, q), -1j * scale * theta(1, z, q)
         assert abs(mpmath.mpc(found["T4_re"], found["T4_im"]) - two) < 1e-20
         assert abs(mpmath.mpc(found["T1_re"], found["T1_im"]) - one) < 1e-20
+        assert abs(mpmath.mpc(found["T4_re"], found["T4_im"]) - two) < tail
+        assert abs(mpmath.mpc(found["T1_re"], found["T1_im"]) - one) < tail
         real = [theta(n, 2j * y, q * q) for n in (2, 3, 4)]
         for n, value in zip((2, 3, 4), real, strict=True):
             over = 2 * mpmath.sqrt(q) if n == 2 else 1
             size = 1 if n == 2 else w
-            assert abs(found[f"theta{n}_y"] - 2 * w * value / over) < 1e-17 * size
+            assert abs(found[f"theta{n}_y"] - 2 * w * value / over) < tail * size
         norm = abs(two) ** 2 + abs(one) ** 2
         assert abs(2 * found["theta2_y"] * begin["watson"] / norm - 1) < 1e-20
     slope = mpmath.jtheta(2, a, q, 1) / theta(2, a, q)

@@ -1,20 +1,12 @@
-"""What is printed against what was derived: decided by the kernel, formula by formula.
+"""Equality of expressions as rational functions, decided in a ring of the kernel.
 
-Code generation shares, folds and multiplies out; each formula is put together again from the lines
-that were printed, and the difference to the formula that the ledger proves, or a kernel states, has
-to vanish in a ring of the kernel.  Calls are names there: equal ones have equal names.
+Calls are names there: equal ones have equal names.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Mapping
 from itertools import count
 
-from rigidsym.codegen.attitude import folding
-from rigidsym.codegen.functions import functions
-from rigidsym.codegen.ir import Let
-from rigidsym.codegen.passes import expand
-from rigidsym.errors import InputError
 from rigidsym.kernel import Context, KernelError, Ring
-from rigidsym.solution import Solution
 from rigidsym.solution.expression import (
     Call,
     Expression,
@@ -27,27 +19,11 @@ from rigidsym.solution.expression import (
 )
 
 
-def seal(solution: Solution) -> int:
-    """Decide every formula that generated code stands for; returns how many there were.
-
-    Raises InputError, naming it, for the first that the lets do not give.
-    """
-    decided = 0
-    for place, formula, printed in _pairs(solution):
-        if not is_equal(formula.expression, printed):
-            raise InputError(place, str(formula), "what is printed is not what was derived")
-        decided += 1
-    return decided
-
-
-def _pairs(solution: Solution) -> Iterator[tuple[str, Let, Expression]]:
-    """Where, the formula, and what is printed for it with all that was shared put back."""
-    for formula, folded in folding(solution):
-        yield "folding", formula, folded
-    for function in functions(solution):
-        printed = {let.targets: let.expression for let in expand(function.lets)}
-        for formula in function.formulas:
-            yield function.name, formula, printed[formula.targets]
+def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:
+    """The expression with others in the place of some names, all at once."""
+    if isinstance(expression, Name):
+        return meaning.get(expression.name, expression)
+    return rebuild(expression, tuple(put(part, meaning) for part in children(expression)))
 
 
 def is_equal(left: Expression, right: Expression) -> bool:

@@ -1,0 +1,28 @@
+"""`seal_text(generated, solution)`: printed files read back as the lines they print."""
+
+from collections.abc import Callable, Mapping
+
+from rigidsym.codegen.functions import constants, finished, functions
+from rigidsym.codegen.generate import Generated
+from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.kernels import exponential
+from rigidsym.seal import c_text, numpy_text
+from rigidsym.solution import Solution
+
+Reader = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...]], int]
+
+
+def seal_text(generated: Generated, solution: Solution) -> int:
+    """Read every derived line of a module back; returns how many there are.
+
+    Raises InputError, naming function and line, where one is not what the lets say.
+    """
+    target = str(generated.manifest["target"])
+    every, numbers = functions(solution), constants()
+    if target == "c":
+        every = (finished(exponential.function()), *every)
+        numbers = (*numbers, *exponential.constants())
+    return _READERS[target](generated.files, every, numbers)
+
+
+_READERS: dict[str, Reader] = {"numpy": numpy_text.check, "c": c_text.check}
