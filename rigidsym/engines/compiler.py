@@ -19,6 +19,7 @@ FLAGS = (
     *NATIVE,
     "-ffp-contract=off",
     "-fno-math-errno",
+    "-fno-trapping-math",
     "-fPIC",
     "-shared",
 )

@@ -1773,7 +1773,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "490a8e7bc64ba2a2f7b100781c706c9d885f4d8655c3768f78d3e62b4c486104"; }
+const char *torque_free_digest(void) { return "2a87bfd3658ae6d6be27bef86f734a14b422c662f6fd3faee0ffb708a810389e"; }
 
 const char *torque_free_message(int code)
 {

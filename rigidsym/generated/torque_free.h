@@ -50,15 +50,16 @@ rotation angle in rad, |domega|/|omega|
   near separatrix, long  7.5e-16  4.4e-16
 
 rigidsym 0.1.0, emitter c/2
-digest 490a8e7bc64ba2a2f7b100781c706c9d885f4d8655c3768f78d3e62b4c486104
+digest 2a87bfd3658ae6d6be27bef86f734a14b422c662f6fd3faee0ffb708a810389e
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno for the machine it runs on (-march=native): gcc and clang vectorise the loops
-then; gcc's -O2 does not, and a state takes four times as long.  With AVX-512,
--mprefer-vector-width=512 saves a fifth.  -ffast-math and 80-bit arithmetic (x87) break the extended
-numbers and are refused; clang's -ffp-contract=fast breaks them unseen.  Without hardware fused
-multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
-long. */
+-O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
+vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
+-fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
+AVX-512, -mprefer-vector-width=512 saves a fifth.  -ffast-math and 80-bit arithmetic (x87) break the
+extended numbers and are refused; clang's -ffp-contract=fast breaks them unseen.  Without hardware
+fused multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three
+times as long. */
 
 #ifndef TORQUE_FREE_H
 #define TORQUE_FREE_H

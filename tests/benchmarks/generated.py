@@ -29,7 +29,7 @@ PAPER = rivals.Motion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
 NEAR = rivals.Motion((0.3, 0.5, 0.6), (0.01, 1.0, 0.02))
 SEPARATRIX = rivals.Motion((1.0, 2.0, 2.25), (0.75, 0.5, 1.0))
 SOURCE = Path(generated.__file__).with_name("torque_free.c")
-STRICT = ("-std=c99", "-O3", "-fno-math-errno")
+STRICT = ("-std=c99", "-O3", "-fno-math-errno", "-fno-trapping-math")
 NATIVE = (*STRICT, "-march=native", "-mprefer-vector-width=512")
 # What the header speaks of, by what distinguishes it.
 BUILDS = {

@@ -149,3 +149,11 @@ def test_memory_beyond_the_output_does_not_grow_with_the_number_of_times():
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 16e6
+
+
+@pytest.mark.parametrize("target", ["numpy", "c"])
+def test_the_head_says_what_was_measured_of_this_very_code(target):
+    """`rigidsym validate numpy c --cases 200 --record`, then `rigidsym codegen` again."""
+    texts = "".join(generate(target).files.values())
+    assert "not measured" not in texts
+    assert f"rigidsym validate {target} --cases" in texts
