@@ -2,6 +2,8 @@
 
 import json
 import re
+import shutil
+import subprocess
 import tomllib
 from pathlib import Path
 
@@ -71,3 +73,17 @@ def test_every_command_in_the_table_exists(command, capsys):
 def test_every_room_of_the_house_is_there(room):
     assert (ROOT / room).exists()
     assert rigidsym.__version__ in (ROOT / "CHANGELOG.md").read_text()
+
+
+def test_the_c_program_of_the_readme_compiles_and_runs(tmp_path):
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        pytest.skip("no C compiler here")
+    (program,) = blocks("c")
+    (tmp_path / "main.c").write_text(program)
+    rigidsym.generate("c").write(tmp_path)
+    flags = re.search(r"`cc (.*?)`", README)[1].split()
+    subprocess.run([compiler, *flags, "-o", "main"], cwd=tmp_path, check=True)
+    found = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
+    expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
+    assert list(map(float, found.stdout.split())) == pytest.approx(expected.tolist(), abs=1e-15)
