@@ -1,4 +1,4 @@
-"""Torque-free motion of a rigid body: the public class, on the generated NumPy module."""
+"""Torque-free motion of a rigid body: the public class, on an engine."""
 
 import sys
 from collections.abc import Callable, Iterable
@@ -86,7 +86,7 @@ class TorqueFreeMotion:
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
-    def _plan(self) -> dict[str, Any]:
+    def _plan(self) -> Any:
         given = self.exact
         doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
         if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
@@ -174,8 +174,9 @@ def propagate(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
-    Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  Units,
-    conventions and errors are those of `TorqueFreeMotion`.
+    Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  `out` is a
+    pair of arrays of the shapes returned, to fill.  Units, conventions, engines and errors are
+    those of `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     checked = {name: _array(name, value) for name, value in arrays.items()}

@@ -18,7 +18,7 @@ from rigidsym.files import write_text
 from rigidsym.paper import Ruling, Verdict, verdicts
 from rigidsym.plot import Panel, svg
 from rigidsym.seal import seal, seal_text
-from rigidsym.solution import Solution, load, sealed
+from rigidsym.solution import Solution, load
 from rigidsym.validate import ValidationReport, validate
 
 Say = Callable[[str, str, float, bool], None]
@@ -58,7 +58,7 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     say("check", "certificates replayed in a fresh process", seconds, checked)
 
     generated, seconds = _timed(lambda: _all_targets(load(derivation.ledger)))
-    current = [module.files for module in generated] == [m.files for m in _all_targets(sealed())]
+    current = all(module.files == generate(target).files for target, module in generated.items())
     same = "the same as" if current else "NOT the same as"
     say("codegen", f"{', '.join(TARGETS)}: sealed, {same} what is installed", seconds, current)
 
@@ -69,8 +69,9 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     say("validate", found, seconds, validation.passed)
 
     ruled = tuple(verdicts(json.loads(derivation.ledger)))
-    result = Reproduction(derivation, checked, generated, current, validation, ruled)
-    for module in generated:
+    modules = tuple(generated.values())
+    result = Reproduction(derivation, checked, modules, current, validation, ruled)
+    for module in modules:
         module.write(directory)
     write_text(directory / "validation.json", validation.to_json())
     write_text(directory / "validation.md", validation.to_markdown())
@@ -79,11 +80,11 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     return result
 
 
-def _all_targets(solution: Solution) -> tuple[Generated, ...]:
+def _all_targets(solution: Solution) -> dict[str, Generated]:
     """Every module, after the kernel has decided that it is what was derived."""
     seal(solution)
-    generated = tuple(generate(target, solution) for target in TARGETS)
-    for module in generated:
+    generated = {target: generate(target, solution) for target in TARGETS}
+    for module in generated.values():
         seal_text(module, solution)
     return generated
 

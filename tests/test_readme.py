@@ -13,6 +13,7 @@ import pytest
 import rigidsym
 from rigidsym.cases import parse_case
 from rigidsym.cli import main
+from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.paper import Ruling, verdicts
 from rigidsym.solution import ledger_text
 
@@ -87,3 +88,32 @@ def test_the_c_program_of_the_readme_compiles_and_runs(tmp_path):
     found = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
     expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
     assert list(map(float, found.stdout.split())) == pytest.approx(expected.tolist(), abs=1e-15)
+
+
+ACCURACY = {
+    "the paper's spacecraft": ["paper"],
+    "uniform, any axis order": ["uniform"],
+    "the same, long": ["long times", "longest times"],
+    "1e-1 … 1e-15 from the separatrix": ["near separatrix", "near separatrix, long"],
+    "on the separatrix": ["separatrix"],
+    "symmetric; nearly so": ["symmetric", "near symmetric"],
+    "sphere; nearly so": ["sphere", "near sphere"],
+    "spin; tilted from it": ["spin", "near spin", "rest"],
+    "flat bodies, thin rods": ["flat", "rod"],
+    "small and large scales": ["small scales", "large scales"],
+    "decimals that doubles only approximate": ["decimals"],
+}
+
+
+def test_the_table_of_errors_is_what_was_recorded():
+    """Of both modules, the larger; each stratum is in one row."""
+    measured = json.loads(MEASURED_FILE.read_text())
+    worst: dict = {}
+    for target in measured.values():
+        for name, *errors in target["worst"]:
+            worst[name] = [max(pair) for pair in zip(errors, worst.get(name, errors), strict=True)]
+    assert sorted(worst) == sorted(name for names in ACCURACY.values() for name in names)
+    for motions, names in ACCURACY.items():
+        (row,) = (line for line in README.splitlines() if line.startswith(f"| {motions}"))
+        expected = [max(worst[name][k] for name in names) for k in (0, 1)]
+        assert [float(cell) for cell in row.split("|")[-3:-1]] == expected

@@ -16,7 +16,7 @@ from rigidsym.codegen.passes import expand, share
 from rigidsym.seal import c_text, is_equal, seal, seal_text
 from rigidsym.seal.states import claims as of_states
 from rigidsym.solution import sealed
-from rigidsym.solution.expression import Call, Number, parse
+from rigidsym.solution.expression import Call, Number, names, parse
 
 
 def test_every_formula_of_the_generated_code_is_decided():
@@ -218,10 +218,10 @@ def c_zero(lowered, expression, extended, number):
     return lowered(expression, extended, number)
 
 
-def less(fuse, lets, extended=()):
+def less(fuse, function):
     """The last factor of what is fused is forgotten."""
     forgotten = []
-    for let in fuse(lets, extended):
+    for let in fuse(function):
         match let.expression:
             case Call("fma", (a, _, c)):
                 let = replace(let, expression=Call("fma", (a, Number(1), c)))
@@ -292,7 +292,7 @@ def test_sharing_can_be_undone_and_keeps_the_order():
     for function in assembled.functions(sealed()):
         known = set(function.parameters) | {c.name for c in assembled.constants()}
         for let in function.lets:
-            assert set(assembled.names(let.expression)) <= known
+            assert set(names(let.expression)) <= known
             known |= set(let.targets)
         put_back = [let.targets for let in expand(function.lets)]
         assert put_back == [formula.targets for formula in function.formulas]

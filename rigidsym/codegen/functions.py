@@ -15,12 +15,11 @@ import mpmath
 from rigidsym.codegen.circular import circular
 from rigidsym.codegen.hyperbolic import hyperbolic
 from rigidsym.codegen.ir import Constant, Function
-from rigidsym.codegen.kernels import angles, landen, nome, reduction
+from rigidsym.codegen.kernels import angles, exponential, landen, nome, reduction
 from rigidsym.codegen.passes import live, products, share
 from rigidsym.codegen.start import excess, start
 from rigidsym.codegen.steady import steady
 from rigidsym.solution import Solution
-from rigidsym.solution.expression import names
 
 
 def functions(solution: Solution) -> tuple[Function, ...]:
@@ -31,6 +30,7 @@ def functions(solution: Solution) -> tuple[Function, ...]:
 def stated(solution: Solution) -> tuple[Function, ...]:
     """All functions as ledger and kernels state them, before anything is left out or shared."""
     return (
+        exponential.function(),
         excess(solution),
         start(solution),
         landen.step(solution),
@@ -47,11 +47,9 @@ def stated(solution: Solution) -> tuple[Function, ...]:
 def finished(function: Function) -> Function:
     """The function with what its results need alone, shared and without powers."""
     formulas = live(function.lets, function.results)
-    lets = share(products(formulas))
+    done = replace(function, lets=share(products(formulas)), formulas=formulas)
     numbers = {constant.name for constant in constants() if constant.lo is not None}
-    used = {name for let in lets for name in names(let.expression)}
-    extended = function.extended | (numbers & used)
-    return replace(function, lets=lets, formulas=formulas, extended=extended)
+    return replace(done, extended=function.extended | (numbers & done.used()))
 
 
 @cache
@@ -66,7 +64,15 @@ def constants() -> tuple[Constant, ...]:
         Constant("pi_lo", pi.lo or 0.0, None, "pi - pi_hi"),
     )
     never = Constant("never", 1e300, None, "the exponent of what has vanished")
-    return (pi, *halves, log_2, never, *angles.constants(), *reduction.constants())
+    return (
+        pi,
+        *halves,
+        log_2,
+        never,
+        *angles.constants(),
+        *reduction.constants(),
+        *exponential.constants(),
+    )
 
 
 def _in_two(name: str, value: Any) -> Constant:

@@ -73,6 +73,14 @@ class Function:
     rounds: bool = False
     formulas: tuple[Let, ...] = ()
 
+    def all_extended(self) -> frozenset[str]:
+        """The parameters and targets that are extended numbers."""
+        extended = set(self.extended)
+        for let in self.lets:
+            if is_extended(let.expression, extended):
+                extended |= set(let.targets)
+        return frozenset(extended)
+
     def used(self) -> set[str]:
         """Every name that a let uses."""
         return {name for let in self.lets for name in names(let.expression)}

@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
-from rigidsym.codegen.ir import Let, is_extended
+from rigidsym.codegen.ir import Function, Let, is_extended
 from rigidsym.solution import Formula
 from rigidsym.solution.expression import (
     Call,
@@ -13,6 +13,7 @@ from rigidsym.solution.expression import (
     Operation,
     children,
     names,
+    put,
     rebuild,
     to_text,
 )
@@ -65,11 +66,11 @@ def _folded(expression: Expression, constants: Mapping[Expression, Expression]) 
 
 def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
     """Input: lets, and new names for some quantities.  Output: the lets under these names."""
-    meaning: dict[Expression, Expression] = {Name(old): Name(n) for old, n in new.items()}
+    meaning = {old: Name(name) for old, name in new.items()}
     return tuple(
         Let(
             tuple(new.get(target, target) for target in let.targets),
-            _replaced(let.expression, meaning),
+            put(let.expression, meaning),
             let.source,
             let.facts,
         )
@@ -79,15 +80,15 @@ def renamed(lets: Iterable[Let], new: Mapping[str, str]) -> tuple[Let, ...]:
 
 def inlined(lets: Iterable[Let], kept: Iterable[str]) -> tuple[Let, ...]:
     """Input: lets.  Output: those of the kept names, with the others put into them."""
-    meaning: dict[Expression, Expression] = {}
+    meaning: dict[str, Expression] = {}
     wanted, found = set(kept), []
     for let in lets:
-        expression = _replaced(let.expression, meaning)
+        expression = put(let.expression, meaning)
         (target,) = let.targets
         if target in wanted:
             found.append(Let(let.targets, expression, let.source, let.facts))
         else:
-            meaning[Name(target)] = expression
+            meaning[target] = expression
     return tuple(found)
 
 
@@ -132,17 +133,16 @@ def _multiplied(expression: Expression) -> Expression:
             return other
 
 
-def fuse(lets: Iterable[Let], extended: Iterable[str] = ()) -> tuple[Let, ...]:
-    """Input: lets.  Output: the same with a*b + c of doubles as one `fma`, where c is the rest."""
-    known, fused = set(extended), []
-    for let in lets:
-        fused.append(Let(let.targets, _fused(let.expression, known), let.source, let.facts))
-        if is_extended(let.expression, known):
-            known |= set(let.targets)
-    return tuple(fused)
+def fuse(function: Function) -> tuple[Let, ...]:
+    """Input: a function.  Output: its lets with a*b + c of doubles as one `fma`, c the rest."""
+    extended = function.all_extended()
+    return tuple(
+        Let(let.targets, _fused(let.expression, extended), let.source, let.facts)
+        for let in function.lets
+    )
 
 
-def _fused(expression: Expression, extended: set[str]) -> Expression:
+def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
     parts = tuple(_fused(part, extended) for part in children(expression))
     small = rebuild(expression, parts)
     if is_extended(expression, extended):
@@ -222,19 +222,12 @@ def _shared(
 
 def expand(lets: Iterable[Let]) -> tuple[Let, ...]:
     """Input: lets after `share`.  Output: the lets before it; what `share` named is put back."""
-    meaning: dict[Expression, Expression] = {}
+    meaning: dict[str, Expression] = {}
     expanded = []
     for let in lets:
-        expression = _replaced(let.expression, meaning)
+        expression = put(let.expression, meaning)
         if _is_shared(let.targets[0]):
-            meaning[Name(let.targets[0])] = expression
+            meaning[let.targets[0]] = expression
         else:
             expanded.append(Let(let.targets, expression, let.source, let.facts))
     return tuple(expanded)
-
-
-def _replaced(expression: Expression, meaning: Mapping[Expression, Expression]) -> Expression:
-    if expression in meaning:
-        return meaning[expression]
-    parts = tuple(_replaced(part, meaning) for part in children(expression))
-    return rebuild(expression, parts)

@@ -69,7 +69,7 @@ def _body(source: str, name: str) -> list[str]:
 
 
 def _check_function(name: str, function: Function, lines: list[str]) -> None:
-    fused = zip(function.lets, fuse(function.lets, function.extended), strict=True)
+    fused = zip(function.lets, fuse(function), strict=True)
     stored: dict[str, str] = {}
     returned = None
     for line in lines:

@@ -2,9 +2,8 @@
 
 from collections.abc import Iterator
 
-from rigidsym.codegen.functions import constants, finished, functions, stated
+from rigidsym.codegen.functions import constants, functions, stated
 from rigidsym.codegen.ir import Function
-from rigidsym.codegen.kernels import exponential
 from rigidsym.seal import facts, order, sharing, states
 from rigidsym.seal.claims import Claim
 from rigidsym.solution import Solution
@@ -15,10 +14,8 @@ def seal(solution: Solution) -> int:
 
     Raises InputError, naming it, for the first that the lines do not give.
     """
-    origin = (exponential.function(), *stated(solution))
-    every = (finished(exponential.function()), *functions(solution))
-    numbers = {number.name for number in (*constants(), *exponential.constants())}
-    order.check(every, numbers)
+    origin, every = stated(solution), functions(solution)
+    order.check(every, {number.name for number in constants()})
     decided = 0
     for claim in _claims(solution, origin, every):
         claim.decide()

@@ -3,7 +3,7 @@
 Calls are names there: equal ones have equal names.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from itertools import count
 
 from rigidsym.kernel import Context, KernelError, Ring
@@ -17,13 +17,6 @@ from rigidsym.solution.expression import (
     rebuild,
     to_text,
 )
-
-
-def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:
-    """The expression with others in the place of some names, all at once."""
-    if isinstance(expression, Name):
-        return meaning.get(expression.name, expression)
-    return rebuild(expression, tuple(put(part, meaning) for part in children(expression)))
 
 
 def is_equal(left: Expression, right: Expression) -> bool:

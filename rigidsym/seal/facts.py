@@ -10,9 +10,8 @@ from rigidsym.codegen.kernels import landen
 from rigidsym.codegen.names import GAINS, ROWS, STATE
 from rigidsym.errors import InputError
 from rigidsym.seal.claims import DIFFERS, Claim
-from rigidsym.seal.equality import put
 from rigidsym.solution import Formula, Solution
-from rigidsym.solution.expression import Expression, Name, parse
+from rigidsym.solution.expression import Expression, Name, parse, put
 
 # By function and the context of the fact: what the fact's names are there.
 _MEANINGS = {

@@ -10,15 +10,15 @@ from rigidsym.codegen.numpy import emit, module
 from rigidsym.codegen.passes import specialise
 from rigidsym.errors import InputError
 from rigidsym.seal.claims import DIFFERS
-from rigidsym.seal.equality import is_equal, put
-from rigidsym.solution.expression import Expression, Number
+from rigidsym.seal.equality import is_equal
+from rigidsym.solution.expression import Expression, Number, put
 
 
 def check(
     files: Mapping[str, str], functions: tuple[Function, ...], constants: tuple[Constant, ...]
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    tree = ast.parse(files[module.FILE])
+    tree, functions = ast.parse(files[module.FILE]), emit.own(functions)
     defined = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
     _check_bound_once(tree)
     _check_numbers(tree, functions, constants)

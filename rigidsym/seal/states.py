@@ -11,10 +11,9 @@ from rigidsym.codegen.ir import Function
 from rigidsym.codegen.names import ATTITUDE, PARTS, RATES
 from rigidsym.errors import InputError
 from rigidsym.seal.claims import Claim, formulas_of
-from rigidsym.seal.equality import put
 from rigidsym.seal.facts import by_fact
 from rigidsym.solution import Formula, Solution
-from rigidsym.solution.expression import Call, Expression, Number, Operation, parse, to_text
+from rigidsym.solution.expression import Call, Expression, Number, Operation, parse, put, to_text
 
 # A period later along the imaginary axis theta_1 has the other sign (DLMF 20.2.6), theta_2 has not.
 _FLIP = {"circular": "", "hyperbolic": "*flip"}

@@ -2,10 +2,9 @@
 
 from collections.abc import Callable, Mapping
 
-from rigidsym.codegen.functions import constants, finished, functions
+from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.generate import Generated
 from rigidsym.codegen.ir import Constant, Function
-from rigidsym.codegen.kernels import exponential
 from rigidsym.seal import c_text, numpy_text
 from rigidsym.solution import Solution
 
@@ -17,12 +16,8 @@ def seal_text(generated: Generated, solution: Solution) -> int:
 
     Raises InputError, naming function and line, where one is not what the lets say.
     """
-    target = str(generated.manifest["target"])
-    every, numbers = functions(solution), constants()
-    if target == "c":
-        every = (finished(exponential.function()), *every)
-        numbers = (*numbers, *exponential.constants())
-    return _READERS[target](generated.files, every, numbers)
+    reader = _READERS[str(generated.manifest["target"])]
+    return reader(generated.files, functions(solution), constants())
 
 
 _READERS: dict[str, Reader] = {"numpy": numpy_text.check, "c": c_text.check}

@@ -130,6 +130,13 @@ def rebuild(expression: Expression, parts: tuple[Expression, ...]) -> Expression
     return expression
 
 
+def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:
+    """The expression with others in the place of some names, all at once."""
+    if isinstance(expression, Name):
+        return meaning.get(expression.name, expression)
+    return rebuild(expression, tuple(put(part, meaning) for part in children(expression)))
+
+
 def names(expression: Expression) -> Iterator[str]:
     """The names an expression uses, from left to right, repeated as they occur."""
     if isinstance(expression, Name):

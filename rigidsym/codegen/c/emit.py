@@ -24,7 +24,7 @@ _DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponen
 _CALLED_BACK = {"fused": "fma", "fabs": "size", "exponential": "exp"}
 
 
-def lowered(expression: Expression, extended: set[str], number: str) -> Expression:
+def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
     """Operations on extended numbers as calls; `number` is their type in C, `pair` or `exact`."""
     match expression:
         case Name() | Number():
@@ -50,7 +50,7 @@ def lowered(expression: Expression, extended: set[str], number: str) -> Expressi
     raise ValueError(f"{to_text(expression)}: C cannot say this")
 
 
-def _lifted(expression: Expression, extended: set[str], number: str) -> Expression:
+def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Expression:
     """An extended number, whatever the expression is."""
     text = lowered(expression, extended, number)
     return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
@@ -58,9 +58,9 @@ def _lifted(expression: Expression, extended: set[str], number: str) -> Expressi
 
 def function_lines(function: Function, number: str, signature: list[str], ends: list[str]) -> Lines:
     """A function with its lets between what the caller says of its head and its end."""
-    extended = set(function.extended)
+    extended = function.all_extended()
     text, lets = list(signature), {}
-    for let in fuse(function.lets, extended):
+    for let in fuse(function):
         is_pair = is_extended(let.expression, extended)
         code = to_text(lowered(let.expression, extended, number), real=True)
         if len(let.targets) > 1:
@@ -68,8 +68,6 @@ def function_lines(function: Function, number: str, signature: list[str], ends: 
             code = f"{code[:-1]}, {', '.join(f'&{target}' for target in let.targets)})"
         else:
             code = f"const {number if is_pair else 'double'} {let.targets[0]} = {code}"
-        if is_pair:
-            extended |= set(let.targets)
         lets[len(text)] = let
         text.append(f"    {code};{_noted(let)}")
     return Lines((*text, *ends), lets)
@@ -200,7 +198,7 @@ def _extended_function(function: Function) -> Lines:
 def _plan(function: Function) -> Lines:
     output = f"torque_free_{branch(function)} *plan"
     head = _head("void", function.name[1:], [*_parameters(function), output], function.summary)
-    extended = _all_extended(function)
+    extended = function.all_extended()
     ends = []
     for name in function.results:
         if name in function.split:
@@ -209,14 +207,6 @@ def _plan(function: Function) -> Lines:
             value = f"pair_rounded({name})" if name in extended else name
             ends.append(f"    plan->{name} = {value};")
     return function_lines(function, "pair", head, [*ends, "}", ""])
-
-
-def _all_extended(function: Function) -> set[str]:
-    extended = set(function.extended)
-    for let in function.lets:
-        if is_extended(let.expression, extended):
-            extended |= set(let.targets)
-    return extended
 
 
 def _loop(function: Function, changing: frozenset[str]) -> Lines:

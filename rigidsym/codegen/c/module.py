@@ -4,9 +4,7 @@ from importlib import resources
 
 from rigidsym.codegen import header
 from rigidsym.codegen.c import emit
-from rigidsym.codegen.functions import finished
 from rigidsym.codegen.ir import Constant, Function
-from rigidsym.codegen.kernels import exponential
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
 
@@ -57,9 +55,6 @@ _LAST = """
 
 def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Module:
     """Input: functions of lets and the numbers they name.  Output: the module."""
-    # libm's exponential is a call, which no loop around it is vectorised with.
-    functions = (finished(exponential.function()), *functions)
-    constants = (*constants, *exponential.constants())
     by_name = {function.name: function for function in functions}
     plans = [function for function in functions if function.rounds]
     whole = joined(

@@ -1,6 +1,6 @@
 """Lets as Python over NumPy arrays: what is extended are `_Pair`s, whose operators do the rest."""
 
-from rigidsym.codegen.ir import CALLS, Constant, Function, is_extended
+from rigidsym.codegen.ir import CALLS, Constant, Function
 from rigidsym.codegen.lines import Lines, comment, flat_results
 from rigidsym.codegen.passes import specialise
 from rigidsym.solution.expression import (
@@ -16,6 +16,11 @@ from rigidsym.solution.expression import (
 
 _CALLS = {name: f"_{name}" for name in CALLS} | {"size": "abs", "neg": "neg"}
 _BACK = {text: name for name, text in _CALLS.items()}
+
+
+def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
+    """The functions that the module prints: NumPy brings the exponential."""
+    return tuple(function for function in functions if function.name != "_exponential")
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
@@ -105,10 +110,7 @@ def _read(expression: Expression) -> Expression:
 def _results(function: Function) -> str:
     if not function.rounds:
         return ", ".join(function.results)
-    extended = set(function.extended)
-    for let in function.lets:
-        if is_extended(let.expression, extended):
-            extended |= set(let.targets)
+    extended = function.all_extended()
     values = []
     for name in function.results:
         if name in function.split:

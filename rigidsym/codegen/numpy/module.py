@@ -35,7 +35,7 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
         Lines.plain(_HEAD.format(text=text) + "\n"),
         Lines.plain(_part("pairs.py", "# --- pairs ---\n")),
         _GAP,
-        *emit.module(functions, constants),
+        *emit.module(emit.own(functions), constants),
         Lines(tuple(_limits()), {}),
         Lines.plain(_part("frame.py", "# --- frame ---\n")),
     ]
