@@ -6,12 +6,17 @@ Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad
 import argparse
 import io
 import os
+import signal
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any, NoReturn
 
 from rigidsym.errors import InputError, LedgerError, PrecisionError
+
+# Progress bars that are shown; leaving takes them from the terminal.
+_BARS = ExitStack()
 
 
 class _Parser(argparse.ArgumentParser):
@@ -26,7 +31,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     _prepare_output()
     options = _parser().parse_args(arguments)
     try:
-        status = options.run(options)
+        with _BARS:
+            status = options.run(options)
         sys.stdout.flush()
         return status
     except (InputError, LedgerError, PrecisionError) as error:
@@ -39,8 +45,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"rigidsym {options.command}: output: {error.strerror}", file=sys.stderr)
         _discard_output()
         return 2
-    except KeyboardInterrupt:
-        print(f"rigidsym {options.command}: interrupted", file=sys.stderr)
+    except KeyboardInterrupt as stopped:
+        print(f"rigidsym {options.command}: {stopped or 'interrupted'}", file=sys.stderr)
         return 130
 
 
@@ -96,11 +102,19 @@ def _parser() -> argparse.ArgumentParser:
     trace.add_argument("--equation", metavar="NUMBER")
 
     validate = command("validate", _validate, "measure generated modules against the derivation")
-    validate.add_argument("targets", metavar="TARGET", nargs="*", default=["numpy"])
+    validate.add_argument("targets", metavar="TARGET", nargs="*", help="numpy, c; both by default")
     validate.add_argument("--cases", metavar="N", type=_positive, help="samples of each stratum")
     validate.add_argument("--digits", metavar="D", type=_positive, help="digits of the oracle")
     validate.add_argument("--seed", metavar="S", type=int)
-    validate.add_argument("-o", "--output", metavar="DIR", type=_path)
+    validate.add_argument("--stratum", metavar="NAME", action="append", help="only this; repeatable")
+    validate.add_argument("--peer", metavar="NAME", action="append", help="heyoka, dop853, lsoda…")
+    validate.add_argument("--case", metavar="STRATUM:INDEX", help="one case, at all of its times")
+    validate.add_argument("--faults", action="store_true", help="which injected faults are noticed")
+    where = validate.add_mutually_exclusive_group()
+    where.add_argument("--workers", metavar="W", type=_positive, help="processes; all cores")
+    where.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster, tcp://…")
+    validate.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
+    validate.add_argument("-o", "--output", metavar="DIR", type=_path, help="JSON, Markdown, HTML")
     validate.add_argument("--json", action="store_true")
     validate.add_argument("--record", action="store_true", help="for the heads of the modules")
 
@@ -136,9 +150,10 @@ def _path(text: str) -> Path:
 
 
 def _positive(text: str) -> int:
-    if not text.isdecimal() or len(text) > 9 or int(text) < 1:
+    digits = text.replace("_", "")
+    if not digits.isdecimal() or len(digits) > 9 or int(digits) < 1:
         raise argparse.ArgumentTypeError(f"{text!r:.40} must be a whole number, at least 1")
-    return int(text)
+    return int(digits)
 
 
 def _seconds(text: str) -> float:
@@ -152,19 +167,24 @@ def _seconds(text: str) -> float:
 
 
 def _progress(label: str) -> Callable[[int, int], None]:
-    """A progress bar on a terminal, silence elsewhere; called with what is done and the total."""
+    """A progress bar with the time left on a terminal, silence elsewhere; called with what is done
+    and the total."""
     if not sys.stderr.isatty():
         return lambda done, total: None
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+    from rich.progress import TimeRemainingColumn
+
+    columns = (TextColumn(label), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    bar = Progress(*columns, console=Console(stderr=True), transient=True)
+    task = bar.add_task(label)
+    bar.start()
+    _BARS.callback(bar.stop)
 
     def show(done: int, total: int) -> None:
-        filled = 30 * done // total
-        end = "\r\x1b[K" if done == total else ""
-        print(
-            f"\r{label} [{'#' * filled}{'.' * (30 - filled)}] {done}/{total}",
-            end=end,
-            file=sys.stderr,
-            flush=True,
-        )
+        bar.update(task, completed=done, total=total)
+        if done == total:
+            bar.stop()
 
     return show
 
@@ -354,27 +374,57 @@ def _trace(options: Any) -> int:
 
 
 def _validate(options: Any) -> int:
-    from rigidsym.files import probe, write_text
-    from rigidsym.validate import check_target, validate
+    from rigidsym.files import probe
+    from rigidsym.validate import session
+
+    names = {"targets": "targets", "peer": "peers", "stratum": "strata"}
+    names |= {name: name for name in ("cases", "digits", "seed")}
+    given = {name: getattr(options, option) for option, name in names.items()}
+    chosen = {name: value for name, value in given.items() if value not in (None, [])}
+    if options.output and not options.resume:
+        probe(options.output)
+    if options.case:
+        return _validate_case(session.begin(chosen, None, False)[0], options)
+    whole, done = session.begin(chosen, options.output, options.resume)
+    return _validate_faults(whole, options) if options.faults else _campaign(whole, done, options)
+
+
+def _campaign(whole: Any, done: Any, options: Any) -> int:
+    from rigidsym.validate import checkpoint, executors, session, tables, validation
     from rigidsym.validate.record import record
 
-    for target in options.targets:
-        check_target(target)
+    # What a batch system sends is an interrupt, too.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    place = (
+        executors.cluster(options.scheduler)
+        if options.scheduler
+        else executors.local(options.workers)
+    )
+    kept = checkpoint.Checkpoint(options.output, whole, done) if options.output else None
+    report = validation.conduct(whole, done, place, _progress("validate"), kept)
+    if options.json:
+        print(report.to_json(), end="")
+    else:
+        _table(f"{report.command}: worst errors in units of 2^-53", *tables.summary(report))
+    if kept:
+        _say(f"report: {session.write(report, options.output)}")
+        kept.remove()
+    if options.record:
+        _say(f"recorded: {record(report)}")
+    for failure in report.failures:
+        _say(f"broken: {failure.line}")
+    return 0 if report.passed else 1
+
+
+def _validate_case(whole: Any, options: Any) -> int:
+    from rigidsym.validate import case_file, session, tables
+
+    finding = session.replay(options.case, whole)
     if options.output:
-        probe(options.output)
-    chosen = {name: getattr(options, name) for name in ("cases", "digits", "seed")}
-    given = {name: value for name, value in chosen.items() if value is not None}
-    status = 0
-    for target in dict.fromkeys(options.targets):
-        report = validate(target, progress=_progress(f"validate {target}"), **given)
-        print(report.to_json() if options.json else report.to_markdown(), end="")
-        if options.output:
-            write_text(options.output / f"validation-{target}.json", report.to_json())
-            write_text(options.output / f"validation-{target}.md", report.to_markdown())
-        if options.record:
-            _say(f"recorded: {record(report, _generated_directory())}")
-        status |= not report.passed
-    return int(status)
+        _say(f"case: {case_file.write(options.output, finding.sample)}")
+    print(case_file.toml(finding.sample), end="")
+    _table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
+    return 0 if max(map(finding.share, whole.targets)) <= 1 else 1
 
 
 def _propagate(options: Any) -> int:

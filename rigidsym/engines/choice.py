@@ -22,9 +22,11 @@ def engine(name: str) -> Engine:
 
 def exactly(name: str) -> Engine:
     """The engine of a name and no other; raises InputError where it cannot be had."""
-    found = engine(name)
-    if name == "c" and isinstance(found, NumpyEngine):
-        raise InputError("engine", "c", "cannot be built on this machine")
+    if checked(name) == "numpy":
+        return NumpyEngine()
+    found, _ = _obtained()
+    if isinstance(found, str):
+        raise InputError("engine", name, found)
     return found
 
 
@@ -41,12 +43,12 @@ def _c_or_numpy() -> Engine:
         heard, remarks[:] = remarks[:], []
     for remark in heard:
         warnings.warn(remark, RuntimeWarning, stacklevel=3)
-    return found
+    return NumpyEngine() if isinstance(found, str) else found
 
 
 @cache
-def _obtained() -> tuple[Engine, list[str]]:
-    """The engine, looked for once, and the remarks that nobody has heard yet."""
+def _obtained() -> tuple[Engine | str, list[str]]:
+    """C's engine or why there is none, looked for once; remarks that nobody has heard yet."""
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym.engines.build import library
     from rigidsym.engines.c_engine import CEngine
@@ -58,4 +60,4 @@ def _obtained() -> tuple[Engine, list[str]]:
         return CEngine(library(remarks)), remarks
     except (CompilerError, LibraryError) as error:
         remarks.append(f"engine: {error}: states are computed by NumPy")
-        return NumpyEngine(), remarks
+        return str(error), remarks

@@ -7,6 +7,7 @@ doubles, right to 32 digits, and what decides the regime is found from the exact
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 from typing import NamedTuple
 
 from rigidsym import inputs
@@ -15,6 +16,11 @@ from rigidsym.generated import torque_free
 from rigidsym.solution.polhode import excess
 
 Pair = tuple[float, float]
+
+# Moments closer than this part of the smallest are taken for equal: products of two differences
+# would leave binary64, and so would the rates that could tell the circulations apart.  A motion is
+# off by the difference times the square of the angle turned then, less than 2^-150 in all.
+INDISTINCT = Fraction(1, 2**250)
 
 
 class ExactPairs(NamedTuple):
@@ -31,7 +37,7 @@ def exact_pairs(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
 ) -> ExactPairs:
     """Scale by powers of two and round to pairs; raises InputError for what is out of range."""
-    moments, _ = _over_power_of_two(inertia)
+    moments = _merged(_over_power_of_two(inertia)[0])
     rates, exponent = _over_power_of_two(omega0)
     quaternion, _ = _over_power_of_two(attitude0)
     if min(moments) < torque_free.THINNEST:
@@ -55,6 +61,16 @@ def pair(value: Fraction) -> Pair:
     """
     high = float(value)
     return high, float(value - Fraction(high))
+
+
+def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
+    """The moments, those that are INDISTINCT made equal."""
+    merged, least = list(moments), min(moments) * INDISTINCT
+    order = sorted(range(3), key=lambda k: moments[k])
+    for low, high in pairwise(order):
+        if merged[high] - merged[low] < least:
+            merged[high] = merged[low]
+    return merged
 
 
 def _distinguished(moments: Sequence[Fraction]) -> Sequence[Fraction]:

@@ -16,7 +16,7 @@ _MOST = 4
 def threads(states: int) -> int:
     """How many threads are worth their start for so many states."""
     wanted = min(_MOST, states // LEAST)
-    return min(wanted, _processors()) if wanted > 1 else 1
+    return min(wanted, processors()) if wanted > 1 else 1
 
 
 def in_parts(work: Callable[[int, int], Result], count: int, parts: int) -> list[Result]:
@@ -28,7 +28,7 @@ def in_parts(work: Callable[[int, int], Result], count: int, parts: int) -> list
         return list(pool.map(work, ends[:-1], ends[1:]))
 
 
-def _processors() -> int:
+def processors() -> int:
     """The processors this process may run on."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))

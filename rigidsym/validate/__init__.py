@@ -1,5 +1,7 @@
-"""Validation of the generated modules: strata of cases, error measures, reports."""
+"""Validation of the generated modules: strata of cases, oracles, error measures, reports."""
 
-from rigidsym.validate.report import ValidationReport, check_target, validate
+from rigidsym.validate.contestants import check_target
+from rigidsym.validate.report import ValidationReport
+from rigidsym.validate.validation import validate
 
 __all__ = ["ValidationReport", "check_target", "validate"]

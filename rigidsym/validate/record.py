@@ -14,29 +14,27 @@ from rigidsym.errors import InputError
 from rigidsym.files import write_text
 from rigidsym.validate.measure import ULP
 from rigidsym.validate.report import ValidationReport
+from rigidsym.validate.tally import DRAWN
 
 
-def record(report: ValidationReport, installed: Path) -> Path:
-    """Keep the figures of a report; raises InputError where another code than today's was measured.
-
-    installed: the directory of the generated modules, whose maps say which code was run.
-    """
-    target = report.target
-    digest = generate(target).manifest["digest"]
-    ran = json.loads((installed / f"{target}.map.json").read_text("utf-8"))["manifest"]["digest"]
-    if ran != digest:
-        rule = f"is not the module that `rigidsym codegen {target}` writes now: run that first"
-        raise InputError("record", ran[:12], rule)
+def record(report: ValidationReport) -> Path:
+    """Keep the figures of a report; raises InputError where another code than today's was measured."""
     known: dict[str, Any] = {}
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))
-    worst = [
-        [stratum.name, *(_digits(stratum.worst[field]) for field in ("angle", "omega"))]
-        for stratum in report.strata
-    ]
-    drawn = f"--cases {report.cases} --digits {report.digits} --seed {report.seed}"
-    command = f"rigidsym validate {target} {drawn} --record"
-    known[target] = {"digest": digest, "command": command, "worst": worst}
+    whole = report.campaign
+    for target, ran in zip(whole.targets, whole.digests, strict=True):
+        digest = generate(target).manifest["digest"]
+        if ran != digest:
+            rule = f"is not the module that `rigidsym codegen {target}` writes now: run that first"
+            raise InputError("record", ran[:12], rule)
+        views = [report.tally.view(target, measure, "stratum") for measure in DRAWN]
+        worst = [
+            [stratum, *(_digits(view[stratum].worst) for view in views)] for stratum in whole.strata
+        ]
+        drawn = f"--cases {whole.cases} --digits {whole.digits} --seed {whole.seed}"
+        command = f"rigidsym validate {target} {drawn} --record"
+        known[target] = {"digest": digest, "command": command, "worst": worst}
     return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")
 
 

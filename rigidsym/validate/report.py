@@ -1,151 +1,213 @@
-"""The validation report: figures by stratum, as JSON and as Markdown."""
+"""The validation report: what was measured, against which bounds, and where it was worst."""
 
 import json
-from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from fractions import Fraction
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
-from rigidsym import engines, inputs
-from rigidsym.errors import InputError
-from rigidsym.validate.measure import BOUND, Measurement, measure
-from rigidsym.validate.strata import STRATA, Sample, samples
+from rigidsym.validate import second_oracle
+from rigidsym.validate.campaign import DISAGREEMENT, ORACLES, Campaign
+from rigidsym.validate.case_file import hexadecimal
+from rigidsym.validate.contestants import PEER
+from rigidsym.validate.finding import Finding
+from rigidsym.validate.markdown import markdown
+from rigidsym.validate.measure import BOUNDS, MEANINGS, MEASURES, ULP
+from rigidsym.validate.strata import STRATA
+from rigidsym.validate.tally import DRAWN, Cell, Tally
 
-SCHEMA = "rigidsym.validation/1"
-FIELDS = ("angle", "omega", "norm", "energy", "momentum", "share")
-CASES, DIGITS, SEED = 15, 25, 1
+SCHEMA = "rigidsym.validation/2"
 
 
 @dataclass(frozen=True, slots=True)
-class StratumReport:
-    """The worst figures of one stratum, in units of 2^-53, and the sample that broke or came
-    nearest to the bound."""
+class Failure:
+    """A broken bound: who, where, by which measure, and the simplest case found that breaks it."""
 
-    name: str
-    cases: int
-    states: int
-    worst: dict[str, float]
-    nearest: Sample | None
-    nearest_time: float
+    target: str
+    measure: str
+    share: float
+    stratum: str
+    index: int
+    simplest: Finding
 
     @property
-    def passed(self) -> bool:
-        """Something was tested, and all of it within the bound."""
-        return self.states > 0 and self.worst["share"] <= 1
+    def line(self) -> str:
+        """One line that names stratum, case and figure."""
+        figure = self.share * BOUNDS[self.measure]
+        return (
+            f"{self.target}: {self.stratum}:{self.index}: {self.measure} {figure:.2g}, "
+            f"{self.share:.3g} of its bound {BOUNDS[self.measure]:g}"
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class ValidationReport:
-    """All strata of one run."""
+    """A campaign, what it found, the worst cases in full, and how it was run."""
 
-    target: str
-    cases: int
-    digits: int
-    seed: int
-    strata: tuple[StratumReport, ...]
+    campaign: Campaign
+    tally: Tally
+    worst: tuple[Finding, ...] = ()
+    failures: tuple[Failure, ...] = ()
+    run: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def passed(self) -> bool:
-        """Every stratum passed."""
-        return all(stratum.passed for stratum in self.strata)
+        """Something was tested in every stratum, all within the bounds, and the oracles agree."""
+        return all(
+            self.tally.cases.get(stratum, 0) > 0
+            and self.agreement(stratum) <= 1
+            and all(self.share(target, stratum) <= 1 for target in self.campaign.targets)
+            for stratum in self.campaign.strata
+        )
 
-    def to_json(self) -> str:
-        """The schema rigidsym.validation/1; figures to three digits."""
-        data = {
+    def share(self, name: str, stratum: str) -> float:
+        """The largest part of a bound a contestant needs in a stratum; infinite where untested."""
+        cells = (self.tally.cells.get((name, m, "share", stratum)) for m in MEASURES)
+        return max(float("inf") if cell is None else cell.worst for cell in cells)
+
+    def agreement(self, stratum: str) -> float:
+        """How far the oracles are apart, as part of what they have to agree to."""
+        cell = self.tally.cells.get((ORACLES, DISAGREEMENT, "stratum", stratum))
+        return float("inf") if cell is None else cell.worst
+
+    @property
+    def command(self) -> str:
+        """What writes this report."""
+        return f"rigidsym validate {self.options}"
+
+    @property
+    def options(self) -> str:
+        """Targets and options of the campaign."""
+        whole = self.campaign
+        chosen = [f"--stratum '{name}'" for name in whole.strata] if self._partial else []
+        peers = [f"--peer {name}" for name in whole.peers]
+        drawn = f"--cases {whole.cases} --digits {whole.digits} --seed {whole.seed}"
+        return " ".join([*whole.targets, drawn, *peers, *chosen])
+
+    @property
+    def _partial(self) -> bool:
+        return len(self.campaign.strata) < len(STRATA)
+
+    def to_data(self) -> dict[str, Any]:
+        """The schema rigidsym.validation/2; figures in units of 2^-53, to three digits."""
+        tally = self.tally
+        return {
             "schema": SCHEMA,
-            "target": self.target,
-            "cases": self.cases,
-            "digits": self.digits,
-            "seed": self.seed,
-            "unit": "2**-53",
+            "campaign": self.campaign.to_data(),
+            "command": self.command,
             "passed": self.passed,
-            "strata": [_stratum_json(stratum) for stratum in self.strata],
+            "unit": "2**-53",
+            "bounds": {name: _figure(bound / ULP) for name, bound in BOUNDS.items()},
+            "meanings": MEANINGS,
+            "strata": [
+                {
+                    "name": name,
+                    "about": STRATA[name].about,
+                    "cases": tally.cases.get(name, 0),
+                    "states": tally.states.get(name, 0),
+                    "disagreement": _figure(self.agreement(name)),
+                }
+                for name in self.campaign.strata
+            ],
+            "agreement": second_oracle.AGREEMENT,
+            "contestants": [self._contestant(name) for name in self.campaign.contestants],
+            "worst": [self._case(finding) for finding in self.worst],
+            "failures": [
+                {"line": failure.line, "simplest": self._case(failure.simplest)}
+                for failure in self.failures
+            ],
+            "run": dict(self.run),
         }
-        return json.dumps(data, indent=1) + "\n"
 
     def to_markdown(self) -> str:
-        """A table a person can read."""
-        lines = [
-            f"# Validation of the generated module `{self.target}`",
-            "",
-            f"Written by `rigidsym validate {self.target} --cases {self.cases} --digits "
-            f"{self.digits} --seed {self.seed}`.",
-            "",
-            "Worst errors against the derivation evaluated by mpmath, in units of 2^-53 "
-            "(1.1e-16): rotation angle (rad), |domega|/|omega|, | |q| - 1 |, drift of H and K^2. "
-            f"Share: the part of the documented bound {BOUND} that was used.",
-            "",
-            "| stratum | cases | states | angle | omega | norm | H | K^2 | share | |",
-            "|---|---|---|---|---|---|---|---|---|---|",
-        ]
-        for stratum in self.strata:
-            figures = " | ".join(f"{stratum.worst[name]:.3g}" for name in FIELDS)
-            mark = "ok" if stratum.passed else "BROKEN"
-            lines.append(
-                f"| {stratum.name} | {stratum.cases} | {stratum.states} | {figures} | {mark} |"
-            )
-        return "\n".join(lines) + "\n"
+        """Tables a person can read."""
+        return markdown(self.to_data())
 
+    def to_json(self) -> str:
+        """`to_data` as text: the same for the same campaign, but for `run`."""
+        return json.dumps(self.to_data(), indent=1, sort_keys=True, allow_nan=False) + "\n"
 
-def _stratum_json(stratum: StratumReport) -> dict[str, Any]:
-    data: dict[str, Any] = {
-        "name": stratum.name,
-        "cases": stratum.cases,
-        "states": stratum.states,
-        "passed": stratum.passed,
-        "worst": {name: float(f"{stratum.worst[name]:.3g}") for name in FIELDS},
-    }
-    if stratum.nearest is not None:
-        sample = stratum.nearest
-        data["nearest"] = {
-            "index": sample.index,
-            "inertia": _hex(sample.inertia),
-            "omega0": _hex(sample.omega0),
-            "attitude0": _hex(sample.attitude0),
-            "t": float(stratum.nearest_time).hex(),
+    def _contestant(self, name: str) -> dict[str, Any]:
+        whole, peer = self.campaign, name.startswith(PEER)
+        digest = None if peer else whole.digests[whole.targets.index(name)]
+        views = {
+            view: {measure: _cells(self.tally.view(name, measure, view)) for measure in DRAWN}
+            for view in ("distance", "turned", "condition")
         }
-    return data
+        sizes = {
+            stratum: {
+                m: {
+                    part: cell.count
+                    for part, cell in self.tally.view(name, m, f"sizes: {stratum}").items()
+                }
+                for m in DRAWN
+            }
+            for stratum in whole.strata
+        }
+        return {
+            "name": name,
+            "peer": peer,
+            "digest": digest,
+            "passed": all(self.share(name, stratum) <= 1 for stratum in whole.strata),
+            "strata": self._by_measure(name, "stratum"),
+            "shares": self._by_measure(name, "share"),
+            "regimes": self._by_measure(name, "regime"),
+            "sizes": sizes,
+            **views,
+        }
+
+    def _by_measure(self, name: str, view: str) -> dict[str, Any]:
+        """Parts of a view, of each its measures."""
+        parts: dict[str, dict[str, Any]] = {}
+        for measure in MEASURES:
+            for part, cell in _cells(self.tally.view(name, measure, view)).items():
+                parts.setdefault(part, {})[measure] = cell
+        return parts
+
+    def _case(self, finding: Finding) -> dict[str, Any]:
+        sample, reference = finding.sample, finding.reference
+        whole = self.campaign
+        name = f"{sample.stratum}:{sample.index}"
+        return {
+            "case": name,
+            "regime": reference.regime.value,
+            "distance": _figure(reference.distance),
+            **hexadecimal(sample),
+            "errors": {
+                contestant: {measure: _worst(found) for measure, found in errors.items()}
+                for contestant, errors in finding.errors.items()
+            },
+            "replay": f"rigidsym validate {' '.join(whole.targets)} --case '{name}' "
+            f"--digits {whole.digits} --seed {whole.seed}",
+        }
 
 
-def _hex(values: Iterable[float | Fraction]) -> list[str]:
-    """Numbers without loss, as case files take them."""
-    return [str(x) if isinstance(x, Fraction) else float(x).hex() for x in values]
+def _cells(cells: Mapping[str, Cell]) -> dict[str, Any]:
+    return {part: _cell(cell) for part, cell in cells.items()}
 
 
-def check_target(target: str) -> None:
-    """Raise InputError for a target there is no module of, or that does not compile here."""
-    if target not in engines.ENGINES:
-        raise InputError("target", target, f"must be one of: {', '.join(engines.ENGINES)}")
-    engines.exactly(target)
+def _cell(cell: Cell) -> dict[str, Any]:
+    """A cell; of shares, `units` is the part of the bound, and `count` what was beyond it."""
+    stratum, index, time = cell.place
+    return {
+        "count": cell.count,
+        "units": _figure(cell.worst),
+        "condition": _figure(cell.condition),
+        "case": f"{stratum}:{index}",
+        "t": time.hex(),
+    }
 
 
-def validate(
-    target: str = "numpy",
-    cases: int = CASES,
-    digits: int = DIGITS,
-    seed: int = SEED,
-    progress: Callable[[int, int], None] = lambda done, total: None,
-) -> ValidationReport:
-    """Measure a generated module on `cases` samples of every stratum and on the paper's body.
-
-    Raises InputError for an unknown target.
-    """
-    check_target(target)
-    engine = engines.exactly(target)
-    inputs.digits(digits)
-    drawn = list(samples(cases, seed))
-    measured: dict[str, list[Measurement]] = {name: [] for name in ("paper", *STRATA)}
-    for done, sample in enumerate(drawn):
-        measured[sample.stratum].append(measure(sample, digits, engine))
-        progress(done + 1, len(drawn))
-    strata = tuple(_summary(name, results) for name, results in measured.items())
-    return ValidationReport(target, cases, digits, seed, strata)
+def _worst(found: Any) -> dict[str, Any]:
+    k = int(found.units.argmax())
+    return {
+        "units": _figure(found.units[k]),
+        "condition": _figure(found.condition[k]),
+        "share": _figure(found.share[k]),
+        "t": float(found.times[k]).hex(),
+    }
 
 
-def _summary(name: str, results: Iterable[Measurement]) -> StratumReport:
-    listed = list(results)
-    worst = {f: max((getattr(m, f) for m in listed), default=0.0) for f in FIELDS}
-    nearest = max(listed, key=lambda m: m.share, default=None)
-    states = sum(m.states for m in listed)
-    sample, time = (nearest.sample, nearest.worst_time) if nearest else (None, 0.0)
-    return StratumReport(name, len(listed), states, worst, sample, time)
+def _figure(value: float) -> float | str:
+    """Three digits; "inf" for what JSON has no number for."""
+    text = f"{value:.3g}"
+    return text if text in ("inf", "nan") else float(text)

@@ -13,6 +13,7 @@ from time import perf_counter
 import mpmath
 
 from rigidsym import TorqueFreeMotion
+from rigidsym.validate.peers.equations import rates
 
 INERTIA, OMEGA0, START = ("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"), (1, 0, 0, 0)
 DIGITS, BITS = 50, 190
@@ -40,18 +41,6 @@ def _ours(time: int) -> list:
     return [*q, *omega]
 
 
-def _rates(y, c, half):
-    """The right sides of (3) and (5)."""
-    q0, q1, q2, q3, *w = y
-    return [
-        -half * (q1 * w[0] + q2 * w[1] + q3 * w[2]),
-        half * (q0 * w[0] + q2 * w[2] - q3 * w[1]),
-        half * (q0 * w[1] + q3 * w[0] - q1 * w[2]),
-        half * (q0 * w[2] + q1 * w[1] - q2 * w[0]),
-        *((c[k - 2] - c[k - 1]) / c[k] * w[k - 2] * w[k - 1] for k in range(3)),
-    ]
-
-
 def heyoka(time: int) -> tuple:
     """The fastest of three runs of heyoka's Taylor integrator over multiprecision reals."""
     import heyoka as hy
@@ -60,7 +49,7 @@ def heyoka(time: int) -> tuple:
         return hy.real(str(text), BITS)
 
     names = hy.make_vars("q0", "q1", "q2", "q3", "w1", "w2", "w3")
-    system = list(zip(names, _rates(names, list(map(real, INERTIA)), real("0.5")), strict=True))
+    system = list(zip(names, rates(names, list(map(real, INERTIA)), real("0.5")), strict=True))
     start = [real(x) for x in (*START, *OMEGA0)]
     integrator = hy.taylor_adaptive(
         system, start, fp_type=hy.real, prec=BITS, tol=real(f"1e-{DIGITS + 2}"), compact_mode=True
@@ -82,7 +71,7 @@ def odefun(time: int) -> tuple:
         c, half = [mpmath.mpf(x) for x in INERTIA], mpmath.mpf("0.5")
         start = [mpmath.mpf(x) for x in (*START, *OMEGA0)]
         found = []
-        solution = mpmath.odefun(lambda _, y: _rates(y, c, half), 0, start)
+        solution = mpmath.odefun(lambda _, y: rates(y, c, half), 0, start)
         seconds = _seconds(lambda: found.extend(solution(time)))
     return seconds, found
 

@@ -12,6 +12,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.special import ellipj, ellipkinc, elliprf, elliprj
 
+from rigidsym.validate.peers.equations import rates
+
 States = tuple[np.ndarray, np.ndarray]
 Run = Callable[[], States]
 LANES = 8
@@ -26,18 +28,6 @@ class Motion:
     def start(self) -> np.ndarray:
         """The identity as attitude, and the rates."""
         return np.array([1.0, 0, 0, 0, *self.omega0])
-
-
-def rates(y, c):
-    """The right sides of (3) and (5); c are numbers, or heyoka's parameters."""
-    q0, q1, q2, q3, *w = y
-    return [
-        -0.5 * (q1 * w[0] + q2 * w[1] + q3 * w[2]),
-        0.5 * (q0 * w[0] + q2 * w[2] - q3 * w[1]),
-        0.5 * (q0 * w[1] + q3 * w[0] - q1 * w[2]),
-        0.5 * (q0 * w[2] + q1 * w[1] - q2 * w[0]),
-        *((c[k - 2] - c[k - 1]) / c[k] * w[k - 2] * w[k - 1] for k in range(3)),
-    ]
 
 
 def _split(y: np.ndarray) -> States:

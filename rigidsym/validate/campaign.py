@@ -1,0 +1,187 @@
+"""Campaigns: cases in chunks, on any executor, with one result however they are shared out."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import asdict, dataclass, field, fields
+from itertools import islice
+from typing import Any
+
+from rigidsym import __version__, inputs
+from rigidsym.errors import InputError
+from rigidsym.validate import second_oracle
+from rigidsym.validate.contestants import PEER, check_target, digest
+from rigidsym.validate.executors import Place
+from rigidsym.validate.finding import look
+from rigidsym.validate.oracle import exactly
+from rigidsym.validate.peers import peer
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.validate.tally import Cell, Tally
+
+CASES, DIGITS, SEED = 15, 40, 1
+# Oracles have to be finer than doubles by far, and their perturbations too.
+LEAST_DIGITS, MOST_DIGITS = 30, 1000
+# Cases in a chunk: enough to be worth sending, few enough to be lost.
+CHUNK = 50
+# The keys of what the second oracle has to say.
+ORACLES, DISAGREEMENT = "oracles", "disagreement"
+
+# A stratum, and the cases from one index to before another.
+Chunk = tuple[str, int, int]
+
+
+@dataclass(frozen=True, slots=True)
+class Campaign:
+    """What is measured: two campaigns that are equal have equal results."""
+
+    targets: tuple[str, ...]
+    peers: tuple[str, ...]
+    strata: tuple[str, ...]
+    cases: int
+    digits: int
+    seed: int
+    digests: tuple[str, ...]
+    version: str = __version__
+
+    @property
+    def contestants(self) -> tuple[str, ...]:
+        """Targets, and peers with a word before them."""
+        return (*self.targets, *(PEER + name for name in self.peers))
+
+    @property
+    def size(self) -> int:
+        """How many cases there are."""
+        return sum(count(stratum, self.cases) for stratum in self.strata)
+
+    def to_data(self) -> dict[str, Any]:
+        """As JSON takes it."""
+        return {name: list(x) if isinstance(x, tuple) else x for name, x in asdict(self).items()}
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> "Campaign":
+        """The inverse of `to_data`."""
+        given = {f.name: data[f.name] for f in fields(cls)}
+        return cls(**{name: tuple(x) if isinstance(x, list) else x for name, x in given.items()})
+
+
+def campaign(
+    targets: Sequence[str],
+    cases: int = CASES,
+    digits: int = DIGITS,
+    seed: int = SEED,
+    peers: Sequence[str] = (),
+    strata: Sequence[str] = (),
+) -> Campaign:
+    """A campaign of these targets and peers; InputError where one of them cannot be had here."""
+    for target in targets:
+        check_target(target)
+    for name in peers:
+        peer(name)
+    for name in strata:
+        if name not in STRATA:
+            raise InputError("stratum", name, f"must be one of: {', '.join(STRATA)}")
+    if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
+        rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
+        raise InputError("digits", digits, rule)
+    listed = tuple(dict.fromkeys(targets))
+    wanted = tuple(name for name in STRATA if name in strata or not strata)
+    names = listed, tuple(dict.fromkeys(peers)), wanted
+    return Campaign(*names, cases, digits, seed, tuple(map(digest, listed)))
+
+
+@dataclass(slots=True)
+class Progress:
+    """What a campaign has done: a tally, and the ranges of cases that are in it, by stratum."""
+
+    tally: Tally = field(default_factory=Tally)
+    done: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
+
+    @property
+    def cases(self) -> int:
+        """How many cases are done."""
+        return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
+
+    def missing(self, whole: Campaign) -> Iterator[Chunk]:
+        """Chunks that are left to do."""
+        for stratum in whole.strata:
+            begin = 0
+            end = count(stratum, whole.cases)
+            for start, stop in [*self.done.get(stratum, []), (end, end)]:
+                for first in range(begin, start, CHUNK):
+                    yield stratum, first, min(first + CHUNK, start)
+                begin = stop
+
+    def take(self, chunk: Chunk, tally: Tally) -> None:
+        """Count a chunk that was missing."""
+        stratum, *bounds = chunk
+        self.tally.merge(tally)
+        self.done[stratum] = _joined([*self.done.get(stratum, []), (bounds[0], bounds[1])])
+
+
+def run(
+    whole: Campaign,
+    progress: Progress,
+    place: Place,
+    after: Callable[[], None] = lambda: None,
+) -> None:
+    """Do what is missing; `after` is called whenever more is done.
+
+    Whatever stops it, `progress` is whole: each case is in it once or not at all.
+    """
+    chunks = iter(list(progress.missing(whole)))
+    pending: set[Future] = set()
+    try:
+        while True:
+            for chunk in islice(chunks, place.ahead - len(pending)):
+                pending.add(place.executor.submit(tallied, whole, chunk))
+            if not pending:
+                return
+            finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+            for future in finished:
+                progress.take(*future.result())
+            after()
+    finally:
+        for future in pending:
+            future.cancel()
+
+
+def tallied(whole: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
+    """Measure the cases of a chunk; where other modules are installed there is no result."""
+    _check_installed(whole)
+    stratum, start, stop = chunk
+    tally = Tally()
+    for index in range(start, stop):
+        _add_case(tally, whole, stratum, index)
+    return chunk, tally
+
+
+def _add_case(tally: Tally, whole: Campaign, stratum: str, index: int) -> None:
+    sample = draw(stratum, index, whole.seed)
+    finding = look(sample, whole.digits, whole.contestants)
+    tally.count(finding.reference)
+    for name, errors in finding.errors.items():
+        tally.add(name, finding.reference, errors)
+    if index % second_oracle.SHARE == 0:
+        found = second_oracle.disagreement(
+            exactly(sample), backwards=index // second_oracle.SHARE % 2 == 1
+        )
+        cell = Cell(1, found, (stratum, index, 0.0), 1.0)
+        tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)
+
+
+def _check_installed(whole: Campaign) -> None:
+    for target, expected in zip(whole.targets, whole.digests, strict=True):
+        found = digest(target)
+        if (found, __version__) != (expected, whole.version):
+            rule = f"is not the module of this campaign, {expected[:12]}: install the same version"
+            raise InputError(f"{target} on a worker", found[:12], rule)
+
+
+def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Ranges in order, those that touch made one."""
+    joined: list[tuple[int, int]] = []
+    for start, stop in sorted(ranges):
+        if joined and joined[-1][1] == start:
+            joined[-1] = (joined[-1][0], stop)
+        else:
+            joined.append((start, stop))
+    return joined

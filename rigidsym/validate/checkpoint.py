@@ -1,0 +1,79 @@
+"""The file that lets an interrupted campaign go on where it was."""
+
+import json
+import time
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from rigidsym.errors import InputError
+from rigidsym.files import write_text
+from rigidsym.validate.campaign import Campaign, Progress
+from rigidsym.validate.tally import Tally
+
+NAME = "campaign.json"
+SCHEMA = "rigidsym.campaign/1"
+# Seconds of work that a machine may lose when it is switched off.
+INTERVAL = 10.0
+
+
+class Checkpoint:
+    """A campaign's progress in a directory: written every few seconds, whole or not at all."""
+
+    def __init__(self, directory: Path, whole: Campaign, progress: Progress) -> None:
+        self.path, self.whole, self.progress = directory / NAME, whole, progress
+        self._last = time.monotonic()
+
+    def now_and_then(self) -> None:
+        """Write where the last time was INTERVAL ago."""
+        if time.monotonic() - self._last >= INTERVAL:
+            self.write()
+
+    def write(self) -> None:
+        """Write now; raises InputError where that fails, and leaves what was there."""
+        data = {
+            "schema": SCHEMA,
+            "campaign": self.whole.to_data(),
+            "done": self.progress.done,
+            "tally": self.progress.tally.to_data(),
+        }
+        write_text(self.path, json.dumps(data, indent=None, sort_keys=True) + "\n")
+        self._last = time.monotonic()
+
+    def remove(self) -> None:
+        """The campaign is complete, and its report written."""
+        self.path.unlink(missing_ok=True)
+
+
+def load(directory: Path) -> tuple[Campaign, Progress]:
+    """The campaign of a directory; raises InputError where it holds none, or a damaged one."""
+    try:
+        data = json.loads((directory / NAME).read_text("utf-8"))
+        if data["schema"] != SCHEMA:
+            raise ValueError(data["schema"])
+        done = {
+            name: [(int(start), int(stop)) for start, stop in ranges]
+            for name, ranges in data["done"].items()
+        }
+        progress = Progress(Tally.from_data(data["tally"]), done)
+        return Campaign.from_data(data["campaign"]), progress
+    except FileNotFoundError:
+        raise InputError("resume", directory, f"holds no unfinished campaign ({NAME})") from None
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        reason = type(error).__name__
+        raise InputError("resume", directory / NAME, f"cannot be read: {reason}") from None
+
+
+def check_same(directory: Path, found: Campaign, expected: Campaign) -> None:
+    """Raise InputError where the campaign of a directory is not the one that is asked for."""
+    for field in fields(Campaign):
+        theirs, ours = (getattr(x, field.name) for x in (found, expected))
+        if theirs != ours:
+            rule = f"is another campaign: its {field.name} {_short(theirs)}, not {_short(ours)}"
+            raise InputError("resume", directory, rule)
+
+
+def _short(value: Any) -> str:
+    if isinstance(value, tuple):
+        return ", ".join(str(x)[:12] for x in value) or "none"
+    return str(value)

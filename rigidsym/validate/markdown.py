@@ -1,0 +1,93 @@
+"""The validation report as Markdown."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from rigidsym.validate.measure import MEASURES, ULP
+from rigidsym.validate.tally import DRAWN
+
+HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump")
+
+
+def markdown(data: Mapping[str, Any]) -> str:
+    """Tables a person can read, of data of the schema rigidsym.validation/2."""
+    lines = [
+        "# Validation",
+        "",
+        f"Written by `{data['command']}`: {'passed' if data['passed'] else 'NOT PASSED'}.",
+        "",
+        "Worst errors against enclosures, in units of 2^-53 (1.1e-16).  In brackets the condition "
+        "number there: how many times a relative change of the inputs comes out.  Share: the "
+        "largest part of a documented bound that is used.",
+        "",
+        "| measure | meaning | bound |",
+        "|---|---|---|",
+        *(
+            f"| {head} | {data['meanings'][name]} | {_bound(data, name)} |"
+            for head, name in zip(HEADS, MEASURES, strict=True)
+        ),
+    ]
+    lines += ["", "The second oracle, Taylor series, agrees with the enclosures to "]
+    apart = [stratum["disagreement"] for stratum in data["strata"]]
+    lines[-1] += f"{_worst(apart) * data['agreement']:.1g} and has to agree to "
+    lines[-1] += f"{data['agreement']:g}."
+    lines += _failures(data["failures"])
+    for contestant in data["contestants"]:
+        lines += _contestant(contestant, data["strata"])
+    lines += _regimes(data["contestants"])
+    return "\n".join(lines) + "\n"
+
+
+def _bound(data: Mapping[str, Any], name: str) -> str:
+    bound = f"{data['bounds'][name] * ULP:.2g}"
+    return f"{bound} times the condition" if name in ("energy", "momentum") else bound
+
+
+def _failures(failures: Sequence[Mapping[str, Any]]) -> list[str]:
+    if not failures:
+        return []
+    lines = ["", "## Broken bounds", ""]
+    for failure in failures:
+        lines += [f"* {failure['line']}; replay: `{failure['simplest']['replay']}`"]
+    return lines
+
+
+def _contestant(contestant: Mapping[str, Any], strata: Iterable[Mapping[str, Any]]) -> list[str]:
+    columns = ["stratum", "cases", "states", *HEADS, "share", ""]
+    lines = ["", f"## {contestant['name']}", ""]
+    lines += [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
+    for stratum in strata:
+        name = stratum["name"]
+        found = contestant["strata"].get(name, {})
+        share = _worst(cell["units"] for cell in contestant["shares"].get(name, {}).values())
+        cells = [_shown(found.get(measure), measure in DRAWN) for measure in MEASURES]
+        mark = "ok" if found and share <= 1 else "BROKEN" if found else "not asked"
+        row = [name, str(stratum["cases"]), str(stratum["states"]), *cells, f"{share:.2g}", mark]
+        lines.append(f"| {' | '.join(row)} |")
+    return lines
+
+
+def _regimes(contestants: Sequence[Mapping[str, Any]]) -> list[str]:
+    """Targets x regimes: angle and rates."""
+    names = [contestant["name"] for contestant in contestants]
+    regimes = sorted({regime for contestant in contestants for regime in contestant["regimes"]})
+    lines = ["", "## By regime", "", "Angle, and rates after the stroke.", ""]
+    lines += [f"| regime | {' | '.join(names)} |", "|---" * (len(names) + 1) + "|"]
+    for regime in regimes:
+        cells = [
+            " / ".join(_shown(found["regimes"].get(regime, {}).get(m), False) for m in DRAWN)
+            for found in contestants
+        ]
+        lines.append(f"| {regime} | {' | '.join(cells)} |")
+    return lines
+
+
+def _shown(cell: Mapping[str, Any] | None, conditioned: bool) -> str:
+    if cell is None:
+        return ""
+    units = f"{float(cell['units']):.3g}"
+    return f"{units} ({float(cell['condition']):.1g})" if conditioned else units
+
+
+def _worst(figures: Iterable[float | str]) -> float:
+    return max(map(float, figures), default=0.0)

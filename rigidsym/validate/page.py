@@ -1,0 +1,1 @@
+def page(data): return "<html></html>"

@@ -1,0 +1,121 @@
+"""Orekit: `org.orekit.attitudes.TorqueFree`, closed forms of rates and angles, in Java."""
+
+import math
+import os
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from rigidsym.engines import EngineError, States
+from rigidsym.errors import InputError
+from rigidsym.validate.peers.packages import needed
+from rigidsym.validate.peers.start import Start, checked
+
+_CLASSES = {
+    "rotation": "org.hipparchus.geometry.euclidean.threed.Rotation",
+    "vector": "org.hipparchus.geometry.euclidean.threed.Vector3D",
+    "attitude": "org.orekit.attitudes.Attitude",
+    "inertia": "org.orekit.attitudes.Inertia",
+    "inertia_axis": "org.orekit.attitudes.InertiaAxis",
+    "torque_free": "org.orekit.attitudes.TorqueFree",
+    "frames": "org.orekit.frames.FramesFactory",
+    "date": "org.orekit.time.AbsoluteDate",
+}
+
+
+class OrekitPeer:
+    """`TorqueFree` asked for each time alone; Java starts with the first motion.
+
+    It answers by rotations, which know of no sheet.
+    """
+
+    # Nothing is integrated over time.
+    name, reach, sheets = "orekit", math.inf, False
+
+    def __init__(self) -> None:
+        (_, self.version), (jpype, _) = _packages()
+        try:
+            jpype.getDefaultJVMPath()
+        except jpype.JVMNotFoundException:
+            raise InputError("peer", self.name, "needs Java (JAVA_HOME may name it)") from None
+
+    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+        """See `Peer`."""
+        return _started().motion(Start(inertia, omega0, attitude0))
+
+    def states(self, plan: Any, t: Any) -> States:
+        """See `Peer`."""
+        java = _started()
+        rows = [java.state(plan, time) for time in checked(t).tolist()]
+        found = np.array(rows, float).reshape(-1, 7)
+        return found[:, :4], found[:, 4:]
+
+
+@dataclass(frozen=True, slots=True)
+class _Java:
+    """Classes by name in one process, what all their failures are, and where time and space begin.
+
+    The frame and the epoch need none of Orekit's data files.
+    """
+
+    process: int
+    failure: type[Exception]
+    classes: dict[str, Any]
+    epoch: Any
+    frame: Any
+
+    def motion(self, start: Start) -> Any:
+        """`TorqueFree`, or EngineError in Orekit's words."""
+        new, vector = self.classes, self.classes["vector"]
+        axes = zip(start.inertia, (vector.PLUS_I, vector.PLUS_J, vector.PLUS_K), strict=True)
+        # Hipparchus turns v to conj(q) v q: of our q that is inertial to body, as Orekit means it.
+        rotation = new["rotation"](*start.attitude0, False)
+        try:
+            spin = vector(*start.omega0)
+            attitude = new["attitude"](self.epoch, self.frame, rotation, spin, vector.ZERO)
+            inertia = new["inertia"](*(new["inertia_axis"](*axis) for axis in axes))
+            return new["torque_free"](attitude, inertia)
+        except self.failure as error:
+            raise EngineError("orekit", _line(error)) from None
+
+    def state(self, motion: Any, time: float) -> list[float]:
+        """q and omega, or NaN."""
+        try:
+            found = motion.getAttitude(None, self.epoch.shiftedBy(time), self.frame)
+        except self.failure:
+            return [math.nan] * 7
+        r, spin = found.getRotation(), found.getSpin()
+        return [r.getQ0(), r.getQ1(), r.getQ2(), r.getQ3(), spin.getX(), spin.getY(), spin.getZ()]
+
+
+def _started() -> _Java:
+    """Java of this process; raises EngineError where it cannot be had."""
+    java = _java()
+    if java.process != os.getpid():
+        raise EngineError("orekit", "Java does not outlive a fork: nothing may use it before")
+    return java
+
+
+def _packages() -> tuple[tuple[Any, str], tuple[Any, str]]:
+    """Orekit's and JPype's modules and versions; importing them does not start Java."""
+    orekit = needed("orekit", "orekit_jpype", "orekit-jpype")
+    return orekit, needed("orekit", "jpype", "jpype1")
+
+
+@cache
+def _java() -> _Java:
+    """Start Java once."""
+    (package, _), (jpype, _) = _packages()
+    try:
+        package.initVM()
+        classes = {name: jpype.JClass(path) for name, path in _CLASSES.items()}
+        epoch, frame = classes["date"].ARBITRARY_EPOCH, classes["frames"].getGCRF()
+    except (OSError, RuntimeError, TypeError, jpype.JException) as error:
+        raise EngineError("orekit", f"Java does not start ({_line(error)})") from None
+    return _Java(os.getpid(), jpype.JException, classes, epoch, frame)
+
+
+def _line(error: Exception) -> str:
+    return " ".join(str(error).split()) or type(error).__name__

@@ -1,0 +1,45 @@
+"""What every peer does, and what it is honest about."""
+
+from typing import Any, Protocol
+
+from rigidsym.engines import States
+
+
+class Peer(Protocol):
+    """Another program that finds the states of a motion, given the numbers as a user would.
+
+    Conventions and units are those of `rigidsym.engines.Engine`; nothing is rescaled or mended on
+    the way, but for the attitude at t = 0, which is normalised.  Both methods raise EngineError for
+    what the peer refuses; a state that it fails to reach is NaN.  One thread at a time.
+    """
+
+    @property
+    def name(self) -> str:
+        """As in PEERS."""
+        ...
+
+    @property
+    def version(self) -> str:
+        """Of its package."""
+        ...
+
+    @property
+    def reach(self) -> float:
+        """The largest |omega0 t| (rad) it is to be asked for; beyond, it takes too long."""
+        ...
+
+    @property
+    def sheets(self) -> bool:
+        """Whether q is continuous from attitude0 on, its sign included.
+
+        If not, q is a rotation by either of its signs, and the smaller error of the two is due.
+        """
+        ...
+
+    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+        """One motion from float64 numbers: (3,), (3,) and (4,), the last of any length but zero."""
+        ...
+
+    def states(self, plan: Any, t: Any) -> States:
+        """(q, omega), (N, 4) and (N, 3), at times t (N,) in any order, of any sign."""
+        ...

@@ -1,0 +1,35 @@
+"""The second oracle: Taylor series of the equations of motion, which know no elliptic function."""
+
+import math
+from fractions import Fraction
+
+from rigidsym import inputs
+from rigidsym.precise.balls import ball, bits_of, working
+from rigidsym.precise.motion import PreciseMotion
+from rigidsym.precise.taylor import integrate
+
+# Digits asked of the series, and what they have to agree to, of 1 or of |omega0|.
+DIGITS, AGREEMENT = 24, 1e-24
+# How far they go, rad: their cost grows with it.
+REACH = 2.0
+# One case in so many is checked, the first of each stratum among them.
+SHARE = 64
+
+
+def disagreement(motion: PreciseMotion, backwards: bool) -> float:
+    """The largest difference of a number from its ball after REACH radians, over AGREEMENT."""
+    rate = math.hypot(*map(float, motion.omega0)) or 1.0
+    time = Fraction(-REACH / rate if backwards else REACH / rate)
+    series = integrate(motion.inertia, motion.omega0, motion.attitude0, time, DIGITS)
+    digits = DIGITS + max(0, math.ceil(-math.log10(rate)))
+    ((q, omega),) = motion.enclosures([time], digits)
+    with working(bits_of(2 * digits)):
+        sizes = (1, ball(Fraction(rate)))
+        differences = [
+            abs(balls - ball(inputs.exact("series", x))) / size
+            for part, numbers, size in zip(
+                (q, omega), series, (1, ball(Fraction(rate))), strict=True
+            )
+            for balls, x in zip(part, numbers, strict=True)
+        ]
+        return max(float(x.upper()) for x in differences) / AGREEMENT

@@ -1,0 +1,60 @@
+"""What the command does around a validation: begin or resume it, and write its report."""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from rigidsym import engines
+from rigidsym.errors import InputError
+from rigidsym.files import write_text
+from rigidsym.validate import case_file, checkpoint
+from rigidsym.validate.campaign import Campaign, Progress, campaign
+from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.page import page
+from rigidsym.validate.report import ValidationReport
+from rigidsym.validate.strata import STRATA, count, draw
+
+# The arguments of `campaign` that a user can choose.
+CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
+
+
+def begin(
+    chosen: Mapping[str, Any], directory: Path | None, resume: bool
+) -> tuple[Campaign, Progress]:
+    """A new campaign of what is chosen, or the unfinished one of a directory.
+
+    Raises InputError where that is another campaign, or would be lost.
+    """
+    if not resume:
+        if directory and (directory / checkpoint.NAME).exists():
+            rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
+            raise InputError("output", directory, rule)
+        return campaign(**{"targets": engines.ENGINES, **chosen}), Progress()
+    if directory is None:
+        raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
+    found, progress = checkpoint.load(directory)
+    known = {name: getattr(found, name) for name in CHOICES}
+    checkpoint.check_same(directory, found, campaign(**{**known, **chosen}))
+    return found, progress
+
+
+def write(report: ValidationReport, directory: Path) -> Path:
+    """JSON, Markdown and the page; failing cases as case files. Returns the page's path."""
+    data = report.to_data()
+    for failure in report.failures:
+        remarks = (failure.line, "the simplest case found that breaks a bound")
+        case_file.write(directory / "failures", failure.simplest.sample, remarks)
+    write_text(directory / "validation.json", report.to_json())
+    write_text(directory / "validation.md", report.to_markdown())
+    return write_text(directory / "validation.html", page(data))
+
+
+def replay(name: str, whole: Campaign) -> Finding:
+    """One case of a campaign, by a name such as "uniform:7"; raises InputError for no such case."""
+    stratum, _, number = name.rpartition(":")
+    if stratum not in STRATA:
+        raise InputError("case", name, f"must be STRATUM:INDEX, with one of: {', '.join(STRATA)}")
+    most = count(stratum, 10**9)
+    if not number.isdecimal() or len(number) > 9 or int(number) >= most:
+        raise InputError("case", name, f"must end in a whole number below {most}")
+    return look(draw(stratum, int(number), whole.seed), whole.digits, whole.contestants)

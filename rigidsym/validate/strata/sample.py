@@ -1,0 +1,48 @@
+"""What a stratum is, and what is drawn from it."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from random import Random
+
+Floats = tuple[float, ...]
+Numbers = tuple[float | Fraction, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """Inertia (3) and rates (3), and the attitude (4) where it is not any."""
+
+    inertia: Numbers
+    omega0: Numbers
+    attitude0: Numbers | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Sample:
+    """One case: inertia (3), rates (3), attitude (4) and times, of the stratum it stands for."""
+
+    stratum: str
+    index: int
+    inertia: Numbers
+    omega0: Numbers
+    attitude0: Numbers
+    times: Floats
+
+
+Body = Callable[[Random, int], Motion]
+Times = Callable[[Random, int, Motion], Floats]
+
+
+@dataclass(frozen=True, slots=True)
+class Stratum:
+    """A source of cases by index: `about` says in one line what it covers, and how far.
+
+    size: how many different cases there are, or None where there is no end of them.
+    """
+
+    name: str
+    about: str
+    body: Body
+    times: Times
+    size: int | None = None

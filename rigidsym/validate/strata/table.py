@@ -1,0 +1,167 @@
+"""The strata by name, and how they are drawn."""
+
+from collections.abc import Iterator
+from random import Random
+
+from rigidsym.validate.strata import (
+    bodies,
+    edges,
+    marks,
+    near,
+    published,
+    separatrix,
+    special,
+)
+from rigidsym.validate.strata.sample import Numbers, Sample, Stratum
+from rigidsym.validate.strata.times import FARTHEST, turns
+
+_SOME = turns(50)
+# Near the separatrix the body lingers for long before it turns over.
+_MORE, _MOST = turns(300), turns(3000)
+
+_LISTED = (
+    Stratum("paper", "the paper's body as doubles", published.paper, published.paper_times, 1),
+    Stratum(
+        "published",
+        "motions published by others, as exact decimals, at the published times",
+        published.motion,
+        published.times,
+        len(published.published()),
+    ),
+    Stratum(
+        "axis orders and signs",
+        "every order of the axes and every quadrant of rates",
+        bodies.every_order_and_sign,
+        _SOME,
+        len(bodies.ORDERS) * len(bodies.SIGNS),
+    ),
+    Stratum("uniform", "any body, any rates", bodies.uniform, _SOME),
+    Stratum("near separatrix", "doubles 1e-1 to 1e-16 from the separatrix", separatrix.near, _MORE),
+    Stratum("beside separatrix", "doubles one ulp from the separatrix", separatrix.beside, _MORE),
+    Stratum(
+        "nearest separatrix",
+        "exact decimals 1e-17 to 1e-250 from the separatrix",
+        separatrix.nearest,
+        _MOST,
+    ),
+    Stratum("separatrix", "doubles on the separatrix exactly", separatrix.exact, _MORE),
+    Stratum("symmetric", "two equal moments, both kinds, some rates zero", edges.symmetric, _SOME),
+    Stratum("near prolate", "the larger moments differ by 1e-1 to 2e-16", near.prolate, _SOME),
+    Stratum("near oblate", "the smaller moments differ by 1e-1 to 2e-16", near.oblate, _SOME),
+    Stratum(
+        "nearest symmetric",
+        "exact decimals: two moments differ by 1e-17 to 1e-300, both kinds",
+        near.exactly_symmetric,
+        _SOME,
+    ),
+    Stratum("sphere", "three equal moments", edges.sphere, _SOME),
+    Stratum("near sphere", "moments differ by 1e-1 to 2e-16", near.sphere, _SOME),
+    Stratum(
+        "nearest sphere",
+        "exact decimals: moments differ by 1e-17 to 1e-250",
+        near.exactly_spherical,
+        _SOME,
+    ),
+    Stratum("spin", "spin about each axis exactly", edges.spin, _SOME),
+    Stratum(
+        "near spin, largest",
+        "spin about the axis of largest inertia, tilted by 1e-1 to 1e-300",
+        near.spin(2, 300),
+        turns(100),
+    ),
+    Stratum(
+        "near spin, middle",
+        "spin about the middle axis, tilted by 1e-1 to 1e-85",
+        near.spin(1, 85),
+        _MOST,
+    ),
+    Stratum(
+        "near spin, smallest",
+        "spin about the axis of smallest inertia, tilted by 1e-1 to 1e-300",
+        near.spin(0, 300),
+        turns(100),
+    ),
+    Stratum("rest", "no rates", bodies.rest, _SOME),
+    Stratum("flat", "the largest moment is exactly the sum of the others", edges.flat, _SOME),
+    Stratum("rod", "one moment is 1e-1 to 1e-15 of the others", near.rod, _SOME),
+    Stratum(
+        "needle", "exact decimals: one moment is 1e-16 to 1e-59 of the others", near.needle, _SOME
+    ),
+    Stratum(
+        "special values",
+        "small whole moments, rates equal, powers of two, zeros and negative zeros",
+        special.values,
+        _SOME,
+        len(special.VALUES),
+    ),
+    Stratum(
+        "special attitudes",
+        "half turns and no turns, of lengths 1e-300 to 1e300",
+        special.attitudes,
+        _SOME,
+        len(special.ATTITUDES),
+    ),
+    Stratum(
+        "scales", "moments by 1e-200 to 1e200, rates by 1e-250 to 1e250", bodies.any_scale, _SOME
+    ),
+    Stratum("small scales", "moments by 1e-9, rates by 1e-12", bodies.scaled(1e-9, 1e-12), _SOME),
+    Stratum("large scales", "moments by 1e12, rates by 1e6", bodies.scaled(1e12, 1e6), _SOME),
+    Stratum(
+        "extreme scales",
+        "whole moments by 2^-1074 to 2^1018, rates by 1e-298 to 1e297",
+        special.extreme_scales,
+        _SOME,
+    ),
+    Stratum(
+        "decimals",
+        "exact decimals: moments differ by 1e-2 to 1e-19, or a separatrix",
+        near.decimals,
+        turns(100),
+    ),
+    Stratum("long times", "any body, up to 1e6 rad", bodies.uniform, turns(1e6)),
+    Stratum("longest times", "any body, up to 2^46 rad", bodies.uniform, turns(FARTHEST)),
+    Stratum(
+        "near separatrix, long",
+        "doubles 1e-1 to 1e-16 from the separatrix, up to 2^46 rad",
+        separatrix.near,
+        turns(FARTHEST),
+    ),
+    Stratum(
+        "zeros of the rates",
+        "on both sides of a zero of each rate that has any, from 1 ulp to 1e-9 away",
+        marks.body,
+        marks.zeros,
+    ),
+    Stratum(
+        "quarter periods",
+        "on both sides of 1, 2, ... quarter periods, up to 2^46 rad",
+        marks.body,
+        marks.quarters,
+    ),
+)
+STRATA = {stratum.name: stratum for stratum in _LISTED}
+
+
+def count(stratum: str, cases: int) -> int:
+    """How many cases there are of a stratum when `cases` are asked for."""
+    size = STRATA[stratum].size
+    return cases if size is None else min(cases, size)
+
+
+def samples(cases: int, seed: int) -> Iterator[Sample]:
+    """`cases` samples of every stratum, or all where it has fewer."""
+    for stratum in STRATA:
+        for index in range(count(stratum, cases)):
+            yield draw(stratum, index, seed)
+
+
+def draw(stratum: str, index: int, seed: int) -> Sample:
+    """One sample, the same whenever it is drawn; `index` is below the size of a finite stratum."""
+    random = Random(f"{seed}/{stratum}/{index}")
+    chosen = STRATA[stratum]
+    motion = chosen.body(random, index)
+    attitude: Numbers = tuple(random.gauss(0, 1) for _ in range(4))
+    if motion.attitude0 is not None:
+        attitude = motion.attitude0
+    times = chosen.times(random, index, motion)
+    return Sample(stratum, index, motion.inertia, motion.omega0, attitude, times)

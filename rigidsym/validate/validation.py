@@ -1,0 +1,130 @@
+"""One validation from start to report, kept in a directory where it may be interrupted."""
+
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import AbstractContextManager
+from typing import Any
+
+from rigidsym import engines
+from rigidsym.errors import InputError
+from rigidsym.validate import campaign as campaigns
+from rigidsym.validate import checkpoint, executors
+from rigidsym.validate.campaign import Campaign, Progress
+from rigidsym.validate.environment import environment
+from rigidsym.validate.finding import look
+from rigidsym.validate.measure import MEASURES
+from rigidsym.validate.report import Failure, ValidationReport
+from rigidsym.validate.shrink import simplest
+from rigidsym.validate.strata import Sample, draw
+from rigidsym.validate.tally import DRAWN, Cell, Place, Tally
+
+Show = Callable[[int, int], None]
+
+
+def validate(
+    targets: Sequence[str] = engines.ENGINES,
+    cases: int = campaigns.CASES,
+    digits: int = campaigns.DIGITS,
+    seed: int = campaigns.SEED,
+    peers: Sequence[str] = (),
+    strata: Sequence[str] = (),
+    workers: int | None = 1,
+    progress: Show = lambda done, total: None,
+) -> ValidationReport:
+    """Measure generated modules on `cases` samples of every stratum, or of those named.
+
+    workers: processes, None for one on each core; the report is the same for any number.  Raises
+    InputError for a target, a peer or a stratum that does not exist, and fewer than 30 digits.
+    """
+    whole = campaigns.campaign(targets, cases, digits, seed, peers, strata)
+    return conduct(whole, Progress(), executors.local(workers), progress)
+
+
+def conduct(
+    whole: Campaign,
+    progress: Progress,
+    place: AbstractContextManager[executors.Place],
+    show: Show = lambda done, total: None,
+    kept: checkpoint.Checkpoint | None = None,
+) -> ValidationReport:
+    """Do what is missing of a campaign and report; what is done is kept, however it ends.
+
+    Raises InputError where workers or the scheduler are lost, KeyboardInterrupt where the user
+    stops it: both say what is kept.
+    """
+    begin, before = time.perf_counter(), sum(progress.tally.states.values())
+
+    def after() -> None:
+        show(progress.cases, whole.size)
+        if kept:
+            kept.now_and_then()
+
+    try:
+        with place as where:
+            campaigns.run(whole, progress, where, after)
+    except BaseException as error:
+        if kept:
+            kept.write()
+        raise _told(error, progress, whole, kept) from None
+    seconds = time.perf_counter() - begin
+    states = sum(progress.tally.states.values()) - before
+    run = environment(whole, where.name, seconds, states)
+    return reported(whole, progress.tally, run)
+
+
+def _told(
+    error: BaseException, progress: Progress, whole: Campaign, kept: checkpoint.Checkpoint | None
+) -> BaseException:
+    """What stopped a campaign, in one line that says what is kept."""
+    fate = "nothing is kept without a directory (-o DIR)"
+    if kept:
+        fate = f"{progress.cases} of {whole.size} cases are kept, --resume goes on from there"
+    if isinstance(error, KeyboardInterrupt):
+        return KeyboardInterrupt(f"interrupted: {fate}")
+    if isinstance(error, BrokenProcessPool):
+        return InputError("workers", "one process", f"died, perhaps for lack of memory: {fate}")
+    if isinstance(error, CancelledError):
+        return InputError("scheduler", "the cluster", f"was lost: {fate}")
+    return error
+
+
+def reported(whole: Campaign, tally: Tally, run: Mapping[str, Any]) -> ValidationReport:
+    """The report of a campaign: its worst cases are measured once more, in full."""
+    worst = (draw(stratum, index, whole.seed) for stratum, index, _ in worst_places(whole, tally))
+    findings = tuple(look(sample, whole.digits, whole.contestants) for sample in worst)
+    return ValidationReport(whole, tally, findings, tuple(_failures(whole, tally)), run)
+
+
+def worst_places(whole: Campaign, tally: Tally) -> list[Place]:
+    """Where each target is worst in each stratum, by angle and by rates; each case once."""
+    cells = (
+        cell
+        for target in whole.targets
+        for measure in DRAWN
+        for cell in tally.view(target, measure, "stratum").values()
+    )
+    places = {cell.place[:2]: cell.place for cell in cells}
+    return [places[key] for key in sorted(places)]
+
+
+def _failures(whole: Campaign, tally: Tally) -> Iterator[Failure]:
+    """The worst broken bound of each target in each stratum, with the simplest case like it."""
+    for target in whole.targets:
+        for stratum in whole.strata:
+            shares = {m: tally.cells.get((target, m, "share", stratum)) for m in MEASURES}
+            found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
+            if found:
+                name = max(found, key=lambda m: found[m].worst)
+                yield _failure(whole, target, name, found[name])
+
+
+def _failure(whole: Campaign, target: str, measure: str, cell: Cell) -> Failure:
+    def fails(sample: Sample) -> bool:
+        return look(sample, whole.digits, [target]).share(target) > 1
+
+    stratum, index, _ = cell.place
+    simple = simplest(draw(stratum, index, whole.seed), fails)
+    finding = look(simple, whole.digits, whole.contestants)
+    return Failure(target, measure, cell.worst, stratum, index, finding)
