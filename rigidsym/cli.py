@@ -106,7 +106,9 @@ def _parser() -> argparse.ArgumentParser:
     validate.add_argument("--cases", metavar="N", type=_positive, help="samples of each stratum")
     validate.add_argument("--digits", metavar="D", type=_positive, help="digits of the oracle")
     validate.add_argument("--seed", metavar="S", type=int)
-    validate.add_argument("--stratum", metavar="NAME", action="append", help="only this; repeatable")
+    validate.add_argument(
+        "--stratum", metavar="NAME", action="append", help="only this; repeatable"
+    )
     validate.add_argument("--peer", metavar="NAME", action="append", help="heyoka, dop853, lsoda…")
     validate.add_argument("--case", metavar="STRATUM:INDEX", help="one case, at all of its times")
     validate.add_argument("--faults", action="store_true", help="which injected faults are noticed")

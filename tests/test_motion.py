@@ -17,7 +17,7 @@ import rigidsym
 from rigidsym import InputError, TorqueFreeMotion, propagate
 from rigidsym.generated import torque_free
 from rigidsym.solution.polhode import classify
-from rigidsym.validate.strata import STRATA, draw
+from rigidsym.validate.strata import STRATA, count, draw
 
 BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
 MOTION = TorqueFreeMotion(BODY, RATES)
@@ -59,7 +59,9 @@ def test_neighbouring_times_are_on_one_sheet_of_the_double_cover():
 
 
 def test_propagate_is_the_same_as_one_motion_at_a_time():
-    drawn = [draw(name, k, seed=3) for name in STRATA for k in range(3)]
+    # At scales of their own, two seconds are no time or too much of it.
+    names = [name for name in STRATA if name not in ("scales", "extreme scales")]
+    drawn = [draw(name, k, seed=3) for name in names for k in range(count(name, 3))]
     inertia, omega, attitude = (
         np.array([getattr(s, field) for s in drawn], dtype=float)
         for field in ("inertia", "omega0", "attitude0")
@@ -84,11 +86,14 @@ def test_propagate_broadcasts():
 
 @pytest.mark.parametrize("stratum", list(STRATA))
 def test_the_generated_module_sees_the_regime_that_exact_arithmetic_sees(stratum):
-    for index in range(30):
+    for index in range(count(stratum, 30)):
         sample = draw(stratum, index, seed=11)
-        inertia, omega0 = (list(map(float, x)) for x in (sample.inertia, sample.omega0))
-        plan = torque_free.plan(inertia, omega0, sample.attitude0)
-        exact = classify(*(list(map(Fraction, x)) for x in (inertia, omega0)))
+        values = (sample.inertia, sample.omega0, sample.attitude0)
+        inertia, omega0, attitude0 = (list(map(float, x)) for x in values)
+        plan = torque_free.plan(inertia, omega0, attitude0)
+        negligible = torque_free.NEGLIGIBLE * max(map(abs, omega0))
+        told = [x if abs(x) >= negligible else 0.0 for x in omega0]
+        exact = classify(*(list(map(Fraction, x)) for x in (inertia, told)))
         ((branch, _, _),) = plan["groups"]
         assert (branch == "steady") == exact.regime.steady
         if not exact.regime.steady:
@@ -257,7 +262,7 @@ def test_rates_at_the_ends_of_binary64(scale):
     assert q[0] == pytest.approx(math.cos(scale * t / 2))
     assert omega[0] == scale
     with pytest.raises(InputError, match="the angle is lost in binary64"):
-        TorqueFreeMotion((1, 2, 2.5), (1e300, 1e300, 0))([0.0, 1e300])
+        TorqueFreeMotion((1, 2, 2.5), (1e290, 1e290, 0))([0.0, 1e290])
 
 
 def test_what_binary64_cannot_follow_is_refused_and_precise_follows_it():

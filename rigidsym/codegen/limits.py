@@ -18,5 +18,5 @@ LIMITS = (
     Limit("faintest", -900, "of E_b in inner units; nearer to the separatrix is refused"),
     Limit("thinnest", -200, "of one principal moment over another"),
     Limit("farthest", 46, "of |omega0 t|, rad"),
-    Limit("fastest", 990, "of a rate, rad/s: NumPy splits doubles up to 2^995 only"),
+    Limit("fastest", 990, "of a rate, rad/s: exact products with it are still held"),
 )

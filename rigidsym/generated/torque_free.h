@@ -30,7 +30,7 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest d85d379461e6cc039211df9a3e6049a3f090a5dde6cfd4dd0c9c07495a4e28ce
+digest d2c3c0f64d7fbe9d9175857230d92efe4acea7b9144efccbd5a881571a7aaa63
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
 -O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang

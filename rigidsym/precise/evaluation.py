@@ -1,12 +1,12 @@
 """The formulas of the solution over balls, with the constants of one motion at one precision."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from rigidsym.precise.balls import ball, power
-from rigidsym.solution.compiled import run, steps
+from rigidsym.solution.compiled import Step, run, steps, steps_to, used
 from rigidsym.solution.expression import evaluate
 from rigidsym.solution.formulas import AXES
 from rigidsym.solution.polhode import Regime
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 State = tuple[list[Any], list[Any]]
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
+
+_BY_THETA = ("theta", "theta_state", "pull_back")
 
 
 class Evaluation:
@@ -43,7 +45,7 @@ class Evaluation:
 
     def constant(self, name: str) -> Any:
         """One constant of the plan."""
-        return ball(self._plan[name])
+        return ball(self._planned(frozenset([name]))[name])
 
     @cached_property
     def _converting(self) -> dict[str, Callable[..., Any]]:
@@ -57,6 +59,10 @@ class Evaluation:
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
+        """What the programmes of a state need of it."""
+        return self._planned(used(*(_BY_THETA if self._by_theta else ("state",))))
+
+    def _planned(self, wanted: frozenset[str]) -> dict[str, Any]:
         polhode, given = self.given.polhode, self.given
         q0, *vector = self.start[0]
         signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
@@ -64,7 +70,8 @@ class Evaluation:
         for x, k in zip(AXES, polhode.axes, strict=True):
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
-        return self._exactly("plan", {**signs, **begin, **PARAMETER.get(polhode.regime, {})})
+        known = {**signs, **begin, **PARAMETER.get(polhode.regime, {})}
+        return self._exactly(steps_to(wanted, "plan"), known)
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
@@ -83,10 +90,10 @@ class Evaluation:
         front = run("pull_back", {**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
 
-    def _exactly(self, programme: str, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Every formula of a programme; exactly, as long as all it uses is rational."""
+    def _exactly(self, formulas: Iterable[Step], values: Mapping[str, Any]) -> dict[str, Any]:
+        """Every formula; exactly, as long as all it uses is rational."""
         known = dict(values)
-        for result, expression, names in steps(programme):
+        for result, expression, names in formulas:
             if result in known:
                 continue
             used = {name: known[name] for name in names}
@@ -106,5 +113,5 @@ class Evaluation:
     def _steady(self, time: Any) -> State:
         rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
         begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
-        known = self._exactly("steady", {**rates, **begin, "t": time})
+        known = self._exactly(steps("steady"), {**rates, **begin, "t": time})
         return [ball(known[f"q{k}"]) for k in range(4)], self.start[1]

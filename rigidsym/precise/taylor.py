@@ -37,12 +37,14 @@ def integrate(
     turned = abs(time) * max(map(abs, omega0))
     ctx.dps = digits + GUARD_DIGITS + len(str(int(turned)))
     order, tolerance = ceil(ctx.dps * log(10) / 2), ctx.mpf(10) ** -ctx.dps
-    c, q, w = ([ctx.convert(x) for x in values] for values in (inertia, attitude0, omega0))
+    # Moments may agree to more digits than these: their differences are taken before rounding.
+    ratios = [(inertia[k - 2] - inertia[k - 1]) / inertia[k] for k in range(3)]
+    factors, q, w = ([ctx.convert(x) for x in values] for values in (ratios, attitude0, omega0))
     norm = ctx.norm(q)
     q = [x / norm for x in q]
     forward, left = 1 if time > 0 else -1, abs(ctx.convert(time))
     while left > 0:
-        series = _rate_series(ctx, c, w, order)
+        series = _rate_series(ctx, factors, w, order)
         turning = _attitude_series(ctx, q, series, order)
         step = min([left, *(_step(ctx, part, tolerance) for part in (series, turning))])
         w, q = ([ctx.polyval(x[::-1], forward * step) for x in part] for part in (series, turning))
@@ -50,9 +52,8 @@ def integrate(
     return q, w
 
 
-def _rate_series(ctx: Any, c: Sequence[Any], w: Sequence[Any], order: int) -> list[list[Any]]:
-    """Taylor coefficients of Omega: c_1 Omega_1' = (c_2 - c_3) Omega_2 Omega_3, and round."""
-    factors = [(c[k - 2] - c[k - 1]) / c[k] for k in range(3)]
+def _rate_series(ctx: Any, factors: Sequence[Any], w: Sequence[Any], order: int) -> list[list[Any]]:
+    """Taylor coefficients of Omega: Omega_1' = (c_2 - c_3)/c_1 Omega_2 Omega_3, and round."""
     series = [[x] for x in w]
     for n in range(order):
         products = [ctx.fdot(series[k - 2], series[k - 1][::-1]) for k in range(3)]

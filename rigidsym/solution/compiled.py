@@ -10,6 +10,8 @@ from typing import Any
 from rigidsym.solution.expression import Expression, by_products, names, to_text
 from rigidsym.solution.formulas import sealed
 
+Step = tuple[str, Expression, tuple[str, ...]]
+
 
 def run(
     programme: str, values: Mapping[str, Any], functions: Mapping[str, Callable[..., Any]]
@@ -24,10 +26,29 @@ def run(
 
 
 @cache
-def steps(programme: str) -> tuple[tuple[str, Expression, tuple[str, ...]], ...]:
+def steps(programme: str) -> tuple[Step, ...]:
     """Each quantity of a programme in order, its expression, and the names that uses."""
     formulas = sealed().programmes[programme]
     return tuple((f.name, by_products(f.expression), tuple(names(f.expression))) for f in formulas)
+
+
+@cache
+def steps_to(wanted: frozenset[str], programme: str) -> tuple[Step, ...]:
+    """The steps of a programme that some quantities need, in order."""
+    needed, kept = set(wanted), []
+    for step in reversed(steps(programme)):
+        if step[0] in needed:
+            needed.update(step[2])
+            kept.append(step)
+    return tuple(reversed(kept))
+
+
+@cache
+def used(*programmes: str) -> frozenset[str]:
+    """The names that the formulas of some programmes use."""
+    return frozenset(
+        name for programme in programmes for step in steps(programme) for name in step[2]
+    )
 
 
 @cache

@@ -132,5 +132,6 @@ def _errors(
 ) -> Errors:
     """Errors of a measure; what is no number is infinitely wrong."""
     values = np.where(np.isnan(values), np.inf, values)
-    condition = np.broadcast_to(condition, values.shape)
-    return Errors(times, values / ULP, condition, values / (BOUNDS[name] * allowance))
+    condition = np.where(np.isnan(condition), 1.0, np.broadcast_to(condition, values.shape))
+    share = values / (BOUNDS[name] * allowance)
+    return Errors(times, values / ULP, condition, np.where(np.isinf(values), np.inf, share))

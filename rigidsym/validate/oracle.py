@@ -60,9 +60,9 @@ def enclose(sample: Sample, digits: int) -> Reference:
     # Balls are small in rad/s, and have to be so beside |omega|.
     more = digits + _decades_below_one(sample.omega0)
     step = Fraction(1, 10 ** (digits // 2))
-    moved, later = _perturbed(motion, times, step, Random(repr(sample)))
+    moved = _perturbed(motion, step, Random(repr(sample)))
     states = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
-    others = [[*q, *omega] for q, omega in moved.enclosures(later, more)]
+    others = [[*q, *omega] for q, omega in moved.enclosures(times, more)]
     with working(bits_of(more) + GUARD_BITS):
         changes = np.array(_table(lambda x, y: float(x - y), states, others)).reshape(-1, 7)
         high = np.array(_table(float, states)).reshape(-1, 7)
@@ -78,10 +78,7 @@ def enclose(sample: Sample, digits: int) -> Reference:
         np.stack([high[:, :4], low[:, :4]]),
         np.stack([high[:, 4:], low[:, 4:]]),
         float(np.max(radii, initial=0.0)) * 2,
-        {
-            "angle": 2 * lengths(changes[:, :4], 0.0) / float(step),
-            "omega": lengths(changes[:, 4:] / size, 0.0) / float(step),
-        },
+        _condition(motion, np.array(sample.times), high[:, 4:], changes / float(step)),
     )
 
 
@@ -101,15 +98,13 @@ def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
 def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
     """Lengths of the rows (N, k) -> (N,), safe from overflow; `of_zero` for rows of zeros."""
     largest = np.max(np.abs(vectors), axis=-1, initial=0.0)
-    scale = np.where(largest > 0, largest, 1.0)
+    scale = np.where(largest == 0, 1.0, largest)
     length = scale * np.linalg.norm(vectors / scale[:, None], axis=-1)
-    return np.where(largest > 0, length, of_zero)
+    return np.where(largest == 0, of_zero, length)
 
 
-def _perturbed(
-    motion: PreciseMotion, times: Iterable[Fraction], step: Fraction, random: Random
-) -> tuple[PreciseMotion, list[Fraction]]:
-    """Moments, rates and time changed by about step of themselves, by normal deviates.
+def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> PreciseMotion:
+    """Moments and rates changed by about step of themselves, by normal deviates.
 
     The mean square of the change this causes, over step, is the squared Frobenius norm of the
     derivatives; one draw is within a factor of ten of that nearly always (Gudmundsson, Kenney and
@@ -119,9 +114,29 @@ def _perturbed(
     def changed(values: Iterable[Fraction]) -> tuple[Fraction, ...]:
         return tuple(x * (1 + Fraction(random.gauss(0, 1)) * step) for x in values)
 
-    inertia, omega0 = changed(motion.inertia), changed(motion.omega0)
-    (rate,) = changed([Fraction(1)])
-    return PreciseMotion(inertia, omega0, motion.attitude0), [t * rate for t in times]
+    return PreciseMotion(changed(motion.inertia), changed(motion.omega0), motion.attitude0)
+
+
+def _condition(
+    motion: PreciseMotion, times: np.ndarray, omega: np.ndarray, slopes: np.ndarray
+) -> dict[str, np.ndarray]:
+    """What relative changes make of angle and rates, by derivatives (N, 7) of the states.
+
+    Those by time are added here: |omega t|, and |omega' t| / |omega|.
+    """
+    size = lengths(omega)[:, None]
+    turned = lengths(omega, 0.0) * np.abs(times)
+    bend = _bend(motion.inertia, omega / size)
+    return {
+        "angle": np.hypot(turned, 2 * lengths(slopes[:, :4], 0.0)),
+        "omega": np.hypot(turned * bend, lengths(slopes[:, 4:] / size, 0.0)),
+    }
+
+
+def _bend(inertia: Sequence[Any], unit: np.ndarray) -> np.ndarray:
+    """|omega'| / |omega|^2 by Euler's equations, for rates over their size (N, 3)."""
+    factors = [float((inertia[k - 2] - inertia[k - 1]) / inertia[k]) for k in range(3)]
+    return lengths(factors * np.roll(unit, -1, axis=1) * np.roll(unit, -2, axis=1), 0.0)
 
 
 def _table(compute: Any, *tables: Sequence[Sequence[Any]]) -> list[list[float]]:

@@ -1,1 +1,2 @@
-def page(data): return "<html></html>"
+def page(data):
+    return "<html></html>"

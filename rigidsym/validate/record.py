@@ -18,7 +18,7 @@ from rigidsym.validate.tally import DRAWN
 
 
 def record(report: ValidationReport) -> Path:
-    """Keep the figures of a report; raises InputError where another code than today's was measured."""
+    """Keep the figures of a report; raises InputError unless today's code was measured."""
     known: dict[str, Any] = {}
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))

@@ -27,9 +27,7 @@ def disagreement(motion: PreciseMotion, backwards: bool) -> float:
         sizes = (1, ball(Fraction(rate)))
         differences = [
             abs(balls - ball(inputs.exact("series", x))) / size
-            for part, numbers, size in zip(
-                (q, omega), series, (1, ball(Fraction(rate))), strict=True
-            )
+            for part, numbers, size in zip((q, omega), series, sizes, strict=True)
             for balls, x in zip(part, numbers, strict=True)
         ]
         return max(float(x.upper()) for x in differences) / AGREEMENT

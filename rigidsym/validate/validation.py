@@ -36,7 +36,7 @@ def validate(
     """Measure generated modules on `cases` samples of every stratum, or of those named.
 
     workers: processes, None for one on each core; the report is the same for any number.  Raises
-    InputError for a target, a peer or a stratum that does not exist, and fewer than 30 digits.
+    InputError for a target, a peer or a stratum that does not exist, and fewer than 20 digits.
     """
     whole = campaigns.campaign(targets, cases, digits, seed, peers, strata)
     return conduct(whole, Progress(), executors.local(workers), progress)

@@ -3,8 +3,11 @@
 import csv
 import json
 import os
+import re
+import signal
 import subprocess
 import sys
+import time
 import xml.etree.ElementTree as ET
 from fractions import Fraction
 from pathlib import Path
@@ -177,20 +180,78 @@ def test_trace_names_what_rests_on_no_fact(capsys):
     assert equations == "equations: Dekker 1971"
 
 
+SMALL = [
+    "validate",
+    "numpy",
+    "--cases",
+    "1",
+    "--stratum",
+    "rod",
+    "--stratum",
+    "rest",
+    "--workers",
+    "1",
+]
+
+
 def test_validate_prints_json_and_writes_files(tmp_path, capsys):
-    arguments = ["validate", "numpy", "--cases", "1", "--digits", "20", "--seed", "3", "--json"]
-    assert main([*arguments, "-o", str(tmp_path)]) == 0
+    assert main([*SMALL, "--digits", "20", "--seed", "3", "--json", "-o", str(tmp_path)]) == 0
     data = json.loads(capsys.readouterr().out)
-    assert (data["cases"], data["digits"], data["seed"]) == (1, 20, 3)
-    assert (tmp_path / "validation-numpy.json").exists()
+    chosen = [data["campaign"][name] for name in ("cases", "digits", "seed", "strata")]
+    assert chosen == [1, 20, 3, ["rest", "rod"]]
+    written = json.loads((tmp_path / "validation.json").read_text())
+    assert {**written, "run": {}} == {**data, "run": {}}
+    names = ["validation.html", "validation.json", "validation.md"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == names
+    assert "# Validation" in (tmp_path / "validation.md").read_text()
 
 
-def test_a_broken_bound_exits_1(monkeypatch, capsys):
+def test_validate_measures_all_targets_in_all_strata_by_default(capsys):
+    assert main(["validate", "--cases", "1"]) == 0
+    table = capsys.readouterr().out
+    assert "validate numpy c --cases 1 --digits 40 --seed 1" in table
+    assert "near separatrix, long" in table
+
+
+def test_a_broken_bound_exits_1_and_leaves_a_case_that_propagate_takes(
+    monkeypatch, tmp_path, capsys
+):
     from rigidsym.validate import measure
 
-    monkeypatch.setattr(measure, "BOUND", 1e-18)
-    assert main(["validate", "--cases", "1"]) == 1
-    assert "BROKEN" in capsys.readouterr().out
+    monkeypatch.setitem(measure.BOUNDS, "angle", 1e-17)
+    assert main([*SMALL, "-o", str(tmp_path)]) == 1
+    broken = [x for x in capsys.readouterr().err.splitlines() if x.startswith("broken: ")]
+    assert len(broken) == 2
+    assert broken[1].startswith("broken: numpy: rod:0: angle ")
+    assert broken[1].endswith("of its bound 1e-17")
+    case = tmp_path / "failures" / "rod-0.toml"
+    assert "0x" in case.read_text()
+    assert main(["propagate", str(case)]) == 0
+    assert main([*SMALL, "--case", "rod:0"]) == 1
+    monkeypatch.undo()
+    assert main([*SMALL, "--case", "rod:0"]) == 0
+
+
+def test_an_interrupted_validation_says_how_to_go_on(tmp_path):
+    """By the signals that a terminal and a batch system send."""
+    command = [sys.executable, "-m", "rigidsym", "validate", "c", "--cases", "1000000"]
+    report = ["-o", str(tmp_path)]
+    with subprocess.Popen([*command, *report], stderr=subprocess.PIPE, text=True) as process:
+        time.sleep(4)
+        process.send_signal(signal.SIGINT)
+        said = process.communicate(timeout=30)[1]
+        line = r"rigidsym validate: interrupted: \d+ of \d+ cases are kept, --resume goes on .*\n"
+        assert re.fullmatch(line, said)
+    assert process.returncode == 130
+    again = [*command, "--resume", *report]
+    with subprocess.Popen(again, stderr=subprocess.PIPE, text=True) as process:
+        time.sleep(4)
+        process.send_signal(signal.SIGTERM)
+        assert "are kept" in process.communicate(timeout=30)[1]
+    other = subprocess.run([*again, "--seed", "2"], capture_output=True, text=True, check=False)
+    assert other.returncode == 2
+    assert other.stderr.count("\n") == 1
+    assert "is another campaign: its seed 1, not 2" in other.stderr
 
 
 def test_propagate_in_three_formats_agrees(case, tmp_path, capsys):
@@ -421,9 +482,9 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
         (["propagate", "paper", "--format", "npz"], "give -o FILE"),
         (["check", "nowhere.json"], "cannot be read"),
         (["derive", "nowhere"], "chapter = nowhere: must be one of: lie_algebra"),
-        (["codegen", "fortran"], "target = fortran: must be one of: numpy"),
-        (["validate", "fortran"], "target = fortran: must be one of: numpy"),
-        (["validate", "numpy", "fortran"], "target = fortran: must be one of: numpy"),
+        (["codegen", "fortran"], "target = fortran: must be one of: numpy, c"),
+        (["validate", "fortran"], "target = fortran: must be one of: numpy, c"),
+        (["validate", "numpy", "fortran"], "target = fortran: must be one of: numpy, c"),
         (["propagate", "paper", "--digits", "100001"], "digits = 100001: must be a whole number"),
         (["propagate", "paper", "--format", "npz", "--enclose", "-o", "x"], "no --enclose"),
         (["propagate", "paper", "--enclose", "--digits", "100001"], "digits = 100001: must be"),

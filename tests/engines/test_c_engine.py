@@ -48,7 +48,7 @@ def c(tmp_path_factory):
 @pytest.fixture
 def many_threads(monkeypatch):
     monkeypatch.setattr(threads, "LEAST", 1)
-    monkeypatch.setattr(threads, "_processors", lambda: 3)
+    monkeypatch.setattr(threads, "processors", lambda: 3)
 
 
 def assert_near(states, expected, omega0, times_bound=1):

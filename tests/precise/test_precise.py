@@ -33,7 +33,7 @@ def test_states_satisfy_the_equations_of_motion(stratum, index):
     ((q, omega),) = PreciseMotion(*exact).states([time], 30)
     expected_q, expected_omega = integrate(*exact, time)
     assert distance(q, expected_q) < 1e-29
-    assert distance(omega, expected_omega) < 1e-29 * float(scale) * 10
+    assert distance(omega, expected_omega) < mpmath.mpf(scale.numerator) / scale.denominator * 1e-28
 
 
 @pytest.mark.skipif(not REFERENCE.exists(), reason="shared reference data is not here")

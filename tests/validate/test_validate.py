@@ -2,99 +2,218 @@
 
 import dataclasses
 import json
+import math
 
 import numpy as np
 import pytest
 
 from rigidsym import InputError
-from rigidsym.engines import engine
-from rigidsym.generated import torque_free
-from rigidsym.validate import validate
-from rigidsym.validate.measure import measure
-from rigidsym.validate.report import StratumReport
-from rigidsym.validate.strata import STRATA, draw, samples
+from rigidsym.engines import EngineError, engine
+from rigidsym.validate import contestants, validate
+from rigidsym.validate.campaign import DISAGREEMENT, ORACLES
+from rigidsym.validate.finding import look
+from rigidsym.validate.measure import BOUNDS, MEASURES, measure
+from rigidsym.validate.oracle import distance, enclose
+from rigidsym.validate.report import ValidationReport
+from rigidsym.validate.strata import STRATA, Sample, count, draw
+from rigidsym.validate.tally import Tally
 
-REPORT = validate(cases=20, seed=5)
-
-
-@pytest.mark.parametrize("stratum", REPORT.strata, ids=lambda stratum: stratum.name)
-def test_every_stratum_is_within_the_documented_bound(stratum):
-    assert stratum.states > 0
-    assert stratum.passed, stratum
-
-
-def test_the_papers_body_to_a_few_ulps():
-    (paper,) = (stratum for stratum in REPORT.strata if stratum.name == "paper")
-    assert paper.states == 19
-    assert paper.worst["angle"] < 10
-    assert paper.worst["omega"] < 6
+TARGETS = ("numpy", "c")
+UNIFORM = draw("uniform", 3, 5)
+SPIN = Sample("spin", 0, (1.0, 2.0, 2.5), (0.0, 0.0, 0.5), (1.0, 0.0, 0.0, 0.0), (0.0, 30.0))
 
 
-def test_a_sample_is_the_same_whenever_it_is_drawn():
-    listed = [sample for sample in samples(2, seed=9) if sample.stratum != "paper"]
-    assert len(listed) == 2 * len(STRATA)
-    assert all(sample == draw(sample.stratum, sample.index, 9) for sample in listed)
-    assert draw("uniform", 0, 9) != draw("uniform", 0, 10)
+@pytest.fixture(scope="module")
+def report():
+    return validate(cases=6, seed=5, workers=None)
 
 
-def test_reports_are_deterministic_json_and_markdown():
-    again = validate(cases=20, seed=5)
-    assert again.to_json() == REPORT.to_json()
-    data = json.loads(REPORT.to_json())
-    assert data["schema"] == "rigidsym.validation/1"
+@pytest.mark.parametrize("stratum", STRATA)
+@pytest.mark.parametrize("target", TARGETS)
+def test_every_stratum_is_within_every_documented_bound(report, target, stratum):
+    assert report.tally.cases[stratum] == count(stratum, 6)
+    for name in MEASURES:
+        cell = report.tally.cells[target, name, "share", stratum]
+        assert (cell.count, cell.worst <= 1) == (0, True), name
+
+
+def test_the_papers_body_to_a_few_ulps(report):
+    assert report.tally.states["paper"] == 19
+    for target in TARGETS:
+        assert report.tally.cells[target, "angle", "stratum", "paper"].worst < 10
+        assert report.tally.cells[target, "omega", "stratum", "paper"].worst < 6
+
+
+def test_the_second_oracle_agrees_in_every_stratum(report):
+    assert all(0 <= report.agreement(stratum) < 1e-3 for stratum in STRATA)
+
+
+def test_reports_are_deterministic_for_any_number_of_workers(report):
+    alone = validate(cases=6, seed=5, workers=1)
+    assert (
+        dataclasses.replace(alone, run={}).to_json()
+        == dataclasses.replace(report, run={}).to_json()
+    )
+    other = validate(["numpy"], cases=2, seed=6, strata=["uniform"])
+    assert other.to_data()["worst"] != alone.to_data()["worst"]
+
+
+def test_the_report_says_what_it_is(report):
+    data = json.loads(report.to_json())
+    assert data["schema"] == "rigidsym.validation/2"
     assert data["passed"] is True
-    assert {s["name"] for s in data["strata"]} == {"paper", *STRATA}
-    assert REPORT.to_markdown().count("| ok |") == len(REPORT.strata)
+    assert data["command"] == "rigidsym validate numpy c --cases 6 --digits 40 --seed 5"
+    assert [stratum["name"] for stratum in data["strata"]] == list(STRATA)
+    assert list(data) == sorted(data)
+    assert data["run"]["enclosed states"] == sum(s["states"] for s in data["strata"])
+    text = report.to_markdown()
+    assert text.count("| ok |") == len(TARGETS) * len(STRATA)
+    assert "circulation about the axis of largest inertia" in text
 
 
-def test_a_stratum_that_tested_nothing_fails():
-    empty = StratumReport("nothing", 0, 0, dict.fromkeys(REPORT.strata[0].worst, 0.0), None, 0.0)
-    assert not empty.passed
+def without(tally, *keys):
+    return Tally({k: c for k, c in tally.cells.items() if k not in keys}, tally.cases, tally.states)
 
 
-def rounded(values):
-    return tuple(np.float32(x).astype(float) for x in values)
+def test_what_tested_nothing_fails(report):
+    whole, tally = report.campaign, report.tally
+    untested = {name: n for name, n in tally.cases.items() if name != "rod"}
+    assert not ValidationReport(whole, Tally(tally.cells, untested, tally.states)).passed
+    unmeasured = without(tally, ("c", "norm", "share", "rod"))
+    assert not ValidationReport(whole, unmeasured).passed
+    unchecked = without(tally, (ORACLES, DISAGREEMENT, "stratum", "rod"))
+    assert not ValidationReport(whole, unchecked).passed
+    assert ValidationReport(whole, tally).passed
 
 
-def spoilt(branch, part, number, change):
-    """One result of one generated function, changed."""
-    entry = torque_free.BRANCHES[branch]
-    original = entry[part]
-
-    def function(*values):
-        found = list(original(*values))
-        found[number] = change(found[number])
-        return tuple(found)
-
-    return entry, part, function
+def test_oracles_that_disagree_fail(report):
+    key = (ORACLES, DISAGREEMENT, "stratum", "rod")
+    cells = report.tally.cells
+    apart = {**cells, key: dataclasses.replace(cells[key], worst=1.5)}
+    tally = Tally(apart, report.tally.cases, report.tally.states)
+    assert not ValidationReport(report.campaign, tally).passed
 
 
-def index(name):
-    return torque_free.BRANCHES["circular"]["names"].index(name)
+class Spoilt:
+    """NumPy's engine with something done to its states."""
+
+    def __init__(self, change):
+        self.engine, self.change = engine("numpy"), change
+
+    def plan(self, *state):
+        return self.engine.plan(*state)
+
+    def states(self, plan, t):
+        q, omega = self.engine.states(plan, t)
+        self.change(t, q, omega)
+        return q, omega
 
 
-FAULTS = {
-    "a rate off by 1e-16 of itself": ("plan", "v_rate_lo", lambda x: x + 1e-17),
-    "a constant off by 1e-12": ("plan", "T4_re_1", lambda x: x * (1 + 1e-12) + 1e-14),
-    "a dropped theta term": ("plan", "T1_re_2", lambda x: 0 * x),
-    "single precision": ("plan", "row_a_P4_re", lambda x: np.float32(x).astype(float)),
-    "a rate of the wrong sign": ("state", 5, lambda x: -x),
-    "the other sheet": ("state", 0, lambda x: -x),
-    "not a number": ("state", 1, lambda x: x * np.nan),
-    "a missing winding": ("angles", 0, abs),
-}
+def longer(t, q, omega):
+    q *= 1 + 2e-15
 
 
-@pytest.mark.parametrize("fault", FAULTS)
-def test_faults_in_the_module_are_noticed(fault, monkeypatch):
-    part, number, change = FAULTS[fault]
-    number = number if isinstance(number, int) else index(number)
-    monkeypatch.setitem(*spoilt("circular", part, number, change))
-    numpy = engine("numpy")
-    far = [dataclasses.replace(draw("uniform", k, 5), times=(1e5, 2e5)) for k in range(6)]
-    assert max(measure(sample, 25, numpy).share for sample in far) > 1
+def faster(t, q, omega):
+    omega *= 1 + 4e-15
 
 
-def test_a_target_that_does_not_exist():
-    with pytest.raises(InputError, match="target = rust: must be one of: numpy, c"):
-        validate("rust")
+def turned(t, q, omega):
+    q[...] = np.stack([q[:, 1], -q[:, 0], q[:, 2], q[:, 3]], axis=-1)
+
+
+def other_sheet(t, q, omega):
+    q[t > UNIFORM.times[-1]] *= -1
+
+
+def drifting(t, q, omega):
+    q[:, 0] += 1e-14 * np.sin(20 * t)
+
+
+def nothing(t, q, omega):
+    q[0] = np.nan
+
+
+def refused(t, q, omega):
+    raise EngineError("t", "not today")
+
+
+@pytest.mark.parametrize(
+    ("change", "noticed", "not_noticed"),
+    [
+        (longer, {"angle", "norm"}, {"omega", "energy"}),
+        (faster, {"omega"}, {"angle", "norm", "jump"}),
+        (turned, {"angle", "residual"}, {"omega", "norm", "jump"}),
+        (other_sheet, {"jump", "residual"}, {"omega", "norm"}),
+        (drifting, {"angle", "residual", "norm"}, {"omega"}),
+        (nothing, {"angle", "norm", "jump"}, {"omega"}),
+        (refused, set(MEASURES), set()),
+    ],
+)
+def test_each_measure_notices_what_it_is_for(change, noticed, not_noticed):
+    found = measure(enclose(UNIFORM, 40), Spoilt(change))
+    beyond = {name for name in MEASURES if np.any(found[name].share > 1)}
+    assert noticed <= beyond
+    assert not_noticed.isdisjoint(beyond)
+
+
+def test_drifts_are_judged_by_what_errors_of_the_rates_make_of_them():
+    tenth = Spoilt(lambda t, q, omega: np.multiply(omega, 1.1, omega))
+    found = measure(enclose(UNIFORM, 40), tenth)
+    for name in ("energy", "momentum"):
+        np.testing.assert_allclose(found[name].units * 2**-53, 0.21, rtol=1e-9)
+        assert np.all(found[name].condition >= 2)
+
+
+def test_the_condition_tells_ill_conditioning_from_sloppiness():
+    """The angle of a spin is omega t, and on the separatrix errors of the inputs grow like e^t."""
+    spin = enclose(SPIN, 40).condition
+    assert spin["angle"][0] == 0
+    assert 15 <= spin["angle"][1] < 150
+    body = ((1.0, 2.0, 2.25), (0.75, 0.5, 1.0), (1.0, 0.0, 0.0, 0.0), (10.0, 20.0, 30.0))
+    steep = enclose(Sample("separatrix", 0, *body), 60)
+    growth = np.diff(np.log(steep.condition["angle"])) / 10
+    # lambda of the rates, from H and K^2.
+    expected = math.sqrt(0.25 * 3.3125 / 4.5)
+    np.testing.assert_allclose(growth, expected, rtol=0.2)
+    assert steep.distance == 0
+    found = look(steep.sample, 40, ["numpy"])
+    assert found.share("numpy") < 1
+
+
+def test_the_distance_from_the_separatrix():
+    assert distance((1, 2, 3), (1, 0, 0)) == 1
+    assert distance((1, 2, 3), (0, 0, 0)) == 1
+    assert 0 < distance((4, 5, 9), (3, 1, 1 + 1e-9)) < 1e-8
+
+
+def test_errors_of_states_that_are_refused_are_infinite_and_still_json(monkeypatch):
+    monkeypatch.setattr(contestants.engines, "exactly", lambda name: Spoilt(refused))
+    contestants._contestant.cache_clear()
+    try:
+        report = validate(["numpy"], cases=1, strata=["uniform"])
+    finally:
+        contestants._contestant.cache_clear()
+    assert not report.passed
+    data = json.loads(report.to_json())
+    assert data["contestants"][0]["strata"]["uniform"]["angle"]["units"] == "inf"
+    (failure,) = report.failures
+    assert failure.line.startswith("numpy: uniform:0: angle inf")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"targets": ["rust"]}, "target = rust: must be one of: numpy, c"),
+        ({"peers": ["nobody"]}, "peer = nobody: must be one of: heyoka"),
+        ({"strata": ["moon"]}, "stratum = moon: must be one of: paper"),
+        ({"digits": 5}, "digits = 5: must be at least 20 and at most 1000"),
+    ],
+)
+def test_what_does_not_exist_is_one_line(arguments, message):
+    with pytest.raises(InputError, match=message):
+        validate(**arguments)
+
+
+def test_bounds_are_stated_for_every_measure():
+    assert set(BOUNDS) == set(MEASURES)
+    assert BOUNDS["angle"] == BOUNDS["omega"] == 2e-15

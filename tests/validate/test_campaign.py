@@ -1,0 +1,200 @@
+"""Campaigns: one result however they are shared out, interrupted and resumed."""
+
+import dataclasses
+import errno
+import json
+import os
+import signal
+from multiprocessing import active_children
+
+import pytest
+
+from rigidsym import InputError, files
+from rigidsym.cases import load_case
+from rigidsym.validate import case_file, checkpoint, executors, session, validate
+from rigidsym.validate.campaign import CHUNK, Progress, campaign, tallied
+from rigidsym.validate.checkpoint import Checkpoint
+from rigidsym.validate.finding import look
+from rigidsym.validate.shrink import simplest
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.validate.tally import Tally
+from rigidsym.validate.validation import conduct
+
+NAMES = ("sphere", "rest")
+CASES = 3 * CHUNK
+CHOSEN = {"targets": ["c"], "cases": CASES, "strata": NAMES}
+
+
+def whole():
+    return campaign(**CHOSEN)
+
+
+@pytest.fixture(scope="module")
+def expected():
+    return validate(["c"], CASES, strata=NAMES).to_data()["contestants"]
+
+
+def stopping_at(cases):
+    def show(done, total):
+        if done >= cases:
+            raise KeyboardInterrupt
+
+    return show
+
+
+def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
+    progress = Progress()
+    kept = Checkpoint(tmp_path, whole(), progress)
+    with pytest.raises(KeyboardInterrupt, match=f"interrupted: {2 * CHUNK} of {2 * CASES} cases"):
+        conduct(whole(), progress, executors.local(1), stopping_at(2 * CHUNK), kept)
+    again, found = session.begin({}, tmp_path, resume=True)
+    assert again == whole()
+    assert found == progress
+    assert found.cases == 2 * CHUNK
+    report = conduct(again, found, executors.local(1))
+    assert report.to_data()["contestants"] == expected
+    assert found.done == {name: [(0, CASES)] for name in NAMES}
+
+
+def test_what_is_missing_is_each_case_once_whatever_was_done():
+    progress, tally = Progress(), Tally()
+    for chunk in (("rest", 20, 30), ("rest", 60, 149), ("sphere", 0, 1), ("rest", 30, 31)):
+        progress.take(chunk, tally)
+    assert progress.done["rest"] == [(20, 31), (60, 149)]
+    missing = list(progress.missing(whole()))
+    listed = [(name, k) for name, start, stop in missing for k in range(start, stop)]
+    done = {("rest", k) for k in [*range(20, 31), *range(60, 149)]} | {("sphere", 0)}
+    assert sorted([*listed, *done]) == sorted((name, k) for name in NAMES for k in range(CASES))
+    assert all(stop - start <= CHUNK for _, start, stop in missing)
+
+
+def test_tallies_merge_in_any_order_and_come_back_from_json():
+    chunks = [("sphere", 0, 7), ("rest", 3, 9), ("sphere", 7, 20)]
+    parts = [tallied(whole(), chunk)[1] for chunk in chunks]
+    there, back = Tally(), Tally()
+    for part in parts:
+        there.merge(part)
+    for part in reversed(parts):
+        back.merge(Tally.from_data(json.loads(json.dumps(part.to_data()))))
+    assert there == back
+    assert there.cases == {"sphere": 20, "rest": 6}
+
+
+def test_a_tally_does_not_grow_with_its_cases():
+    """Cells are as many as strata, regimes, decades and half octaves: not as many as cases."""
+    few, many = (tallied(campaign(**CHOSEN | {"cases": n}), ("sphere", 0, n))[1] for n in (40, 400))
+    assert len(many.cells) < 1.5 * len(few.cells)
+
+
+def test_a_worker_that_dies_is_one_line_and_its_cases_are_not_counted(tmp_path):
+    progress, large = Progress(), campaign(["c"], 2000, strata=NAMES)
+
+    def show(done, total):
+        for child in active_children():
+            os.kill(child.pid, signal.SIGKILL)
+
+    kept = Checkpoint(tmp_path, large, progress)
+    with pytest.raises(InputError, match=r"one process: died.* cases are kept, --resume"):
+        conduct(large, progress, executors.local(2), show, kept)
+    _, found = checkpoint.load(tmp_path)
+    assert found == progress
+    assert 0 < found.cases == sum(found.tally.cases.values()) < large.size
+
+
+@pytest.mark.parametrize(
+    ("chosen", "message"),
+    [
+        ({"cases": 7}, f"is another campaign: its cases {CASES}, not 7"),
+        ({"seed": 7}, "its seed 1, not 7"),
+        ({"targets": ["numpy"]}, "its targets c, not numpy"),
+        ({"strata": ["rod"]}, "its strata sphere, rest, not rod"),
+        ({"peers": ["dop853"]}, "its peers none, not dop853"),
+    ],
+)
+def test_a_directory_of_another_campaign_is_refused(tmp_path, chosen, message):
+    Checkpoint(tmp_path, whole(), Progress()).write()
+    before = (tmp_path / checkpoint.NAME).read_bytes()
+    with pytest.raises(InputError, match=message):
+        session.begin(chosen, tmp_path, resume=True)
+    assert session.begin({"cases": CASES}, tmp_path, resume=True)[0] == whole()
+    with pytest.raises(InputError, match="holds an unfinished campaign: --resume goes on"):
+        session.begin(chosen, tmp_path, resume=False)
+    assert (tmp_path / checkpoint.NAME).read_bytes() == before
+
+
+def test_a_campaign_of_other_modules_is_refused(tmp_path):
+    other = dataclasses.replace(whole(), digests=("0" * 64,))
+    Checkpoint(tmp_path, other, Progress()).write()
+    with pytest.raises(InputError, match="its digests 000000000000, not"):
+        session.begin({}, tmp_path, resume=True)
+    with pytest.raises(InputError, match="is not the module of this campaign"):
+        tallied(other, ("rest", 0, 1))
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", '{"schema": "rigidsym.campaign/0"}', "null"])
+def test_a_damaged_checkpoint_is_one_line(tmp_path, text):
+    (tmp_path / checkpoint.NAME).write_text(text)
+    with pytest.raises(InputError, match=r"^resume = .*campaign.json: cannot be read: \w+$"):
+        session.begin({}, tmp_path, resume=True)
+
+
+def test_nothing_to_resume(tmp_path):
+    with pytest.raises(InputError, match="holds no unfinished campaign"):
+        session.begin({}, tmp_path, resume=True)
+    with pytest.raises(InputError, match="needs -o DIR"):
+        session.begin({}, None, resume=True)
+
+
+def test_a_full_disk_is_one_line_and_leaves_the_last_checkpoint(tmp_path, monkeypatch):
+    progress = Progress()
+    kept = Checkpoint(tmp_path, whole(), progress)
+    kept.write()
+    before = (tmp_path / checkpoint.NAME).read_bytes()
+
+    def full(*arguments):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(checkpoint, "INTERVAL", 0.0)
+    monkeypatch.setattr(files.os, "replace", full)
+    with pytest.raises(InputError, match="cannot be written: No space left on device"):
+        conduct(whole(), progress, executors.local(1), kept=kept)
+    assert (tmp_path / checkpoint.NAME).read_bytes() == before
+    assert [path.name for path in tmp_path.iterdir()] == [checkpoint.NAME]
+
+
+def test_the_simplest_case_that_fails():
+    sample = draw("uniform", 3, 1)
+
+    def fails(given):
+        return given.omega0[1] != 0 and max(map(abs, given.times)) > 3 and given.inertia[0] > 0.3
+
+    found = simplest(sample, fails)
+    assert fails(found)
+    assert len(found.times) == 1
+    assert found.attitude0 == (1, 0, 0, 0)
+    assert sum(x != 0 for x in found.omega0) == 1
+    assert all(float(f"{x:.1g}") == x for x in (*found.omega0, *found.inertia, *found.times))
+
+
+def test_a_sample_that_nothing_simpler_is_like_stays_what_it_is():
+    sample = draw("uniform", 3, 1)
+    assert simplest(sample, lambda given: given == sample) == sample
+
+
+@pytest.mark.parametrize("stratum", ["uniform", "decimals", "extreme scales", "published"])
+def test_case_files_are_read_back_as_the_same_numbers(tmp_path, stratum):
+    sample = draw(stratum, 1, 1)
+    case = load_case(case_file.write(tmp_path, sample, ["a remark"]))
+    motion = case.motion
+    numbers = (sample.inertia, sample.omega0, sample.attitude0, sample.times)
+    assert tuple(map(tuple, (*motion.exact.values(), case.times))) == numbers
+
+
+def test_a_case_of_a_campaign_is_found_by_its_name():
+    finding = session.replay("published:3", whole())
+    assert finding.sample == draw("published", 3, 1)
+    assert finding.share("c") == look(finding.sample, 40, ["c"]).share("c")
+    for name in ("published", "moon:1", "published:999", "uniform:-1", "uniform:1e3"):
+        with pytest.raises(InputError, match="^case = "):
+            session.replay(name, whole())
+    assert count("published", 999) == STRATA["published"].size
