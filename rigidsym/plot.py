@@ -4,11 +4,13 @@ Kept to what a report needs: anything richer is for a plotting library.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 250, 70, 90, 28, 42
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000")
+# The same hues on a dark ground.
+COLOURS_ON_DARK = ("#56b4e9", "#f0894a", "#2cc295", "#e6a3c7", "#d9b84a")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,10 +49,10 @@ def _panel(panel: Panel, offset: int) -> str:
         for name, line in panel.lines.items()
     }
     values = [y for points in lines.values() for _, y in points]
-    x_ticks = _ticks(min(xs), max(xs), least)
-    y_ticks = _ticks(min(values), max(values), least)
-    x_of = _scale(x_ticks, LEFT, WIDTH - RIGHT)
-    y_of = _scale(y_ticks, offset + HEIGHT - BOTTOM, offset + TOP)
+    x_ticks = ticks(min(xs), max(xs), least)
+    y_ticks = ticks(min(values), max(values), least)
+    x_of = scale(x_ticks, LEFT, WIDTH - RIGHT)
+    y_of = scale(y_ticks, offset + HEIGHT - BOTTOM, offset + TOP)
     parts = [_text((LEFT + WIDTH - RIGHT) / 2, offset + 18, panel.title, "middle")]
     for tick in x_ticks:
         parts.append(_line(x_of(tick), y_of(y_ticks[0]), x_of(tick), y_of(y_ticks[-1])))
@@ -73,12 +75,13 @@ def _panel(panel: Panel, offset: int) -> str:
     return "\n".join(parts)
 
 
-def _scale(ticks: Sequence[float], first: float, last: float):
-    span = ticks[-1] - ticks[0]
-    return lambda value: first + (value - ticks[0]) / span * (last - first)
+def scale(ends: Sequence[float], first: float, last: float) -> Callable[[float], float]:
+    """Where values lie in a picture: linear, the ends of their range at `first` and `last`."""
+    span = ends[-1] - ends[0]
+    return lambda value: first + (value - ends[0]) / span * (last - first)
 
 
-def _ticks(low: float, high: float, least: float) -> list[float]:
+def ticks(low: float, high: float, least: float) -> list[float]:
     """About six round numbers that cover low to high, at least so far apart."""
     span = (high - low) or abs(high) or 1.0
     raw = max(span / 5, least)

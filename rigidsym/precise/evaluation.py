@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from rigidsym.precise.balls import ball, power
 from rigidsym.solution.compiled import Step, run, steps, steps_to, used
-from rigidsym.solution.expression import evaluate
 from rigidsym.solution.formulas import AXES
 from rigidsym.solution.polhode import Regime
 
@@ -48,14 +47,14 @@ class Evaluation:
         return ball(self._planned(frozenset([name]))[name])
 
     @cached_property
-    def _converting(self) -> dict[str, Callable[..., Any]]:
+    def _converting(self) -> dict[str, Any]:
         """The functions, of exact numbers too."""
 
         def of(function: Any) -> Callable[..., Any]:
             return lambda *arguments: function(*map(ball, arguments))
 
         functions = {name: of(function) for name, function in self.functions.items()}
-        return functions | {"power": power}
+        return functions | {"power": power, "__builtins__": {}}
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
@@ -93,13 +92,13 @@ class Evaluation:
     def _exactly(self, formulas: Iterable[Step], values: Mapping[str, Any]) -> dict[str, Any]:
         """Every formula; exactly, as long as all it uses is rational."""
         known = dict(values)
-        for result, expression, names in formulas:
+        for result, code, names in formulas:
             if result in known:
                 continue
             used = {name: known[name] for name in names}
             if not all(isinstance(value, (int, Fraction)) for value in used.values()):
                 used = {name: ball(value) for name, value in used.items()}
-            known[result] = evaluate(expression, used, self._converting)
+            known[result] = eval(code, self._converting, used)
         return known
 
     def _moving(self, time: Any) -> State:

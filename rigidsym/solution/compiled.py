@@ -5,12 +5,14 @@ Powers are calls of `power` in them, which the functions have to bring.
 
 from collections.abc import Callable, Mapping
 from functools import cache
+from types import CodeType
 from typing import Any
 
 from rigidsym.solution.expression import Expression, by_products, names, to_text
 from rigidsym.solution.formulas import sealed
 
-Step = tuple[str, Expression, tuple[str, ...]]
+# A quantity, the code of its expression, and the names that uses.
+Step = tuple[str, CodeType, tuple[str, ...]]
 
 
 def run(
@@ -27,9 +29,11 @@ def run(
 
 @cache
 def steps(programme: str) -> tuple[Step, ...]:
-    """Each quantity of a programme in order, its expression, and the names that uses."""
-    formulas = sealed().programmes[programme]
-    return tuple((f.name, by_products(f.expression), tuple(names(f.expression))) for f in formulas)
+    """Each quantity of a programme in order, as code that may be evaluated alone."""
+    return tuple(
+        (f.name, compile(_text(f.expression), f"<{f.name}>", "eval"), tuple(names(f.expression)))
+        for f in sealed().programmes[programme]
+    )
 
 
 @cache
@@ -52,6 +56,10 @@ def used(*programmes: str) -> frozenset[str]:
 
 
 @cache
-def _code(programme: str) -> Any:
-    lines = [f"{name} = {to_text(expression)}" for name, expression, _ in steps(programme)]
+def _code(programme: str) -> CodeType:
+    lines = [f"{f.name} = {_text(f.expression)}" for f in sealed().programmes[programme]]
     return compile("\n".join(lines), f"<{programme}>", "exec")
+
+
+def _text(expression: Expression) -> str:
+    return to_text(by_products(expression))

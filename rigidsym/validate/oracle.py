@@ -15,6 +15,9 @@ from rigidsym.precise.ladder import GUARD_BITS
 from rigidsym.solution.polhode import Regime, excess
 from rigidsym.validate.strata.sample import Numbers, Sample
 
+# Normal deviates are rounded to parts of this, so that exact arithmetic with them stays quick.
+GRAIN = 1024
+
 
 @dataclass(frozen=True, slots=True)
 class Reference:
@@ -59,7 +62,7 @@ def enclose(sample: Sample, digits: int) -> Reference:
     motion, times = exactly(sample), list(map(Fraction, sample.times))
     # Balls are small in rad/s, and have to be so beside |omega|.
     more = digits + _decades_below_one(sample.omega0)
-    step = Fraction(1, 10 ** (digits // 2))
+    step = Fraction(1, 2 ** bits_of(digits // 2))
     moved = _perturbed(motion, step, Random(repr(sample)))
     states = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
     others = [[*q, *omega] for q, omega in moved.enclosures(times, more)]
@@ -112,7 +115,7 @@ def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> Precise
     """
 
     def changed(values: Iterable[Fraction]) -> tuple[Fraction, ...]:
-        return tuple(x * (1 + Fraction(random.gauss(0, 1)) * step) for x in values)
+        return tuple(x * (1 + Fraction(round(random.gauss(0, GRAIN)), GRAIN) * step) for x in values)
 
     return PreciseMotion(changed(motion.inertia), changed(motion.omega0), motion.attitude0)
 

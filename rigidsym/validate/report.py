@@ -96,7 +96,7 @@ class ValidationReport:
             "command": self.command,
             "passed": self.passed,
             "unit": "2**-53",
-            "bounds": {name: _figure(bound / ULP) for name, bound in BOUNDS.items()},
+            "bounds": {name: bound / ULP for name, bound in BOUNDS.items()},
             "meanings": MEANINGS,
             "strata": [
                 {
@@ -112,7 +112,15 @@ class ValidationReport:
             "contestants": [self._contestant(name) for name in self.campaign.contestants],
             "worst": [self._case(finding) for finding in self.worst],
             "failures": [
-                {"line": failure.line, "simplest": self._case(failure.simplest)}
+                {
+                    "line": failure.line,
+                    "target": failure.target,
+                    "measure": failure.measure,
+                    "stratum": failure.stratum,
+                    "index": failure.index,
+                    "share": _figure(failure.share),
+                    "simplest": self._case(failure.simplest),
+                }
                 for failure in self.failures
             ],
             "run": dict(self.run),

@@ -1,2 +1,0 @@
-def page(data):
-    return "<html></html>"

@@ -1,0 +1,57 @@
+"""A small real validation report, and variations of it."""
+
+import copy
+import json
+
+from rigidsym.validate.campaign import Progress, campaign, run
+from rigidsym.validate.executors import local
+from rigidsym.validate.report import Failure, ValidationReport
+from rigidsym.validate.validation import reported
+
+STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "rest")
+
+
+def passed():
+    """The data of a report as JSON has them."""
+    return json.loads(_REPORT.to_json())
+
+
+def direct():
+    """The same as they are before they are JSON."""
+    return _REPORT.to_data()
+
+
+def failed():
+    """The same report with a bound broken."""
+    failure = Failure("numpy", "angle", 37.2, "uniform", 1, _REPORT.worst[0])
+    whole = ValidationReport(
+        _REPORT.campaign, _REPORT.tally, _REPORT.worst, (failure,), _REPORT.run
+    )
+    return json.loads(whole.to_json())
+
+
+def with_peer(data, name="peer rk"):
+    """Add a peer that is worse by many decades, and has no number in places."""
+    peer = copy.deepcopy(data["contestants"][0])
+    peer |= {"name": name, "peer": True, "passed": False, "digest": None}
+    for view in ("distance", "turned", "condition"):
+        for cells in peer[view].values():
+            for k, cell in enumerate(cells.values()):
+                cell["units"] = "inf" if k % 3 == 0 else cell["units"] * 1e12
+    for sizes in peer["sizes"].values():
+        sizes["angle"] = {"2^+40.5": 3, "inf": 2, "0": 1}
+    for view in ("strata", "shares", "regimes"):
+        peer[view].pop("rest")
+    data["contestants"].append(peer)
+    return data
+
+
+def _report():
+    whole = campaign(["numpy"], cases=3, strata=STRATA)
+    progress = Progress()
+    with local(1) as place:
+        run(whole, progress, place)
+    return reported(whole, progress.tally, {"python": "3.11", "workers": 1})
+
+
+_REPORT = _report()
