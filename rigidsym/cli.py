@@ -174,10 +174,9 @@ def _progress(label: str) -> Callable[[int, int], None]:
     if not sys.stderr.isatty():
         return lambda done, total: None
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
-    from rich.progress import TimeRemainingColumn
+    from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
-    columns = (TextColumn(label), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    columns = (*Progress.get_default_columns()[:2], MofNCompleteColumn(), TimeRemainingColumn())
     bar = Progress(*columns, console=Console(stderr=True), transient=True)
     task = bar.add_task(label)
     bar.start()
@@ -408,6 +407,11 @@ def _campaign(whole: Any, done: Any, options: Any) -> int:
         print(report.to_json(), end="")
     else:
         _table(f"{report.command}: worst errors in units of 2^-53", *tables.summary(report))
+    run = report.run
+    _say(
+        f"{run['enclosed states']} states in {run['seconds']} s, "
+        f"{run['enclosed states a second']} a second, {run['place']}"
+    )
     if kept:
         _say(f"report: {session.write(report, options.output)}")
         kept.remove()
@@ -427,6 +431,21 @@ def _validate_case(whole: Any, options: Any) -> int:
     print(case_file.toml(finding.sample), end="")
     _table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
     return 0 if max(map(finding.share, whole.targets)) <= 1 else 1
+
+
+def _validate_faults(whole: Any, options: Any) -> int:
+    from rigidsym.files import write_text
+    from rigidsym.validate.faults import inject
+
+    drawn = (whole.targets, whole.cases, whole.digits, whole.seed)
+    report = inject(*drawn, progress=_progress("validate --faults"), strata=whole.strata)
+    print(report.to_json() if options.json else report.to_markdown(), end="")
+    if options.output:
+        write_text(options.output / "faults.json", report.to_json())
+        write_text(options.output / "faults.md", report.to_markdown())
+    for fault in report.missed:
+        _say(f"not caught: {fault.target}: {fault.name}")
+    return 0 if report.passed else 1
 
 
 def _propagate(options: Any) -> int:

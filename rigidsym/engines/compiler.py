@@ -54,15 +54,17 @@ def find() -> Compiler:
     raise CompilerError(f"no C compiler found ({wanted})")
 
 
-def compile_library(compiler: Compiler, sources: Mapping[str, str], directory: Path) -> Path:
+def compile_library(
+    compiler: Compiler, sources: Mapping[str, str], directory: Path, flags: tuple[str, ...] = FLAGS
+) -> Path:
     """Write the sources into an empty directory and compile them there into a shared library."""
     for name, text in sources.items():
         (directory / name).write_text(text, encoding="utf-8")
     units = [name for name in sources if name.endswith(".c")]
-    done = _compile(compiler, FLAGS, units, directory)
+    done = _compile(compiler, flags, units, directory)
     if done.returncode:
         # Compilers for other machines than x86 do not know these flags.
-        portable = tuple(flag for flag in FLAGS if flag not in NATIVE)
+        portable = tuple(flag for flag in flags if flag not in NATIVE)
         done = _compile(compiler, portable, units, directory)
     if done.returncode:
         raise CompilerError(f"{compiler.command[0]} failed: {_first_error(done)}")

@@ -14,11 +14,13 @@ from rigidsym.generated import torque_free
 
 @dataclass(frozen=True, slots=True)
 class NumpyEngine:
-    """`rigidsym.generated.torque_free` as an `Engine`."""
+    """`rigidsym.generated.torque_free`, or a module like it, as an `Engine`."""
+
+    module: Any = torque_free
 
     def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> dict[str, Any]:
         """See `Engine`."""
-        return torque_free.plan(inertia, omega0, attitude0)
+        return self.module.plan(inertia, omega0, attitude0)
 
     def exact_plan(
         self,
@@ -30,14 +32,14 @@ class NumpyEngine:
         # Here, because doubles need nothing of it.
         from rigidsym.engines.exact_pairs import exact_pairs
 
-        return torque_free.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
+        return self.module.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
 
     def states(self, plan: dict[str, Any], t: Any, out: Outputs = None) -> States:
         """See `Engine`."""
         if out is not None:
             times = np.asarray(t, float)
             arrays.outputs(out, (*plan["shape"], *times.shape), times)
-        return torque_free.states(plan, t, out)
+        return self.module.states(plan, t, out)
 
     def grid(
         self,
@@ -54,4 +56,4 @@ class NumpyEngine:
         self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None
     ) -> States:
         """See `Engine`."""
-        return self.states(torque_free.plan(inertia, omega0, attitude0), t, out)
+        return self.states(self.module.plan(inertia, omega0, attitude0), t, out)

@@ -59,8 +59,10 @@ class Campaign:
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> "Campaign":
         """The inverse of `to_data`."""
-        given = {f.name: data[f.name] for f in fields(cls)}
-        return cls(**{name: tuple(x) if isinstance(x, list) else x for name, x in given.items()})
+        given: dict[str, Any] = {}
+        for name in (f.name for f in fields(cls)):
+            given[name] = tuple(data[name]) if isinstance(data[name], list) else data[name]
+        return cls(**given)
 
 
 def campaign(

@@ -3,7 +3,7 @@
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -40,15 +40,19 @@ class Here(Executor):
         return future
 
 
+def processes(count: int) -> ProcessPoolExecutor:
+    """Fresh processes: forks would share locks and threads of this one."""
+    return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
+
+
 @contextmanager
-def local(workers: int | None = None) -> Iterator[Place]:
+def local(workers: int | None = None) -> Generator[Place]:
     """So many processes on this machine, one for each core by default."""
     count = workers or processors()
     if count == 1:
         yield Place(Here(), 1, "this process")
         return
-    # Fresh processes: forks would share locks and threads of this one.
-    pool = ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
+    pool = processes(count)
     try:
         yield Place(pool, AHEAD * count, f"{count} processes")
     finally:
@@ -56,7 +60,7 @@ def local(workers: int | None = None) -> Iterator[Place]:
 
 
 @contextmanager
-def cluster(address: str) -> Iterator[Place]:
+def cluster(address: str) -> Generator[Place]:
     """A Dask cluster; raises InputError where its scheduler cannot be reached."""
     try:
         from distributed import Client

@@ -6,7 +6,7 @@ from typing import Any
 from rigidsym.validate.measure import MEASURES, ULP
 from rigidsym.validate.tally import DRAWN
 
-HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump")
+HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "routes")
 
 
 def markdown(data: Mapping[str, Any]) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.engines import EngineError, States
+from rigidsym.validate import routes
 from rigidsym.validate.arcs import arc, residual
 from rigidsym.validate.oracle import Reference, lengths
 from rigidsym.validate.strata import Sample
@@ -24,6 +24,9 @@ BOUNDS = {
     # Two states are in these, each with an error of half the angle.
     "residual": 2 * BOUND,
     "jump": BOUND,
+    # The given state itself, but for the rounding of the quaternion's length.
+    "start": 3e-16,
+    "routes": 2 * BOUND,
 }
 MEASURES = tuple(BOUNDS)
 MEANINGS = {
@@ -34,6 +37,8 @@ MEANINGS = {
     "momentum": "relative drift of K^2",
     "residual": "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian",
     "jump": "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains",
+    "start": "angle, or relative rates, from the given state at t = 0",
+    "routes": "one time alone, a grid, a batch, many times: from the states at the same times",
 }
 
 
@@ -49,42 +54,51 @@ class Errors:
 
 def measure(reference: Reference, engine: Any) -> dict[str, Errors]:
     """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong."""
-    sample = reference.sample
-    times = np.array(sample.times, dtype=float)
-    begins, later = times[[len(times) // 2, -1]], np.nextafter(times, np.inf)
-    rate = float(lengths(np.array([sample.omega0], dtype=float))[0])
-    paths = [arc(float(begin), rate) for begin in begins]
-    asked = [times, later, *(path.nodes for path in paths)]
-    q, omega = _states(sample, engine, np.concatenate(asked))
-    (q_at, q_later, *q_paths), (omega_at, _, *omega_paths) = (
-        np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in (q, omega)
-    )
-    residuals = np.array(list(map(residual, paths, q_paths, omega_paths)))
-    turning = reference.condition
-    found = {
-        "angle": _errors("angle", times, _angle(q_at, reference, engine), turning["angle"]),
-        "omega": _errors("omega", times, _relative(omega_at, reference), turning["omega"]),
-        "norm": _errors("norm", times, np.abs(np.linalg.norm(q_at, axis=-1) - 1)),
-        "residual": _errors("residual", np.array([p.nodes[0] for p in paths]), residuals),
-        "jump": _errors("jump", times, _jump(q_at, q_later, omega_at, later - times)),
-    }
-    return found | _drifts(sample, times, omega_at)
-
-
-def _states(sample: Sample, engine: Any, times: np.ndarray) -> States:
-    """(q, omega) by the engine, from exact numbers where doubles do not say them."""
-    state = (sample.inertia, sample.omega0, sample.attitude0)
+    times = np.array(reference.sample.times, dtype=float)
     try:
         with np.errstate(all="ignore"):
-            numbers = [x for values in state for x in values]
-            # Peers take doubles only.
-            if hasattr(engine, "exact_plan") and any(isinstance(x, Fraction) for x in numbers):
-                plan = engine.exact_plan(*(tuple(map(Fraction, values)) for values in state))
-            else:
-                plan = engine.plan(*(np.array(values) for values in state))
-            return engine.states(plan, times)
-    except EngineError:
-        return np.full((len(times), 4), np.nan), np.full((len(times), 3), np.nan)
+            return _measured(reference, engine, times)
+    # Engines refuse by the first; the second is a fault of theirs, and as wrong.
+    except (ValueError, ArithmeticError):
+        return {name: _errors(name, times, np.full(len(times), np.inf)) for name in MEASURES}
+
+
+def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str, Errors]:
+    sample, rate = reference.sample, reference.rate or 1.0
+    later = np.nextafter(times, np.inf)
+    paths = [arc(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
+    asked = [times, later, *(path.nodes for path in paths)]
+    plan, body = _planned(sample, engine)
+    states = engine.states(plan, np.concatenate(asked))
+    (q, q_later, *q_paths), (omega, _, *omega_paths) = (
+        np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in states
+    )
+    angle, rates = _angle(q, reference, engine), _relative(omega, reference)
+    start, residuals = times == 0, list(map(residual, paths, q_paths, omega_paths))
+    found = {
+        "angle": _errors("angle", times, angle, reference.condition["angle"]),
+        "omega": _errors("omega", times, rates, reference.condition["omega"]),
+        "norm": _errors("norm", times, np.abs(np.linalg.norm(q, axis=-1) - 1)),
+        "residual": _errors("residual", [path.nodes[0] for path in paths], residuals),
+        "jump": _errors("jump", times, _jump(q, q_later, omega, later - times)),
+        "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
+    }
+    # Peers have one way only.
+    if sample.index % routes.SHARE == 0 and hasattr(engine, "grid"):
+        apart = routes.differences(engine, plan, body, times, rate)
+        found["routes"] = _errors("routes", [0.0] * len(apart), apart)
+    return found | _drifts(sample, times, omega)
+
+
+def _planned(sample: Sample, engine: Any) -> tuple[Any, Any]:
+    """A plan, and the doubles it is made from where they say all of the sample."""
+    state = (sample.inertia, sample.omega0, sample.attitude0)
+    body = tuple(np.array(values, dtype=float) for values in state)
+    is_exact = any(isinstance(x, Fraction) for values in state for x in values)
+    # Peers take doubles only.
+    if is_exact and hasattr(engine, "exact_plan"):
+        return engine.exact_plan(*sample.exact), None
+    return engine.plan(*body), body
 
 
 def _angle(q: np.ndarray, reference: Reference, engine: Any) -> np.ndarray:
@@ -128,9 +142,10 @@ def _drifts(sample: Sample, times: np.ndarray, omega: np.ndarray) -> dict[str, E
 
 
 def _errors(
-    name: str, times: np.ndarray, values: np.ndarray, condition: Any = 1.0, allowance: Any = 1.0
+    name: str, times: Any, values: Any, condition: Any = 1.0, allowance: Any = 1.0
 ) -> Errors:
     """Errors of a measure; what is no number is infinitely wrong."""
+    times, values = np.array(times, dtype=float), np.array(values, dtype=float)
     values = np.where(np.isnan(values), np.inf, values)
     condition = np.where(np.isnan(condition), 1.0, np.broadcast_to(condition, values.shape))
     share = values / (BOUNDS[name] * allowance)

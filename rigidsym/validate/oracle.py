@@ -1,7 +1,7 @@
 """What is true of a sample: enclosures of its states, and how much they depend on the inputs."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
@@ -87,8 +87,7 @@ def enclose(sample: Sample, digits: int) -> Reference:
 
 def exactly(sample: Sample) -> PreciseMotion:
     """The motion of a sample, from the exact values of its numbers."""
-    numbers = (sample.inertia, sample.omega0, sample.attitude0)
-    return PreciseMotion(*(tuple(map(Fraction, values)) for values in numbers))
+    return PreciseMotion(*sample.exact)
 
 
 def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
@@ -114,8 +113,9 @@ def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> Precise
     Laub, SIAM J. Matrix Anal. Appl. 16, 1995).
     """
 
-    def changed(values: Iterable[Fraction]) -> tuple[Fraction, ...]:
-        return tuple(x * (1 + Fraction(round(random.gauss(0, GRAIN)), GRAIN) * step) for x in values)
+    def changed(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
+        deviates = (Fraction(round(random.gauss(0, GRAIN)), GRAIN) for _ in values)
+        return tuple(x * (1 + dx * step) for x, dx in zip(values, deviates, strict=True))
 
     return PreciseMotion(changed(motion.inertia), changed(motion.omega0), motion.attitude0)
 
@@ -139,7 +139,7 @@ def _condition(
 def _bend(inertia: Sequence[Any], unit: np.ndarray) -> np.ndarray:
     """|omega'| / |omega|^2 by Euler's equations, for rates over their size (N, 3)."""
     factors = [float((inertia[k - 2] - inertia[k - 1]) / inertia[k]) for k in range(3)]
-    return lengths(factors * np.roll(unit, -1, axis=1) * np.roll(unit, -2, axis=1), 0.0)
+    return lengths(np.array(factors) * np.roll(unit, -1, axis=1) * np.roll(unit, -2, axis=1), 0.0)
 
 
 def _table(compute: Any, *tables: Sequence[Sequence[Any]]) -> list[list[float]]:

@@ -61,7 +61,8 @@ class ValidationReport:
 
     def share(self, name: str, stratum: str) -> float:
         """The largest part of a bound a contestant needs in a stratum; infinite where untested."""
-        cells = (self.tally.cells.get((name, m, "share", stratum)) for m in MEASURES)
+        expected = [m for m in MEASURES if m != "routes" or not name.startswith(PEER)]
+        cells = (self.tally.cells.get((name, m, "share", stratum)) for m in expected)
         return max(float("inf") if cell is None else cell.worst for cell in cells)
 
     def agreement(self, stratum: str) -> float:
@@ -201,7 +202,7 @@ def _cell(cell: Cell) -> dict[str, Any]:
         "units": _figure(cell.worst),
         "condition": _figure(cell.condition),
         "case": f"{stratum}:{index}",
-        "t": time.hex(),
+        "t": float(time).hex(),
     }
 
 

@@ -29,12 +29,13 @@ def begin(
         if directory and (directory / checkpoint.NAME).exists():
             rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
             raise InputError("output", directory, rule)
-        return campaign(**{"targets": engines.ENGINES, **chosen}), Progress()
+        defaults: dict[str, Any] = {"targets": engines.ENGINES}
+        return campaign(**defaults | dict(chosen)), Progress()
     if directory is None:
         raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
     found, progress = checkpoint.load(directory)
-    known = {name: getattr(found, name) for name in CHOICES}
-    checkpoint.check_same(directory, found, campaign(**{**known, **chosen}))
+    known: dict[str, Any] = {name: getattr(found, name) for name in CHOICES}
+    checkpoint.check_same(directory, found, campaign(**known | dict(chosen)))
     return found, progress
 
 

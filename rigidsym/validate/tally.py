@@ -96,7 +96,7 @@ class Tally:
     def to_data(self) -> dict[str, Any]:
         """As JSON takes it: sorted, floats in hexadecimal."""
         rows = [
-            [*key, cell.count, cell.worst.hex(), *_written(cell.place), cell.condition.hex()]
+            [*key, cell.count, _hex(cell.worst), *_written(cell.place), _hex(cell.condition)]
             for key, cell in sorted(self.cells.items())
         ]
         return {"cells": rows, "cases": self.cases, "states": self.states}
@@ -142,4 +142,8 @@ def _beyond(worst: Cell, found: Errors) -> Cell:
 
 
 def _written(place: Place) -> tuple[str, int, str]:
-    return place[0], place[1], place[2].hex()
+    return place[0], place[1], _hex(place[2])
+
+
+def _hex(value: float) -> str:
+    return float(value).hex()

@@ -195,6 +195,6 @@ def test_a_case_of_a_campaign_is_found_by_its_name():
     assert finding.sample == draw("published", 3, 1)
     assert finding.share("c") == look(finding.sample, 40, ["c"]).share("c")
     for name in ("published", "moon:1", "published:999", "uniform:-1", "uniform:1e3"):
-        with pytest.raises(InputError, match="^case = "):
+        with pytest.raises(InputError, match=r"^case = "):
             session.replay(name, whole())
     assert count("published", 999) == STRATA["published"].size

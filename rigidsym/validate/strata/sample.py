@@ -7,6 +7,7 @@ from random import Random
 
 Floats = tuple[float, ...]
 Numbers = tuple[float | Fraction, ...]
+Exact = tuple[Fraction, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +30,11 @@ class Sample:
     attitude0: Numbers
     times: Floats
 
+    @property
+    def exact(self) -> tuple[Exact, Exact, Exact]:
+        """Inertia, rates and attitude, as what their numbers mean."""
+        return _exact(self.inertia), _exact(self.omega0), _exact(self.attitude0)
+
 
 Body = Callable[[Random, int], Motion]
 Times = Callable[[Random, int, Motion], Floats]
@@ -46,3 +52,7 @@ class Stratum:
     body: Body
     times: Times
     size: int | None = None
+
+
+def _exact(values: Numbers) -> Exact:
+    return tuple(Fraction(x) for x in values)

@@ -11,6 +11,7 @@ from rigidsym.validate.strata import (
     published,
     separatrix,
     special,
+    switch,
 )
 from rigidsym.validate.strata.sample import Numbers, Sample, Stratum
 from rigidsym.validate.strata.times import FARTHEST, turns
@@ -124,6 +125,12 @@ _LISTED = (
         "near separatrix, long",
         "doubles 1e-1 to 1e-16 from the separatrix, up to 2^46 rad",
         separatrix.near,
+        turns(FARTHEST),
+    ),
+    Stratum(
+        "branch switch",
+        "k_1^2 within 3e-1 to 1e-16 of 1/2, where the series change, up to 2^46 rad",
+        switch.switch,
         turns(FARTHEST),
     ),
     Stratum(

@@ -1,0 +1,8 @@
+"""Faults put into the generated modules on purpose, to see that the validation notices them."""
+
+from rigidsym.validate.faults.fault import KINDS, Fault, StaleFaultError
+from rigidsym.validate.faults.injection import inject
+from rigidsym.validate.faults.report import FaultReport, Outcome
+from rigidsym.validate.faults.tables import FAULTS
+
+__all__ = ["FAULTS", "KINDS", "Fault", "FaultReport", "Outcome", "StaleFaultError", "inject"]

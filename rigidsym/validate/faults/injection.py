@@ -1,0 +1,108 @@
+"""Every fault against every stratum, in processes that may be lost."""
+
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from concurrent.futures.process import BrokenProcessPool
+from functools import partial
+
+from rigidsym.engines.threads import processors
+from rigidsym.validate.contestants import check_target
+from rigidsym.validate.executors import processes
+from rigidsym.validate.faults.fault import Fault
+from rigidsym.validate.faults.noticing import CRASHED, Notice, notices, references
+from rigidsym.validate.faults.report import FaultReport, Outcome
+from rigidsym.validate.faults.spoilt import faulty
+from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.oracle import Reference
+from rigidsym.validate.strata import STRATA
+
+Strata = Sequence[Sequence[Reference]]
+Progress = Callable[[int, int], None]
+
+
+def inject(
+    targets: Sequence[str],
+    cases: int,
+    digits: int,
+    seed: int,
+    progress: Progress = lambda done, total: None,
+    faults: Sequence[Fault] = FAULTS,
+    strata: Sequence[str] = tuple(STRATA),
+) -> FaultReport:
+    """Measure each fault of the targets on `cases` cases of each stratum, `count` says how many.
+
+    progress is told how many strata and faults are done, and of how many.  Raises InputError for a
+    target that cannot be had here, and StaleFaultError for a fault whose place is gone.
+    """
+    for target in targets:
+        check_target(target)
+    chosen = [fault for fault in faults if fault.target in targets]
+    for fault in chosen:
+        faulty(fault)
+    told = partial(_tell, progress, len(strata) + len(chosen))
+    enclosed = _enclosed(strata, cases, digits, seed, told)
+    found = _found(chosen, enclosed, partial(told, len(strata)))
+    outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
+    return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
+
+
+def _tell(progress: Progress, total: int, before: int, done: int = 0) -> None:
+    progress(before + done, total)
+
+
+def _enclosed(
+    strata: Sequence[str], cases: int, digits: int, seed: int, told: Callable[[int], None]
+) -> Strata:
+    """The truth about all cases, which all faults share."""
+    with processes(processors()) as pool:
+        jobs = [pool.submit(references, name, cases, digits, seed) for name in strata]
+        enclosed = []
+        for done, job in enumerate(jobs, 1):
+            enclosed.append(job.result())
+            told(done)
+    return enclosed
+
+
+def _found(
+    faults: Sequence[Fault], strata: Strata, told: Callable[[int], None]
+) -> dict[Fault, list[Notice]]:
+    """The notices of every fault; those that may have ended a process are looked at alone."""
+    left, found = list(faults), {}
+    while left:
+        for fault, result in _until_a_crash(left, strata):
+            found[fault] = _alone(fault, strata) if result is None else result
+            left.remove(fault)
+            told(len(found))
+    return found
+
+
+def _until_a_crash(
+    faults: Sequence[Fault], strata: Strata
+) -> Iterator[tuple[Fault, list[Notice] | None]]:
+    """Faults and notices; None for all that were under way when a process was lost, the last."""
+    waiting, running = list(faults), dict[Future, Fault]()
+    lost = False
+    with processes(processors()) as pool:
+        while running or (waiting and not lost):
+            try:
+                while waiting and len(running) < processors() and not lost:
+                    job = pool.submit(notices, waiting[0], strata)
+                    running[job] = waiting.pop(0)
+            except BrokenProcessPool:
+                lost = True
+            for job in wait(running, return_when=FIRST_COMPLETED).done:
+                crashed = isinstance(job.exception(), BrokenProcessPool)
+                lost = lost or crashed
+                yield running.pop(job), None if crashed else job.result()
+
+
+def _alone(fault: Fault, strata: Strata) -> list[Notice]:
+    """The notices of a fault that may end a process: each stratum has its own."""
+    found = []
+    for stratum in strata:
+        try:
+            with processes(1) as pool:
+                found += pool.submit(notices, fault, [stratum]).result()
+        except BrokenProcessPool:
+            found.append(Notice(stratum[0].sample.stratum, 0, (CRASHED,)))
+    return found

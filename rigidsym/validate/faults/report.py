@@ -1,0 +1,144 @@
+"""What the strata noticed of the faults."""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from rigidsym.validate.faults.fault import KINDS, Fault
+from rigidsym.validate.faults.noticing import Notice
+
+SCHEMA = "rigidsym.faults/1"
+# More strata than these are counted, not named.
+_NAMED = 4
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A fault, and a notice of each stratum that caught it."""
+
+    fault: Fault
+    notices: tuple[Notice, ...]
+
+    @property
+    def strata(self) -> tuple[str, ...]:
+        """The strata that caught it."""
+        return tuple(notice.stratum for notice in self.notices)
+
+    @property
+    def measures(self) -> tuple[str, ...]:
+        """All measures by which it was caught, each once."""
+        return tuple(dict.fromkeys(name for notice in self.notices for name in notice.measures))
+
+
+@dataclass(frozen=True, slots=True)
+class FaultReport:
+    """All faults of some targets against all strata."""
+
+    targets: tuple[str, ...]
+    strata: tuple[str, ...]
+    cases: int
+    digits: int
+    seed: int
+    outcomes: tuple[Outcome, ...]
+
+    @property
+    def passed(self) -> bool:
+        """There are faults of every target, and some stratum caught each of them."""
+        named = {outcome.fault.target for outcome in self.outcomes}
+        return named == set(self.targets) and not self.missed
+
+    @property
+    def missed(self) -> tuple[Fault, ...]:
+        """Faults that no stratum caught."""
+        return tuple(outcome.fault for outcome in self.outcomes if not outcome.notices)
+
+    def caught(self, stratum: str) -> int:
+        """How many faults a stratum caught."""
+        return sum(stratum in outcome.strata for outcome in self.outcomes)
+
+    def alone(self, stratum: str) -> int:
+        """How many faults no other stratum caught."""
+        return sum((stratum,) == outcome.strata for outcome in self.outcomes)
+
+    def to_data(self) -> dict[str, Any]:
+        """The schema rigidsym.faults/1."""
+        return {
+            "schema": SCHEMA,
+            "targets": list(self.targets),
+            "cases": self.cases,
+            "digits": self.digits,
+            "seed": self.seed,
+            "passed": self.passed,
+            "kinds": KINDS,
+            "strata": {
+                name: {
+                    "caught": self.caught(name),
+                    "alone": self.alone(name),
+                    "of": len(self.outcomes),
+                }
+                for name in self.strata
+            },
+            "faults": list(map(_fault, self.outcomes)),
+        }
+
+    def to_json(self) -> str:
+        """`to_data` as text."""
+        return json.dumps(self.to_data(), indent=1, sort_keys=True) + "\n"
+
+    def to_markdown(self) -> str:
+        """Two tables: what each stratum caught, and which strata caught each fault."""
+        total = len(self.outcomes)
+        return "\n".join(
+            [
+                f"{total - len(self.missed)} of {total} faults were caught.",
+                "",
+                "| stratum | caught | by no other |",
+                "|---|---|---|",
+                *(
+                    f"| {name} | {self.caught(name)} of {total} | {self.alone(name)} |"
+                    for name in self.strata
+                ),
+                "",
+                "| fault | kind | strata | which | by |",
+                "|---|---|---|---|---|",
+                *map(self._row, self.outcomes),
+                "",
+            ]
+        )
+
+    def _row(self, outcome: Outcome) -> str:
+        fault, strata = outcome.fault, outcome.strata
+        which = ", ".join(strata) if len(strata) <= _NAMED else self._all_but(strata)
+        figures = f"{len(strata)} | {which} | {', '.join(outcome.measures)}"
+        return f"| {fault.line} | {fault.kind} | {figures} |" if strata else _uncaught(fault)
+
+    def _all_but(self, strata: tuple[str, ...]) -> str:
+        others = [name for name in self.strata if name not in strata]
+        if not others:
+            return "all"
+        if len(others) <= _NAMED:
+            return f"all but {', '.join(others)}"
+        return f"{', '.join(strata[:_NAMED])}, ..."
+
+
+def _uncaught(fault: Fault) -> str:
+    return f"| {fault.line} | {fault.kind} | 0 | NOT CAUGHT | |"
+
+
+def _fault(outcome: Outcome) -> Mapping[str, Any]:
+    fault = outcome.fault
+    return {
+        "target": fault.target,
+        "name": fault.name,
+        "kind": fault.kind,
+        "old": fault.old,
+        "new": fault.new,
+        "caught": {
+            notice.stratum: {
+                "case": f"{notice.stratum}:{notice.index}",
+                "by": list(notice.measures),
+            }
+            for notice in outcome.notices
+        },
+    }

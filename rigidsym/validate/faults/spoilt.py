@@ -1,0 +1,48 @@
+"""Engines on faulty texts of the generated modules; the installed modules stay as they are."""
+
+import tempfile
+from importlib import resources
+from pathlib import Path
+from types import ModuleType
+
+from rigidsym.engines import Engine, build
+from rigidsym.engines.c_engine import CEngine
+from rigidsym.engines.compiler import FLAGS, compile_library, find
+from rigidsym.engines.library import load
+from rigidsym.engines.numpy_engine import NumpyEngine
+from rigidsym.validate.faults.fault import FILES, Fault
+
+# Every faulty module is compiled for a second of use.  What decides the last digits stays.
+_QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
+
+
+def spoilt(fault: Fault) -> Engine:
+    """The engine that runs on a faulty module; raises StaleFaultError as `Fault.applied`."""
+    return on_text(fault.target, faulty(fault))
+
+
+def faulty(fault: Fault) -> str:
+    """The installed module of a fault's target with the fault."""
+    return fault.applied(installed(FILES[fault.target]))
+
+
+def on_text(target: str, text: str) -> Engine:
+    """The engine of a target on another text of its module."""
+    return _numpy(text) if target == "numpy" else _c(text)
+
+
+def installed(name: str) -> str:
+    """A generated file as it is in the package."""
+    return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
+
+
+def _numpy(text: str) -> Engine:
+    module = ModuleType("torque_free")
+    exec(compile(text, FILES["numpy"], "exec"), module.__dict__)
+    return NumpyEngine(module)
+
+
+def _c(text: str) -> Engine:
+    sources = {name: installed(name) for name in build.FILES} | {FILES["c"]: text}
+    with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
+        return CEngine(load(compile_library(find(), sources, Path(work), _QUICK), sources))

@@ -1,0 +1,459 @@
+"""Faults of torque_free.c; those of the kernels, frame and exact arithmetic that only C has too."""
+
+from functools import partial
+
+from rigidsym.validate.faults.fault import Fault
+
+_fault = partial(Fault, "c")
+_NUMBERS = "static const pair pi = {"
+# No empty line parts the exponential from the constants.
+_EXPONENTIAL = _NUMBERS
+_LADDER = "static void ladder("
+_CIRCULAR_PLAN = "static void circular_plan("
+_CIRCULAR_ANGLES = "static void circular_angles("
+_CIRCULAR_STATE = "static void circular_state("
+_HYPERBOLIC_PLAN = "static void hyperbolic_plan("
+_HYPERBOLIC_ANGLES = "static void hyperbolic_angles("
+_HYPERBOLIC_STATE = "static void hyperbolic_state("
+_STEADY_PLAN = "static void steady_plan("
+_STEADY_STATE = "static void steady_state("
+_EXCESS = "static pair excess_of("
+_MOVING = "static int moving_init("
+_INIT = "static int init("
+
+_CONSTANTS = (
+    _fault(
+        "constant",
+        "cosine_0 off by 1e-12",
+        _NUMBERS,
+        "cosine_0 = -4.934802200544679;",
+        "cosine_0 = -4.934802200549615;",
+    ),
+    _fault(
+        "constant",
+        "the last digits of log 2 lost",
+        _NUMBERS,
+        "log_2 = {0.6931471805599453, 2.3190468138462996e-17}",
+        "log_2 = {0.6931471805599453, 2.319e-17}",
+    ),
+    _fault(
+        "constant",
+        "1/2 of exponentials off by 1e-12",
+        _EXPONENTIAL,
+        "half = 0.5;",
+        "half = 0.5000000000005;",
+    ),
+    _fault(
+        "constant",
+        "log 2 in short off by 1e-12 in exponentials",
+        _EXPONENTIAL,
+        "log_2_rest = 1.9082149292705877e-10;",
+        "log_2_rest = 1.9012834574649877e-10;",
+    ),
+    _fault(
+        "precision",
+        "1/6 of exponentials in single precision",
+        _EXPONENTIAL,
+        "exponential_0 = 0.16666666666666666;",
+        "exponential_0 = 0.16666667163372040f;",
+    ),
+    _fault(
+        "precision",
+        "sine_4 in single precision",
+        _NUMBERS,
+        "sine_4 = -0.007370432209249014;",
+        "sine_4 = -0.007370432209249014f;",
+    ),
+    _fault(
+        "precision",
+        "the turned angle in single precision, steady",
+        _STEADY_STATE,
+        "sin_half_theta = X_im;",
+        "sin_half_theta = (float)X_im;",
+    ),
+    _fault(
+        "precision",
+        "the gain of a rate in single precision, circular",
+        _CIRCULAR_PLAN,
+        "plan->gain_b = pair_rounded(gain_b);",
+        "plan->gain_b = (float)pair_rounded(gain_b);",
+    ),
+)
+
+_SERIES = (
+    _fault(
+        "series",
+        "the last term of theta_1 dropped, circular",
+        _CIRCULAR_PLAN,
+        "T1_re_3 = pair_mul_dx(-8.0, p7);",
+        "T1_re_3 = pair_mul_dx(0.0, p7);",
+    ),
+    _fault(
+        "series",
+        "the last term of theta_4 dropped, circular",
+        _CIRCULAR_STATE,
+        "fused(x, fused(x, T4_im_2, T4_im_1), T4_im_0)",
+        "fused(x, T4_im_1, T4_im_0)",
+    ),
+    _fault(
+        "series",
+        "Q^20 dropped from the gains, circular",
+        _CIRCULAR_PLAN,
+        "pair_add_xx(pair_add_xx(pair_add_xx(pair_add_dx(1.0, Q2), Q6), Q12), Q20);",
+        "pair_add_xx(pair_add_xx(pair_add_dx(1.0, Q2), Q6), Q12);",
+    ),
+    _fault(
+        "series",
+        "the last term of theta_2 dropped, hyperbolic",
+        _HYPERBOLIC_STATE,
+        "near_im_odd = p * fused(p2, im_3, im_1);",
+        "near_im_odd = p * im_1;",
+    ),
+    _fault(
+        "series",
+        "the far side of theta_2 dropped, hyperbolic",
+        _HYPERBOLIC_STATE,
+        "far_re_odd = qw * fused(qw2, re_3, re_1);",
+        "far_re_odd = 0.0 * qw;",
+    ),
+    _fault(
+        "series",
+        "the term nome^12 of zeta dropped, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "pair_mul_xx(pair_mul_dx(7.0, nome12), S_3)",
+        "pair_mul_xx(pair_mul_dx(0.0, nome12), S_3)",
+    ),
+    _fault(
+        "series",
+        "a term of Watson's sum dropped, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "pair_mul_xx(nome8, twice2)",
+        "pair_mul_xx(pair_of(0.0), twice2)",
+    ),
+    _fault(
+        "series",
+        "a term of the nome wrong",
+        "static pair root_ratio(",
+        "pair_add_dx(15.0, pair_mul_xd(e4, 150.0))",
+        "pair_add_dx(14.0, pair_mul_xd(e4, 150.0))",
+    ),
+    _fault(
+        "ladder",
+        "a Landen step with the modulus before it",
+        _LADDER,
+        "landen(k3, kc3, s3,",
+        "landen(k3, kc2, s3,",
+    ),
+    _fault(
+        "ladder",
+        "the last Landen step dropped from the angle",
+        _LADDER,
+        "*s5_out = s5;",
+        "*s5_out = s4;",
+    ),
+    _fault(
+        "ladder",
+        "the last Landen step dropped from K",
+        _LADDER,
+        "pair_mul_xx(pair_add_dx(1.0, k5), K5);",
+        "K5;",
+    ),
+)
+
+_GEOMETRY = (
+    _fault(
+        "axis",
+        "q in the order of the principal axes, rates not",
+        "static void block_states(",
+        "row[1 + axis[k]] = out[1 + k];",
+        "row[1 + k] = out[1 + k];",
+    ),
+    _fault(
+        "axis",
+        "the rates of b and d swapped, hyperbolic",
+        _HYPERBOLIC_STATE,
+        "Omega_d_out[i] = Omega_d;",
+        "Omega_d_out[i] = Omega_b;",
+    ),
+    _fault(
+        "axis",
+        "axes in cyclic order taken for the others",
+        _MOVING,
+        "(axis[1] - axis[0] + 3) % 3 == 1",
+        "(axis[1] - axis[0] + 3) % 3 != 1",
+    ),
+    _fault(
+        "sign",
+        "sigma never negative",
+        _MOVING,
+        "sigma = Omega_a.hi < 0.0 ? -1.0",
+        "sigma = Omega_a.hi < 0.0 ? 1.0",
+    ),
+    _fault(
+        "sign",
+        "rho turned",
+        _MOVING,
+        "rho = is_below(c_a, c_d) ? -1.0 : 1.0",
+        "rho = is_below(c_a, c_d) ? 1.0 : -1.0",
+    ),
+    _fault(
+        "sign",
+        "chi never negative",
+        _MOVING,
+        "* Omega_d.hi < 0.0 ? -1.0 : 1.0",
+        "* Omega_d.hi < 0.0 ? 1.0 : 1.0",
+    ),
+    _fault(
+        "sign",
+        "tau of the other sign in a gain, circular",
+        _CIRCULAR_PLAN,
+        "tau = -rho * epsilon * sigma;",
+        "tau = rho * epsilon * sigma;",
+    ),
+    _fault(
+        "attitude",
+        "the last number of attitude0 left out of its length",
+        _INIT,
+        "length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));",
+        "length = pair_add_xx(length, pair_mul_xx(q[k], q[k + 1]));",
+    ),
+    _fault(
+        "attitude",
+        "a vector product turned around, circular",
+        _CIRCULAR_PLAN,
+        "pair_sub_xx(pair_mul_xx(q_b, qbar_a), pair_mul_xx(q_a, qbar_b))",
+        "pair_sub_xx(pair_mul_xx(q_a, qbar_b), pair_mul_xx(q_b, qbar_a))",
+    ),
+    _fault(
+        "attitude",
+        "scalar and vector part swapped in one coefficient, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "row_0_P4_re = pair_mul_xx(over_N, p_0);",
+        "row_0_P4_re = pair_mul_xx(over_N, p_d);",
+    ),
+)
+
+_DECISIONS = (
+    _fault(
+        "branch",
+        "the circular branch taken up to k_1^2 = 0.9",
+        _MOVING,
+        "k_1.hi * k_1.hi <= 0.5",
+        "k_1.hi * k_1.hi <= 0.9",
+    ),
+    _fault(
+        "branch",
+        "the hyperbolic branch taken from k_1^2 = 0.1",
+        _MOVING,
+        "k_1.hi * k_1.hi <= 0.5",
+        "k_1.hi * k_1.hi <= 0.1",
+    ),
+    _fault(
+        "branch",
+        "the wrong side of the separatrix",
+        _INIT,
+        "if (excess.hi < 0.0) {",
+        "if (excess.hi > 0.0) {",
+    ),
+    _fault(
+        "branch",
+        "the side of the separatrix decided in doubles",
+        _EXCESS,
+        "if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))",
+        "if (fabs(sum.hi) >= 0.0)",
+    ),
+    _fault(
+        "branch",
+        "steady decided without the last two axes",
+        "static int is_steady(",
+        "!same(c[j], c[k])",
+        "!same(c[j], c[k]) && j != 2",
+    ),
+    _fault(
+        "branch",
+        "moments compared as doubles",
+        "static int is_zero(",
+        "x.hi < y.hi || (!(x.hi > y.hi) && x.lo < y.lo)",
+        "x.hi < y.hi",
+    ),
+    _fault(
+        "winding",
+        "whole turns between periods lost, hyperbolic",
+        _HYPERBOLIC_ANGLES,
+        "whole = L_whole + (j_whole + turned_whole);",
+        "whole = L_whole + turned_whole;",
+    ),
+    _fault(
+        "winding",
+        "one half turn of v lost in the cosine, circular",
+        _CIRCULAR_ANGLES,
+        "cos_v = v_sign * fused",
+        "cos_v = fused",
+    ),
+    _fault(
+        "winding",
+        "one period too few, hyperbolic",
+        _HYPERBOLIC_ANGLES,
+        "nearest((p_y + y0_hi) * period_inverse);",
+        "nearest((p_y + y0_hi) * period_inverse) - (period_inverse > 0.0);",
+    ),
+    _fault(
+        "quadrant",
+        "the start before the middle of a period taken for one after it, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "side = choose(0.0, pair_rounded(s), 1.0, -1.0);",
+        "side = choose(0.0, pair_rounded(s), 1.0, 1.0);",
+    ),
+    _fault(
+        "quadrant",
+        "the rate of d positive in the second half, hyperbolic",
+        _HYPERBOLIC_STATE,
+        "Omega_d = gain_d * (flip * theta4_y * over);",
+        "Omega_d = gain_d * (theta4_y * over);",
+    ),
+    _fault(
+        "quadrant",
+        "the near side taken for the far one at the start, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "const pair w = pair_choose(far, near, e_near, e_far);",
+        "const pair w = pair_choose(far, near, e_far, e_near);",
+    ),
+    _fault(
+        "sheet",
+        "the half turns of q not counted, hyperbolic",
+        _HYPERBOLIC_ANGLES,
+        "L_sign = alternating(whole);",
+        "L_sign = 1.0;",
+    ),
+    _fault(
+        "sheet",
+        "attitude0 always with a positive scalar part",
+        _INIT,
+        "unit_q[k] = pair_div_xx(q[k], length);",
+        "unit_q[k] = pair_div_xx(q[0].hi < 0.0 ? pair_neg(q[k]) : q[k], length);",
+    ),
+)
+
+_DIGITS = (
+    _fault(
+        "pair",
+        "the low part of the rate of Lambda lost, circular",
+        _CIRCULAR_PLAN,
+        "plan->Lambda_rate_lo = Lambda_rate.lo;",
+        "plan->Lambda_rate_lo = 0.0;",
+    ),
+    _fault(
+        "pair",
+        "the low part of the rate of y lost, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "plan->y_rate_lo = y_rate.lo;",
+        "plan->y_rate_lo = 0.0;",
+    ),
+    _fault(
+        "pair",
+        "the low part of the rate lost, steady",
+        _STEADY_PLAN,
+        "plan->Lambda_rate_lo = Lambda_rate.lo;",
+        "plan->Lambda_rate_lo = 0.0;",
+    ),
+    _fault(
+        "pair",
+        "the rounding of whole periods forgotten, hyperbolic",
+        _HYPERBOLIC_ANGLES,
+        "fused(period_lo, periods, product_error(period_hi, periods, back));",
+        "period_lo * periods;",
+    ),
+    _fault(
+        "pair",
+        "roots of pairs not corrected",
+        "static inline pair pair_sqrt(",
+        "rest / (2.0 * s)",
+        "0.0 * s",
+    ),
+    _fault(
+        "pair",
+        "a low part lost in sums of pairs",
+        "static inline pair pair_add_xx(",
+        "quick_sum(s.hi, s.lo + t.hi);",
+        "quick_sum(s.hi, s.lo + x.lo);",
+    ),
+    _fault(
+        "pair",
+        "an exact sum that rounds",
+        "static inline pair two_sum(",
+        "(a - d) + (b - c)",
+        "b - c",
+    ),
+    _fault(
+        "scale",
+        "the scale of K^2 - 2 H c_b forgotten",
+        _EXCESS,
+        "return scaled(sum, 2 * scale);",
+        "return scaled(sum, scale);",
+    ),
+    _fault(
+        "scale",
+        "moments not scaled",
+        "int torque_free_plan_init(torque_free_plan",
+        "ldexp(inertia[k], -c_scale)",
+        "inertia[k]",
+    ),
+    _fault(
+        "scale",
+        "attitude0 not scaled",
+        "int torque_free_plan_init(torque_free_plan",
+        "ldexp(attitude0[k], -q_scale)",
+        "attitude0[k]",
+    ),
+    _fault(
+        "scale",
+        "the unit of a rate forgotten, hyperbolic",
+        _HYPERBOLIC_PLAN,
+        "pair_div_xx(two, three)), unit);",
+        "pair_div_xx(two, three)), 1.0);",
+    ),
+    _fault(
+        "steady",
+        "a sphere's rate from one axis",
+        _STEADY_PLAN,
+        "pair_mul_xx(Omega3, Omega3)",
+        "pair_mul_xx(Omega3, pair_of(0.0))",
+    ),
+    _fault(
+        "steady",
+        "the scalar part without one product",
+        _STEADY_STATE,
+        "q0 = fused(-p3, r3, fused(-p2,",
+        "q0 = fused(p3, r3, fused(-p2,",
+    ),
+    _fault(
+        "special",
+        "exponentials of a motion without a period overflow",
+        _NUMBERS,
+        "never = 1e+300;",
+        "never = 1.0;",
+    ),
+    _fault(
+        "special",
+        "t = 0 with the rates of the principal order",
+        "static void at_start(",
+        "omega[k] = plan->omega0[k];",
+        "omega[plan->axis[k]] = plan->omega0[k];",
+    ),
+    _fault(
+        "ulps",
+        "the middle axis' rate off by 4e-15, circular",
+        _CIRCULAR_STATE,
+        "Omega_b = gain_b * (theta1_v * over);",
+        "Omega_b = gain_b * (theta1_v * over) * (1.0 + 4e-15);",
+    ),
+    _fault(
+        "ulps",
+        "the angle 6e-16 half turns ahead, hyperbolic",
+        _HYPERBOLIC_ANGLES,
+        "turns = turned_rest + (turned_error",
+        "turns = turned_rest + (6e-16 + turned_error",
+    ),
+)
+
+FAULTS = (*_CONSTANTS, *_SERIES, *_GEOMETRY, *_DECISIONS, *_DIGITS)

@@ -1,0 +1,79 @@
+"""The other ways to states: one time alone, a grid, a batch of bodies, many times at once.
+
+All that an engine offers has to give what its states at given times are, within their errors.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from rigidsym.engines import Engine, States
+from rigidsym.validate.oracle import lengths
+
+# One case in so many is measured so, the first of each stratum among them.
+SHARE = 8
+# Samples of a grid: engines begin anew within as many.
+GRID = 130
+# Times at once: engines work in blocks of fewer.
+MANY = 10_000
+# A body of no stratum, to be computed beside one.
+OTHER_BODY, OTHER_RATES = np.array([1.0, 0.4, 0.8]), np.array([0.6, -0.64, 0.48])
+
+
+def differences(engine: Engine, plan: Any, body: Any, times: np.ndarray, rate: float) -> np.ndarray:
+    """For each way, the largest difference from the states at given times: of angle, and of rates
+    over their size.
+
+    body: inertia, rates and attitude as float64 arrays, or None where doubles do not say them.
+    """
+    found = [
+        _apart(_alone(engine, plan, times), engine.states(plan, times)),
+        _apart(_grid(engine, plan, rate), engine.states(plan, _grid_times(rate))),
+        _apart(_many(engine, plan, times), engine.states(plan, times)),
+    ]
+    if body is not None:
+        found.append(_apart(_batch(engine, body, times), engine.states(plan, times)))
+    return np.array(found)
+
+
+def _alone(engine: Engine, plan: Any, times: np.ndarray) -> States:
+    states = [engine.states(plan, float(t)) for t in times]
+    return np.array([q for q, _ in states]), np.array([omega for _, omega in states])
+
+
+def _grid_times(rate: float) -> np.ndarray:
+    """About a radian apart, and exact: the step is a power of two."""
+    return _step(rate) * np.arange(-1.0, GRID - 1)
+
+
+def _grid(engine: Engine, plan: Any, rate: float) -> States:
+    return engine.grid(plan, -_step(rate), _step(rate), GRID)
+
+
+def _step(rate: float) -> float:
+    return 2.0 ** -math.floor(math.log2(rate))
+
+
+def _many(engine: Engine, plan: Any, times: np.ndarray) -> States:
+    """The first and the last of as many times as it takes."""
+    copies = MANY // len(times) + 1
+    q, omega = engine.states(plan, np.tile(times, copies))
+    return q[-len(times) :], omega[-len(times) :]
+
+
+def _batch(engine: Engine, body: Any, times: np.ndarray) -> States:
+    """The middle one of three bodies, between another one and itself at rest."""
+    inertia, omega0, attitude0 = body
+    moments = np.array([np.max(inertia) * OTHER_BODY, inertia, inertia])
+    rates = np.array([np.max(np.abs(omega0)) * OTHER_RATES, omega0, 0 * omega0])
+    q, omega = engine.propagate(moments, rates, np.array([attitude0] * 3), times)
+    return q[1], omega[1]
+
+
+def _apart(found: States, expected: States) -> float:
+    """Angle between attitudes, and difference of rates over their size, the larger."""
+    (q, omega), (q_there, omega_there) = found, expected
+    angle = 2 * lengths(q - q_there, 0.0)
+    relative = lengths(omega - omega_there, 0.0) / lengths(omega_there)
+    return float(np.max(np.maximum(angle, relative)))

@@ -1,0 +1,197 @@
+"""Faults: each is where it says it is, each is noticed, and nothing else is."""
+
+import dataclasses
+import json
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+from rigidsym import InputError
+from rigidsym.validate.faults import FAULTS, KINDS, Fault, StaleFaultError, inject
+from rigidsym.validate.faults.fault import FILES
+from rigidsym.validate.faults.noticing import CRASHED, RAISED, Notice, broken, first, references
+from rigidsym.validate.faults.spoilt import faulty, installed, on_text, spoilt
+from rigidsym.validate.strata import STRATA
+
+TARGETS = tuple(FILES)
+DIGITS, SEED = 30, 1
+# Enough of the strata to notice every fault; a report takes them all.
+STRATA_CHOSEN = {
+    "branch switch": 15,
+    "extreme scales": 9,
+    "separatrix": 9,
+    "near spin, middle": 9,
+    "near spin, largest": 6,
+    "needle": 9,
+    "special attitudes": 9,
+    "near separatrix, long": 9,
+    "published": 12,
+    "rest": 1,
+    "sphere": 3,
+    "near sphere": 8,
+}
+
+
+@pytest.fixture(scope="module")
+def chosen():
+    return [references(name, cases, DIGITS, SEED) for name, cases in STRATA_CHOSEN.items()]
+
+
+@pytest.fixture(scope="module")
+def noticed(chosen):
+    """Whether some stratum notices a fault; compilers run beside what is measured."""
+
+    def by_some(fault):
+        engine = spoilt(fault)
+        return any(first(engine, stratum) for stratum in chosen)
+
+    with ThreadPoolExecutor(2) as pool:
+        return dict(zip(FAULTS, pool.map(by_some, FAULTS), strict=True))
+
+
+def test_there_are_many_faults_of_every_kind():
+    assert len({fault.line for fault in FAULTS}) == len(FAULTS) >= 50
+    assert {fault.kind for fault in FAULTS} == set(KINDS)
+    assert all(sum(fault.target == target for fault in FAULTS) >= 50 for target in TARGETS)
+    assert len({faulty(fault) for fault in FAULTS}) == len(FAULTS)
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
+    engine = on_text(target, installed(FILES[target]))
+    assert [first(engine, stratum) for stratum in chosen] == [None] * len(chosen)
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.line)
+def test_a_fault_is_noticed(fault, noticed):
+    assert noticed[fault]
+
+
+FAULT = Fault("numpy", "constant", "a third is a half", "over_3 = ", "0.3333333333333333", "0.5")
+
+
+@pytest.mark.parametrize(
+    ("changes", "count", "where"),
+    [
+        ({"paragraph": "over_2 = "}, 0, "torque_free.py"),
+        ({"paragraph": "def "}, None, "torque_free.py"),
+        ({"old": "0.25"}, 0, "the paragraph of 'over_3 = '"),
+        ({"old": "over_"}, None, "the paragraph of 'over_3 = '"),
+        # It is in the module, but in another paragraph.
+        ({"old": "pi / (2 * K_1)"}, 0, "the paragraph of 'over_3 = '"),
+    ],
+)
+def test_a_stale_fault_says_so(changes, count, where):
+    fault = dataclasses.replace(FAULT, **changes)
+    with pytest.raises(StaleFaultError) as caught:
+        faulty(fault)
+    text = str(caught.value)
+    assert text.startswith("numpy: a third is a half: ")
+    assert text.endswith(f" times in {where}, not once")
+    assert count is None or f" is {count} times" in text
+
+
+def test_stale_faults_are_told_before_anything_is_measured():
+    told = []
+    stale = dataclasses.replace(FAULT, old="0.25")
+    with pytest.raises(StaleFaultError):
+        inject(["numpy"], 1, DIGITS, SEED, lambda *done: told.append(done), [stale])
+    assert not told
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"target": "rust"},
+        {"kind": "no kind"},
+        {"new": FAULT.old},
+        {"new": "while True: pass"},
+        {"old": "for k in range(3)"},
+    ],
+)
+def test_faults_that_are_none_or_might_not_end_are_refused(changes):
+    with pytest.raises(ValueError, match=r"^(numpy|rust): a third is a half: must|no such"):
+        dataclasses.replace(FAULT, **changes)
+
+
+def test_an_unknown_target():
+    with pytest.raises(InputError, match="target = rust"):
+        inject(["rust"], 1, DIGITS, SEED)
+
+
+SOME = [fault for fault in FAULTS if fault.kind == "steady"]
+FEW = ("sphere", "spin", "rest", "uniform")
+
+
+def report(**changes):
+    told = []
+    options = {"targets": TARGETS, "faults": SOME, "strata": FEW} | changes
+    drawn = {"cases": 2, "digits": DIGITS, "seed": SEED}
+    return inject(**drawn, **options, progress=lambda *done: told.append(done)), told
+
+
+def test_the_report_is_deterministic_and_plain_data():
+    found, told = report()
+    again, _ = report()
+    assert found == again
+    assert json.loads(json.dumps(found.to_data())) == again.to_data()
+    assert found.to_markdown() == again.to_markdown()
+    total = len(FEW) + len(SOME)
+    assert told == [(k, total) for k in range(1, total + 1)]
+
+
+def test_what_the_report_says():
+    found, _ = report()
+    data = found.to_data()
+    assert found.passed
+    assert data["schema"] == "rigidsym.faults/1"
+    assert list(data["strata"]) == list(FEW)
+    assert data["strata"]["uniform"] == {"caught": 0, "alone": 0, "of": len(SOME)}
+    assert found.caught("sphere") > 1
+    text = found.to_markdown()
+    assert f"{len(SOME)} of {len(SOME)} faults were caught." in text
+    assert f"| sphere | {found.caught('sphere')} of {len(SOME)} |" in text
+    assert all(f"| {fault.line} | steady | " in text for fault in SOME)
+
+
+def test_a_fault_that_is_missed_fails_the_report():
+    found, _ = report(strata=("uniform",))
+    assert found.missed == tuple(SOME)
+    assert not found.passed
+    assert found.to_markdown().count("NOT CAUGHT") == len(SOME)
+
+
+def test_no_faults_are_no_proof():
+    found, _ = report(faults=[fault for fault in SOME if fault.target == "c"])
+    assert not found.missed
+    assert not found.passed
+
+
+def test_what_raises_is_noticed(chosen):
+    class Engine:
+        def plan(self, *given):
+            raise ZeroDivisionError
+
+    assert broken(Engine(), chosen[2][0]) == (RAISED,)
+
+
+def test_a_process_that_is_lost_is_noticed_where_it_was():
+    crash = Fault(
+        "c",
+        "special",
+        "a crash at rest",
+        "static void steady_init(",
+        "rates[0] = pair_of(1.0);",
+        "rates[0].hi = *(volatile double *)0;",
+    )
+    options = {"targets": ("c",), "strata": ("sphere", "rest")}
+    others = [fault for fault in SOME if fault.target == "c"]
+    found, told = report(faults=[crash, *others], **options)
+    without, _ = report(faults=others, **options)
+    assert found.outcomes[0].notices == (Notice("rest", 0, (CRASHED,)),)
+    assert found.outcomes[1:] == without.outcomes
+    assert told[-1] == (3 + len(others), 3 + len(others))
+
+
+def test_the_strata_chosen_exist():
+    assert set(STRATA_CHOSEN) <= set(STRATA)
