@@ -67,7 +67,8 @@ def _batch(engine: Engine, body: Any, times: np.ndarray) -> States:
     inertia, omega0, attitude0 = body
     moments = np.array([np.max(inertia) * OTHER_BODY, inertia, inertia])
     rates = np.array([np.max(np.abs(omega0)) * OTHER_RATES, omega0, 0 * omega0])
-    q, omega = engine.propagate(moments, rates, np.array([attitude0] * 3), times)
+    attitudes = np.array([np.roll(attitude0, 1), attitude0, attitude0])
+    q, omega = engine.propagate(moments, rates, attitudes, times)
     return q[1], omega[1]
 
 

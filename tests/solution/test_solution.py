@@ -121,7 +121,8 @@ ALLOWED = {
     "codegen": {"codegen", "solution", "errors", "files"},
     "generated": set(),
     "engines": {"engines", "generated", "solution", "errors", "inputs", "files"},
-    "validate": {"validate", "codegen", "engines", "motion", "cases", "errors", "files"},
+    "validate": {"validate", "codegen", "engines", "motion", "precise", "solution", "generated"}
+    | {"cases", "errors", "files", "inputs", "plot"},
     "independent": {"independent"},
 }
 
