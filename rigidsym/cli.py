@@ -417,8 +417,8 @@ def _campaign(whole: Any, done: Any, options: Any) -> int:
         kept.remove()
     if options.record:
         _say(f"recorded: {record(report)}")
-    for failure in report.failures:
-        _say(f"broken: {failure.line}")
+    for complaint in report.complaints:
+        _say(f"broken: {complaint}")
     return 0 if report.passed else 1
 
 

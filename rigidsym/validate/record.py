@@ -14,6 +14,7 @@ from rigidsym.errors import InputError
 from rigidsym.files import write_text
 from rigidsym.validate.measure import ULP
 from rigidsym.validate.report import ValidationReport
+from rigidsym.validate.strata import STRATA
 from rigidsym.validate.tally import DRAWN
 
 
@@ -23,6 +24,8 @@ def record(report: ValidationReport) -> Path:
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))
     whole = report.campaign
+    if len(whole.strata) < len(STRATA):
+        raise InputError("record", ", ".join(whole.strata), "the heads speak of all strata")
     for target, ran in zip(whole.targets, whole.digests, strict=True):
         digest = generate(target).manifest["digest"]
         if ran != digest:

@@ -52,12 +52,25 @@ class ValidationReport:
     @property
     def passed(self) -> bool:
         """Something was tested in every stratum, all within the bounds, and the oracles agree."""
-        return all(
-            self.tally.cases.get(stratum, 0) > 0
-            and self.agreement(stratum) <= 1
-            and all(self.share(target, stratum) <= 1 for target in self.campaign.targets)
-            for stratum in self.campaign.strata
-        )
+        return not self.complaints
+
+    @property
+    def complaints(self) -> tuple[str, ...]:
+        """Why it did not pass, a line for each reason."""
+        told = {(failure.target, failure.stratum) for failure in self.failures}
+        lines = [failure.line for failure in self.failures]
+        for stratum in self.campaign.strata:
+            if not self.tally.cases.get(stratum, 0):
+                lines.append(f"{stratum}: nothing was tested")
+            elif not self.agreement(stratum) <= 1:
+                apart = self.agreement(stratum) * second_oracle.AGREEMENT
+                lines.append(f"{stratum}: the oracles disagree by {apart:.2g}")
+            lines += [
+                f"{target}: {stratum}: a bound is broken, or was not tested"
+                for target in self.campaign.targets
+                if not self.share(target, stratum) <= 1 and (target, stratum) not in told
+            ]
+        return tuple(lines)
 
     def share(self, name: str, stratum: str) -> float:
         """The largest part of a bound a contestant needs in a stratum; infinite where untested."""
@@ -96,6 +109,7 @@ class ValidationReport:
             "campaign": self.campaign.to_data(),
             "command": self.command,
             "passed": self.passed,
+            "complaints": list(self.complaints),
             "unit": "2**-53",
             "bounds": {name: bound / ULP for name, bound in BOUNDS.items()},
             "meanings": MEANINGS,

@@ -78,11 +78,13 @@ def without(tally, *keys):
 def test_what_tested_nothing_fails(report):
     whole, tally = report.campaign, report.tally
     untested = {name: n for name, n in tally.cases.items() if name != "rod"}
-    assert not ValidationReport(whole, Tally(tally.cells, untested, tally.states)).passed
-    unmeasured = without(tally, ("c", "norm", "share", "rod"))
-    assert not ValidationReport(whole, unmeasured).passed
-    unchecked = without(tally, (ORACLES, DISAGREEMENT, "stratum", "rod"))
-    assert not ValidationReport(whole, unchecked).passed
+    found = ValidationReport(whole, Tally(tally.cells, untested, tally.states))
+    assert found.complaints == ("rod: nothing was tested",)
+    found = ValidationReport(whole, without(tally, ("c", "norm", "share", "rod")))
+    assert found.complaints == ("c: rod: a bound is broken, or was not tested",)
+    found = ValidationReport(whole, without(tally, (ORACLES, DISAGREEMENT, "stratum", "rod")))
+    assert found.complaints == ("rod: the oracles disagree by inf",)
+    assert not found.passed
     assert ValidationReport(whole, tally).passed
 
 
@@ -91,7 +93,9 @@ def test_oracles_that_disagree_fail(report):
     cells = report.tally.cells
     apart = {**cells, key: dataclasses.replace(cells[key], worst=1.5)}
     tally = Tally(apart, report.tally.cases, report.tally.states)
-    assert not ValidationReport(report.campaign, tally).passed
+    found = ValidationReport(report.campaign, tally)
+    assert found.complaints == ("rod: the oracles disagree by 1.5e-24",)
+    assert not found.passed
 
 
 class Spoilt:

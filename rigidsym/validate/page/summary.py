@@ -46,7 +46,8 @@ def failures(data: Data) -> Markup:
         )
         for failure in data["failures"]
     ]
-    others = [tag("h3", line) for line in _unsound(data)]
+    told = {failure["line"] for failure in data["failures"]}
+    others = [tag("h3", line) for line in data["complaints"] if line not in told]
     return tag("section", tag("h2", "Failures"), *broken, *others, id="failures", class_="failures")
 
 
@@ -55,7 +56,7 @@ def _headline(data: Data) -> str:
     if passed(data):
         within = "stays" if len(names) == 1 else "stay"
         return f"{_listed(names)} {within} within every documented bound"
-    count = len(_lines(data))
+    count = len(data["complaints"])
     return f"{_listed(names)}: {count} {'failure' if count == 1 else 'failures'}"
 
 
@@ -63,31 +64,13 @@ def _told(data: Data) -> Markup:
     """What failed, a line each."""
     if passed(data):
         return Markup("")
-    listed = (tag("li", tag("a", line, href="#failures")) for line in _lines(data))
+    listed = (tag("li", tag("a", line, href="#failures")) for line in data["complaints"])
     return tag("ul", *listed, class_="told")
-
-
-def _lines(data: Data) -> list[str]:
-    return [*(failure["line"] for failure in data["failures"]), *_unsound(data)]
 
 
 def _listed(names: list[str]) -> str:
     *first, last = names or ["nothing"]
     return f"{', '.join(first)} and {last}" if first else last
-
-
-def _unsound(data: Data) -> Iterator[str]:
-    """Why a campaign fails besides broken bounds: nothing tested, or no agreed truth."""
-    for stratum in data["strata"]:
-        name, apart = stratum["name"], number(stratum["disagreement"])
-        if not stratum["cases"]:
-            yield f"{name}: nothing was tested"
-        elif apart > 1:
-            yield f"{name}: the oracles disagree, {share(apart)} of what is allowed"
-    told = " ".join(failure["line"] for failure in data["failures"])
-    for one in modules(data):
-        if not one["passed"] and f"{one['name']}:" not in told:
-            yield f"{one['name']}: a bound is broken, or was not tested"
 
 
 def _comparison(data: Data) -> Markup:

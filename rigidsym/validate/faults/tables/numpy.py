@@ -563,8 +563,8 @@ _DIGITS = (
         "routes",
         "all blocks of many times at those of the first",
         "    timed, kept = (",
-        "inner = float(plan[\"unit\"][body]) * t[some]",
-        "inner = float(plan[\"unit\"][body]) * t[: len(t[some])]",
+        'inner = float(plan["unit"][body]) * t[some]',
+        'inner = float(plan["unit"][body]) * t[: len(t[some])]',
     ),
     _fault(
         "ulps",
