@@ -2,10 +2,11 @@
 
 import copy
 import json
+from dataclasses import replace
 
 from rigidsym.validate.campaign import Progress, campaign, run
 from rigidsym.validate.executors import local
-from rigidsym.validate.report import Failure, ValidationReport
+from rigidsym.validate.report import Failure
 from rigidsym.validate.validation import reported
 
 STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "rest")
@@ -23,11 +24,11 @@ def direct():
 
 def failed():
     """The same report with a bound broken."""
+    key, cells = ("numpy", "angle", "share", "uniform"), _REPORT.tally.cells
+    broken = {**cells, key: replace(cells[key], count=1, worst=37.2)}
     failure = Failure("numpy", "angle", 37.2, "uniform", 1, _REPORT.worst[0])
-    whole = ValidationReport(
-        _REPORT.campaign, _REPORT.tally, _REPORT.worst, (failure,), _REPORT.run
-    )
-    return json.loads(whole.to_json())
+    tally = replace(_REPORT.tally, cells=broken)
+    return json.loads(replace(_REPORT, tally=tally, failures=(failure,)).to_json())
 
 
 def with_peer(data, name="peer rk"):

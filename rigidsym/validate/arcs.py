@@ -7,7 +7,8 @@ import numpy as np
 from numpy.polynomial import legendre
 
 # Nodes of an arc, and its length in radians: what Gauss and Lobatto's rule leaves out is below
-# 1e-18 then, since the motion is analytic within 3/2 of a radian or more.
+# 1e-18 then, since the motion is analytic within 3/2 of a radian or more.  With nodes and weights
+# rounded, true states have residuals of 1e-16 at most.
 NODES, LENGTH = 10, 0.5
 # Beyond so many radians doubles are too far apart for nodes.
 FARTHEST = 2.0**38

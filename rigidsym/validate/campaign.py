@@ -12,7 +12,7 @@ from rigidsym.validate import second_oracle
 from rigidsym.validate.contestants import PEER, check_target, digest
 from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import look
-from rigidsym.validate.oracle import exactly
+from rigidsym.validate.oracle import precise_motion
 from rigidsym.validate.peers import peer
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.tally import Cell, Tally
@@ -103,7 +103,8 @@ class Progress:
         return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
 
     def missing(self, whole: Campaign) -> Iterator[Chunk]:
-        """Chunks that are left to do."""
+        """Chunks that are left to do, found one by one: those of a stratum are what is missing of
+        it when the first of them is asked for, whatever is taken in meanwhile."""
         for stratum in whole.strata:
             begin = 0
             end = count(stratum, whole.cases)
@@ -113,10 +114,14 @@ class Progress:
                 begin = stop
 
     def take(self, chunk: Chunk, tally: Tally) -> None:
-        """Count a chunk that was missing."""
-        stratum, *bounds = chunk
-        self.tally.merge(tally)
-        self.done[stratum] = _joined([*self.done.get(stratum, []), (bounds[0], bounds[1])])
+        """Count a chunk that was missing, wholly or, if interrupted, not at all."""
+        stratum, start, stop = chunk
+        merged = self.tally.copy()
+        merged.merge(tally)
+        ranges = _joined([*self.done.get(stratum, []), (start, stop)])
+        done = {**self.done, stratum: ranges}
+        # No call is between these two, so that no interrupt is.
+        self.tally, self.done = merged, done
 
 
 def run(
@@ -129,7 +134,7 @@ def run(
 
     Whatever stops it, `progress` is whole: each case is in it once or not at all.
     """
-    chunks = iter(list(progress.missing(whole)))
+    chunks = progress.missing(whole)
     pending: set[Future] = set()
     try:
         while True:
@@ -164,7 +169,7 @@ def _add_case(tally: Tally, whole: Campaign, stratum: str, index: int) -> None:
         tally.add(name, finding.reference, errors)
     if index % second_oracle.SHARE == 0:
         found = second_oracle.disagreement(
-            exactly(sample), backwards=index // second_oracle.SHARE % 2 == 1
+            precise_motion(sample), backwards=index // second_oracle.SHARE % 2 == 1
         )
         cell = Cell(1, found, (stratum, index, 0.0), 1.0)
         tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)

@@ -25,10 +25,14 @@ class Finding:
         """The case."""
         return self.reference.sample
 
+    def shares(self, name: str) -> dict[str, float]:
+        """The largest part of each documented bound that a contestant needs, by measure."""
+        errors = self.errors.get(name, {})
+        return {measure: float(np.max(x.share, initial=0.0)) for measure, x in errors.items()}
+
     def share(self, name: str) -> float:
         """The largest part of a documented bound that a contestant needs, of all measures."""
-        shares = (found.share for found in self.errors.get(name, {}).values())
-        return max((float(np.max(share, initial=0.0)) for share in shares), default=0.0)
+        return max(self.shares(name).values(), default=0.0)
 
 
 def look(sample: Sample, digits: int, contestants: Iterable[str]) -> Finding:

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from rigidsym.validate.measure import MEASURES, ULP
+from rigidsym.validate.measure import CONDITIONED, MEASURES, ULP
 from rigidsym.validate.tally import DRAWN
 
 HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "routes")
@@ -40,7 +40,7 @@ def markdown(data: Mapping[str, Any]) -> str:
 
 def _bound(data: Mapping[str, Any], name: str) -> str:
     bound = f"{data['bounds'][name] * ULP:.2g}"
-    return f"{bound} times the condition" if name in ("energy", "momentum") else bound
+    return f"{bound} times the condition" if name in CONDITIONED else bound
 
 
 def _failures(failures: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -29,6 +29,8 @@ BOUNDS = {
     "routes": 2 * BOUND,
 }
 MEASURES = tuple(BOUNDS)
+# Those whose bound is times a condition.
+CONDITIONED = ("energy", "momentum")
 MEANINGS = {
     "angle": "rotation angle from the true attitude, on the right sheet (rad)",
     "omega": "|difference from the true rates| / |omega|",

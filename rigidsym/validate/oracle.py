@@ -23,9 +23,11 @@ GRAIN = 1024
 class Reference:
     """The truth about a sample at N times; q (2, N, 4) and omega (2, N, 3) are sums of two doubles.
 
-    radius: within which every true q, and omega over |omega|, lies.
+    radius: within which every true q, and omega over |omega|, lies, but for what the second of the
+    doubles leaves out (2^-105, more only where omega is near the least double).
     distance: from the separatrix, 0 on it and 1 where nothing cancels in K^2 - 2 H c_b.
-    rate: |omega0|, rad/s.  condition: of angle and of omega, (N,) each.
+    rate: |omega0|, rad/s.  condition: of angle and of omega, (N,) each; a number that is beyond
+    10^(digits/2) is not told from one that is larger still.
     """
 
     sample: Sample
@@ -59,9 +61,9 @@ class Reference:
 
 def enclose(sample: Sample, digits: int) -> Reference:
     """The states of a sample in balls of radius 10^-digits, and the condition of each."""
-    motion, times = exactly(sample), list(map(Fraction, sample.times))
+    motion, times = precise_motion(sample), list(map(Fraction, sample.times))
     # Balls are small in rad/s, and have to be so beside |omega|.
-    more = digits + _decades_below_one(sample.omega0)
+    more = digits + decades_below_one(sample.omega0)
     step = Fraction(1, 2 ** bits_of(digits // 2))
     moved = _perturbed(motion, step, Random(repr(sample)))
     states = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
@@ -85,9 +87,15 @@ def enclose(sample: Sample, digits: int) -> Reference:
     )
 
 
-def exactly(sample: Sample) -> PreciseMotion:
+def precise_motion(sample: Sample) -> PreciseMotion:
     """The motion of a sample, from the exact values of its numbers."""
     return PreciseMotion(*sample.exact)
+
+
+def decades_below_one(omega0: Numbers) -> int:
+    """How many digits more balls need to be as small beside the rates as they are beside 1."""
+    largest = max(abs(Fraction(x)) for x in omega0)
+    return max(0, -math.floor(math.log10(largest))) if largest else 0
 
 
 def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
@@ -109,8 +117,10 @@ def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> Precise
     """Moments and rates changed by about step of themselves, by normal deviates.
 
     The mean square of the change this causes, over step, is the squared Frobenius norm of the
-    derivatives; one draw is within a factor of ten of that nearly always (Gudmundsson, Kenney and
-    Laub, SIAM J. Matrix Anal. Appl. 16, 1995).
+    derivatives; one draw is within a factor of ten of that nine times of ten and more: least often
+    where one derivative outweighs all others, as near the separatrix (Gudmundsson, Kenney and Laub,
+    SIAM J. Matrix Anal. Appl. 16, 1995).  Where changes of the inputs grow beyond 1/step, the
+    states are as far apart as they can be, and the quotient stays there.
     """
 
     def changed(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
@@ -145,8 +155,3 @@ def _bend(inertia: Sequence[Any], unit: np.ndarray) -> np.ndarray:
 def _table(compute: Any, *tables: Sequence[Sequence[Any]]) -> list[list[float]]:
     """compute, entry by entry."""
     return [list(map(compute, *rows)) for rows in zip(*tables, strict=True)]
-
-
-def _decades_below_one(omega0: Numbers) -> int:
-    largest = max(abs(Fraction(x)) for x in omega0)
-    return max(0, -math.floor(math.log10(largest))) if largest else 0

@@ -11,7 +11,7 @@ from rigidsym.validate.case_file import hexadecimal
 from rigidsym.validate.contestants import PEER
 from rigidsym.validate.finding import Finding
 from rigidsym.validate.markdown import markdown
-from rigidsym.validate.measure import BOUNDS, MEANINGS, MEASURES, ULP
+from rigidsym.validate.measure import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP
 from rigidsym.validate.strata import STRATA
 from rigidsym.validate.tally import DRAWN, Cell, Tally
 
@@ -32,10 +32,13 @@ class Failure:
     @property
     def line(self) -> str:
         """One line that names stratum, case and figure."""
-        figure = self.share * BOUNDS[self.measure]
+        bound = BOUNDS[self.measure]
+        figure = f"{self.share * bound:.2g}"
+        if self.measure in CONDITIONED:
+            figure += " times its condition"
         return (
-            f"{self.target}: {self.stratum}:{self.index}: {self.measure} {figure:.2g}, "
-            f"{self.share:.3g} of its bound {BOUNDS[self.measure]:g}"
+            f"{self.target}: {self.stratum}:{self.index}: {self.measure} {figure}, "
+            f"{self.share:.3g} of its bound {bound:g}"
         )
 
 

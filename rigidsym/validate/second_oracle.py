@@ -7,6 +7,7 @@ from rigidsym import inputs
 from rigidsym.precise.balls import ball, bits_of, working
 from rigidsym.precise.motion import PreciseMotion
 from rigidsym.precise.taylor import integrate
+from rigidsym.validate.oracle import decades_below_one
 
 # Digits asked of the series, and what they have to agree to, of 1 or of |omega0|.
 DIGITS, AGREEMENT = 24, 1e-24
@@ -21,7 +22,7 @@ def disagreement(motion: PreciseMotion, backwards: bool) -> float:
     rate = math.hypot(*map(float, motion.omega0)) or 1.0
     time = Fraction(-REACH / rate if backwards else REACH / rate)
     series = integrate(motion.inertia, motion.omega0, motion.attitude0, time, DIGITS)
-    digits = DIGITS + max(0, math.ceil(-math.log10(rate)))
+    digits = DIGITS + decades_below_one(motion.omega0)
     ((q, omega),) = motion.enclosures([time], digits)
     with working(bits_of(2 * digits)):
         sizes = (1, ball(Fraction(rate)))

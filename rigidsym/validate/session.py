@@ -44,7 +44,7 @@ def write(report: ValidationReport, directory: Path) -> Path:
     data = report.to_data()
     for failure in report.failures:
         remarks = (failure.line, "the simplest case found that breaks a bound")
-        case_file.write(directory / "failures", failure.simplest.sample, remarks)
+        case_file.write(directory / "failures" / failure.target, failure.simplest.sample, remarks)
     write_text(directory / "validation.json", report.to_json())
     write_text(directory / "validation.md", report.to_markdown())
     return write_text(directory / "validation.html", page(data))

@@ -80,6 +80,10 @@ class Tally:
         known = self.cells.get(key)
         self.cells[key] = cell if known is None else known.merged(cell)
 
+    def copy(self) -> "Tally":
+        """The same for now; cells never change."""
+        return Tally(dict(self.cells), dict(self.cases), dict(self.states))
+
     def merge(self, other: "Tally") -> None:
         """Take in another tally, of other cases."""
         for key, cell in other.cells.items():

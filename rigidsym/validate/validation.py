@@ -64,14 +64,14 @@ def conduct(
     try:
         with place as where:
             campaigns.run(whole, progress, where, after)
+        seconds = time.perf_counter() - begin
+        states = sum(progress.tally.states.values()) - before
+        run = environment(whole, where.name, seconds, states)
+        return reported(whole, progress.tally, run)
     except BaseException as error:
         if kept:
             kept.write()
         raise _told(error, progress, whole, kept) from None
-    seconds = time.perf_counter() - begin
-    states = sum(progress.tally.states.values()) - before
-    run = environment(whole, where.name, seconds, states)
-    return reported(whole, progress.tally, run)
 
 
 def _told(
@@ -122,7 +122,7 @@ def _failures(whole: Campaign, tally: Tally) -> Iterator[Failure]:
 
 def _failure(whole: Campaign, target: str, measure: str, cell: Cell) -> Failure:
     def fails(sample: Sample) -> bool:
-        return look(sample, whole.digits, [target]).share(target) > 1
+        return look(sample, whole.digits, [target]).shares(target).get(measure, 0.0) > 1
 
     stratum, index, _ = cell.place
     simple = simplest(draw(stratum, index, whole.seed), fails)

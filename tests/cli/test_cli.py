@@ -224,7 +224,7 @@ def test_a_broken_bound_exits_1_and_leaves_a_case_that_propagate_takes(
     assert len(broken) == 2
     assert broken[1].startswith("broken: numpy: rod:0: angle ")
     assert broken[1].endswith("of its bound 1e-17")
-    case = tmp_path / "failures" / "rod-0.toml"
+    case = tmp_path / "failures" / "numpy" / "rod-0.toml"
     assert "0x" in case.read_text()
     assert main(["propagate", str(case)]) == 0
     assert main([*SMALL, "--case", "rod:0"]) == 1

@@ -1,22 +1,35 @@
 """Campaigns: one result however they are shared out, interrupted and resumed."""
 
-import dataclasses
 import errno
 import json
+import math
 import os
 import signal
+import tracemalloc
+from dataclasses import replace
+from fractions import Fraction
 from multiprocessing import active_children
 
 import pytest
 
 from rigidsym import InputError, files
 from rigidsym.cases import load_case
-from rigidsym.validate import case_file, checkpoint, executors, session, validate
-from rigidsym.validate.campaign import CHUNK, Progress, campaign, tallied
+from rigidsym.validate import (
+    case_file,
+    checkpoint,
+    executors,
+    measure,
+    session,
+    validate,
+    validation,
+)
+from rigidsym.validate.campaign import CHUNK, Progress, campaign, run, tallied
 from rigidsym.validate.checkpoint import Checkpoint
 from rigidsym.validate.finding import look
+from rigidsym.validate.record import record
 from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.validate.strata.times import FARTHEST
 from rigidsym.validate.tally import Tally
 from rigidsym.validate.validation import conduct
 
@@ -54,6 +67,54 @@ def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
     report = conduct(again, found, executors.local(1))
     assert report.to_data()["contestants"] == expected
     assert found.done == {name: [(0, CASES)] for name in NAMES}
+
+
+@pytest.mark.parametrize("cells", [0, 1, 5])
+def test_an_interrupt_while_a_chunk_is_taken_in_leaves_all_of_it_out(cells, monkeypatch):
+    progress = Progress()
+    progress.take(*tallied(whole(), ("rest", 0, 2)))
+    before = json.dumps([progress.tally.to_data(), progress.done])
+    chunk, tally = tallied(whole(), ("rest", 2, 4))
+    put, left = Tally.put, iter(range(cells))
+
+    def interrupted(*arguments):
+        if next(left, None) is None:
+            raise KeyboardInterrupt
+        put(*arguments)
+
+    monkeypatch.setattr(Tally, "put", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        progress.take(chunk, tally)
+    assert json.dumps([progress.tally.to_data(), progress.done]) == before
+
+
+def test_an_interrupt_while_the_report_is_made_loses_no_case(tmp_path, monkeypatch):
+    def interrupted(*arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(validation, "reported", interrupted)
+    progress = Progress()
+    with pytest.raises(KeyboardInterrupt, match=f"{2 * CASES} of {2 * CASES} cases are kept"):
+        conduct(whole(), progress, executors.local(1), kept=Checkpoint(tmp_path, whole(), progress))
+    assert checkpoint.load(tmp_path) == (whole(), progress)
+
+
+def test_a_case_that_fails_in_both_modules_leaves_a_file_of_each(tmp_path, monkeypatch):
+    monkeypatch.setitem(measure.BOUNDS, "angle", 1e-18)
+    session.write(validate(cases=1, strata=["uniform"]), tmp_path)
+    files_written = sorted(path.parent.name for path in tmp_path.rglob("*.toml"))
+    assert files_written == ["c", "numpy"]
+
+
+def test_a_large_campaign_is_not_laid_out_in_memory():
+    large, progress = campaign(["c"], 5_000_000, strata=NAMES), Progress()
+    tracemalloc.start()
+    with executors.local(1) as place, pytest.raises(KeyboardInterrupt):
+        run(large, progress, place, lambda: stopping_at(1)(progress.cases, large.size))
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert progress.cases == CHUNK
+    assert peak < 10**7
 
 
 def test_what_is_missing_is_each_case_once_whatever_was_done():
@@ -123,7 +184,7 @@ def test_a_directory_of_another_campaign_is_refused(tmp_path, chosen, message):
 
 
 def test_a_campaign_of_other_modules_is_refused(tmp_path):
-    other = dataclasses.replace(whole(), digests=("0" * 64,))
+    other = replace(whole(), digests=("0" * 64,))
     Checkpoint(tmp_path, other, Progress()).write()
     with pytest.raises(InputError, match="its digests 000000000000, not"):
         session.begin({}, tmp_path, resume=True)
@@ -174,6 +235,36 @@ def test_the_simplest_case_that_fails():
     assert found.attitude0 == (1, 0, 0, 0)
     assert sum(x != 0 for x in found.omega0) == 1
     assert all(float(f"{x:.1g}") == x for x in (*found.omega0, *found.inertia, *found.times))
+
+
+def test_a_case_is_not_made_simpler_by_what_modules_may_refuse():
+    """Its rates are 1e-250 rad/s and its times 1e251 s: at 1 rad/s these are beyond 2^46 rad."""
+    sample = draw("scales", 1, 1)
+    found = simplest(sample, lambda given: any(given.omega0) and max(map(abs, given.times)) > 1)
+    assert max(map(abs, found.times)) * math.hypot(*found.omega0) <= FARTHEST
+
+
+def test_a_fraction_next_to_a_simple_number_becomes_that_number():
+    near = replace(draw("uniform", 3, 1), inertia=(1 + Fraction(1, 10**250), 1.0, 1.0))
+    assert simplest(near, lambda given: True).inertia == (1, 1, 1)
+    assert simplest(near, lambda given: given == near) == near
+
+
+def test_a_failure_is_made_simpler_as_a_failure_of_the_same_measure(monkeypatch):
+    """A body at rest breaks the bound on the angle here, and never that on rates."""
+    monkeypatch.setitem(measure.BOUNDS, "omega", 1e-19)
+    monkeypatch.setitem(measure.BOUNDS, "angle", 1e-18)
+    report = validate(["numpy"], cases=1, strata=["uniform"])
+    (failure,) = report.failures
+    assert failure.measure == "omega"
+    assert failure.simplest.shares("numpy")["omega"] > 1
+    assert any(failure.simplest.sample.omega0)
+
+
+@pytest.mark.parametrize("strata", [["rest"], ["rest", "sphere"]])
+def test_figures_of_some_strata_are_not_recorded(strata):
+    with pytest.raises(InputError, match=r"^record = .*: the heads speak of all strata"):
+        record(validate(["numpy"], cases=1, strata=strata))
 
 
 def test_a_sample_that_nothing_simpler_is_like_stays_what_it_is():

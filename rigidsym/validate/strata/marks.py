@@ -7,15 +7,15 @@ the motion circulates about never is.
 
 import math
 from dataclasses import dataclass
-from fractions import Fraction
 from random import Random
 
 from mpmath import mp, mpf
 
+from rigidsym.motion import IDENTITY
 from rigidsym.precise import PreciseMotion
 from rigidsym.validate.strata import near, separatrix
 from rigidsym.validate.strata.bodies import uniform
-from rigidsym.validate.strata.sample import Floats, Motion, Numbers
+from rigidsym.validate.strata.sample import Floats, Motion, fractions
 from rigidsym.validate.strata.times import FARTHEST, turning
 
 _DIGITS = 25
@@ -42,15 +42,11 @@ class Marks:
 
 def marks(motion: Motion) -> Marks:
     """The marks of a motion that is not steady."""
-    exact = PreciseMotion(_exactly(motion.inertia), _exactly(motion.omega0), _exactly((1, 0, 0, 0)))
+    exact = PreciseMotion(fractions(motion.inertia), fractions(motion.omega0), fractions(IDENTITY))
     known = exact.constants(("lambda_", "u", "k_c"), _DIGITS)
     with mp.workdps(_DIGITS + 5):
         argument = mp.pi / (2 * mp.agm(1, known["k_c"]))
         return Marks(argument / known["lambda_"], -known["u"] / known["lambda_"])
-
-
-def _exactly(numbers: Numbers) -> tuple[Fraction, ...]:
-    return tuple(Fraction(x) for x in numbers)
 
 
 def body(random: Random, index: int) -> Motion:

@@ -33,7 +33,7 @@ class Sample:
     @property
     def exact(self) -> tuple[Exact, Exact, Exact]:
         """Inertia, rates and attitude, as what their numbers mean."""
-        return _exact(self.inertia), _exact(self.omega0), _exact(self.attitude0)
+        return fractions(self.inertia), fractions(self.omega0), fractions(self.attitude0)
 
 
 Body = Callable[[Random, int], Motion]
@@ -54,5 +54,6 @@ class Stratum:
     size: int | None = None
 
 
-def _exact(values: Numbers) -> Exact:
+def fractions(values: Numbers) -> Exact:
+    """What numbers mean."""
     return tuple(Fraction(x) for x in values)
