@@ -6,15 +6,17 @@ Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad
 import argparse
 import io
 import os
+import re
 import signal
 import sys
-from collections.abc import Callable, Sequence
-from contextlib import ExitStack
+from collections.abc import Callable, Generator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any, NoReturn
 
 from rigidsym.errors import InputError, LedgerError, PrecisionError
 
+_MOST = 999_999_999
 # Progress bars that are shown; leaving takes them from the terminal.
 _BARS = ExitStack()
 
@@ -46,7 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         _discard_output()
         return 2
     except KeyboardInterrupt as stopped:
-        print(f"rigidsym {options.command}: {stopped or 'interrupted'}", file=sys.stderr)
+        print(f"rigidsym {options.command}: {str(stopped) or 'interrupted'}", file=sys.stderr)
         return 130
 
 
@@ -110,12 +112,13 @@ def _parser() -> argparse.ArgumentParser:
         "--stratum", metavar="NAME", action="append", help="only this; repeatable"
     )
     validate.add_argument("--peer", metavar="NAME", action="append", help="heyoka, dop853, lsoda…")
-    validate.add_argument("--case", metavar="STRATUM:INDEX", help="one case, at all of its times")
-    validate.add_argument("--faults", action="store_true", help="which injected faults are noticed")
+    instead = validate.add_mutually_exclusive_group()
+    instead.add_argument("--case", metavar="CASE", help="STRATUM:INDEX or FILE.toml, at each time")
+    instead.add_argument("--faults", action="store_true", help="which injected faults are noticed")
+    instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
     where = validate.add_mutually_exclusive_group()
     where.add_argument("--workers", metavar="W", type=_positive, help="processes; all cores")
     where.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster, tcp://…")
-    validate.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
     validate.add_argument("-o", "--output", metavar="DIR", type=_path, help="JSON, Markdown, HTML")
     validate.add_argument("--json", action="store_true")
     validate.add_argument("--record", action="store_true", help="for the heads of the modules")
@@ -152,10 +155,10 @@ def _path(text: str) -> Path:
 
 
 def _positive(text: str) -> int:
-    digits = text.replace("_", "")
-    if not digits.isdecimal() or len(digits) > 9 or int(digits) < 1:
-        raise argparse.ArgumentTypeError(f"{text!r:.40} must be a whole number, at least 1")
-    return int(digits)
+    if not re.fullmatch(r"[0-9]+(_[0-9]+)*", text) or not 1 <= int(text[:20]) <= _MOST:
+        rule = f"must be a whole number, at least 1 and at most {_MOST}"
+        raise argparse.ArgumentTypeError(f"{text!r:.40} {rule}")
+    return int(text)
 
 
 def _seconds(text: str) -> float:
@@ -382,54 +385,84 @@ def _validate(options: Any) -> int:
     names |= {name: name for name in ("cases", "digits", "seed")}
     given = {name: getattr(options, option) for option, name in names.items()}
     chosen = {name: value for name, value in given.items() if value not in (None, [])}
+    mode = "case" if options.case else "faults" if options.faults else ""
+    for name in _NOT_WITH.get(mode, ()):
+        if getattr(options, name) not in (None, False):
+            raise InputError(name, "given", f"is not for --{mode}")
     if options.output and not options.resume:
         probe(options.output)
+    # What a batch system sends is an interrupt, too.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    whole, done = session.begin(chosen, None if mode else options.output, options.resume)
     if options.case:
-        return _validate_case(session.begin(chosen, None, False)[0], options)
-    whole, done = session.begin(chosen, options.output, options.resume)
+        return _validate_case(whole, options)
     return _validate_faults(whole, options) if options.faults else _campaign(whole, done, options)
+
+
+# Options of a campaign that mean nothing elsewhere.
+_NOT_WITH = {
+    "case": ("cases", "stratum", "workers", "scheduler", "record"),
+    "faults": ("peer", "workers", "scheduler", "record"),
+}
 
 
 def _campaign(whole: Any, done: Any, options: Any) -> int:
     from rigidsym.validate import checkpoint, executors, session, tables, validation
     from rigidsym.validate.record import record
 
-    # What a batch system sends is an interrupt, too.
-    signal.signal(signal.SIGTERM, signal.default_int_handler)
     place = (
-        executors.cluster(options.scheduler)
-        if options.scheduler
-        else executors.local(options.workers)
+        executors.local(options.workers)
+        if options.scheduler is None
+        else executors.cluster(options.scheduler)
     )
     kept = checkpoint.Checkpoint(options.output, whole, done) if options.output else None
     report = validation.conduct(whole, done, place, _progress("validate"), kept)
-    if options.json:
-        print(report.to_json(), end="")
-    else:
-        _table(f"{report.command}: worst errors in units of 2^-53", *tables.summary(report))
-    run = report.run
-    _say(
-        f"{run['enclosed states']} states in {run['seconds']} s, "
-        f"{run['enclosed states a second']} a second, {run['place']}"
-    )
     if kept:
         _say(f"report: {session.write(report, options.output)}")
         kept.remove()
     if options.record:
         _say(f"recorded: {record(report)}")
+    run = report.run
+    _say(
+        f"{run['enclosed states']} states in {run['seconds']} s, "
+        f"{run['enclosed states a second']} a second, {run['place']}"
+    )
     for complaint in report.complaints:
         _say(f"broken: {complaint}")
+    title = f"{report.command}: worst errors in units of 2^-53"
+    with _reader_may_leave():
+        if options.json:
+            print(report.to_json(), end="", flush=True)
+        else:
+            _table(title, *tables.summary(report))
     return 0 if report.passed else 1
 
 
+@contextmanager
+def _reader_may_leave() -> Generator[None]:
+    """Printing to a reader that goes away, as `head` does, changes no exit status."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        _discard_output()
+
+
 def _validate_case(whole: Any, options: Any) -> int:
+    import json
+
     from rigidsym.validate import case_file, session, tables
 
     finding = session.replay(options.case, whole)
     if options.output:
-        _say(f"case: {case_file.write(options.output, finding.sample)}")
-    print(case_file.toml(finding.sample), end="")
-    _table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
+        path = options.output / case_file.file_name(finding.sample)
+        _say(f"case: {case_file.write(path, finding.sample)}")
+    with _reader_may_leave():
+        if options.json:
+            print(json.dumps(finding.to_data(), indent=1, sort_keys=True))
+        else:
+            print(case_file.toml(finding.sample), end="")
+            _table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
     return 0 if max(map(finding.share, whole.targets)) <= 1 else 1
 
 
@@ -439,12 +472,13 @@ def _validate_faults(whole: Any, options: Any) -> int:
 
     drawn = (whole.targets, whole.cases, whole.digits, whole.seed)
     report = inject(*drawn, progress=_progress("validate --faults"), strata=whole.strata)
-    print(report.to_json() if options.json else report.to_markdown(), end="")
     if options.output:
         write_text(options.output / "faults.json", report.to_json())
         write_text(options.output / "faults.md", report.to_markdown())
     for fault in report.missed:
         _say(f"not caught: {fault.target}: {fault.name}")
+    with _reader_may_leave():
+        print(report.to_json() if options.json else report.to_markdown(), end="", flush=True)
     return 0 if report.passed else 1
 
 

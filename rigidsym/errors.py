@@ -15,6 +15,10 @@ class InputError(ValueError):
         super().__init__(f"{field} = {shown}: {rule}")
         self.field, self.value, self.rule = field, value, rule
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """It comes back from other processes as what it was."""
+        return type(self), (self.field, self.value, self.rule)
+
 
 class LedgerError(ValueError):
     """The ledger is missing, damaged, or does not prove what it publishes."""

@@ -9,7 +9,7 @@ from typing import Any
 from rigidsym import __version__, inputs
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
-from rigidsym.validate.contestants import PEER, check_target, digest
+from rigidsym.validate.contestants import PEER, check_target, contestant, digest
 from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import look
 from rigidsym.validate.oracle import precise_motion
@@ -40,6 +40,7 @@ class Campaign:
     digits: int
     seed: int
     digests: tuple[str, ...]
+    peer_versions: tuple[str, ...]
     version: str = __version__
 
     @property
@@ -80,14 +81,15 @@ def campaign(
         peer(name)
     for name in strata:
         if name not in STRATA:
-            raise InputError("stratum", name, f"must be one of: {', '.join(STRATA)}")
+            raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
     if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
         rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
         raise InputError("digits", digits, rule)
     listed = tuple(dict.fromkeys(targets))
     wanted = tuple(name for name in STRATA if name in strata or not strata)
-    names = listed, tuple(dict.fromkeys(peers)), wanted
-    return Campaign(*names, cases, digits, seed, tuple(map(digest, listed)))
+    others = tuple(dict.fromkeys(peers))
+    versions = tuple(map(digest, listed)), _versions(others)
+    return Campaign(listed, others, wanted, cases, digits, seed, *versions)
 
 
 @dataclass(slots=True)
@@ -167,20 +169,25 @@ def _add_case(tally: Tally, whole: Campaign, stratum: str, index: int) -> None:
     tally.count(finding.reference)
     for name, errors in finding.errors.items():
         tally.add(name, finding.reference, errors)
-    if index % second_oracle.SHARE == 0:
-        found = second_oracle.disagreement(
-            precise_motion(sample), backwards=index // second_oracle.SHARE % 2 == 1
-        )
+    if second_oracle.is_due(index):
+        found = second_oracle.disagreement(precise_motion(sample), backwards=index % 2 == 1)
         cell = Cell(1, found, (stratum, index, 0.0), 1.0)
         tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)
 
 
 def _check_installed(whole: Campaign) -> None:
-    for target, expected in zip(whole.targets, whole.digests, strict=True):
-        found = digest(target)
-        if (found, __version__) != (expected, whole.version):
-            rule = f"is not the module of this campaign, {expected[:12]}: install the same version"
-            raise InputError(f"{target} on a worker", found[:12], rule)
+    here = {
+        "version": (__version__, whole.version),
+        "digests": (tuple(map(digest, whole.targets)), whole.digests),
+        "peer_versions": (_versions(whole.peers), whole.peer_versions),
+    }
+    for name, (found, wanted) in here.items():
+        if found != wanted:
+            raise InputError(name, found, f"a worker has others than the campaign, {wanted}")
+
+
+def _versions(peers: Sequence[str]) -> tuple[str, ...]:
+    return tuple(contestant(PEER + name).version for name in peers)
 
 
 def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:

@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
 
+from rigidsym import inputs
+from rigidsym.cases import load_case
 from rigidsym.files import write_text
 from rigidsym.validate.strata import Sample
 
@@ -24,10 +26,27 @@ def toml(sample: Sample, remarks: Iterable[str] = ()) -> str:
     return "\n".join(lines) + "\n"
 
 
-def write(directory: Path, sample: Sample, remarks: Iterable[str] = ()) -> Path:
-    """Write it under a name made of stratum and index."""
-    name = "-".join(sample.stratum.replace(",", "").split())
-    return write_text(directory / f"{name}-{sample.index}.toml", toml(sample, remarks))
+def write(path: Path, sample: Sample, remarks: Iterable[str] = ()) -> Path:
+    """Write it under a name."""
+    return write_text(path, toml(sample, remarks))
+
+
+def file_name(sample: Sample) -> str:
+    """A name made of stratum and index."""
+    return f"{'-'.join(sample.stratum.replace(',', '').split())}-{sample.index}.toml"
+
+
+def read(path: str) -> Sample:
+    """The sample of a case file, whose times are rounded to doubles; raises InputError for none."""
+    case = load_case(path)
+    numbers = (tuple(map(_number, values)) for values in case.motion.exact.values())
+    return Sample(path, 0, *numbers, tuple(inputs.doubles("times", case.times)))
+
+
+def _number(value: Fraction) -> float | Fraction:
+    """A double where that says it."""
+    nearest = float(value) if abs(value) < 2**1023 else 0.0
+    return nearest if Fraction(nearest) == value else value
 
 
 def _text(value: float | Fraction) -> str:

@@ -1,5 +1,6 @@
 """The file that lets an interrupted campaign go on where it was."""
 
+import hashlib
 import json
 import time
 from dataclasses import fields
@@ -32,12 +33,12 @@ class Checkpoint:
     def write(self) -> None:
         """Write now; raises InputError where that fails, and leaves what was there."""
         data = {
-            "schema": SCHEMA,
             "campaign": self.whole.to_data(),
             "done": self.progress.done,
             "tally": self.progress.tally.to_data(),
         }
-        write_text(self.path, json.dumps(data, indent=None, sort_keys=True) + "\n")
+        text = json.dumps(data, sort_keys=True)
+        write_text(self.path, f"{_seal(text)}\n{text}\n")
         self._last = time.monotonic()
 
     def remove(self) -> None:
@@ -47,21 +48,26 @@ class Checkpoint:
 
 def load(directory: Path) -> tuple[Campaign, Progress]:
     """The campaign of a directory; raises InputError where it holds none, or a damaged one."""
+    path = directory / NAME
     try:
-        data = json.loads((directory / NAME).read_text("utf-8"))
-        if data["schema"] != SCHEMA:
-            raise ValueError(data["schema"])
-        done = {
-            name: [(int(start), int(stop)) for start, stop in ranges]
-            for name, ranges in data["done"].items()
-        }
-        progress = Progress(Tally.from_data(data["tally"]), done)
-        return Campaign.from_data(data["campaign"]), progress
+        seal, _, text = path.read_text("utf-8").partition("\n")
     except FileNotFoundError:
         raise InputError("resume", directory, f"holds no unfinished campaign ({NAME})") from None
-    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-        reason = type(error).__name__
-        raise InputError("resume", directory / NAME, f"cannot be read: {reason}") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError("resume", path, f"cannot be read: {type(error).__name__}") from None
+    if seal != _seal(text.removesuffix("\n")):
+        raise InputError("resume", path, "is not what a campaign of this version left there")
+    data = json.loads(text)
+    done = {
+        name: [(start, stop) for start, stop in ranges] for name, ranges in data["done"].items()
+    }
+    return Campaign.from_data(data["campaign"]), Progress(Tally.from_data(data["tally"]), done)
+
+
+def _seal(text: str) -> str:
+    """The first line: the schema, and a digest that tells whether the rest was changed."""
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    return json.dumps({"schema": SCHEMA, "sha256": digest}, sort_keys=True)
 
 
 def check_same(directory: Path, found: Campaign, expected: Campaign) -> None:

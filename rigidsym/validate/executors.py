@@ -1,6 +1,8 @@
 """Where chunks are run: in this process, in others on this machine, or on a Dask cluster."""
 
+import logging
 import os
+import re
 import signal
 import threading
 from collections.abc import Callable, Generator
@@ -16,6 +18,7 @@ from rigidsym.errors import InputError
 # Chunks under way for each worker, so that none waits for work.
 AHEAD = 2
 SECONDS_TO_CONNECT = 10
+_INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,9 +43,27 @@ class Here(Executor):
         return future
 
 
+@contextmanager
+def undisturbed() -> Generator[None]:
+    """Work that interrupts wait for, and processes that never hear of them."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    known = {number: signal.signal(number, signal.SIG_IGN) for number in _INTERRUPTS}
+    try:
+        yield
+    finally:
+        for number, handler in known.items():
+            signal.signal(number, handler)
+
+
 def processes(count: int) -> ProcessPoolExecutor:
     """Fresh processes: forks would share locks and threads of this one."""
-    return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
+    pool = ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
+    with undisturbed():
+        # The first task starts them all, and interrupts that are ignored here stay so there.
+        pool.submit(int)
+    return pool
 
 
 @contextmanager
@@ -56,32 +77,40 @@ def local(workers: int | None = None) -> Generator[Place]:
     try:
         yield Place(pool, AHEAD * count, f"{count} processes")
     finally:
-        pool.shutdown(wait=True, cancel_futures=True)
+        with undisturbed():
+            pool.shutdown(wait=True, cancel_futures=True)
 
 
 @contextmanager
 def cluster(address: str) -> Generator[Place]:
-    """A Dask cluster; raises InputError where its scheduler cannot be reached."""
+    """A Dask cluster; raises InputError where its scheduler cannot be reached, or has no worker."""
     try:
         from distributed import Client
     except ImportError:
         rule = "needs the package distributed (extra cluster)"
         raise InputError("scheduler", address, rule) from None
+    if not re.fullmatch(r"(tcp|tls|ucx|ws|wss)://[^\s/]+:\d+", address):
+        raise InputError("scheduler", address, "must be an address such as tcp://host:8786")
+    # What it would say of lost connections is said in one line here.
+    for name in ("distributed", "tornado", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     try:
         client = Client(address, timeout=SECONDS_TO_CONNECT, set_as_default=False)
     except (OSError, ValueError) as error:
         rule = f"cannot be reached: {' '.join(str(error).split())}"
         raise InputError("scheduler", address, rule) from None
     with client:
+        try:
+            client.wait_for_workers(1, timeout=SECONDS_TO_CONNECT)
+        except TimeoutError:
+            raise InputError("scheduler", address, "has no workers") from None
         threads = sum(client.nthreads().values())
-        yield Place(
-            client.get_executor(), AHEAD * max(1, threads), f"{threads} threads of a cluster"
-        )
+        name = f"{threads} threads of a cluster"
+        yield Place(client.get_executor(), AHEAD * threads, name)
 
 
 def _begin() -> None:
-    """Interrupts are for the parent to take; without a parent there is nothing to do."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Without a parent there is nothing to do."""
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

@@ -3,13 +3,17 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from rigidsym.validate.case_file import hexadecimal
 from rigidsym.validate.contestants import contestant
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.strata import Sample
+
+SCHEMA = "rigidsym.case/1"
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +28,23 @@ class Finding:
     def sample(self) -> Sample:
         """The case."""
         return self.reference.sample
+
+    def to_data(self) -> dict[str, Any]:
+        """The schema rigidsym.case/1: inputs without loss, and all errors in units of 2^-53."""
+        reference = self.reference
+        return {
+            "schema": SCHEMA,
+            "case": f"{self.sample.stratum}:{self.sample.index}",
+            "regime": reference.regime.value,
+            "distance": reference.distance,
+            **hexadecimal(self.sample),
+            "turned": reference.turned.tolist(),
+            "condition": {name: x.tolist() for name, x in reference.condition.items()},
+            "errors": {
+                name: {measure: list(map(str, x.units)) for measure, x in errors.items()}
+                for name, errors in self.errors.items()
+            },
+        }
 
     def shares(self, name: str) -> dict[str, float]:
         """The largest part of each documented bound that a contestant needs, by measure."""

@@ -59,9 +59,10 @@ def _contestant(contestant: Mapping[str, Any], strata: Iterable[Mapping[str, Any
     for stratum in strata:
         name = stratum["name"]
         found = contestant["strata"].get(name, {})
-        share = _worst(cell["units"] for cell in contestant["shares"].get(name, {}).values())
+        share = float(contestant["share"][name])
         cells = [_shown(found.get(measure), measure in DRAWN) for measure in MEASURES]
-        mark = "ok" if found and share <= 1 else "BROKEN" if found else "not asked"
+        beyond = "beyond" if contestant["peer"] else "BROKEN"
+        mark = "ok" if share <= 1 else beyond if found else "not asked"
         row = [name, str(stratum["cases"]), str(stratum["states"]), *cells, f"{share:.2g}", mark]
         lines.append(f"| {' | '.join(row)} |")
     return lines

@@ -89,7 +89,9 @@ def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str,
     if sample.index % routes.SHARE == 0 and hasattr(engine, "grid"):
         apart = routes.differences(engine, plan, body, times, rate)
         found["routes"] = _errors("routes", [0.0] * len(apart), apart)
-    return found | _drifts(sample, times, omega)
+    found |= _drifts(sample, times, omega)
+    # Where t = 0 is not asked for there is no start.
+    return {name: errors for name, errors in found.items() if len(errors.times)}
 
 
 def _planned(sample: Sample, engine: Any) -> tuple[Any, Any]:

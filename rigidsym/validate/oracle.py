@@ -17,6 +17,8 @@ from rigidsym.validate.strata.sample import Numbers, Sample
 
 # Normal deviates are rounded to parts of this, so that exact arithmetic with them stays quick.
 GRAIN = 1024
+# The least relative change is 2^-FINEST: doubles have to hold what is over it.
+FINEST = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +66,7 @@ def enclose(sample: Sample, digits: int) -> Reference:
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
     # Balls are small in rad/s, and have to be so beside |omega|.
     more = digits + decades_below_one(sample.omega0)
-    step = Fraction(1, 2 ** bits_of(digits // 2))
+    step = Fraction(1, 2 ** min(bits_of(digits // 2), FINEST))
     moved = _perturbed(motion, step, Random(repr(sample)))
     states = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
     others = [[*q, *omega] for q, omega in moved.enclosures(times, more)]

@@ -24,6 +24,8 @@ def record(report: ValidationReport) -> Path:
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))
     whole = report.campaign
+    if not report.passed:
+        raise InputError("record", report.complaints[0], "only what passed is recorded")
     if len(whole.strata) < len(STRATA):
         raise InputError("record", ", ".join(whole.strata), "the heads speak of all strata")
     for target, ran in zip(whole.targets, whole.digests, strict=True):

@@ -1,21 +1,23 @@
 """The validation report: what was measured, against which bounds, and where it was worst."""
 
 import json
-from collections.abc import Mapping
+import shlex
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 from rigidsym.validate import second_oracle
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES, Campaign
-from rigidsym.validate.case_file import hexadecimal
+from rigidsym.validate.case_file import file_name, hexadecimal
 from rigidsym.validate.contestants import PEER
 from rigidsym.validate.finding import Finding
 from rigidsym.validate.markdown import markdown
 from rigidsym.validate.measure import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP
-from rigidsym.validate.strata import STRATA
+from rigidsym.validate.strata import STRATA, count
 from rigidsym.validate.tally import DRAWN, Cell, Tally
 
 SCHEMA = "rigidsym.validation/2"
+FAILURES = "failures"
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +30,11 @@ class Failure:
     stratum: str
     index: int
     simplest: Finding
+
+    @property
+    def file(self) -> str:
+        """Where the simplest case lies, in the directory of the report."""
+        return f"{FAILURES}/{self.target}/{file_name(self.simplest.sample)}"
 
     @property
     def line(self) -> str:
@@ -63,8 +70,9 @@ class ValidationReport:
         told = {(failure.target, failure.stratum) for failure in self.failures}
         lines = [failure.line for failure in self.failures]
         for stratum in self.campaign.strata:
-            if not self.tally.cases.get(stratum, 0):
-                lines.append(f"{stratum}: nothing was tested")
+            tested, whole = self.tally.cases.get(stratum, 0), count(stratum, self.campaign.cases)
+            if tested != whole or not tested:
+                lines.append(f"{stratum}: {tested} of {whole} cases were tested")
             elif not self.agreement(stratum) <= 1:
                 apart = self.agreement(stratum) * second_oracle.AGREEMENT
                 lines.append(f"{stratum}: the oracles disagree by {apart:.2g}")
@@ -137,7 +145,7 @@ class ValidationReport:
                     "stratum": failure.stratum,
                     "index": failure.index,
                     "share": _figure(failure.share),
-                    "simplest": self._case(failure.simplest),
+                    "simplest": self._case(failure.simplest, failure.file),
                 }
                 for failure in self.failures
             ],
@@ -176,10 +184,17 @@ class ValidationReport:
             "passed": all(self.share(name, stratum) <= 1 for stratum in whole.strata),
             "strata": self._by_measure(name, "stratum"),
             "shares": self._by_measure(name, "share"),
+            "share": {stratum: _figure(self.share(name, stratum)) for stratum in whole.strata},
             "regimes": self._by_measure(name, "regime"),
             "sizes": sizes,
             **views,
         }
+
+    def _replay(self, case: str) -> Iterator[str]:
+        whole = self.campaign
+        yield from ("rigidsym validate", *whole.targets, "--case", shlex.quote(case))
+        yield from (f"--digits {whole.digits}", f"--seed {whole.seed}")
+        yield from (f"--peer {name}" for name in whole.peers)
 
     def _by_measure(self, name: str, view: str) -> dict[str, Any]:
         """Parts of a view, of each its measures."""
@@ -189,9 +204,9 @@ class ValidationReport:
                 parts.setdefault(part, {})[measure] = cell
         return parts
 
-    def _case(self, finding: Finding) -> dict[str, Any]:
+    def _case(self, finding: Finding, file: str | None = None) -> dict[str, Any]:
+        """A case, by its file in the directory of the report where it is not one that is drawn."""
         sample, reference = finding.sample, finding.reference
-        whole = self.campaign
         name = f"{sample.stratum}:{sample.index}"
         return {
             "case": name,
@@ -202,8 +217,7 @@ class ValidationReport:
                 contestant: {measure: _worst(found) for measure, found in errors.items()}
                 for contestant, errors in finding.errors.items()
             },
-            "replay": f"rigidsym validate {' '.join(whole.targets)} --case '{name}' "
-            f"--digits {whole.digits} --seed {whole.seed}",
+            "replay": " ".join(self._replay(file or name)),
         }
 
 

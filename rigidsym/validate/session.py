@@ -1,5 +1,6 @@
 """What the command does around a validation: begin or resume it, and write its report."""
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -11,8 +12,8 @@ from rigidsym.validate import case_file, checkpoint
 from rigidsym.validate.campaign import Campaign, Progress, campaign
 from rigidsym.validate.finding import Finding, look
 from rigidsym.validate.page import page
-from rigidsym.validate.report import ValidationReport
-from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.validate.report import FAILURES, ValidationReport
+from rigidsym.validate.strata import STRATA, Sample, count, draw
 
 # The arguments of `campaign` that a user can choose.
 CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
@@ -42,20 +43,30 @@ def begin(
 def write(report: ValidationReport, directory: Path) -> Path:
     """JSON, Markdown and the page; failing cases as case files. Returns the page's path."""
     data = report.to_data()
+    # Those of an earlier report would be taken for this one's.
+    for old in directory.glob(f"{FAILURES}/*/*.toml"):
+        old.unlink()
     for failure in report.failures:
-        remarks = (failure.line, "the simplest case found that breaks a bound")
-        case_file.write(directory / "failures" / failure.target, failure.simplest.sample, remarks)
+        remarks = (failure.line, "the simplest case found that breaks this bound")
+        case_file.write(directory / failure.file, failure.simplest.sample, remarks)
     write_text(directory / "validation.json", report.to_json())
     write_text(directory / "validation.md", report.to_markdown())
     return write_text(directory / "validation.html", page(data))
 
 
 def replay(name: str, whole: Campaign) -> Finding:
-    """One case of a campaign, by a name such as "uniform:7"; raises InputError for no such case."""
+    """One case of a campaign, by a name such as "uniform:7", or that of a case file; raises
+    InputError for neither."""
+    sample = case_file.read(name) if name.endswith(".toml") else _drawn(name, whole.seed)
+    return look(sample, whole.digits, whole.contestants)
+
+
+def _drawn(name: str, seed: int) -> Sample:
     stratum, _, number = name.rpartition(":")
     if stratum not in STRATA:
-        raise InputError("case", name, f"must be STRATUM:INDEX, with one of: {', '.join(STRATA)}")
+        rule = f"must be FILE.toml or STRATUM:INDEX, with one of: {', '.join(map(repr, STRATA))}"
+        raise InputError("case", name, rule)
     most = count(stratum, 10**9)
-    if not number.isdecimal() or len(number) > 9 or int(number) >= most:
+    if not re.fullmatch(r"[0-9]{1,9}", number) or int(number) >= most:
         raise InputError("case", name, f"must end in a whole number below {most}")
-    return look(draw(stratum, int(number), whole.seed), whole.digits, whole.contestants)
+    return draw(stratum, int(number), seed)

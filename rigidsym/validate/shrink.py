@@ -62,4 +62,6 @@ def _is_bounded(sample: Sample) -> bool:
         inputs.inertia(sample.inertia)
     except InputError:
         return False
-    return math.hypot(*sample.omega0) * max(map(abs, sample.times)) <= FARTHEST
+    turned = math.hypot(*sample.omega0) * max(map(abs, sample.times))
+    # Decimals of the largest doubles can be infinite.
+    return all(map(math.isfinite, (*sample.inertia, turned))) and turned <= FARTHEST

@@ -55,8 +55,6 @@ class Tally:
         """Take in what was measured of one case."""
         sample, regime = reference.sample, reference.regime.value
         for measure, found in errors.items():
-            if not len(found.times):
-                continue
             worst = _cell(sample.stratum, sample.index, found, int(np.argmax(found.units)))
             whole = Cell(len(found.times), worst.worst, worst.place, worst.condition)
             self.put((target, measure, "stratum", sample.stratum), whole)
@@ -126,9 +124,10 @@ def decade(value: float) -> str:
 
 
 def half_octave(units: float) -> str:
-    """The power of the square root of two below a number of units, in halves."""
-    if not 0 < units < math.inf:
-        return "inf" if units else "0"
+    """The power of the square root of two below a number of units, in halves; "0" for less than
+    a thousandth, where the balls' own radii begin to be seen."""
+    if not 2**-10 < units < math.inf:
+        return "0" if units <= 2**-10 else "inf"
     return f"2^{math.floor(2 * math.log2(units)) / 2:+g}"
 
 

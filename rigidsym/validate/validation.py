@@ -55,6 +55,8 @@ def conduct(
     stops it: both say what is kept.
     """
     begin, before = time.perf_counter(), sum(progress.tally.states.values())
+    if kept:
+        kept.write()
 
     def after() -> None:
         show(progress.cases, whole.size)
@@ -64,13 +66,16 @@ def conduct(
     try:
         with place as where:
             campaigns.run(whole, progress, where, after)
+        if kept:
+            kept.write()
         seconds = time.perf_counter() - begin
         states = sum(progress.tally.states.values()) - before
         run = environment(whole, where.name, seconds, states)
         return reported(whole, progress.tally, run)
     except BaseException as error:
         if kept:
-            kept.write()
+            with executors.undisturbed():
+                kept.write()
         raise _told(error, progress, whole, kept) from None
 
 

@@ -227,27 +227,64 @@ def test_a_broken_bound_exits_1_and_leaves_a_case_that_propagate_takes(
     case = tmp_path / "failures" / "numpy" / "rod-0.toml"
     assert "0x" in case.read_text()
     assert main(["propagate", str(case)]) == 0
-    assert main([*SMALL, "--case", "rod:0"]) == 1
+    for name in ("rod:0", str(case)):
+        assert main(["validate", "numpy", "--case", name]) == 1
     monkeypatch.undo()
-    assert main([*SMALL, "--case", "rod:0"]) == 0
+    for name in ("rod:0", str(case)):
+        assert main(["validate", "numpy", "--case", name]) == 0
+
+
+def test_one_case_is_printed_as_json_alone(capsys):
+    assert main(["validate", "c", "--case", "published:2", "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert (data["schema"], data["case"]) == ("rigidsym.case/1", "published:2")
+    assert len(data["errors"]["c"]["angle"]) == len(data["times"]) == len(data["turned"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--case", "rest:0", "--cases", "3"], "cases = given: is not for --case"),
+        (["--case", "rest:0", "--scheduler", "x"], "scheduler = given: is not for --case"),
+        (["--faults", "--peer", "dop853"], "peer = given: is not for --faults"),
+        (["--faults", "--record"], "record = given: is not for --faults"),
+        (["--case", "rest:0", "--faults"], "not allowed with argument"),
+        (["--workers", "2", "--scheduler", "x"], "not allowed with argument"),
+        (["--cases", "1__0"], "must be a whole number"),
+        (["--cases", "٣"], "must be a whole number"),
+        (["--scheduler", ""], "must be an address"),
+    ],
+)
+def test_what_does_not_go_together_is_refused(arguments, message, capsys):
+    try:
+        status = main(["validate", *arguments])
+    except SystemExit as leaving:
+        status = leaving.code
+    assert status == 2
+    said = capsys.readouterr().err
+    assert message in said
+    assert said.count("\n") == 1
 
 
 def test_an_interrupted_validation_says_how_to_go_on(tmp_path):
     """By the signals that a terminal and a batch system send."""
-    command = [sys.executable, "-m", "rigidsym", "validate", "c", "--cases", "1000000"]
-    report = ["-o", str(tmp_path)]
-    with subprocess.Popen([*command, *report], stderr=subprocess.PIPE, text=True) as process:
-        time.sleep(4)
-        process.send_signal(signal.SIGINT)
-        said = process.communicate(timeout=30)[1]
+    command = [sys.executable, "-m", "rigidsym", "validate", "c", "--cases", "1_000_000"]
+    again = [*command, "--resume"]
+    for arguments, stop in ((command, signal.SIGINT), (again, signal.SIGTERM)):
+        kept = tmp_path / "campaign.json"
+        before = kept.stat().st_mtime_ns if kept.exists() else None
+        run = [*arguments, "-o", str(tmp_path)]
+        with subprocess.Popen(run, stderr=subprocess.PIPE, text=True) as process:
+            # It is written when the campaign begins.
+            while not kept.exists() or kept.stat().st_mtime_ns == before:
+                assert process.poll() is None
+                time.sleep(0.05)
+            process.send_signal(stop)
+            said = process.communicate(timeout=60)[1]
         line = r"rigidsym validate: interrupted: \d+ of \d+ cases are kept, --resume goes on .*\n"
         assert re.fullmatch(line, said)
-    assert process.returncode == 130
-    again = [*command, "--resume", *report]
-    with subprocess.Popen(again, stderr=subprocess.PIPE, text=True) as process:
-        time.sleep(4)
-        process.send_signal(signal.SIGTERM)
-        assert "are kept" in process.communicate(timeout=30)[1]
+        assert process.returncode == 130
+    again = [*again, "-o", str(tmp_path)]
     other = subprocess.run([*again, "--seed", "2"], capture_output=True, text=True, check=False)
     assert other.returncode == 2
     assert other.stderr.count("\n") == 1

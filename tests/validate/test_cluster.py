@@ -83,12 +83,24 @@ def test_a_scheduler_that_is_lost_is_one_line(tmp_path):
             conduct(whole, Progress(), executors.cluster(address), show)
 
 
-@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "nonsense://x", "127.0.0.1"])
+def test_a_scheduler_without_workers_is_one_line(tmp_path, monkeypatch):
+    monkeypatch.setattr(executors, "SECONDS_TO_CONNECT", 1)
+    with (
+        scheduler(tmp_path) as (address, _),
+        pytest.raises(InputError, match="has no workers"),
+        executors.cluster(address),
+    ):
+        pass
+
+
+@pytest.mark.parametrize("address", ["tcp://127.0.0.1:1", "nonsense://x", "127.0.0.1", ""])
 def test_a_scheduler_that_cannot_be_reached_is_one_line(address, monkeypatch):
     monkeypatch.setattr(executors, "SECONDS_TO_CONNECT", 1)
     begin = time.monotonic()
     with (
-        pytest.raises(InputError, match=r"^scheduler = .*: cannot be reached: [^\n]*$"),
+        pytest.raises(
+            InputError, match=r"^scheduler = .*: (cannot be reached: |must be an address)[^\n]*$"
+        ),
         executors.cluster(address),
     ):
         pass

@@ -14,6 +14,7 @@ from rigidsym.validate.campaign import DISAGREEMENT, ORACLES
 from rigidsym.validate.finding import look
 from rigidsym.validate.measure import BOUNDS, MEASURES, measure
 from rigidsym.validate.oracle import distance, enclose
+from rigidsym.validate.page import page
 from rigidsym.validate.report import ValidationReport
 from rigidsym.validate.strata import STRATA, Sample, count, draw
 from rigidsym.validate.tally import Tally
@@ -79,7 +80,7 @@ def test_what_tested_nothing_fails(report):
     whole, tally = report.campaign, report.tally
     untested = {name: n for name, n in tally.cases.items() if name != "rod"}
     found = ValidationReport(whole, Tally(tally.cells, untested, tally.states))
-    assert found.complaints == ("rod: nothing was tested",)
+    assert found.complaints == ("rod: 0 of 6 cases were tested",)
     found = ValidationReport(whole, without(tally, ("c", "norm", "share", "rod")))
     assert found.complaints == ("c: rod: a bound is broken, or was not tested",)
     found = ValidationReport(whole, without(tally, (ORACLES, DISAGREEMENT, "stratum", "rod")))
@@ -209,13 +210,31 @@ def test_errors_of_states_that_are_refused_are_infinite_and_still_json(monkeypat
     [
         ({"targets": ["rust"]}, "target = rust: must be one of: numpy, c"),
         ({"peers": ["nobody"]}, "peer = nobody: must be one of: heyoka"),
-        ({"strata": ["moon"]}, "stratum = moon: must be one of: paper"),
+        ({"strata": ["moon"]}, "stratum = moon: must be one of: 'paper'"),
         ({"digits": 5}, "digits = 5: must be at least 20 and at most 1000"),
     ],
 )
 def test_what_does_not_exist_is_one_line(arguments, message):
     with pytest.raises(InputError, match=message):
         validate(**arguments)
+
+
+def test_a_simplest_case_at_another_time_than_zero_is_reported(monkeypatch):
+    """It has no start to measure."""
+    monkeypatch.setitem(BOUNDS, "angle", 1e-16)
+    report = validate(["numpy"], cases=2, strata=["uniform"])
+    (failure,) = report.failures
+    assert failure.simplest.sample.times != (0.0,)
+    assert "start" not in failure.simplest.errors["numpy"]
+    assert failure.file == f"failures/numpy/uniform-{failure.index}.toml"
+    assert f"--case {failure.file}" in report.to_markdown()
+    assert failure.line in page(report.to_data())
+
+
+@pytest.mark.parametrize("digits", [20, 700])
+def test_the_condition_is_there_at_any_digits(digits):
+    found, expected = (enclose(UNIFORM, d).condition["angle"][1:] for d in (digits, 40))
+    np.testing.assert_allclose(found, expected, rtol=1e-5)
 
 
 def test_bounds_are_stated_for_every_measure():
