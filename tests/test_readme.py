@@ -91,17 +91,48 @@ def test_the_c_program_of_the_readme_compiles_and_runs(tmp_path):
 
 
 ACCURACY = {
-    "the paper's spacecraft": ["paper"],
-    "uniform, any axis order": ["uniform"],
+    "the paper's spacecraft, 0 to 180 s; motions others published": ["paper", "published"],
+    "uniform; every axis order and sign": ["uniform", "axis orders and signs"],
     "the same, long": ["long times", "longest times"],
-    "1e-1 … 1e-15 from the separatrix": ["near separatrix", "near separatrix, long"],
+    "1e-1 … 1e-16 from the separatrix, one ulp beside it": [
+        "near separatrix",
+        "beside separatrix",
+        "near separatrix, long",
+    ],
+    "1e-17 … 1e-250 from the separatrix, by exact decimals": ["nearest separatrix"],
     "on the separatrix": ["separatrix"],
-    "symmetric; nearly so": ["symmetric", "near symmetric"],
-    "sphere; nearly so": ["sphere", "near sphere"],
-    "spin; tilted from it": ["spin", "near spin", "rest"],
-    "flat bodies, thin rods": ["flat", "rod"],
-    "small and large scales": ["small scales", "large scales"],
+    "symmetric; nearly so, to 1e-16, and by decimals to 1e-300": [
+        "symmetric",
+        "near prolate",
+        "near oblate",
+        "nearest symmetric",
+    ],
+    "sphere; nearly so, to 1e-16, and by decimals to 1e-250": [
+        "sphere",
+        "near sphere",
+        "nearest sphere",
+    ],
+    "spin; tilted from it by 1e-1 … 1e-300 (middle axis 1e-85); rest": [
+        "spin",
+        "near spin, largest",
+        "near spin, middle",
+        "near spin, smallest",
+        "rest",
+    ],
+    "flat bodies, rods, needles (1e-1 … 1e-59)": ["flat", "rod", "needle"],
+    "special values and attitudes": ["special values", "special attitudes"],
+    "scales: moments 1e-322 … 1e306, rates 1e-298 … 1e297": [
+        "scales",
+        "small scales",
+        "large scales",
+        "extreme scales",
+    ],
     "decimals that doubles only approximate": ["decimals"],
+    "where the series change; zeros of the rates; quarter periods": [
+        "branch switch",
+        "zeros of the rates",
+        "quarter periods",
+    ],
 }
 
 

@@ -30,37 +30,38 @@ Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed
 rotation angle in rad, |domega|/|omega|
   paper                  5.8e-16  3.4e-16
   published              7.7e-16  3.2e-16
-  axis orders and signs  8.0e-16  4.2e-16
-  uniform                8.7e-16  4.0e-16
-  near separatrix        8.6e-16  4.2e-16
+  axis orders and signs  8.8e-16  4.2e-16
+  uniform                8.9e-16  4.1e-16
+  near separatrix        8.6e-16  4.1e-16
   beside separatrix      9.0e-16  3.6e-16
-  nearest separatrix     7.7e-16  2.8e-16
-  separatrix             8.4e-16  3.1e-16
-  symmetric              6.9e-16  3.1e-16
+  nearest separatrix     8.4e-16  3.6e-16
+  separatrix             9.7e-16  3.1e-16
+  symmetric              7.5e-16  3.3e-16
   near prolate           9.8e-16  6.5e-16
-  near oblate            9.7e-16  4.6e-16
-  nearest symmetric      8.3e-16  3.8e-16
+  near oblate            9.7e-16  4.8e-16
+  nearest symmetric      8.6e-16  3.8e-16
   sphere                 8.1e-16  1.4e-50
-  near sphere            1.0e-15  4.4e-16
+  near sphere            1.1e-15  4.2e-16
   nearest sphere         8.4e-16  2.7e-16
   spin                   8.1e-16  1.2e-51
   near spin, largest     6.9e-16  2.6e-16
-  near spin, middle      8.0e-16  3.2e-16
-  near spin, smallest    6.9e-16  3.0e-16
+  near spin, middle      1.0e-15  3.6e-16
+  near spin, smallest    8.1e-16  2.2e-16
   rest                   1.6e-16  4.8e-52
-  flat                   1.0e-15  4.4e-16
-  rod                    9.8e-16  4.3e-16
-  needle                 9.3e-16  6.8e-16
-  special values         9.5e-16  3.9e-16
+  flat                   1.2e-15  4.4e-16
+  rod                    8.7e-16  4.3e-16
+  needle                 1.1e-15  6.8e-16
+  special values         9.5e-16  4.1e-16
   special attitudes      8.6e-16  4.4e-16
-  scales                 8.6e-16  5.0e-16
-  small scales           9.6e-16  4.6e-16
-  large scales           9.8e-16  4.4e-16
+  scales                 8.7e-16  5.0e-16
+  small scales           8.4e-16  4.9e-16
+  large scales           9.8e-16  4.8e-16
   extreme scales         9.5e-16  4.7e-16
   decimals               1.0e-15  4.0e-16
-  long times             9.3e-16  4.3e-16
+  long times             9.1e-16  4.3e-16
   longest times          9.5e-16  5.0e-16
   near separatrix, long  1.0e-15  5.1e-16
+  branch switch          1.1e-15  5.2e-16
   zeros of the rates     9.6e-16  4.2e-16
   quarter periods        1.1e-15  5.0e-16
 
