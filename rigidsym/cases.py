@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from rigidsym import inputs
+from rigidsym.display.motions import case_html
 from rigidsym.errors import InputError
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
 
@@ -22,6 +23,9 @@ class Case:
 
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
+
+    def _repr_html_(self) -> str:
+        return case_html(self)
 
 
 def paper_case() -> Case:

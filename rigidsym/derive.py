@@ -10,6 +10,7 @@ from time import perf_counter
 
 from derivations import CHAPTERS
 from rigidsym.algebra import Book
+from rigidsym.display.reports import chapter_html, derivation_html
 from rigidsym.errors import InputError
 from rigidsym.kernel import Fact, KernelError
 
@@ -26,6 +27,9 @@ class Chapter:
     title: str
     facts: tuple[Fact, ...]
     seconds: float
+
+    def _repr_html_(self) -> str:
+        return chapter_html(self)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +53,9 @@ class Derivation:
             for chapter in self.chapters
         ]
         return json.dumps({"schema": "rigidsym.derive/1", "chapters": chapters}, indent=1) + "\n"
+
+    def _repr_html_(self) -> str:
+        return derivation_html(self)
 
 
 def sealed_path() -> Path:

@@ -12,6 +12,8 @@ from rigidsym import engines, inputs
 from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from rigidsym.precise import PreciseMotion
     from rigidsym.solution.polhode import Regime
 
@@ -55,6 +57,16 @@ class TorqueFreeMotion:
         fields = ("inertia", "omega0", "attitude0")
         inside = ", ".join(f"{name}={inputs.shown(getattr(self, name))}" for name in fields)
         return f"TorqueFreeMotion({inside})"
+
+    def _repr_html_(self) -> str:
+        from rigidsym.display.motions import motion_html
+
+        return motion_html(self)
+
+    def _repr_latex_(self) -> str:
+        from rigidsym.display.motions import motion_latex
+
+        return motion_latex(self)
 
     def __call__(
         self, t: Any, out: tuple[np.ndarray, np.ndarray] | None = None
@@ -160,6 +172,17 @@ class TorqueFreeMotion:
         except ImportError:
             raise ImportError("rotation needs SciPy: pip install 'rigidsym[app]'") from None
         return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
+
+    def plot(self, times: Any = None) -> "Figure":
+        """Rates and attitude against time, and the momentum sphere (needs matplotlib).
+
+        `times` (N,) in s; some periods of the rates where None.  The figure shows itself in a
+        notebook, and has `savefig`.  Raises InputError for times as a call does, and for fewer
+        than two of them.
+        """
+        from rigidsym.pictures.plot import plot
+
+        return plot(self, times)
 
 
 def propagate(

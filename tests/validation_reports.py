@@ -12,6 +12,11 @@ from rigidsym.validate.validation import reported
 STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "rest")
 
 
+def whole():
+    """The report itself."""
+    return _REPORT
+
+
 def passed():
     """The data of a report as JSON has them."""
     return json.loads(_REPORT.to_json())

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from rigidsym.display.printed import equation_html
+
 
 class Flaw(StrEnum):
     """What can be wrong with a printed line, whether or not it is false."""
@@ -75,3 +77,9 @@ class Equation:
     def needed_by(self) -> tuple[str, ...]:
         """The facts that show the conditions necessary."""
         return tuple(dict.fromkeys(name for c in self.conditions for name in c.needed_by))
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex}$"
+
+    def _repr_html_(self) -> str:
+        return equation_html(self)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
+from rigidsym.display.printed import verdict_html
 from rigidsym.paper.equation import Equation, Reading
 from rigidsym.paper.equations import EQUATIONS
 
@@ -65,6 +66,12 @@ class Verdict:
             "flaws": {flaw.value: text for flaw, text in equation.flaws.items()},
             "mutants": dict(self.mutants),
         }
+
+    def _repr_latex_(self) -> str:
+        return f"${self.equation.repair or self.equation.latex}$"
+
+    def _repr_html_(self) -> str:
+        return verdict_html(self)
 
     def _reading(self, reading: Reading) -> dict[str, Any]:
         return {

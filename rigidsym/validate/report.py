@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from rigidsym.display.reports import report_html
 from rigidsym.validate import second_oracle
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES, Campaign
 from rigidsym.validate.case_file import file_name, hexadecimal
@@ -159,6 +160,9 @@ class ValidationReport:
     def to_json(self) -> str:
         """`to_data` as text: the same for the same campaign, but for `run`."""
         return json.dumps(self.to_data(), indent=1, sort_keys=True, allow_nan=False) + "\n"
+
+    def _repr_html_(self) -> str:
+        return report_html(self)
 
     def _contestant(self, name: str) -> dict[str, Any]:
         whole, peer = self.campaign, name.startswith(PEER)

@@ -2,9 +2,9 @@
 
 from importlib import resources
 
+from rigidsym.display.markup import Markup, lines, tag
 from rigidsym.validate.page import cases, environment, plots, strata, summary
 from rigidsym.validate.page.marks import palette
-from rigidsym.validate.page.markup import Markup, lines, tag
 from rigidsym.validate.page.source import Data, passed
 
 # Even a mistake in this package could load nothing.

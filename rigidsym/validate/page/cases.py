@@ -1,5 +1,6 @@
 """Single cases in full: inputs, errors, and the command that runs them again."""
 
+from rigidsym.display.markup import Markup, join, tag
 from rigidsym.validate.page.figures import (
     NOTHING,
     UNIT,
@@ -12,7 +13,6 @@ from rigidsym.validate.page.figures import (
     share,
     units,
 )
-from rigidsym.validate.page.markup import Markup, join, tag
 from rigidsym.validate.page.source import Data, anchors, beyond
 from rigidsym.validate.page.table import barred, column, row, table
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from rigidsym.validate.page.markup import Markup, tag
+from rigidsym.display.markup import Markup, tag
 
 
 def line(class_: str, x1: float, y1: float, x2: float, y2: float) -> Markup:

@@ -3,8 +3,8 @@
 import json
 from typing import Any
 
+from rigidsym.display.markup import Markup, tag
 from rigidsym.validate.page.figures import UNIT, measures, plain, units
-from rigidsym.validate.page.markup import Markup, tag
 from rigidsym.validate.page.source import Data
 from rigidsym.validate.page.table import column, pairs, row, table
 

@@ -5,11 +5,11 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from rigidsym.display.markup import Markup, join, lines, tag
 from rigidsym.validate.page import figures
 from rigidsym.validate.page.axis import Axis, fitted
 from rigidsym.validate.page.drawing import line, write
 from rigidsym.validate.page.marks import colour
-from rigidsym.validate.page.markup import Markup, join, lines, tag
 
 WIDTH, LEFT, RIGHT, TOP, ROW, BOTTOM, SLOT = 240, 8, 8, 6, 34, 34, 22.0
 # Errors of less units than this are shown as one, in octaves.

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rigidsym import plot
-from rigidsym.validate.page.markup import Markup, join, tag
+from rigidsym.display.markup import Markup, join, tag
 
 RADIUS = 4.0
 # Corners around the centre, in radii; none for a circle.

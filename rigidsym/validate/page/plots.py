@@ -1,8 +1,8 @@
 """The figures of the page."""
 
+from rigidsym.display.markup import Markup, join, lines, tag
 from rigidsym.validate.page.histogram import common, histogram
 from rigidsym.validate.page.marks import legend
-from rigidsym.validate.page.markup import Markup, join, lines, tag
 from rigidsym.validate.page.scatter import Labels, scatter
 from rigidsym.validate.page.source import Data
 

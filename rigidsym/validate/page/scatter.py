@@ -5,12 +5,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from rigidsym.display.markup import Markup, join, lines, tag
 from rigidsym.validate.measure import ULP
 from rigidsym.validate.page import figures, source
 from rigidsym.validate.page.axis import Axis, fitted
 from rigidsym.validate.page.drawing import line, write
 from rigidsym.validate.page.marks import colour, mark
-from rigidsym.validate.page.markup import Markup, join, lines, tag
 
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 480, 270, 76, 14, 12, 46
 SLOT_X, SLOT_Y = 40.0, 22.0

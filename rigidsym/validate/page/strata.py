@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from rigidsym.display.markup import Markup, lines, tag
 from rigidsym.validate.page.figures import (
     NOTHING,
     UNIT,
@@ -12,7 +13,6 @@ from rigidsym.validate.page.figures import (
     share,
     units,
 )
-from rigidsym.validate.page.markup import Markup, lines, tag
 from rigidsym.validate.page.source import Data, anchors, beyond, place
 from rigidsym.validate.page.table import barred, column, figure, row, table
 

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 
+from rigidsym.display.markup import Markup, join, tag
 from rigidsym.validate.page.cases import case, replay
 from rigidsym.validate.page.figures import (
     Figure,
@@ -13,7 +14,6 @@ from rigidsym.validate.page.figures import (
     scientific,
     share,
 )
-from rigidsym.validate.page.markup import Markup, join, tag
 from rigidsym.validate.page.source import Data, cells, modules, passed, peers, worst
 
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Mapping
 
+from rigidsym.display.markup import Markup, join, lines, tag
 from rigidsym.validate.page.figures import NOTHING, Figure, brief, condition, number, plain
-from rigidsym.validate.page.markup import Markup, join, lines, tag
 from rigidsym.validate.page.source import Data, place
 
 

@@ -1,0 +1,107 @@
+"""The momentum sphere: all motions of one body with one momentum, and where they part."""
+
+import math
+from collections.abc import Iterator
+from itertools import product
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.motion import TorqueFreeMotion
+from rigidsym.pictures.geometry import (
+    great_circles,
+    moments,
+    momentum,
+    polhode,
+    regime_colour,
+    separatrix,
+)
+from rigidsym.pictures.scene import (
+    AXIS_COLOURS,
+    GREY,
+    GRID,
+    ball,
+    curves,
+    dot,
+    figure,
+    line,
+    plotly,
+    sketch,
+    skin,
+)
+from rigidsym.solution.polhode import Regime
+
+if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
+AROUND = 121
+
+
+def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
+    """The sphere |M| = K in body axes with polhodes coloured by regime, and this motion's own.
+
+    `family` polhodes about each end of each axis; on the separatrix K^2 = 2H c_b.  Momenta in
+    kg m^2/s.  Raises InputError for a body at rest, and ImportError without plotly.
+    """
+    go = plotly("momentum_sphere")
+    size = float(np.linalg.norm(momentum(motion)))
+    if not size:
+        raise InputError("omega0", "zero", "a body at rest has no momentum sphere")
+    traces = [skin(go, 0.985 * size * ball(19, 37), GREY, 0.18)]
+    traces.append(sketch(go, curves(great_circles(size)), "sphere", GRID, 1, showlegend=False))
+    traces += _family(go, motion, size, family)
+    circles = separatrix(motion.exact["inertia"], size)
+    if circles:
+        colour = regime_colour(Regime.SEPARATRIX)
+        traces.append(line(go, curves(circles), "separatrix", colour, 5))
+    traces += [*_own(go, motion), *_axes(go, size)]
+    labels = [f"M{k} (kg m²/s)" for k in "₁₂₃"]
+    title = f"Momentum sphere, |M| = {size:.4g} kg m²/s"
+    return figure(go, traces, title, labels, 1.15 * size)
+
+
+def _family(go: Any, motion: TorqueFreeMotion, size: float, count: int) -> Iterator[Any]:
+    """One trace for each regime."""
+    found: dict[Regime, list[np.ndarray]] = {}
+    for other in members(motion, size, count):
+        found.setdefault(other.regime, []).append(moments(motion) * polhode(other, AROUND))
+    for regime, parts in found.items():
+        yield line(go, curves(parts), str(regime), regime_colour(regime), 2.5)
+
+
+def members(motion: TorqueFreeMotion, size: float, count: int) -> Iterator[TorqueFreeMotion]:
+    """Motions of the same body and |M|, `count` about each end of the outer axes.
+
+    They start between axis and separatrix, in the plane of the axes of largest and least inertia.
+    """
+    inertia = motion.exact["inertia"]
+    d, _, a = sorted(range(3), key=inertia.__getitem__)
+    circles = separatrix(inertia, size)
+    if not circles:
+        return
+    quarter = circles[0][len(circles[0]) // 4]
+    edge = math.atan2(abs(quarter[d]), abs(quarter[a]))
+    for sign, axis, share in product((1, -1), (0.0, math.pi / 2), range(1, count + 1)):
+        angle = axis + (edge - axis) * share / (count + 0.4)
+        start = np.zeros(3)
+        start[a], start[d] = sign * size * math.cos(angle), sign * size * math.sin(angle)
+        if axis != edge:
+            omega = (start / moments(motion)).tolist()
+            yield TorqueFreeMotion(inertia, omega, allow_nonphysical=True)
+
+
+def _own(go: Any, motion: TorqueFreeMotion) -> Iterator[Any]:
+    """The polhode of the motion itself, and where it begins."""
+    colour = regime_colour(motion.regime)
+    if not motion.regime.steady:
+        points = moments(motion) * polhode(motion, 2 * AROUND - 1)
+        yield line(go, points, "this motion", colour, 8)
+    yield dot(go, momentum(motion), "t = 0", colour)
+
+
+def _axes(go: Any, size: float) -> Iterator[Any]:
+    for k, colour in enumerate(AXIS_COLOURS):
+        tip = 1.15 * size * np.eye(3)[k]
+        name = f"axis {k + 1}"
+        yield line(go, np.stack([0 * tip, tip]), name, colour, 5, showlegend=False)

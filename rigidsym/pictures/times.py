@@ -1,0 +1,88 @@
+"""How long to look at a motion: periods of the rates, and turns where they have none."""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rigidsym import inputs
+from rigidsym.errors import InputError
+from rigidsym.precise import PreciseMotion
+from rigidsym.solution.polhode import Regime
+
+if TYPE_CHECKING:
+    from rigidsym.motion import TorqueFreeMotion
+
+DIGITS = 15
+# On the separatrix this many times 1/lambda on both sides are all that can be seen of it.
+FAR = 8.0
+MOST_TURNS = 24
+# Fewer samples a turn than these do not look like turning.
+A_TURN = 12
+AT_REST = 10.0
+
+
+def period(motion: "TorqueFreeMotion") -> float:
+    """The time 4 K(m)/lambda after which the rates come back; infinite on the separatrix, s.
+
+    Zero where the rates are constant.
+    """
+    if motion.regime.steady:
+        return 0.0
+    known = _constants(motion)
+    if motion.regime == Regime.SEPARATRIX:
+        return math.inf
+    return 2 * math.pi / (_mean(1.0, known["k_c"]) * known["lambda_"])
+
+
+def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
+    """From when to when the whole polhode is run through once, s."""
+    found = period(motion)
+    if math.isfinite(found):
+        return 0.0, found
+    known = _constants(motion)
+    middle, far = -known["u"] / known["lambda_"], FAR / known["lambda_"]
+    return middle - far, middle + far
+
+
+def chosen(motion: "TorqueFreeMotion", times: Any, count: int) -> np.ndarray:
+    """The times given as doubles, or `count` by `grid`; InputError for fewer than two, s."""
+    if times is None:
+        return grid(motion, count)
+    found = np.array(inputs.doubles("t", inputs.times(times)[0]))
+    if len(found) < 2:
+        raise InputError("t", f"{len(found)} times", "a picture needs two or more")
+    return found
+
+
+def grid(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
+    """Times from zero on that show what there is to see: two periods, or a few turns, s."""
+    first, last = once(motion)
+    most = min(MOST_TURNS, count / A_TURN) * _turn(motion)
+    if motion.regime.steady:
+        end = 3 * _turn(motion)
+    elif motion.regime == Regime.SEPARATRIX:
+        end = min(max(last, (last - first) / 2), most)
+    else:
+        end = min(2 * (last - first), most)
+    return np.linspace(0.0, end, count)
+
+
+def _turn(motion: "TorqueFreeMotion") -> float:
+    """The time of one turn at the first rate, s."""
+    rate = math.hypot(*map(float, motion.exact["omega0"]))
+    return 2 * math.pi / rate if rate else AT_REST / 3
+
+
+def _constants(motion: "TorqueFreeMotion") -> dict[str, float]:
+    given = motion.exact
+    exact: Any = PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
+    found = exact.constants(("lambda_", "u", "k_c"), DIGITS)
+    return {name: float(value) for name, value in found.items()}
+
+
+def _mean(a: float, b: float) -> float:
+    """The arithmetic-geometric mean: K(m) = pi/(2 agm(1, k_c)) (DLMF 19.8.5)."""
+    while abs(a - b) > 1e-15 * a:
+        a, b = (a + b) / 2, math.sqrt(a * b)
+    return a

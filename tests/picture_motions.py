@@ -1,0 +1,16 @@
+"""A motion of every regime, to be drawn."""
+
+from rigidsym import TorqueFreeMotion
+from rigidsym.cases import paper_case
+
+MOTIONS = {
+    "paper": paper_case().motion,
+    "largest": TorqueFreeMotion((2.5, 1, 2), (1, 0.2, 0.1), (0, 0, 1, 0)),
+    "flip": TorqueFreeMotion((1, 2, 2.5), ("1e-4", 1, "1e-4")),
+    "separatrix": TorqueFreeMotion((1, 2, 2.25), (0.75, 0.5, 1)),
+    "oblate": TorqueFreeMotion((1, 1, 1.5), (1, 0.2, 0.5), (1, 2, 3, 4)),
+    "prolate": TorqueFreeMotion((1.5, 1, 1.5), (1, 0.2, 0.5)),
+    "spherical": TorqueFreeMotion((1, 1, 1), (1, 0.2, 0.5)),
+    "spin": TorqueFreeMotion((1, 2, 2.5), (0, 0, -2)),
+    "rest": TorqueFreeMotion((1, 2, 2.5), (0, 0, 0)),
+}

@@ -1,0 +1,78 @@
+"""motion.plot: the right data, labelled with units, without touching pyplot's state."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from picture_motions import MOTIONS
+
+from rigidsym import InputError, Regime
+
+PNG = b"\x89PNG\r\n\x1a\n"
+
+
+@pytest.mark.parametrize("name", MOTIONS)
+def test_every_regime_is_drawn(name):
+    motion = MOTIONS[name]
+    figure = motion.plot()
+    rates, attitude, sphere = figure.axes
+    assert rates.get_ylabel() == "body rates ω (rad/s)"
+    assert attitude.get_ylabel() == "attitude q"
+    assert attitude.get_xlabel() == "t (s)"
+    assert "kg m²/s" in sphere.get_title()
+    assert figure.get_suptitle() == str(motion.regime)
+    t = rates.lines[0].get_xdata()
+    q, omega = motion(t)
+    assert [line.get_label() for line in rates.lines] == [rf"$ω_{k}$" for k in (1, 2, 3)]
+    assert [line.get_label() for line in attitude.lines] == [rf"$q_{k}$" for k in range(4)]
+    assert np.array_equal(np.stack([line.get_ydata() for line in rates.lines], 1), omega)
+    assert np.array_equal(np.stack([line.get_ydata() for line in attitude.lines], 1), q)
+
+
+@pytest.mark.parametrize("name", [name for name in MOTIONS if name != "rest"])
+def test_polhode_and_separatrix_lie_on_the_sphere(name):
+    motion = MOTIONS[name]
+    *_, sphere = motion.plot().axes
+    inertia = np.array([float(x) for x in motion.exact["inertia"]])
+    start = inertia * [float(x) for x in motion.exact["omega0"]]
+    lines = {line.get_label(): np.stack(line.get_data_3d(), 1) for line in sphere.lines}
+    assert np.allclose(np.linalg.norm(lines["polhode"], axis=1), np.linalg.norm(start), rtol=1e-9)
+    assert np.allclose(lines["first time"], start, rtol=1e-12)
+    assert ("separatrix" in lines) == (motion.regime != Regime.SPHERICAL)
+
+
+def test_times_are_taken_as_a_call_takes_them():
+    figure = MOTIONS["paper"].plot(["0.5", 2, 10.0])
+    assert [*figure.axes[0].lines[0].get_xdata()] == [0.5, 2.0, 10.0]
+    with pytest.raises(InputError, match="two or more"):
+        MOTIONS["paper"].plot([1.0])
+    with pytest.raises(InputError, match="must be a number"):
+        MOTIONS["paper"].plot([1.0, None])
+
+
+def test_a_body_at_rest_has_no_polhode():
+    *_, sphere = MOTIONS["rest"].plot().axes
+    assert sphere.get_legend() is None
+
+
+def test_the_figure_shows_itself():
+    assert MOTIONS["paper"].plot()._repr_png_().startswith(PNG)
+
+
+@pytest.mark.parametrize("module", ["matplotlib", "matplotlib.figure"])
+def test_one_line_where_matplotlib_is_missing(monkeypatch, module):
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    monkeypatch.setitem(sys.modules, module, None)
+    with pytest.raises(ImportError, match=r"^plot needs matplotlib \(extra lab\): pip install"):
+        MOTIONS["paper"].plot()
+
+
+def test_neither_pyplot_nor_sympy_is_loaded():
+    code = (
+        "import sys, rigidsym; m = rigidsym.TorqueFreeMotion((1, 2, 2.5), (1, 2, 3));"
+        "m._repr_html_(); m._repr_latex_(); assert 'matplotlib' not in sys.modules; m.plot();"
+        "print(*{'matplotlib.pyplot', 'sympy', 'plotly'} & {*sys.modules})"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == ""
