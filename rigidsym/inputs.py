@@ -78,7 +78,8 @@ def exact(field: str, value: Any) -> Fraction:
     if hasattr(value, "_mpf_"):
         return _exact_mpf(field, value)
     if isinstance(value, Rational):
-        return Fraction(value)
+        # NumPy's integers would stay what they are inside of a fraction.
+        return Fraction(int(value.numerator), int(value.denominator))
     if isinstance(value, Real | Decimal):
         if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
             raise InputError(field, value, "must be finite")

@@ -75,6 +75,9 @@ def campaign(
     strata: Sequence[str] = (),
 ) -> Campaign:
     """A campaign of these targets and peers; InputError where one of them cannot be had here."""
+    targets, peers, strata = (
+        (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
+    )
     for target in targets:
         check_target(target)
     for name in peers:

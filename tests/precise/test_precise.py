@@ -142,3 +142,11 @@ def test_motions_of_every_kind_agree_with_their_taylor_series(motion, method):
         for numbers, printed in zip(found, (motion["q"], motion["omega"]), strict=True):
             expected = [mpmath.mpf(text) for text in printed]
             assert distance(numbers, expected) < max(map(abs, expected)) * mpmath.mpf(10) ** -38
+
+
+def test_integers_of_numpy_are_integers():
+    motion = TorqueFreeMotion(np.array([1, 2, 3]), (1, 2, 3))
+    expected = TorqueFreeMotion((1, 2, 3), (1, 2, 3)).precise([0, 1], 30)
+    for found, there in zip(motion.precise(np.arange(2), 30), expected, strict=True):
+        assert (found == there).all()
+    assert motion.enclose(np.int64(1), 20)[0][0].contains(motion.enclose(1, 30)[0][0])
