@@ -10,11 +10,11 @@ from rigidsym.precise.taylor import integrate
 from rigidsym.validate.oracle import decades_below_one
 
 # Digits asked of the series, and what they have to agree to, of 1 or of |omega0|.
-DIGITS, AGREEMENT = 24, 1e-24
+DIGITS, AGREEMENT = 20, 1e-20
 # How far they go, rad: their cost grows with it.
-REACH = 2.0
+REACH = 1.0
 # Two cases in so many are checked: the first two of each stratum, which are its ends, among them.
-SHARE = 128
+SHARE = 256
 
 
 def disagreement(motion: PreciseMotion, backwards: bool) -> float:

@@ -95,7 +95,7 @@ def test_oracles_that_disagree_fail(report):
     apart = {**cells, key: dataclasses.replace(cells[key], worst=1.5)}
     tally = Tally(apart, report.tally.cases, report.tally.states)
     found = ValidationReport(report.campaign, tally)
-    assert found.complaints == ("rod: the oracles disagree by 1.5e-24",)
+    assert found.complaints == ("rod: the oracles disagree by 1.5e-20",)
     assert not found.passed
 
 
