@@ -1,0 +1,77 @@
+"""Every notebook: text and .ipynb in step, and what it shows is what it computes."""
+
+import importlib.util
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+for package in ("jupytext", "nbclient", "nbformat", "ipykernel", "matplotlib", "plotly"):
+    pytest.importorskip(package, reason=f"{package} is not installed: extra `lab` or `dev`")
+
+SCRIPT = importlib.util.spec_from_file_location("notebooks_build", ROOT / "notebooks/build.py")
+build = importlib.util.module_from_spec(SCRIPT)
+SCRIPT.loader.exec_module(build)
+
+NAMES = build.names()
+
+
+def test_there_are_notebooks_and_no_strays():
+    assert NAMES
+    assert {path.stem for path in build.FOLDER.glob("*.ipynb")} == set(NAMES)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_fresh_execution_gives_the_committed_notebook(name):
+    assert build.check(name) == ""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_notebook_ends_in_assertions(name):
+    code = [cell for cell in build.source(name).cells if cell.cell_type == "code"]
+    assert "assert " in code[-1].source
+
+
+def test_an_edited_text_is_noticed(monkeypatch):
+    changed = build.source(NAMES[0])
+    changed.cells[-1].source += "  # edited"
+    monkeypatch.setattr(build, "source", lambda name: changed)
+    assert "edited" in build.check(NAMES[0], fresh=pytest.fail)
+
+
+def test_another_output_is_noticed():
+    def fresh(notebook, name):
+        executed = build.nbformat.read(build.FOLDER / f"{name}.ipynb", as_version=4)
+        outputs = next(cell.outputs for cell in executed.cells if cell.get("outputs"))
+        outputs.append(build.nbformat.v4.new_output("stream", name="stdout", text="another"))
+        return executed
+
+    assert "+another" in build.check(NAMES[0], fresh)
+
+
+CODE = build.nbformat.v4.new_code_cell
+
+
+@pytest.mark.parametrize(
+    ("line", "reason"),
+    [
+        ("1/0", "ZeroDivisionError"),
+        ("import sys; sys.stderr.write('x')", "stderr"),
+        ("object()", "an address or a path"),
+        ("import pathlib; print(pathlib.Path('/tmp/x'))", "an address or a path"),
+        ("import time; time.sleep(30)", "longer than 1 s"),
+    ],
+)
+def test_what_must_not_be_committed_is_refused(line, reason, monkeypatch):
+    monkeypatch.setattr(build, "SECONDS", 1 if "sleep" in line else 60)
+    notebook = build.source(NAMES[0])
+    notebook.cells = [CODE(line)]
+    with pytest.raises(build.NotebookError, match=reason):
+        build.execute(notebook, "a")
+
+
+def test_the_kernel_runs_the_package_of_this_repository():
+    notebook = build.source(NAMES[0])
+    notebook.cells = [CODE("import os, rigidsym; print(os.path.relpath(rigidsym.__file__))")]
+    (cell,) = build.execute(notebook, "a").cells
+    assert cell.outputs[0].text.split() == [str(Path("..", "rigidsym", "__init__.py"))]
