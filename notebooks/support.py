@@ -177,7 +177,7 @@ def _right(fact: Fact, text: str) -> str:
 
 def _verdict(ledger: Ledger, verdict: Verdict) -> Iterator[str]:
     equation, mended = verdict.equation, verdict.ruling == Ruling.MISPRINT
-    yield "---"
+    yield "<hr>"
     yield f"**{_tag(equation.number)}** &nbsp; {badge(verdict.ruling)}"
     yield f"$${equation.latex}$$"
     if mended:

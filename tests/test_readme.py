@@ -2,6 +2,7 @@
 
 import json
 import re
+import shlex
 import shutil
 import subprocess
 import tomllib
@@ -12,7 +13,7 @@ import pytest
 
 import rigidsym
 from rigidsym.cases import parse_case
-from rigidsym.cli import main
+from rigidsym.cli import _parser, main
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.paper import Ruling, verdicts
 from rigidsym.solution import ledger_text
@@ -22,8 +23,11 @@ README = (ROOT / "README.md").read_text()
 LEDGER = json.loads(ledger_text())
 
 
+FENCED = re.findall(r"^```(.*?)\n(.*?)^```$", README, re.DOTALL | re.MULTILINE)
+
+
 def blocks(language):
-    return re.findall(rf"```{language}\n(.*?)```", README, re.DOTALL)
+    return [text for info, text in FENCED if info == language]
 
 
 def test_the_counts_are_those_of_the_ledger():
@@ -47,18 +51,44 @@ def test_the_counts_are_those_of_the_ledger():
     assert "@@" not in README
 
 
-def test_the_five_lines_run():
-    (code,) = blocks("python")
+def test_every_block_is_of_a_kind_that_is_run():
+    """A block that cannot run says so by a second word: ```python no-run."""
+    assert README.count("```") == 2 * len(FENCED)
+    assert {info for info, _ in FENCED} <= {"", "python", "toml", "c", "python no-run", "c no-run"}
+
+
+def test_the_python_runs(tmp_path, monkeypatch):
+    """All of it, from top to bottom, as a reader would type it."""
+    monkeypatch.chdir(tmp_path)
     scope = {}
-    exec(code, scope)
+    for code in blocks("python"):
+        exec(code, scope)
     assert scope["q"].shape == (3, 4)
     assert np.isfinite(scope["omega"]).all()
 
 
-def test_the_case_file_is_one():
-    (text,) = blocks("toml")
+@pytest.mark.parametrize("text", blocks("toml"))
+def test_a_case_file_is_one(text, tmp_path, capsys):
     assert tomllib.loads(text)
-    assert len(parse_case(text).times) == 181
+    count = len(parse_case(text).times)
+    path = tmp_path / "case.toml"
+    path.write_text(text)
+    assert main(["propagate", str(path)]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == count + 1
+
+
+COMMANDS = [
+    line.partition("#")[0].replace("uv run ", "").rpartition("&&")[2].strip()
+    for block in blocks("")
+    for line in block.splitlines()
+    if re.search(r"(^|&& |uv run )rigidsym ", line)
+]
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_command_line_is_understood(command):
+    """It is only parsed: what it does is tested where it is."""
+    assert _parser().parse_args(shlex.split(command)[1:]).command
 
 
 @pytest.mark.parametrize("command", re.findall(r"^\| `rigidsym (\w+)", README, re.MULTILINE))
@@ -76,11 +106,11 @@ def test_every_room_of_the_house_is_there(room):
     assert rigidsym.__version__ in (ROOT / "CHANGELOG.md").read_text()
 
 
-def test_the_c_program_of_the_readme_compiles_and_runs(tmp_path):
+@pytest.mark.parametrize("program", blocks("c"))
+def test_a_c_program_of_the_readme_compiles_and_runs(program, tmp_path):
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         pytest.skip("no C compiler here")
-    (program,) = blocks("c")
     (tmp_path / "main.c").write_text(program)
     rigidsym.generate("c").write(tmp_path)
     flags = re.search(r"`cc (.*?)`", README)[1].split()

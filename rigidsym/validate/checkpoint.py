@@ -3,6 +3,7 @@
 import hashlib
 import json
 import time
+from collections.abc import Mapping
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
@@ -37,8 +38,7 @@ class Checkpoint:
             "done": self.progress.done,
             "tally": self.progress.tally.to_data(),
         }
-        text = json.dumps(data, sort_keys=True)
-        write_text(self.path, f"{_seal(text)}\n{text}\n")
+        write_text(self.path, json.dumps({**_seal(data), **data}, sort_keys=True) + "\n")
         self._last = time.monotonic()
 
     def remove(self) -> None:
@@ -50,24 +50,24 @@ def load(directory: Path) -> tuple[Campaign, Progress]:
     """The campaign of a directory; raises InputError where it holds none, or a damaged one."""
     path = directory / NAME
     try:
-        seal, _, text = path.read_text("utf-8").partition("\n")
+        data = json.loads(path.read_text("utf-8"))
+        seal = {name: data.pop(name) for name in ("schema", "sha256")}
     except FileNotFoundError:
         raise InputError("resume", directory, f"holds no unfinished campaign ({NAME})") from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("resume", path, f"cannot be read: {type(error).__name__}") from None
-    if seal != _seal(text.removesuffix("\n")):
+    except (OSError, ValueError, KeyError, AttributeError, TypeError, RecursionError):
+        seal, data = {}, {}
+    if not seal or seal != _seal(data):
         raise InputError("resume", path, "is not what a campaign of this version left there")
-    data = json.loads(text)
     done = {
         name: [(start, stop) for start, stop in ranges] for name, ranges in data["done"].items()
     }
     return Campaign.from_data(data["campaign"]), Progress(Tally.from_data(data["tally"]), done)
 
 
-def _seal(text: str) -> str:
-    """The first line: the schema, and a digest that tells whether the rest was changed."""
-    digest = hashlib.sha256(text.encode()).hexdigest()
-    return json.dumps({"schema": SCHEMA, "sha256": digest}, sort_keys=True)
+def _seal(data: Mapping[str, Any]) -> dict[str, str]:
+    """The schema, and a digest that tells whether anything was changed."""
+    text = json.dumps(data, sort_keys=True)
+    return {"schema": SCHEMA, "sha256": hashlib.sha256(text.encode()).hexdigest()}
 
 
 def check_same(directory: Path, found: Campaign, expected: Campaign) -> None:

@@ -1,0 +1,105 @@
+"""Builds the site, without network: `python notebooks/site/build.py` (extra `docs`).
+
+Its pages are this folder's, the README, the notebooks as they are committed, and what
+`generate` makes from the code.  All of it goes to DIR/source and from there, by Sphinx, to
+DIR/html; a warning is an error.
+"""
+
+import argparse
+import shutil
+import sys
+from collections.abc import Sequence
+from importlib import resources
+from pathlib import Path
+
+from sphinx.cmd.build import main as sphinx
+
+from generate import api, command, errata, formats, kernel, links, notebook
+
+SITE = Path(__file__).resolve().parent
+ROOT = SITE.parents[1]
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Stage the sources and run Sphinx; returns its exit status."""
+    parser = argparse.ArgumentParser(description="Build the site.")
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "build" / "site", metavar="DIR")
+    parser.add_argument("-n", "--notebooks", type=Path, default=SITE.parent, metavar="DIR")
+    options = parser.parse_args(arguments)
+    output = options.output
+    for part in ("source", "static", "html", "cache"):
+        shutil.rmtree(output / part, ignore_errors=True)
+    notebooks = sorted(options.notebooks.glob("*.ipynb"))
+    stage(output / "source", notebooks)
+    stage_static(output / "static", notebooks)
+    places = ["-c", SITE, "-d", output / "cache", "-D", f"html_static_path={output / 'static'}"]
+    quiet = ["-W", "--keep-going", "-q"]
+    status = sphinx([*quiet, *map(str, [*places, output / "source", output / "html"])])
+    # It records where the site was built.
+    (output / "html" / ".buildinfo").unlink(missing_ok=True)
+    return status
+
+
+def stage(source: Path, notebooks: Sequence[Path]) -> None:
+    """Every page of the site as a file under `source`."""
+    shutil.copytree(SITE / "pages", source)
+    _stage_guide(source, notebooks)
+    _write(source / "reference" / "command.md", command.page())
+    _write(source / "reference" / "formats.md", formats.page())
+    _write(source / "errata.md", errata.page())
+    _write(source / "parts" / "rules.txt", kernel.rules())
+    _write(source / "parts" / "assumptions.txt", kernel.assumptions())
+    contents = source / "reference" / "api.md"
+    _write(contents, contents.read_text("utf-8").replace("PACKAGES", api.contents()))
+    for package, text in api.pages().items():
+        _write(source / "reference" / "api" / f"{package}.rst", text)
+
+
+def stage_static(static: Path, notebooks: Sequence[Path]) -> None:
+    """What pages load: a style, the font of formulas, and plotly where a notebook has pictures."""
+    shutil.copytree(SITE / "static", static)
+    _copy("ziamath", "fonts/STIXTwoMath-Regular.ttf", static)
+    if any(notebook.has_pictures(path.read_text("utf-8")) for path in notebooks):
+        _copy("plotly", "package_data/plotly.min.js", static)
+
+
+def _copy(package: str, name: str, folder: Path) -> None:
+    """A file that an installed package brings."""
+    file = resources.files(package).joinpath(name)
+    (folder / name.rpartition("/")[2]).write_bytes(file.read_bytes())
+
+
+def _stage_guide(source: Path, notebooks: Sequence[Path]) -> None:
+    """README and notebooks, with links between them; how-tos come after the chapters."""
+    beside = {path.name: path.name for path in notebooks} | {"README.md": "../index.md"}
+    for path in notebooks:
+        text = path.read_text("utf-8")
+        _write(source / "guide" / path.name, notebook.shown(text, path.stem, beside))
+    readme = (ROOT / "README.md").read_text("utf-8")
+    below = {path.name: f"guide/{path.name}" for path in notebooks} | {"notebooks": "guide.md"}
+    _stage_pictures(readme, source)
+    start = source / "index.md"
+    _write(start, links.within(readme, below) + "\n" + start.read_text("utf-8"))
+    howtos = [path.stem for path in notebooks if not path.stem[:1].isdigit()]
+    chapters = [path.stem for path in notebooks if path.stem[:1].isdigit()]
+    guide = (source / "guide.md").read_text("utf-8")
+    for name, stems in (("CHAPTERS", chapters), ("HOWTOS", howtos)):
+        guide = guide.replace(name, "\n".join(f"guide/{stem}" for stem in stems))
+    _write(source / "guide.md", guide)
+
+
+def _stage_pictures(readme: str, source: Path) -> None:
+    """The pictures that the README shows, under the same names."""
+    for name in links.pictures(readme):
+        target = source / name
+        target.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, target)
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, "utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""What the pages of the site say that is not written by hand: each module makes one part."""

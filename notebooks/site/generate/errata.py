@@ -1,0 +1,150 @@
+"""The errata: every printed equation with its verdict, as the ledger gives it."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from generate.text import code, plain, table
+from rigidsym.paper import Flaw, Ruling, Verdict, verdicts
+from rigidsym.solution import ledger_data, ledger_text
+
+_HEAD = """# The paper's errata
+
+Everything the paper prints, equation by equation, with the verdict that the ledger gives. This page
+is made from the verdicts of `rigidsym errata`; nothing on it is written by hand but these lines.
+"""
+MEANINGS = {
+    Ruling.HOLDS: "proved as it is printed",
+    Ruling.CONDITIONAL: "proved under a condition, which is shown to be necessary",
+    Ruling.MISPRINT: "false as printed: an exact counterexample, and a proved repair",
+    Ruling.AMBIGUOUS: "true in one reading and false in another",
+    Ruling.OPEN: "neither proved nor refuted",
+}
+
+
+def page() -> str:
+    """An overview, and a section for each equation."""
+    ruled = verdicts(ledger_data(ledger_text()))
+    return "\n".join([_HEAD, _overview(ruled), *map(_section, ruled)])
+
+
+def _overview(ruled: list[Verdict]) -> str:
+    rows = [
+        (badge(ruling), f"{len(found)}: {meaning}", ", ".join(map(_link, found)))
+        for ruling, meaning in MEANINGS.items()
+        if (found := [verdict for verdict in ruled if verdict.ruling == ruling])
+    ]
+    return table(("verdict", "", "where"), rows)
+
+
+def badge(ruling: Ruling) -> str:
+    """The verdict as a coloured word."""
+    return f"{{bdg-{ruling.name.lower()}}}`{ruling.value}`"
+
+
+def _link(verdict: Verdict) -> str:
+    return f"[{_title(verdict)}](#{_label(verdict)})"
+
+
+def _label(verdict: Verdict) -> str:
+    kept = "".join(x if x.isalnum() else "-" for x in verdict.equation.number.lower())
+    return f"printed-{kept}"
+
+
+def _title(verdict: Verdict) -> str:
+    number = verdict.equation.number
+    if number[0].isdigit():
+        return f"({number})"
+    return number.replace("R^-1 dR/dt", "The display before (30)")
+
+
+def _section(verdict: Verdict) -> str:
+    return (
+        "\n\n".join(
+            [
+                f"({_label(verdict)})=\n## {_title(verdict)} {badge(verdict.ruling)}",
+                *_parts(verdict),
+            ]
+        )
+        + "\n"
+    )
+
+
+def _parts(verdict: Verdict) -> Iterator[str]:
+    equation = verdict.equation
+    yield _display(equation.latex)
+    if equation.reading:
+        yield plain(f"{_capital(equation.reading)}.")
+    if equation.repair:
+        yield "**Repaired:**"
+        yield _display(equation.repair)
+    if verdict.repairs:
+        yield f"Found by search: {', '.join(map(code, verdict.repairs))}."
+    if verdict.conditions:
+        yield f"**Where:** {', '.join(map(code, verdict.conditions))}."
+    if verdict.counterexample:
+        yield f"**Fails as printed at** {_point(verdict.counterexample)}."
+    if equation.flaws:
+        yield "\n".join(map(_flaw, equation.flaws.items()))
+    if equation.readings:
+        yield _readings(verdict)
+    yield _facts(verdict)
+
+
+def _flaw(item: tuple[Flaw, str]) -> str:
+    """A flaw as an entry of a list; of a symbol that is not defined, the symbol."""
+    flaw, text = item
+    shown = f"${text}$" if flaw == Flaw.UNDEFINED else plain(text)
+    return f"* {_capital(flaw.value)}: {shown}."
+
+
+def _readings(verdict: Verdict) -> str:
+    rows = (
+        (plain(r.text), "fails" if r.refuted_by else "holds", plain(r.implies))
+        for r in verdict.equation.readings
+    )
+    return table(("read so", "it", "which means"), rows)
+
+
+def _point(point: Mapping[str, str]) -> str:
+    return ", ".join(code(f"{name} = {value}") for name, value in point.items())
+
+
+def _facts(verdict: Verdict) -> str:
+    equation = verdict.equation
+    every = {
+        "proved by": equation.proved_by,
+        "refuted by": equation.refuted_by,
+        "conditions needed by": equation.needed_by,
+    }
+    said = [f"{words} {', '.join(map(code, ids))}" for words, ids in every.items() if ids]
+    wrong = ", ".join(f"{count} {fate}" for fate, count in verdict.mutants.items())
+    mutants = [f"made wrong on purpose: {wrong}"] if wrong else []
+    return f":::{{container}} facts\n{_capital('; '.join([*said, *mutants]))}.\n:::"
+
+
+def _display(latex: str) -> str:
+    """Formulas that stand in one line where there is room, and else below each other."""
+    shown = "\n\n".join(f"$$\n{part}\n$$" for part in statements(latex))
+    return f":::{{container}} statements\n{shown}\n:::"
+
+
+_OPENING = re.compile(r"\\(?:begin|left)\b|[{(\[]")
+_MARK = re.compile(r"\\(?:begin|left|end|right)\b[(){}\[\].|]?|[(){}\[\]]|[,;]\\ ")
+
+
+def statements(latex: str) -> list[str]:
+    """The parts of a line of formulas, divided after commas that no bracket surrounds."""
+    parts, depth, begin = [], 0, 0
+    for found in _MARK.finditer(latex):
+        if found[0][0] not in ",;":
+            depth += 1 if _OPENING.match(found[0]) else -1
+            # The brace of an environment's name closes by itself.
+            depth += found[0].endswith("{") and len(found[0]) > 1
+        elif not depth:
+            parts.append(latex[begin : found.end() - 2])
+            begin = found.end()
+    return [*parts, latex[begin:]]
+
+
+def _capital(text: str) -> str:
+    return text if text[:1] in "`(" else text[:1].upper() + text[1:]

@@ -1,0 +1,296 @@
+"""Notebooks as a person opens them: JupyterLab on loopback in a browser, all cells run."""
+
+import importlib.util
+import json
+import os
+import secrets
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import pytest
+
+webdriver = pytest.importorskip("selenium.webdriver", reason="needs selenium (extra dev)")
+pytest.importorskip("jupyterlab", reason="needs JupyterLab (extra lab)")
+pytest.importorskip("plotly", reason="needs plotly (extra lab)")
+nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra lab)")
+BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
+pytestmark = [
+    pytest.mark.skipif(
+        not (BROWSER and DRIVER), reason="needs chromium and chromedriver (Debian: chromium-driver)"
+    ),
+    pytest.mark.skipif(
+        importlib.util.find_spec("ipykernel") is None, reason="needs ipykernel (extra lab)"
+    ),
+    # Sockets of servers and drivers that are told to stop are left to the collector.
+    pytest.mark.filterwarnings("ignore::ResourceWarning"),
+]
+ROOT = Path(__file__).parents[2]
+# What is opened of the notebooks that are there; a sample is opened in any case.
+STEMS = ("04_no_sign_functions", "05_edges")
+SAMPLE = "sample"
+FLAGS = (
+    "--headless=new",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-dev-shm-usage",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    # WebGL without a graphics card.
+    "--enable-unsafe-swiftshader",
+    "--window-size=1400,1000",
+)
+SETTINGS = {
+    # The question whether news are wanted would lie over the page.
+    "@jupyterlab/apputils-extension:notification": {
+        "fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": True
+    },
+    # Else only the cells in sight are there at all.
+    "@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"},
+}  # fmt: skip
+START, RUN = 90, 180
+
+# The notebook; a page without focus has no current widget.
+PANEL = """
+const open = [...(window.jupyterapp?.shell?.widgets('main') ?? [])];
+const panel = open.find(widget => widget.content?.model?.cells);
+"""
+# What the model of the notebook says of its code cells, once it is connected to a kernel.
+CELLS = f"""{PANEL}
+return [...panel.content.model.cells].filter(cell => cell.type === 'code').map(cell => ({{
+  source: cell.sharedModel.getSource(),
+  count: cell.executionCount,
+  state: cell.executionState ?? null,
+  errors: cell.outputs.toJSON().filter(output => output.output_type === 'error'),
+  kinds: cell.outputs.toJSON().flatMap(output => Object.keys(output.data ?? {{}})),
+}}));
+"""
+READY = f"""{PANEL}
+const context = panel?.sessionContext;
+return !!(panel?.content?.model?.cells?.length && context?.isReady
+  && context.session?.kernel?.status === 'idle');
+"""
+RUN_ALL = f"""{PANEL}
+const app = window.jupyterapp;
+app.shell.activateById(panel.id);
+return (async () => {{
+  await app.commands.execute('notebook:clear-all-cell-outputs');
+  await app.commands.execute('notebook:run-all-cells');
+}})();
+"""
+DIALOGS = "return [...document.querySelectorAll('.jp-Dialog-content')].map(x => x.innerText);"
+# Formulas that have a size, and those that MathJax could not read.
+FORMULAS = """
+const shown = [...document.querySelectorAll('.jp-Notebook mjx-container')];
+const sized = shown.filter(x => x.getBoundingClientRect().width > 0);
+return [sized.length, shown.length, document.querySelectorAll('.jp-Notebook mjx-merror').length];
+"""
+# For each 3-D scene, whether its canvas has a size and more than one colour.
+SCENES = """
+return [...document.querySelectorAll('.jp-Notebook .js-plotly-plot')]
+  .filter(plot => plot._fullLayout?._subplots?.gl3d?.length)
+  .map(plot => {
+    const canvas = plot.querySelector('.gl-container canvas');
+    if (!canvas || canvas.width < 100 || canvas.height < 100) return false;
+    const copy = document.createElement('canvas');
+    [copy.width, copy.height] = [canvas.width, canvas.height];
+    const picture = copy.getContext('2d', {willReadFrequently: true});
+    plot._fullLayout.scene._scene.glplot.redraw();
+    picture.drawImage(canvas, 0, 0);
+    const pixels = new Uint32Array(picture.getImageData(0, 0, copy.width, copy.height).data.buffer);
+    return new Set(pixels).size > 3;
+  });
+"""
+# JupyterLab asks whether there is a language server, and takes no for an answer.
+HARMLESS = ("/lsp/status",)
+
+
+def until(ask, seconds, what):
+    """What `ask` gives once that is true; fails with `what` when time is over."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if found := ask():
+            return found
+        time.sleep(0.25)
+    pytest.fail(f"{what}: not within {seconds} s")
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Copies of the notebooks, so that running them changes nothing, and the sample."""
+    place = tmp_path_factory.mktemp("notebooks")
+    for path in (ROOT / "notebooks").glob("*"):
+        if path.is_file():
+            shutil.copyfile(path, place / path.name)
+    from sample_notebook import notebook
+
+    nbformat.write(notebook(), place / f"{SAMPLE}.ipynb")
+    return place
+
+
+@pytest.fixture(scope="module")
+def lab(folder, tmp_path_factory):
+    """The address and token of a JupyterLab that knows no configuration but ours."""
+    home = tmp_path_factory.mktemp("jupyter")
+    settings = home / "app_settings"
+    settings.mkdir()
+    (settings / "overrides.json").write_text(json.dumps(SETTINGS))
+    port, token = free_port(), secrets.token_hex(16)
+    own = {
+        "HOME": home,
+        "JUPYTER_CONFIG_DIR": home / "config",
+        "JUPYTER_DATA_DIR": home / "data",
+        "JUPYTER_RUNTIME_DIR": home / "runtime",
+        "JUPYTERLAB_SETTINGS_DIR": home / "user_settings",
+        "JUPYTERLAB_WORKSPACES_DIR": home / "workspaces",
+        "IPYTHONDIR": home / "ipython",
+        "JUPYTER_NO_CONFIG": "1",
+        "PYTHONPATH": os.pathsep.join([str(ROOT), os.environ.get("PYTHONPATH", "")]),
+    }
+    options = (
+        "--no-browser",
+        "--allow-root",
+        "--expose-app-in-browser",
+        "--ServerApp.ip=127.0.0.1",
+        f"--ServerApp.port={port}",
+        "--ServerApp.port_retries=0",
+        f"--IdentityProvider.token={token}",
+        f"--ServerApp.root_dir={folder}",
+        f"--LabApp.app_settings_dir={settings}",
+        "--LabApp.extension_manager=readonly",
+        "--LabApp.news_url=None",
+    )
+    log = home / "log"
+    with log.open("w") as told:
+        server = subprocess.Popen(
+            [sys.executable, "-m", "jupyterlab", *options],
+            stdout=told, stderr=told, cwd=folder,
+            env={**os.environ, **{name: str(value) for name, value in own.items()}},
+        )  # fmt: skip
+    try:
+        address = f"http://127.0.0.1:{port}"
+        until(lambda: answers(f"{address}/api?token={token}", server, log), START, "JupyterLab")
+        yield address, token
+    finally:
+        server.terminate()
+        try:
+            server.wait(20)
+        except subprocess.TimeoutExpired:
+            server.kill()
+            server.wait()
+
+
+def answers(url, server, log):
+    if server.poll() is not None:
+        pytest.fail(f"JupyterLab ended: {log.read_text()[-2000:]}")
+    try:
+        with urllib.request.urlopen(url, timeout=5) as reply:
+            return reply.status == 200
+    except OSError:
+        return False
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory):
+    """A browser with a fresh profile, which fetches nothing on its own."""
+    options = webdriver.ChromeOptions()
+    options.binary_location = BROWSER
+    for flag in (*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('profile')}"):
+        options.add_argument(flag)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    # With a path, selenium's own manager has nothing to download.
+    service = webdriver.ChromeService(executable_path=DRIVER)
+    driver = webdriver.Chrome(options=options, service=service)
+    yield driver
+    driver.quit()
+
+
+def source_of(folder, stem):
+    path = folder / f"{stem}.ipynb"
+    if not path.exists():
+        pytest.skip(f"notebooks/{stem}.ipynb is not there")
+    return nbformat.read(path, as_version=4)
+
+
+def opened(browser, lab, stem):
+    """A notebook in a workspace of its own, with a kernel that waits for work."""
+    address, token = lab
+    # What the page before says about being left is not this one's.
+    browser.get("about:blank")
+    for log in ("browser", "performance"):
+        browser.get_log(log)
+    browser.get(f"{address}/lab/workspaces/{stem}/tree/{stem}.ipynb?token={token}&reset")
+    until(lambda: browser.execute_script(READY), START, f"{stem}: a kernel that is ready")
+    assert browser.execute_script(DIALOGS) == []
+
+
+def ran(browser):
+    """The code cells, once all that have text have a number and none is running."""
+    cells = browser.execute_script(CELLS)
+    written = [cell for cell in cells or [] if cell["source"].strip()]
+    done = all(cell["count"] and cell["state"] in ("idle", None) for cell in written)
+    failed = any(cell["errors"] for cell in written)
+    return written if written and (done or failed) else None
+
+
+@pytest.mark.parametrize("stem", [*STEMS, SAMPLE])
+def test_a_notebook_runs_in_jupyterlab(browser, lab, folder, stem):
+    notebook = source_of(folder, stem)
+    opened(browser, lab, stem)
+    browser.set_script_timeout(RUN)
+    browser.execute_script(RUN_ALL)
+    cells = until(lambda: ran(browser), RUN, f"{stem}: all cells")
+    assert [cell["errors"] for cell in cells if cell["errors"]] == []
+    expected = [c for c in notebook.cells if c.cell_type == "code" and c.source.strip()]
+    assert [cell["source"] for cell in cells] == [cell.source for cell in expected]
+    assert sorted(cell["count"] for cell in cells) == list(range(1, len(cells) + 1))
+    assert browser.execute_script(DIALOGS) == []
+    check_mathematics(browser, stem)
+    check_pictures(browser, stem, cells)
+    check_log(browser, lab)
+
+
+def check_mathematics(browser, stem):
+    sized, shown, wrong = until(
+        lambda: (found := browser.execute_script(FORMULAS))[0] and found, 30, f"{stem}: a formula"
+    )
+    assert sized == shown
+    assert wrong == 0
+
+
+def check_pictures(browser, stem, cells):
+    """Plotly's 3-D scenes, where a cell has one."""
+    if not any("application/vnd.plotly.v1+json" in cell["kinds"] for cell in cells):
+        assert stem != SAMPLE
+        return
+
+    def drawn():
+        scenes = browser.execute_script(SCENES)
+        return scenes and all(scenes)
+
+    plots = "return document.querySelectorAll('.jp-Notebook .js-plotly-plot .main-svg').length;"
+    until(lambda: browser.execute_script(plots), 60, f"{stem}: a picture")
+    if stem == SAMPLE or browser.execute_script(SCENES):
+        until(drawn, 60, f"{stem}: a 3-D picture")
+
+
+def check_log(browser, lab):
+    """No error of the page, and no request but to JupyterLab."""
+    told = [entry for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+    assert [x["message"] for x in told if not any(word in x["message"] for word in HARMLESS)] == []
+    events = (json.loads(entry["message"])["message"] for entry in browser.get_log("performance"))
+    urls = [e["params"]["request"]["url"] for e in events
+            if e["method"] == "Network.requestWillBeSent"]  # fmt: skip
+    assert [x for x in urls if x.startswith("http") and not x.startswith(f"{lab[0]}/")] == []

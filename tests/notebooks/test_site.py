@@ -1,0 +1,122 @@
+"""The site: it builds without a warning, needs no network, and says what the code says."""
+
+import importlib.util
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from sample_notebook import notebook
+
+from rigidsym.kernel.rules import RULES
+from rigidsym.paper import verdicts
+from rigidsym.solution import ledger_data, ledger_text
+
+nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra docs)")
+NEEDED = ("sphinx", "myst_nb", "furo", "sphinx_copybutton", "latex2mathml", "ziamath", "plotly")
+MISSING = [name for name in NEEDED if importlib.util.find_spec(name) is None]
+pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"needs {', '.join(MISSING)} (extra docs)")
+ROOT = Path(__file__).parents[2]
+SITE = ROOT / "notebooks" / "site"
+FIGURE = {
+    "data": [{"type": "scatter3d", "x": [0, 1], "y": [0, 1], "z": [0, 1]}],
+    "layout": {"height": 300},
+}
+
+
+def executed():
+    """The sample, with outputs as an execution leaves them."""
+    sample = notebook()
+    outputs = {
+        2: {"text/latex": "$\\displaystyle \\dot q$", "text/plain": "q"},
+        3: {"application/vnd.plotly.v1+json": FIGURE},
+    }
+    for number, data in outputs.items():
+        output = nbformat.v4.new_output("execute_result", data, execution_count=number)
+        sample.cells[number].outputs = [output]
+    return sample
+
+
+def build(output, notebooks):
+    command = [sys.executable, SITE / "build.py", "-o", output, "-n", notebooks]
+    return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
+
+
+@pytest.fixture(scope="module")
+def html(tmp_path_factory):
+    """A built site with a chapter and a how-to."""
+    folder = tmp_path_factory.mktemp("site")
+    for name in ("01_sample.ipynb", "satellite.ipynb"):
+        (folder / name).write_text(json.dumps(executed()))
+    found = build(folder / "out", folder)
+    assert found.returncode == 0, found.stderr
+    return folder / "out" / "html"
+
+
+def pages(html):
+    return {path.relative_to(html).as_posix(): path.read_text() for path in html.rglob("*.html")}
+
+
+def test_all_pages_are_there(html):
+    expected = {"index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite",
+                "reference/api", "reference/command", "reference/formats",
+                "reference/api/rigidsym"}  # fmt: skip
+    assert {f"{name}.html" for name in expected} <= set(pages(html))
+
+
+def test_nothing_is_fetched_from_elsewhere(html):
+    for name, text in pages(html).items():
+        loaded = re.findall(r"<(?:script|img|iframe|link rel=\"stylesheet\")[^>]*"
+                            r"(?:src|href)=\"(https?:[^\"]+)", text)  # fmt: skip
+        assert loaded == [], name
+    for path in html.rglob("*.css"):
+        assert not re.search(r"@import|url\([\"']?https?:", path.read_text()), path
+
+
+def test_local_links_lead_somewhere(html):
+    for name, text in pages(html).items():
+        for link in re.findall(r"(?:href|src)=\"([^\"#?]+)", text):
+            if not re.match(r"[a-z]+:", link):
+                assert ((html / name).parent / link).exists(), (name, link)
+
+
+def test_formulas_are_mathematics_and_none_is_left_over(html):
+    every = pages(html)
+    assert every["errata.html"].count("<math ") >= len(verdicts(ledger_data(ledger_text())))
+    assert every["guide/01_sample.html"].count("<math ") == 3
+    words = re.sub(r"<script.*?</script>|<[^>]*>", "", every["errata.html"], flags=re.DOTALL)
+    assert not re.search(r"\\(?:frac|Omega|mathrm)|\$\$", words)
+
+
+def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
+    text = pages(html)["guide/01_sample.html"]
+    assert text.count('<script src="../_static/plotly.min.js">') == 1
+    assert "Plotly.newPlot" in text
+    assert (html / "_static" / "plotly.min.js").stat().st_size > 1e6
+
+
+def test_trust_shows_the_rules_and_numbers_of_the_code(html):
+    text = pages(html)["trust.html"]
+    assert all(f">{name}</span>" in text for name in RULES)
+    assert f"{len(ledger_data(ledger_text())['facts'])} of them" in " ".join(text.split())
+    assert "{{" not in text
+
+
+def test_building_again_gives_the_same(html, tmp_path):
+    assert build(tmp_path, html.parents[1]).returncode == 0
+    again = tmp_path / "html"
+    names = sorted(path.relative_to(html) for path in html.rglob("*") if path.is_file())
+    assert names == sorted(path.relative_to(again) for path in again.rglob("*") if path.is_file())
+    differ = [x for x in names if (html / x).read_bytes() != (again / x).read_bytes()]
+    assert differ == []
+
+
+def test_a_formula_that_is_not_understood_is_an_error(tmp_path):
+    sample = notebook()
+    sample.cells[0]["source"] = "# Wrong\n\n$\\nosuchthing x$"
+    (tmp_path / "01_wrong.ipynb").write_text(json.dumps(sample))
+    found = build(tmp_path / "out", tmp_path)
+    assert found.returncode != 0
+    assert "nosuchthing" in found.stderr
