@@ -78,36 +78,38 @@ def _parser() -> argparse.ArgumentParser:
         return added
 
     reproduce = command("reproduce", _reproduce, "derive, check, generate, validate and report")
-    reproduce.add_argument("-o", "--output", metavar="DIR", default="reproduce", type=_path)
+    reproduce.add_argument(
+        "-o", "--output", metavar="DIR", default="reproduce", type=_path, help="for the results"
+    )
 
     derive = command("derive", _derive, "prove the claims and write the ledger")
     derive.add_argument("chapters", metavar="CHAPTER", nargs="*", help="all, unless some are named")
-    derive.add_argument("-o", "--output", metavar="LEDGER", type=_path)
-    derive.add_argument("--json", action="store_true")
+    derive.add_argument("-o", "--output", metavar="LEDGER", type=_path, help="where to write it")
+    derive.add_argument("--json", action="store_true", help="to stdout alone")
 
     check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
-    check.add_argument("ledger", metavar="LEDGER", nargs="?", type=_path)
+    check.add_argument("ledger", metavar="LEDGER", nargs="?", type=_path, help="the sealed one")
     check.add_argument("--independent", action="store_true", help="by the checker on python-flint")
 
     errata = command("errata", _errata, "the verdict on each printed equation")
-    errata.add_argument("--json", action="store_true")
+    errata.add_argument("--json", action="store_true", help="to stdout alone")
 
     codegen = command("codegen", _codegen, "write a numeric module")
     codegen.add_argument("target", metavar="TARGET", help="numpy or c")
-    codegen.add_argument("-o", "--output", metavar="DIR", type=_path)
+    codegen.add_argument("-o", "--output", metavar="DIR", type=_path, help="the package itself")
     instead = codegen.add_mutually_exclusive_group()
     instead.add_argument("--check", action="store_true", help="compare with what is there")
     instead.add_argument("--stdout", action="store_true", help="print the module")
 
     trace = command("trace", _trace, "a generated line's equations; an equation's generated lines")
-    trace.add_argument("place", metavar="FILE:LINE", nargs="?")
-    trace.add_argument("--equation", metavar="NUMBER")
+    trace.add_argument("place", metavar="FILE:LINE", nargs="?", help="of a generated file")
+    trace.add_argument("--equation", metavar="NUMBER", help="as the paper numbers it")
 
     validate = command("validate", _validate, "measure generated modules against the derivation")
     validate.add_argument("targets", metavar="TARGET", nargs="*", help="numpy, c; both by default")
     validate.add_argument("--cases", metavar="N", type=_positive, help="samples of each stratum")
     validate.add_argument("--digits", metavar="D", type=_positive, help="digits of the oracle")
-    validate.add_argument("--seed", metavar="S", type=int)
+    validate.add_argument("--seed", metavar="S", type=int, help="of the cases")
     validate.add_argument(
         "--stratum", metavar="NAME", action="append", help="only this; repeatable"
     )
@@ -120,7 +122,7 @@ def _parser() -> argparse.ArgumentParser:
     where.add_argument("--workers", metavar="W", type=_positive, help="processes; all cores")
     where.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster, tcp://…")
     validate.add_argument("-o", "--output", metavar="DIR", type=_path, help="JSON, Markdown, HTML")
-    validate.add_argument("--json", action="store_true")
+    validate.add_argument("--json", action="store_true", help="to stdout alone")
     validate.add_argument("--record", action="store_true", help="for the heads of the modules")
 
     propagate = command("propagate", _propagate, "states of one motion")
@@ -129,16 +131,18 @@ def _parser() -> argparse.ArgumentParser:
     propagate.add_argument("--enclose", action="store_true", help="balls: middles and radii")
     propagate.add_argument("--method", metavar="M", help="theta, carlson, landen or quadrature")
     propagate.add_argument("--max-seconds", metavar="S", type=_seconds, help="for all the digits")
-    propagate.add_argument("--format", choices=("csv", "json", "npz"), default="csv")
-    propagate.add_argument("-o", "--output", metavar="FILE", type=_path)
-    propagate.add_argument("--allow-nonphysical", action="store_true")
+    propagate.add_argument(
+        "--format", choices=("csv", "json", "npz"), default="csv", help="npz holds doubles"
+    )
+    propagate.add_argument("-o", "--output", metavar="FILE", type=_path, help="instead of stdout")
+    propagate.add_argument("--allow-nonphysical", action="store_true", help="any body")
 
     methods = command("methods", _methods, "cost and accuracy of the methods for many digits")
     methods.add_argument("case", metavar="CASE", nargs="?", default="paper", help="a case file")
-    methods.add_argument("--digits", metavar="D", type=_positive, nargs="+")
+    methods.add_argument("--digits", metavar="D", type=_positive, nargs="+", help="to compare at")
     methods.add_argument("-o", "--output", metavar="DIR", type=_path, help="JSON and a plot")
-    methods.add_argument("--json", action="store_true")
-    methods.add_argument("--allow-nonphysical", action="store_true")
+    methods.add_argument("--json", action="store_true", help="to stdout alone")
+    methods.add_argument("--allow-nonphysical", action="store_true", help="any body")
     return parser
 
 

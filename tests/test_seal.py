@@ -306,3 +306,10 @@ def test_provenance_of_what_is_shared_is_the_union_over_its_users():
     common, *_ = share(lets)
     assert str(common) == "common_1 = a + b"
     assert (common.source, common.facts) == (("10", "12"), ("f", "g"))
+
+
+def test_a_target_without_a_reader_is_refused():
+    generated = generate("numpy")
+    other = replace(generated, manifest={**generated.manifest, "target": "rust"})
+    with pytest.raises(InputError, match="target = rust: has no reader"):
+        seal_text(other, sealed())

@@ -5,6 +5,7 @@ from collections.abc import Callable, Mapping
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.generate import Generated
 from rigidsym.codegen.ir import Constant, Function
+from rigidsym.errors import InputError
 from rigidsym.seal import c_text, numpy_text
 from rigidsym.solution import Solution
 
@@ -16,7 +17,10 @@ def seal_text(generated: Generated, solution: Solution) -> int:
 
     Raises InputError, naming function and line, where one is not what the lets say.
     """
-    reader = _READERS[str(generated.manifest["target"])]
+    target = str(generated.manifest["target"])
+    if target not in _READERS:
+        raise InputError("target", target, "has no reader in rigidsym/seal: it cannot be sealed")
+    reader = _READERS[target]
     return reader(generated.files, functions(solution), constants())
 
 

@@ -13,16 +13,13 @@ import urllib.request
 from pathlib import Path
 
 import pytest
+from browsers import chromium, needs_browser
 
-webdriver = pytest.importorskip("selenium.webdriver", reason="needs selenium (extra dev)")
 pytest.importorskip("jupyterlab", reason="needs JupyterLab (extra lab)")
 pytest.importorskip("plotly", reason="needs plotly (extra lab)")
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra lab)")
-BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 pytestmark = [
-    pytest.mark.skipif(
-        not (BROWSER and DRIVER), reason="needs chromium and chromedriver (Debian: chromium-driver)"
-    ),
+    needs_browser,
     pytest.mark.skipif(
         importlib.util.find_spec("ipykernel") is None, reason="needs ipykernel (extra lab)"
     ),
@@ -33,19 +30,6 @@ ROOT = Path(__file__).parents[2]
 # What is opened of the notebooks that are there; a sample is opened in any case.
 STEMS = ("04_no_sign_functions", "05_edges")
 SAMPLE = "sample"
-FLAGS = (
-    "--headless=new",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-dev-shm-usage",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    # WebGL without a graphics card.
-    "--enable-unsafe-swiftshader",
-    "--window-size=1400,1000",
-)
 SETTINGS = {
     # The question whether news are wanted would lie over the page.
     "@jupyterlab/apputils-extension:notification": {
@@ -204,17 +188,8 @@ def answers(url, server, log):
 
 @pytest.fixture(scope="module")
 def browser(tmp_path_factory):
-    """A browser with a fresh profile, which fetches nothing on its own."""
-    options = webdriver.ChromeOptions()
-    options.binary_location = BROWSER
-    for flag in (*FLAGS, f"--user-data-dir={tmp_path_factory.mktemp('profile')}"):
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    # With a path, selenium's own manager has nothing to download.
-    service = webdriver.ChromeService(executable_path=DRIVER)
-    driver = webdriver.Chrome(options=options, service=service)
-    yield driver
-    driver.quit()
+    with chromium(tmp_path_factory.mktemp("profile")) as driver:
+        yield driver
 
 
 def source_of(folder, stem):

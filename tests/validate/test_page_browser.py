@@ -1,28 +1,14 @@
 """The HTML report as a browser shows it: Debian's chromium and chromium-driver packages."""
 
 import json
-import shutil
 
 import pytest
+from browsers import chromium, needs_browser
 from validation_reports import failed, passed, with_peer
 
 from rigidsym.validate.page import page
 
-webdriver = pytest.importorskip("selenium.webdriver", reason="needs selenium (extra dev)")
-BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
-pytestmark = pytest.mark.skipif(
-    not (BROWSER and DRIVER), reason="needs chromium and chromedriver (Debian: chromium-driver)"
-)
-FLAGS = (
-    "--headless=new",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-dev-shm-usage",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-)
+pytestmark = needs_browser
 PAGES = {"passed": passed, "failed": failed, "peers": lambda: with_peer(passed())}
 WIDTHS, SCHEMES = (400, 1280), ("light", "dark")
 
@@ -67,18 +53,8 @@ return [style.color, style.backgroundColor];
 
 @pytest.fixture(scope="module")
 def browser(tmp_path_factory):
-    """A browser with a fresh profile, which fetches nothing on its own."""
-    options = webdriver.ChromeOptions()
-    options.binary_location = BROWSER
-    profile = tmp_path_factory.mktemp("profile")
-    for flag in (*FLAGS, f"--user-data-dir={profile}"):
-        options.add_argument(flag)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    # With a path, selenium's own manager has nothing to download.
-    service = webdriver.ChromeService(executable_path=DRIVER)
-    driver = webdriver.Chrome(options=options, service=service)
-    yield driver
-    driver.quit()
+    with chromium(tmp_path_factory.mktemp("profile")) as driver:
+        yield driver
 
 
 @pytest.fixture(scope="module")
