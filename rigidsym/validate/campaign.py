@@ -144,7 +144,7 @@ def run(
     try:
         while True:
             for chunk in islice(chunks, place.ahead - len(pending)):
-                pending.add(place.executor.submit(tallied, whole, chunk))
+                pending.add(place.submit(tallied, whole, chunk))
             if not pending:
                 return
             finished, pending = wait(pending, return_when=FIRST_COMPLETED)

@@ -29,6 +29,11 @@ class Place:
     ahead: int
     name: str
 
+    def submit(self, work: Callable[..., Any], *arguments: Any) -> Future:
+        """Give it work, for which it may have to start a process."""
+        with undisturbed():
+            return self.executor.submit(work, *arguments)
+
 
 class Here(Executor):
     """One after the other, in this process."""
@@ -45,25 +50,28 @@ class Here(Executor):
 
 @contextmanager
 def undisturbed() -> Generator[None]:
-    """Work that interrupts wait for, and processes that never hear of them."""
+    """Work that interrupts wait for; processes that it starts do not hear of them."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    known = {number: signal.signal(number, signal.SIG_IGN) for number in _INTERRUPTS}
+    heard: list[int] = []
+    known = {number: signal.signal(number, lambda n, _: heard.append(n)) for number in _INTERRUPTS}
+    # New processes begin with what is blocked here, and without our handlers.
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, _INTERRUPTS)
     try:
         yield
     finally:
         for number, handler in known.items():
             signal.signal(number, handler)
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        for number in heard[:1]:
+            if callable(handler := known[signal.Signals(number)]):
+                handler(number, None)
 
 
 def processes(count: int) -> ProcessPoolExecutor:
     """Fresh processes: forks would share locks and threads of this one."""
-    pool = ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
-    with undisturbed():
-        # The first task starts them all, and interrupts that are ignored here stay so there.
-        pool.submit(int)
-    return pool
+    return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
 
 
 @contextmanager
@@ -110,7 +118,10 @@ def cluster(address: str) -> Generator[Place]:
 
 
 def _begin() -> None:
-    """Without a parent there is nothing to do."""
+    """Interrupts are for the parent to take, and without a parent there is nothing to do."""
+    for number in _INTERRUPTS:
+        signal.signal(number, signal.SIG_IGN)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, _INTERRUPTS)
     threading.Thread(target=_end_with_parent, daemon=True).start()
 
 

@@ -247,11 +247,22 @@ def test_errors_of_workers_arrive_as_they_are():
         conduct(other, Progress(), executors.local(2))
 
 
-def test_interrupts_wait_for_undisturbed_work():
-    before = signal.getsignal(signal.SIGINT)
+def interrupted_work(done):
     with executors.undisturbed():
-        os.kill(os.getpid(), signal.SIGINT)
-    assert signal.getsignal(signal.SIGINT) is before
+        signal.raise_signal(signal.SIGINT)
+        done.append(True)
+
+
+def test_interrupts_wait_for_undisturbed_work():
+    # Where a shell starts a process in the background, it ignores them.
+    known, done = signal.signal(signal.SIGINT, signal.default_int_handler), []
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            interrupted_work(done)
+        assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    finally:
+        signal.signal(signal.SIGINT, known)
+    assert done
 
 
 def test_a_full_disk_is_one_line_and_leaves_the_last_checkpoint(tmp_path, monkeypatch):

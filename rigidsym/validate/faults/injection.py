@@ -7,7 +7,7 @@ from functools import partial
 
 from rigidsym.engines.threads import processors
 from rigidsym.validate.contestants import check_target
-from rigidsym.validate.executors import processes
+from rigidsym.validate.executors import processes, undisturbed
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.noticing import CRASHED, Notice, notices, references
 from rigidsym.validate.faults.report import FaultReport, Outcome
@@ -55,7 +55,8 @@ def _enclosed(
 ) -> Strata:
     """The truth about all cases, which all faults share."""
     with processes(processors()) as pool:
-        jobs = [pool.submit(references, name, cases, digits, seed) for name in strata]
+        with undisturbed():
+            jobs = [pool.submit(references, name, cases, digits, seed) for name in strata]
         enclosed = []
         for done, job in enumerate(jobs, 1):
             enclosed.append(job.result())
@@ -86,7 +87,8 @@ def _until_a_crash(
         while running or (waiting and not lost):
             try:
                 while waiting and len(running) < processors() and not lost:
-                    job = pool.submit(notices, waiting[0], strata)
+                    with undisturbed():
+                        job = pool.submit(notices, waiting[0], strata)
                     running[job] = waiting.pop(0)
             except BrokenProcessPool:
                 lost = True
