@@ -117,7 +117,7 @@ def number(value: Complex | Element) -> sympy.Expr:
     factors = zip(value.ring.units, value.powers, strict=True)
     below = sympy.prod(unit.as_expr() ** power for unit, power in factors if power)
     whole = sympy.cancel(value.numerator.as_expr() / below)
-    return whole.expand().subs({name: letter(name.name) for name in whole.free_symbols})
+    return whole.expand().xreplace({name: letter(name.name) for name in whole.free_symbols})
 
 
 def letter(name: str) -> sympy.Expr:

@@ -6,6 +6,7 @@ import shlex
 import shutil
 import subprocess
 import tomllib
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,9 @@ from rigidsym.cli import _parser, main
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.paper import Ruling, verdicts
 from rigidsym.solution import ledger_text
+from rigidsym.validate.campaign import CASES, SEED
+from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.strata import STRATA, count, draw
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()
@@ -178,3 +182,18 @@ def test_the_table_of_errors_is_what_was_recorded():
         (row,) = (line for line in README.splitlines() if line.startswith(f"| {motions}"))
         expected = [max(worst[name][k] for name in names) for k in (0, 1)]
         assert [float(cell) for cell in row.split("|")[-3:-1]] == expected
+
+
+def test_the_counts_of_the_validation_are_those_of_the_code():
+    """What `rigidsym validate` and `--faults` run by default; speeds are of their named command."""
+    sizes = {name: count(name, CASES) for name in STRATA}
+    drawn = [draw(name, k, SEED) for name, size in sizes.items() for k in range(size)]
+    faults = Counter(fault.target for fault in FAULTS)
+    for words in (
+        f"all modules, {len(STRATA)} strata",
+        f"{sum(sizes.values())} cases, {sum(len(s.times) for s in drawn)} states",
+        f"{len(FAULTS)} faults against every stratum",
+        f"{faults['numpy']} in the text of NumPy's module, {faults['c']} in\n  C's",
+        f"{STRATA['published'].size} motions\n  published by other projects",
+    ):
+        assert words in README, words

@@ -13,7 +13,6 @@ from rigidsym.validate.contestants import PEER, check_target, contestant, digest
 from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import look
 from rigidsym.validate.oracle import precise_motion
-from rigidsym.validate.peers import peer
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.tally import Cell, Tally
 
@@ -80,8 +79,6 @@ def campaign(
     )
     for target in targets:
         check_target(target)
-    for name in peers:
-        peer(name)
     for name in strata:
         if name not in STRATA:
             raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")

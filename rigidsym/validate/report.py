@@ -159,7 +159,7 @@ class ValidationReport:
 
     def to_json(self) -> str:
         """`to_data` as text: the same for the same campaign, but for `run`."""
-        return json.dumps(self.to_data(), indent=1, sort_keys=True, allow_nan=False) + "\n"
+        return as_json(self.to_data())
 
     def _repr_html_(self) -> str:
         return report_html(self)
@@ -223,6 +223,11 @@ class ValidationReport:
             },
             "replay": " ".join(self._replay(file or name)),
         }
+
+
+def as_json(data: Mapping[str, Any]) -> str:
+    """Data of a report as text, in the order of its keys."""
+    return json.dumps(data, indent=1, sort_keys=True, allow_nan=False) + "\n"
 
 
 def _cells(cells: Mapping[str, Cell]) -> dict[str, Any]:

@@ -11,8 +11,9 @@ from rigidsym.files import write_text
 from rigidsym.validate import case_file, checkpoint
 from rigidsym.validate.campaign import Campaign, Progress, campaign
 from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.markdown import markdown
 from rigidsym.validate.page import page
-from rigidsym.validate.report import FAILURES, ValidationReport
+from rigidsym.validate.report import FAILURES, ValidationReport, as_json
 from rigidsym.validate.strata import STRATA, Sample, count, draw
 
 # The arguments of `campaign` that a user can choose.
@@ -49,8 +50,8 @@ def write(report: ValidationReport, directory: Path) -> Path:
     for failure in report.failures:
         remarks = (failure.line, "the simplest case found that breaks this bound")
         case_file.write(directory / failure.file, failure.simplest.sample, remarks)
-    write_text(directory / "validation.json", report.to_json())
-    write_text(directory / "validation.md", report.to_markdown())
+    write_text(directory / "validation.json", as_json(data))
+    write_text(directory / "validation.md", markdown(data))
     return write_text(directory / "validation.html", page(data))
 
 

@@ -93,7 +93,8 @@ class Tally:
     def view(self, target: str, measure: str, view: str) -> dict[str, Cell]:
         """The parts of a view, in the order of their names."""
         begin = (target, measure, view)
-        return {key[3]: self.cells[key] for key in sorted(self.cells) if key[:3] == begin}
+        found = sorted(key for key in self.cells if key[:3] == begin)
+        return {key[3]: self.cells[key] for key in found}
 
     def to_data(self) -> dict[str, Any]:
         """As JSON takes it: sorted, floats in hexadecimal."""
