@@ -137,7 +137,8 @@ with flint.ctx.workdps(DIGITS + 10):
 # ## Four methods, and a fifth
 #
 # Conservation says nothing about $\psi$, and a program that agrees with itself proves little. There
-# are four ways to the attitude in this project, each with its own formula:
+# are four ways to the attitude in this project. Each finds the turn about the momentum by a formula
+# of its own; Jacobi's functions have three, since the last takes them from the second:
 #
 # * **theta**: $q_0 + i\sigma q_a = e^{i\Lambda t}\,\vartheta_4(v - i\rho b\,|\,q^2)/N$, two theta
 #   functions; the default;

@@ -162,7 +162,8 @@ int main(void)
     return code == 0 ? 0 : (puts(torque_free_message(code)), code);
 }
 """
-FLAGS = ["-std=c99", "-O3", "-Wall", "-Wextra", "-pedantic", "-fno-math-errno"]
+FLAGS = ["-std=c99", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+STRICT = ["-Wall", "-Wextra", "-pedantic"]
 
 
 def compiled_states(compiler):
@@ -170,7 +171,7 @@ def compiled_states(compiler):
     with tempfile.TemporaryDirectory() as folder:
         generated.write(folder)
         (Path(folder) / "main.c").write_text(MAIN)
-        command = [compiler, *FLAGS, "main.c", "torque_free.c", "-o", "main", "-lm"]
+        command = [compiler, *FLAGS, *STRICT, "main.c", "torque_free.c", "-o", "main", "-lm"]
         built = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
         print("warnings:", built.stderr or "none")
         done = subprocess.run([f"{folder}/main"], capture_output=True, text=True, check=True)
@@ -255,7 +256,8 @@ assert drifted[-1] > 100 * errors.max()
 # %% [markdown]
 # And the time it takes? `engine="c"` is this very source, compiled once for this machine and kept
 # in the user's cache. Timings differ from run to run, so here are only coarse statements; the
-# README has figures, and `python tests/benchmarks/generated.py` measures them.
+# page [How accurate, how fast](site/pages/accuracy.md) has figures, and
+# `python tests/benchmarks/generated.py` measures them.
 
 # %%
 import warnings

@@ -97,7 +97,8 @@ def build(functions, constants):
 # %% [markdown]
 # ## Registered
 #
-# In the project this is a folder beside `rigidsym/codegen/numpy`, and a line in `TARGETS`:
+# In the project this is a folder beside `rigidsym/codegen/numpy`, and a line in `TARGETS` of
+# `rigidsym/codegen/generate.py`:
 
 # %%
 import rigidsym
@@ -129,9 +130,23 @@ assert is_equal(parse(expression), excess.lets[0].expression)
 assert not is_equal(parse(expression.replace("-", "+", 1)), excess.lets[0].expression)
 
 # %% [markdown]
-# (In the project: a reader for the target in `rigidsym/seal`, so that `rigidsym codegen exact`
-# seals it before it writes.)
-#
+# In the project that is a *reader* in `rigidsym/seal`, a module with
+# `check(files, functions, constants)` that returns how many lines it has read back, and a line in
+# `_READERS` of `rigidsym/seal/text.py`. Without one, nothing is written:
+
+# %%
+from rigidsym.errors import InputError
+from rigidsym.seal import seal_text
+
+try:
+    seal_text(generated, sealed())
+    refused = ""
+except InputError as error:
+    refused = str(error)
+print(refused)
+assert "no reader" in refused
+
+# %% [markdown]
 # ## Measured
 #
 # And used, on the motion where floating point has no chance: one part in $10^{30}$ from the
@@ -155,5 +170,14 @@ edge = rigidsym.TorqueFreeMotion((1, 2, "2.25"), ("0.75", "0.5", "1"))
 assert edge.regime == rigidsym.Regime.SEPARATRIX
 
 # %% [markdown]
-# A target that computes whole states also becomes an engine (`rigidsym/engines`), and then
-# `rigidsym validate` measures it in every stratum: see [Validation](09_validation.ipynb).
+# ## All that it needs
+#
+# 1. A folder beside `rigidsym/codegen/numpy` with the emitter and `build`, and its line in
+#    `TARGETS`.
+# 2. A reader in `rigidsym/seal`, and its line in `_READERS`.
+# 3. `rigidsym codegen exact` writes the files into `rigidsym/generated`; `.ci/run` has loops over
+#    targets that compare them.
+# 4. If it computes whole states, an engine: a class in `rigidsym/engines` with the methods of
+#    `Engine` in its `protocol.py`; in `choice.py` its name in `ENGINES`, and a branch for it in
+#    `engine` and in `exactly`. Then `rigidsym validate exact` measures it in every stratum, and
+#    with `--record` the heads of its files say the worst: see [Validation](09_validation.ipynb).

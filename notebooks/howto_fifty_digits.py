@@ -54,7 +54,8 @@ assert float(q_ball[0].rad()) < 1e-50
 assert all(abs(float(ball) - float(x)) < 1e-15 for ball, x in zip(q_ball, q, strict=True))
 
 # %% [markdown]
-# Ask another method if you doubt this one; each has a formula of its own for the attitude:
+# Ask another method if you doubt this one; each has a formula of its own for the turn about the
+# momentum:
 
 # %%
 for method in ("theta", "carlson", "landen", "quadrature"):

@@ -18,6 +18,13 @@ from generate import api, command, errata, formats, kernel, links, notebook
 
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parents[1]
+# Where the site shows what a link into the repository leads to.
+SHOWN = {
+    "README.md": "index.md",
+    "notebooks": "guide.md",
+    "rules.py": "reference/kernel.md",
+    "ledger.json": "reference/kernel.md",
+}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -47,8 +54,7 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
     _write(source / "reference" / "command.md", command.page())
     _write(source / "reference" / "formats.md", formats.page())
     _write(source / "errata.md", errata.page())
-    _write(source / "parts" / "rules.txt", kernel.rules())
-    _write(source / "parts" / "assumptions.txt", kernel.assumptions())
+    _write(source / "reference" / "kernel.md", kernel.page())
     contents = source / "reference" / "api.md"
     _write(contents, contents.read_text("utf-8").replace("PACKAGES", api.contents()))
     for package, text in api.pages().items():
@@ -70,13 +76,17 @@ def _copy(package: str, name: str, folder: Path) -> None:
 
 
 def _stage_guide(source: Path, notebooks: Sequence[Path]) -> None:
-    """README and notebooks, with links between them; how-tos come after the chapters."""
-    beside = {path.name: path.name for path in notebooks} | {"README.md": "../index.md"}
+    """README, pages and notebooks, with links between them; how-tos come after the chapters."""
+    pages = [path.name for path in source.glob("*.md") if path.name != "index.md"]
+    below = SHOWN | {name: name for name in pages}
+    below |= {path.name: f"guide/{path.name}" for path in notebooks}
+    above = {name: f"../{page}" for name, page in below.items()}
     for path in notebooks:
         text = path.read_text("utf-8")
-        _write(source / "guide" / path.name, notebook.shown(text, path.stem, beside))
+        _write(source / "guide" / path.name, notebook.shown(text, path.stem, above))
+    for name in pages:
+        _write(source / name, links.within((source / name).read_text("utf-8"), below))
     readme = (ROOT / "README.md").read_text("utf-8")
-    below = {path.name: f"guide/{path.name}" for path in notebooks} | {"notebooks": "guide.md"}
     _stage_pictures(readme, source)
     start = source / "index.md"
     _write(start, links.within(readme, below) + "\n" + start.read_text("utf-8"))

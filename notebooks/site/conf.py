@@ -6,22 +6,19 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 
 import rigidsym
-from generate import kernel
 
 project = "rigidsym"
 author = "The rigidsym developers"
 smartquotes = False
 version = release = rigidsym.__version__
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings", "mathml"]
-exclude_patterns = ["parts"]
 
 # Notebooks are shown as they are committed.
 nb_execution_mode = "off"
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 nb_mime_priority_overrides = [("html", "image/svg+xml", 5)]
-myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath", "substitution"]
+myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath"]
 myst_heading_anchors = 3
-myst_substitutions = kernel.numbers()
 myst_update_mathjax = False
 
 autodoc_member_order = "bysource"

@@ -61,7 +61,8 @@ def pages(html):
 
 def test_all_pages_are_there(html):
     expected = {"index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite",
-                "reference/api", "reference/command", "reference/formats",
+                "use", "proofs", "digits", "code", "accuracy", "validation", "contributing",
+                "reference/api", "reference/command", "reference/formats", "reference/kernel",
                 "reference/api/rigidsym"}  # fmt: skip
     assert {f"{name}.html" for name in expected} <= set(pages(html))
 
@@ -97,11 +98,20 @@ def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
     assert (html / "_static" / "plotly.min.js").stat().st_size > 1e6
 
 
-def test_trust_shows_the_rules_and_numbers_of_the_code(html):
-    text = pages(html)["trust.html"]
+def test_rules_and_suppositions_are_those_of_the_code(html):
+    text = pages(html)["reference/kernel.html"]
     assert all(f">{name}</span>" in text for name in RULES)
-    assert f"{len(ledger_data(ledger_text())['facts'])} of them" in " ".join(text.split())
-    assert "{{" not in text
+    facts = ledger_data(ledger_text())["facts"]
+    assert all(f["id"] in text for f in facts if f["rule"] == "assumption")
+
+
+def test_links_into_the_repository_lead_to_pages_that_show_it(html):
+    every = pages(html)
+    for page in ("trust", "proofs", "digits", "code", "accuracy", "validation", "use"):
+        assert f'href="{page}.html"' in every["index.html"].partition("<article")[2], page
+    assert 'href="reference/kernel.html"' in every["trust.html"].partition("<article")[2]
+    assert 'href="index.html"' in every["use.html"].partition("<article")[2]
+    assert re.search(r"<img[^>]*_images/\w+\.svg", every["index.html"])
 
 
 def test_building_again_gives_the_same(html, tmp_path):

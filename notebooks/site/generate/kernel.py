@@ -1,38 +1,30 @@
-"""What the page on trust takes from the code: numbers, grades and rules."""
-
-from collections import Counter
-from typing import Any
+"""The page of rules and suppositions: what every proof rests on, from the code and the ledger."""
 
 from generate.text import code, fenced, plain, table
 from rigidsym.kernel.rules import RULES
-from rigidsym.paper import Ruling, verdicts
-from rigidsym.seal import seal
-from rigidsym.solution import ledger_data, ledger_text, sealed
-from rigidsym.validate.faults.tables import FAULTS
-from rigidsym.validate.strata import STRATA
+from rigidsym.solution import ledger_data, ledger_text
+
+_HEAD = """# Rules and suppositions
+
+What [every fact](../trust.md) rests on.
+
+## The six rules
+
+As the docstrings of `rigidsym.kernel.rules` draw them: premises above the line, conclusion below.
+"""
+_SUPPOSED = """## The suppositions
+
+Classical identities, which no polynomial decides. All that is graded ENCLOSED rests on these.
+"""
 
 
-def numbers() -> dict[str, Any]:
-    """Counts by the names that pages use for them."""
-    ledger = ledger_data(ledger_text())
-    grades = Counter(fact["grade"] for fact in ledger["facts"])
-    rules = Counter(fact["rule"] for fact in ledger["facts"])
-    rulings = Counter(verdict.ruling for verdict in verdicts(ledger))
-    return {
-        "facts": len(ledger["facts"]),
-        "contexts": len(ledger["contexts"]),
-        "proved": grades["PROVED"],
-        "enclosed": grades["ENCLOSED"],
-        "assumptions": rules["assumption"],
-        "misprints": rulings[Ruling.MISPRINT],
-        "decisions": seal(sealed()),
-        "strata": len(STRATA),
-        "faults": len(FAULTS),
-    }
+def page() -> str:
+    """The rules, then what is supposed."""
+    return "\n".join([_HEAD, rules(), _SUPPOSED, assumptions()])
 
 
 def assumptions() -> str:
-    """The suppositions that everything ENCLOSED rests on, with their references."""
+    """The suppositions with their references, and at how many points both sides were enclosed."""
     rows = [
         (code(fact["id"]), plain(fact["certificate"]["reference"]),
          str(len(fact["certificate"]["points"])))

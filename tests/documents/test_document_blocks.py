@@ -1,0 +1,132 @@
+"""What README and pages tell to run, runs."""
+
+import ast
+import re
+import shlex
+import shutil
+import subprocess
+import tomllib
+
+import numpy as np
+import pytest
+from document_texts import FENCED, README, ROOT, TEXTS, blocks, rows
+
+import rigidsym
+from rigidsym.cases import parse_case
+from rigidsym.cli import _parser, main
+from rigidsym.engines.compiler import FLAGS, NATIVE
+
+KINDS = {"sh", "python", "toml", "c", "text", "python no-run", "c no-run"}
+# What a programme of one's own is compiled with: as the engine is, but for any machine.
+COMPILED_WITH = [flag for flag in FLAGS if flag not in (*NATIVE, "-fPIC", "-shared")]
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_every_block_is_of_a_kind_that_is_run(name):
+    """A block that cannot run says so by a second word: ```python no-run."""
+    assert TEXTS[name].count("```") == 2 * len(FENCED[name])
+    assert {info for info, _ in FENCED[name]} <= KINDS
+
+
+@pytest.mark.parametrize("name", [name for name in TEXTS if blocks("python", name)])
+def test_the_python_runs(name, tmp_path, monkeypatch):
+    """All of a text, from top to bottom, as a reader would type it."""
+    monkeypatch.chdir(tmp_path)
+    scope = {}
+    for code in blocks("python", name):
+        exec(code, scope)
+    assert scope["q"].shape == (3, 4)
+    assert np.isfinite(scope["omega"]).all()
+
+
+def test_the_example_has_five_lines():
+    (example,) = blocks("python", "README.md")
+    assert len(example.splitlines()) == 5
+
+
+@pytest.mark.parametrize("text", blocks("toml"))
+def test_a_case_file_is_one(text, tmp_path, capsys):
+    assert tomllib.loads(text)
+    count = len(parse_case(text).times)
+    path = tmp_path / "case.toml"
+    path.write_text(text)
+    assert main(["propagate", str(path)]) == 0
+    assert len(capsys.readouterr().out.splitlines()) == count + 1
+
+
+COMMANDS = [
+    line.partition("#")[0].replace("uv run ", "").rpartition("&&")[2].strip()
+    for block in blocks("sh")
+    for line in block.splitlines()
+    if re.search(r"(^|&& |uv run )rigidsym ", line)
+]
+IN_THE_TABLE = [
+    command for row in rows("README.md") for command in re.findall("`(rigidsym [^`]*)`", row[-1])
+]
+
+
+@pytest.mark.parametrize("command", [*COMMANDS, *IN_THE_TABLE])
+def test_a_command_line_is_understood(command):
+    """It is only parsed: what it does is tested where it is."""
+    assert _parser().parse_args(shlex.split(command)[1:]).command
+
+
+def test_there_are_command_lines():
+    assert len(COMMANDS) > 10
+    assert len(IN_THE_TABLE) > 6
+
+
+def test_the_table_of_commands_has_all_of_them(capsys):
+    listed = re.findall(r"^\| `rigidsym (\w+)` \|", TEXTS["use.md"], re.MULTILINE)
+    (known,) = (action.choices for action in _parser()._actions if action.dest == "command")
+    assert listed == [*known]
+    for command in listed:
+        with pytest.raises(SystemExit) as stop:
+            main([command, "--help"])
+        assert stop.value.code == 0
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_every_script_is_there(name):
+    for script in re.findall(r"python ([\w/]+\.py)", TEXTS[name]):
+        assert (ROOT / script).is_file(), script
+
+
+@pytest.mark.parametrize("program", blocks("c"))
+def test_a_c_program_compiles_and_runs(program, tmp_path):
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        pytest.skip("no C compiler here")
+    (tmp_path / "main.c").write_text(program)
+    rigidsym.generate("c").write(tmp_path)
+    subprocess.run([compiler, *_flags(), "-o", "main"], cwd=tmp_path, check=True)
+    found = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
+    expected = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))(180.0)[0]
+    assert list(map(float, found.stdout.split())) == pytest.approx(expected.tolist(), abs=1e-15)
+
+
+def _flags():
+    (line,) = re.findall(r"^cc (.*)$", TEXTS["code.md"], re.MULTILINE)
+    return line.split()
+
+
+def test_the_flags_are_those_of_the_engine():
+    assert _flags() == [*COMPILED_WITH, "main.c", "torque_free.c", "-lm"]
+    assert f"`{' '.join(NATIVE)}`" in TEXTS["code.md"]
+
+
+@pytest.mark.parametrize("stem", ["08_code_you_can_fly", "howto_c_for_my_flight_code"])
+def test_so_are_those_of_notebooks(stem):
+    text = (ROOT / "notebooks" / f"{stem}.py").read_text("utf-8")
+    (flags,) = re.findall(r"^FLAGS = (.*)$", text, re.MULTILINE)
+    assert ast.literal_eval(flags) == COMPILED_WITH
+    assert stem.startswith("08") or f"`{' '.join(COMPILED_WITH)}`" in text
+
+
+def test_extras_are_those_of_the_package():
+    known = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
+    install = README.partition("## Install")[2].partition("\n## ")[0]
+    for extra in ("lab", "app", "docs", "dev"):
+        assert extra in known["optional-dependencies"]
+        assert re.search(rf'`{extra}`|"\.\[{extra}\]"', install), extra
+    assert f"Python {known['requires-python'].removeprefix('>=')} or newer" in install

@@ -1,0 +1,189 @@
+"""What README and pages say in numbers is what the code does."""
+
+import json
+import re
+from collections import Counter
+
+import pytest
+from document_texts import ROOT, TEXTS, rows, words
+
+import rigidsym
+from rigidsym.codegen.header import MEASURED_FILE
+from rigidsym.paper import Ruling, verdicts
+from rigidsym.seal import seal
+from rigidsym.solution import ledger_text, sealed
+from rigidsym.validate.campaign import CASES, SEED
+from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.second_oracle import SHARE, is_due
+from rigidsym.validate.strata import STRATA, count, draw
+
+LEDGER = json.loads(ledger_text())
+GRADES = Counter(fact["grade"] for fact in LEDGER["facts"])
+FACTS, CONTEXTS = len(LEDGER["facts"]), len(LEDGER["contexts"])
+MEASURED = json.loads(MEASURED_FILE.read_text("utf-8"))
+
+
+def rulings():
+    found = [verdict.ruling for verdict in verdicts(LEDGER)]
+    kinds = (Ruling.HOLDS, Ruling.CONDITIONAL, Ruling.MISPRINT, Ruling.AMBIGUOUS)
+    counts = [found.count(kind) for kind in kinds]
+    assert sum(counts) == len(found)
+    return "{} hold, {} hold under a condition, {} are misprints, {} ambiguous".format(*counts)
+
+
+def worst():
+    """The largest errors of both modules by stratum: angle, and rates."""
+    found: dict = {}
+    for target in MEASURED.values():
+        for name, *errors in target["worst"]:
+            found[name] = [max(pair) for pair in zip(errors, found.get(name, errors), strict=True)]
+    return found
+
+
+def test_the_counts_are_those_of_the_ledger():
+    definitions = {c["name"]: c["definitions"] for c in LEDGER["contexts"]}
+    restated = sum(
+        len(f["lhs"]) == 1 and definitions[f["context"]].get(f["lhs"][0]) == f["rhs"][0]
+        for f in LEDGER["facts"]
+        if f["kind"] == "equal"
+    )
+    text = words("proofs.md")
+    assert f"{FACTS} facts in {CONTEXTS} contexts" in text
+    assert f"{restated} of them definitions restated" in text
+    assert f"{GRADES['PROVED']} facts are PROVED" in text
+    assert f"The other {GRADES['ENCLOSED']} rest on" in text
+    assert rulings() in text
+
+
+def test_trust_has_the_same_counts():
+    text = words("trust.md")
+    assert f"It has {FACTS} of them in {CONTEXTS} contexts" in text
+    assert all(f"**{grade}** ({number} facts)" in text for grade, number in GRADES.items())
+    assumptions = Counter(fact["rule"] for fact in LEDGER["facts"])["assumption"]
+    assert assumptions == 11
+    assert "Eleven are *suppositions*" in text
+    assert f"{seal(sealed())} statements" in text
+    assert f"from {len(STRATA)} named strata" in text
+    assert f"{len(FAULTS)} faults put into" in text
+
+
+def test_how_often_taylor_series_check_is_said_right():
+    share = SHARE // sum(map(is_due, range(SHARE)))
+    assert [is_due(k) for k in range(3)] == [True, True, False]
+    for name in ("trust.md", "validation.md"):
+        assert f"check one case in {share}, the first two of each stratum among" in words(name)
+
+
+def numbers(row):
+    return re.findall(r"\d[\d.]*(?:e-\d+)?", row[1])
+
+
+def test_the_table_of_the_readme():
+    """A row by its command; what is only measured has to be in a page as well."""
+    table = {row[-1]: row for row in rows("README.md") if row[-1].startswith("`")}
+    assert table["`rigidsym errata`"][1] == rulings()
+    assert numbers(table["`rigidsym derive`"]) == [str(n) for _, n in sorted(GRADES.items())[::-1]]
+    assert numbers(table["`rigidsym codegen c --check`"]) == [str(seal(sealed()))]
+    errors = [max(column) for column in zip(*worst().values(), strict=True)]
+    row = table["`rigidsym validate numpy c --cases 200`"]
+    assert [float(number) for number in numbers(row)] == errors
+    assert f"{len(STRATA)} strata" in row[0]
+    assert numbers(table["`rigidsym validate --faults`"]) == [str(len(FAULTS))]
+
+
+@pytest.mark.parametrize(
+    ("command", "page"),
+    [
+        ("`python tests/benchmarks/precise.py`", "digits.md"),
+        ("`python tests/benchmarks/generated.py`", "accuracy.md"),
+        ("`rigidsym reproduce`", "accuracy.md"),
+        ("`rigidsym check`; `rigidsym check --independent`", "accuracy.md"),
+    ],
+)
+def test_times_in_the_readme_are_those_of_a_page(command, page):
+    (row,) = (row for row in rows("README.md") if row[-1] == command)
+    for number in numbers(row):
+        assert re.search(rf"(?<![\d.]){re.escape(number)}(?![\d.]\d)", TEXTS[page]), number
+
+
+def test_the_rooms_of_the_house_are_those_that_are_there():
+    rooms = re.findall(r"^(\w+/[\w.]*)/? ", TEXTS["contributing.md"], re.MULTILINE)
+    assert [room for room in rooms if not (ROOT / room).exists()] == []
+    packages = {f"rigidsym/{path.parent.name}" for path in ROOT.glob("rigidsym/*/__init__.py")}
+    assert packages <= set(rooms)
+
+
+def test_the_changelog_has_this_version():
+    assert rigidsym.__version__ in (ROOT / "CHANGELOG.md").read_text("utf-8")
+
+
+ACCURACY = {
+    "the paper's spacecraft, 0 to 180 s; motions others published": ["paper", "published"],
+    "uniform; every axis order and sign": ["uniform", "axis orders and signs"],
+    "the same, long": ["long times", "longest times"],
+    "1e-1 … 1e-16 from the separatrix, one ulp beside it": [
+        "near separatrix",
+        "beside separatrix",
+        "near separatrix, long",
+    ],
+    "1e-17 … 1e-250 from the separatrix, by exact decimals": ["nearest separatrix"],
+    "on the separatrix": ["separatrix"],
+    "symmetric; nearly so, to 1e-16, and by decimals to 1e-300": [
+        "symmetric",
+        "near prolate",
+        "near oblate",
+        "nearest symmetric",
+    ],
+    "sphere; nearly so, to 1e-16, and by decimals to 1e-250": [
+        "sphere",
+        "near sphere",
+        "nearest sphere",
+    ],
+    "spin; tilted from it by 1e-1 … 1e-300 (middle axis 1e-85); rest": [
+        "spin",
+        "near spin, largest",
+        "near spin, middle",
+        "near spin, smallest",
+        "rest",
+    ],
+    "flat bodies, rods, needles (1e-1 … 1e-59)": ["flat", "rod", "needle"],
+    "special values and attitudes": ["special values", "special attitudes"],
+    "scales: moments 1e-322 … 1e306, rates 1e-298 … 1e297": [
+        "scales",
+        "small scales",
+        "large scales",
+        "extreme scales",
+    ],
+    "decimals that doubles only approximate": ["decimals"],
+    "where the series change; zeros of the rates; quarter periods": [
+        "branch switch",
+        "zeros of the rates",
+        "quarter periods",
+    ],
+}
+
+
+def test_the_table_of_errors_is_what_was_recorded():
+    """Of both modules, the larger; each stratum is in one row."""
+    found, text = worst(), TEXTS["accuracy.md"]
+    assert sorted(found) == sorted(name for names in ACCURACY.values() for name in names)
+    for motions, names in ACCURACY.items():
+        (row,) = (line for line in text.splitlines() if line.startswith(f"| {motions}"))
+        expected = [max(found[name][k] for name in names) for k in (0, 1)]
+        assert [float(cell) for cell in row.split("|")[-3:-1]] == expected
+
+
+def test_the_counts_of_the_validation_are_those_of_the_code():
+    """What `rigidsym validate` and `--faults` run by default; speeds are of their named command."""
+    sizes = {name: count(name, CASES) for name in STRATA}
+    drawn = [draw(name, k, SEED) for name, size in sizes.items() for k in range(size)]
+    faults = Counter(fault.target for fault in FAULTS)
+    text = words("validation.md")
+    for said in (
+        f"all modules, {len(STRATA)} strata",
+        f"{sum(sizes.values())} cases, {sum(len(s.times) for s in drawn)} states",
+        f"{len(FAULTS)} faults against every stratum",
+        f"{faults['numpy']} in the text of NumPy's module, {faults['c']} in C's",
+        f"{STRATA['published'].size} motions published by other projects",
+    ):
+        assert said in text, said
