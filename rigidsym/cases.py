@@ -1,6 +1,5 @@
 """Case files: one motion and the times at which it is wanted, as TOML."""
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -8,9 +7,10 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from rigidsym import inputs
+from rigidsym import inputs, toml_file
 from rigidsym.display.motions import case_html
 from rigidsym.errors import InputError
+from rigidsym.files import read_text
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
 
 PAPER = "paper.toml"
@@ -35,27 +35,13 @@ def paper_case() -> Case:
 
 def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
     """Read a case file; raises InputError with one line about the first thing that is wrong."""
-    try:
-        text = Path(path).read_text("utf-8")
-    except OSError as error:
-        raise InputError("case", path, f"cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError("case", path, "is not UTF-8 text") from None
-    return parse_case(text, allow_nonphysical)
+    return parse_case(read_text("case", path), allow_nonphysical)
 
 
 def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
     """A case from TOML text; numbers may be floats or strings, strings being exact decimals."""
-    try:
-        data = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise InputError("case", "the file", f"is not TOML: {error}") from None
-    for key in data:
-        if key not in _KEYS:
-            raise InputError("case", key, f"is not one of: {', '.join(sorted(_KEYS))}")
-    for key in ("inertia", "omega0", "times"):
-        if key not in data:
-            raise InputError(key, "missing", "a case needs it")
+    data = toml_file.parse("case", text)
+    toml_file.check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
     motion = TorqueFreeMotion(
         data["inertia"],
         data["omega0"],

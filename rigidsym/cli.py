@@ -19,6 +19,17 @@ from rigidsym.errors import InputError, LedgerError, PrecisionError
 _MOST = 999_999_999
 # Progress bars that are shown; leaving takes them from the terminal.
 _BARS = ExitStack()
+# The arguments of `rigidsym.export.aem` that are text.
+_MESSAGE = {
+    "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed"),
+    "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),
+    "object-name": ("NAME", "UNKNOWN by default"),
+    "object-id": ("ID", "such as 2000-052A; UNKNOWN by default"),
+    "originator": ("NAME", "who makes the message; RIGIDSYM by default"),
+    "creation-date": ("DATE", "UTC; the epoch by default"),
+    "ref-frame-a": ("FRAME", "the inertial one, EME2000 by default"),
+    "ref-frame-b": ("FRAME", "the axes of the body, SC_BODY_1 by default"),
+}
 
 
 class _Parser(argparse.ArgumentParser):
@@ -132,10 +143,19 @@ def _parser() -> argparse.ArgumentParser:
     propagate.add_argument("--method", metavar="M", help="theta, carlson, landen or quadrature")
     propagate.add_argument("--max-seconds", metavar="S", type=_seconds, help="for all the digits")
     propagate.add_argument(
-        "--format", choices=("csv", "json", "npz"), default="csv", help="npz holds doubles"
+        "--format",
+        choices=("csv", "json", "npz", "aem"),
+        default="csv",
+        help="npz holds doubles, aem is the CCSDS attitude ephemeris message",
     )
     propagate.add_argument("-o", "--output", metavar="FILE", type=_path, help="instead of stdout")
     propagate.add_argument("--allow-nonphysical", action="store_true", help="any body")
+    message = propagate.add_argument_group("of --format aem")
+    for name, (metavar, summary) in _MESSAGE.items():
+        message.add_argument(f"--{name}", metavar=metavar, help=summary)
+    message.add_argument(
+        "--no-rates", dest="rates", action="store_false", default=None, help="quaternions only"
+    )
 
     methods = command("methods", _methods, "cost and accuracy of the methods for many digits")
     methods.add_argument("case", metavar="CASE", nargs="?", default="paper", help="a case file")
@@ -296,14 +316,10 @@ def _check_independently(path: Path | None) -> int:
 
 
 def _ledger_text(path: Path | None) -> str:
+    from rigidsym.files import read_text
     from rigidsym.solution import ledger_text
 
-    try:
-        return ledger_text() if path is None else path.read_text("utf-8")
-    except OSError as error:
-        raise InputError("ledger", path, f"cannot be read: {error.strerror}") from None
-    except UnicodeDecodeError:
-        raise InputError("ledger", path, "is not UTF-8 text") from None
+    return ledger_text() if path is None else read_text("ledger", path)
 
 
 def _errata(options: Any) -> int:
@@ -498,12 +514,45 @@ def _propagate(options: Any) -> int:
         if getattr(options, name) is not None and not certain:
             rule = "is for many digits: give --digits D or --enclose"
             raise InputError(name.replace("_", "-"), getattr(options, name), rule)
-    data = FORMATS[options.format](_states(_case(options), options))
+    heading = _heading(options)
+    if options.format == "aem":
+        data = _message(_case(options), heading)
+    else:
+        data = FORMATS[options.format](_states(_case(options), options))
     if options.output:
         write_bytes(options.output, data)
     else:
         sys.stdout.write(data.decode())
     return 0
+
+
+def _heading(options: Any) -> dict[str, Any]:
+    """The options that a message takes, by name; another format takes none of them."""
+    names = [name.replace("-", "_") for name in _MESSAGE]
+    given = {name: getattr(options, name) for name in (*names, "rates")}
+    given = {name: value for name, value in given.items() if value is not None}
+    if options.format != "aem":
+        for name in given:
+            option = "no-rates" if name == "rates" else name.replace("_", "-")
+            value = "given" if name == "rates" else given[name]
+            raise InputError(option, value, "is for --format aem")
+    elif options.digits or options.enclose:
+        rule = "has 16 digits by its standard: no --digits and no --enclose"
+        raise InputError("format", "aem", rule)
+    elif "epoch" not in given:
+        rule = "--format aem needs --epoch YYYY-MM-DDThh:mm:ss[.d...]"
+        raise InputError("epoch", "missing", rule)
+    return given
+
+
+def _message(case: Any, heading: dict[str, Any]) -> bytes:
+    from rigidsym import inputs
+    from rigidsym.export import aem, sampled
+
+    track = sampled(case.motion, inputs.doubles("times", case.times))
+    names = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
+    whole: dict[str, Any] = {**names, **heading}
+    return aem(track, **whole).encode()
 
 
 def _case(options: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Writing files whole or not at all."""
+"""Reading files with one clear line when that fails; writing them whole or not at all."""
 
 import os
 import tempfile
@@ -15,6 +15,16 @@ def probe(directory: Path) -> None:
             pass
     except OSError as error:
         raise InputError("output", directory, f"cannot be written: {error.strerror}") from None
+
+
+def read_text(field: str, path: str | Path) -> str:
+    """The text of a user's file; raises InputError where it cannot be read or is not UTF-8."""
+    try:
+        return Path(path).read_text("utf-8")
+    except OSError as error:
+        raise InputError(field, path, f"cannot be read: {error.strerror}") from None
+    except UnicodeDecodeError:
+        raise InputError(field, path, "is not UTF-8 text") from None
 
 
 def write_text(path: Path, text: str) -> Path:

@@ -145,11 +145,11 @@ def _end(value: "Fraction | Uncertain", side: int) -> Fraction:
     return value.middle + side * value.radius if isinstance(value, Uncertain) else value
 
 
-def attitude(values: Any) -> "tuple[Fraction | Uncertain, ...]":
+def attitude(values: Any, field: str = "attitude0") -> "tuple[Fraction | Uncertain, ...]":
     """A quaternion of any length but zero, scalar first."""
-    quaternion = vector("attitude0", values, 4)
+    quaternion = vector(field, values, 4)
     if all(_end(x, -1) <= 0 <= _end(x, 1) for x in quaternion):
-        raise InputError("attitude0", shown(quaternion), "must not be zero")
+        raise InputError(field, shown(quaternion), "must not be zero")
     return quaternion
 
 
@@ -164,13 +164,19 @@ def times(values: Any) -> tuple[tuple[Fraction, ...], bool]:
 
 def digits(value: Any) -> int:
     """A number of significant digits."""
+    return whole("digits", value, MOST_DIGITS)
+
+
+def whole(field: str, value: Any, most: int) -> int:
+    """A whole number from 1 to `most`."""
     try:
         count = 0 if isinstance(value, bool) else operator.index(value)
     except TypeError:
         count = 0
-    if not 1 <= count <= MOST_DIGITS:
-        rule = f"must be a whole number, at least 1 and at most {MOST_DIGITS}"
-        raise InputError("digits", repr(value), rule)
+    if not 1 <= count <= most:
+        raise InputError(
+            field, repr(value), f"must be a whole number, at least 1 and at most {most}"
+        )
     return count
 
 

@@ -16,8 +16,9 @@ import numpy as np
 import pytest
 
 import rigidsym
-from rigidsym.cases import paper_case
+from rigidsym.cases import load_case, paper_case
 from rigidsym.cli import main
+from rigidsym.export import aem, sampled
 
 COMMANDS = ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate",
             "methods")  # fmt: skip
@@ -313,6 +314,21 @@ def test_propagate_in_three_formats_agrees(case, tmp_path, capsys):
     assert out.read_bytes() == before
 
 
+def test_propagate_as_an_attitude_ephemeris_message(case, tmp_path, capsys):
+    epoch = ["--format", "aem", "--epoch", "2026-01-01T00:00:00"]
+    assert main(["propagate", str(case), *epoch]) == 0
+    text = capsys.readouterr().out
+    motion, times = load_case(case).motion, [0.0, 0.5, 180.0]
+    unknown = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
+    assert text == aem(sampled(motion, times), "2026-01-01T00:00:00", **unknown)
+    out = tmp_path / "states.aem"
+    more = ["--object-name", "MY SAT", "--time-system", "TAI", "--ref-frame-a", "ICRF"]
+    assert main(["propagate", str(case), *epoch, *more, "--no-rates", "-o", str(out)]) == 0
+    for line in ("OBJECT_NAME = MY SAT", "TIME_SYSTEM = TAI", "REF_FRAME_A = ICRF",
+                 "ATTITUDE_TYPE = QUATERNION"):  # fmt: skip
+        assert line in out.read_text("ascii").splitlines()
+
+
 def test_propagate_to_fifty_digits(case, capsys):
     assert main(["propagate", str(case), "--digits", "50", "--format", "json"]) == 0
     fifty = json.loads(capsys.readouterr().out)["states"]
@@ -528,6 +544,22 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
         (["propagate", "paper", "--enclose", "--method", "agm"], "method = 'agm': must be one of"),
         (["propagate", "paper", "--method", "theta"], "method = theta: is for many digits"),
         (["propagate", "paper", "--max-seconds", "9"], "max-seconds = 9.0: is for many digits"),
+        (["propagate", "paper", "--format", "aem"], "epoch = missing: --format aem needs --epoch"),
+        (
+            ["propagate", "paper", "--format", "aem", "--epoch", "now"],
+            "epoch = 'now': must be YYYY",
+        ),
+        (["propagate", "paper", "--epoch", "2026-01-01T00:00:00"], "is for --format aem"),
+        (
+            ["propagate", "paper", "--format", "json", "--no-rates"],
+            "no-rates = given: is for --for",
+        ),
+        (["propagate", "paper", "--object-id", "X"], "object-id = X: is for --format aem"),
+        (
+            ["propagate", "paper", "--format", "aem", "--epoch", "x", "--digits", "9"],
+            "has 16 digits",
+        ),
+        (["propagate", "paper", "--format", "aem", "--epoch", "x", "--enclose"], "no --enclose"),
         (["methods", "nowhere.toml"], "cannot be read"),
         (["methods", "--digits", "100001"], "digits = 100001: must be a whole number"),
         (["methods", "-o", "/dev/null/inside"], "cannot be written"),

@@ -1,0 +1,142 @@
+"""Epochs as text, and what they are some seconds later, to 1e-14 s and through leap seconds.
+
+An instant is a whole number of ticks of 1e-14 s since 0001-01-01T00:00:00 of its own time system,
+counted as that system's clock runs: days of 86400 s, and in UTC the leap seconds besides.
+"""
+
+import math
+import re
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterable
+from datetime import date
+from fractions import Fraction
+
+from rigidsym.errors import InputError
+
+# A fixed-point number has at most 16 digits (CCSDS 504.0-B-2, 6.8.4.1), two of them whole seconds.
+DECIMALS = 14
+# What readers of milliseconds and readers that expect a fraction are both content with.
+FEWEST_DECIMALS = 3
+SECOND = 10**DECIMALS
+TIME_SYSTEMS = ("UTC", "TAI", "TT", "GPS")
+DAY = 86400
+
+# Days that ended with 23:59:60 UTC: IERS, Bulletin C.  Days to come are taken to have none.
+_LEAPS = {
+    "06-30": (1972, 1981, 1982, 1983, 1985, 1992, 1993, 1994, 1997, 2012, 2015),
+    "12-31": (
+        *(1972, 1973, 1974, 1975, 1976, 1977, 1978, 1979, 1987, 1989, 1990, 1995, 1998),
+        *(2005, 2008, 2016),
+    ),
+}
+_LEAP_DAYS = sorted(
+    date.fromisoformat(f"{year}-{day}").toordinal() - 1
+    for day, years in _LEAPS.items()
+    for year in years
+)
+# Before it UTC's seconds were of other lengths.
+_UTC_STARTS = date(1972, 1, 1).toordinal() - 1
+
+_CLOCK = r"T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?(Z?)"
+_CALENDAR = re.compile(r"(\d{4})-(\d\d)-(\d\d)" + _CLOCK, re.ASCII)
+_ORDINAL = re.compile(r"(\d{4})-(\d{3})" + _CLOCK, re.ASCII)
+_FORMAT = "must be YYYY-MM-DDThh:mm:ss[.d...] or YYYY-DDDThh:mm:ss[.d...]"
+
+
+def parse(field: str, text: str, system: str) -> int:
+    """The instant an epoch names (CCSDS 504.0-B-2, 6.8.9); Z may end it where the system is UTC.
+
+    23:59:60 is an epoch on days that had a leap second.  Raises InputError.
+    """
+    if system not in TIME_SYSTEMS:
+        rule = f"must be one of: {', '.join(TIME_SYSTEMS)}"
+        raise InputError("time_system", repr(system), rule)
+    day, clock = _day(field, text)
+    hours, minutes, seconds = map(int, clock[:3])
+    fraction, zulu = clock[3] or "", clock[4]
+    if zulu and system != "UTC":
+        raise InputError(field, repr(text), f"Z stands for UTC, not for {system}")
+    if len(fraction) > DECIMALS:
+        raise InputError(field, repr(text), f"must have at most {DECIMALS} decimals of a second")
+    leap = system == "UTC" and (hours, minutes, seconds) == (23, 59, 60) and day in _LEAP_DAYS
+    if hours > 23 or minutes > 59 or (seconds > 59 and not leap):
+        raise InputError(field, repr(text), f"there is no such time of that day in {system}")
+    if system == "UTC" and day < _UTC_STARTS:
+        raise InputError(field, repr(text), "UTC has had SI seconds since 1972: take TAI")
+    whole = day * DAY + _leaps_before(day, system) + hours * 3600 + minutes * 60 + seconds
+    return whole * SECOND + int(fraction.ljust(DECIMALS, "0"))
+
+
+def _day(field: str, text: str) -> tuple[int, tuple[str, ...]]:
+    """The number of a day, from zero, and what the clock shows."""
+    calendar = _CALENDAR.fullmatch(text) if isinstance(text, str) else None
+    ordinal = _ORDINAL.fullmatch(text) if isinstance(text, str) else None
+    try:
+        if calendar:
+            return date(*map(int, calendar.groups()[:3])).toordinal() - 1, calendar.groups()[3:]
+        if ordinal:
+            return _day_of_year(*map(int, ordinal.groups()[:2])), ordinal.groups()[2:]
+    except ValueError:
+        raise InputError(field, repr(text), "there is no such day") from None
+    raise InputError(field, repr(text), _FORMAT)
+
+
+def _day_of_year(year: int, number: int) -> int:
+    day = date(year, 1, 1).toordinal() - 1 + number - 1
+    if number < 1 or date.fromordinal(day + 1).year != year:
+        raise ValueError(number)
+    return day
+
+
+def _leaps_before(day: int, system: str) -> int:
+    return bisect_left(_LEAP_DAYS, day) if system == "UTC" else 0
+
+
+def later(instant: int, seconds: float) -> int:
+    """The instant so many seconds later, rounded to a tick.
+
+    A double stands for its shortest decimal: 0.1 s later is .100, and a reader who takes the epoch
+    away again has the same double.
+    """
+    return instant + round(Fraction(repr(seconds)) * SECOND)
+
+
+def decimals(instants: Iterable[int]) -> int:
+    """The fewest decimals of a second, at least 3, that write all instants without loss."""
+    common = math.gcd(SECOND, *instants)
+    count = DECIMALS
+    while count > FEWEST_DECIMALS and common % 10 == 0:
+        common //= 10
+        count -= 1
+    return count
+
+
+def printed(instant: int, system: str, digits: int) -> str:
+    """YYYY-MM-DDThh:mm:ss and `digits` decimals, in a time system.
+
+    Raises InputError outside of the years that have four digits, and for UTC before 1972.
+    """
+    seconds, fraction = divmod(instant, SECOND)
+    day, clock = _clock(seconds, system)
+    first = _UTC_STARTS if system == "UTC" else 0
+    if not first <= day < date.max.toordinal():
+        years = f"{date.fromordinal(first + 1).year} to 9999"
+        raise InputError("times", "a time of the track", f"must lie in the years {years} {system}")
+    whole = f"{clock // 3600:02}:{clock // 60 % 60:02}:{clock % 60:02}"
+    if clock == DAY:
+        whole = "23:59:60"
+    decimal = f".{fraction:0{DECIMALS}}"[: digits + 1] if digits else ""
+    return f"{date.fromordinal(day + 1).isoformat()}T{whole}{decimal}"
+
+
+def _clock(seconds: int, system: str) -> tuple[int, int]:
+    """The day and the second of the day; the leap second is second 86400."""
+    leaps = _AFTER_LEAPS if system == "UTC" else []
+    past = bisect_right(leaps, seconds)
+    if past < len(leaps) and seconds == leaps[past] - 1:
+        return _LEAP_DAYS[past], DAY
+    return divmod(seconds - past, DAY)
+
+
+# The seconds of UTC at the midnights that leap seconds come before.
+_AFTER_LEAPS = [(day + 1) * DAY + k + 1 for k, day in enumerate(_LEAP_DAYS)]

@@ -1,0 +1,77 @@
+"""Tracks: attitudes and rates at increasing times, all that an export needs to know."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rigidsym.errors import InputError
+
+if TYPE_CHECKING:
+    from rigidsym.motion import TorqueFreeMotion
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Track:
+    """times (N,) in s, increasing; q (N, 4), scalar first, body to inertial; omega (N, 3), rad/s.
+
+    omega is along the axes of the body.  Quaternions are normalised here and keep their signs.
+    There is at least one state.  Raises InputError for other shapes, numbers that are not finite,
+    times that do not increase, and a quaternion that is zero.
+    """
+
+    times: np.ndarray
+    q: np.ndarray
+    omega: np.ndarray
+
+    def __post_init__(self) -> None:
+        times = _array("times", self.times)
+        if times.ndim != 1 or not times.size:
+            raise InputError("times", _shape(times), "must be a list of at least one time")
+        for k in np.flatnonzero(np.diff(times) <= 0)[:1] + 1:
+            raise InputError(f"times[{k}]", times[k], "must be later than the time before it")
+        object.__setattr__(self, "times", times)
+        object.__setattr__(self, "q", _unit(_rows("q", self.q, times.size, 4)))
+        object.__setattr__(self, "omega", _rows("omega", self.omega, times.size, 3))
+
+
+def sampled(motion: "TorqueFreeMotion", times: Any) -> Track:
+    """The track of a motion at times (N,), s.  Raises InputError as the motion and `Track` do."""
+    given = np.atleast_1d(_array("times", times))
+    return Track(given, *motion(given))
+
+
+def _array(field: str, value: Any) -> np.ndarray:
+    """A copy, of finite doubles."""
+    try:
+        array = np.array(value)
+        if value is None or array.dtype.kind in "bmMcSU":
+            raise TypeError(array.dtype)
+        array = array.astype(float)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(field, repr(value), "must be an array of numbers") from None
+    for place in np.argwhere(~np.isfinite(array))[:1]:
+        index = f"[{', '.join(map(str, place))}]" if place.size else ""
+        raise InputError(f"{field}{index}", array[tuple(place)], "must be finite")
+    return array
+
+
+def _rows(field: str, value: Any, count: int, width: int) -> np.ndarray:
+    array = _array(field, value)
+    if array.shape != (count, width):
+        rule = f"must have the shape ({count}, {width}), a row for each time"
+        raise InputError(field, _shape(array), rule)
+    return array
+
+
+def _unit(q: np.ndarray) -> np.ndarray:
+    """Scaled first by powers of two, so that no square overflows or is lost."""
+    most = np.max(np.abs(q), axis=1, keepdims=True)
+    for k in np.flatnonzero(most == 0)[:1]:
+        raise InputError(f"q[{k}]", q[k].tolist(), "must not be zero")
+    scaled = np.ldexp(q, -np.frexp(most)[1])
+    return scaled / np.linalg.norm(scaled, axis=1, keepdims=True)
+
+
+def _shape(array: np.ndarray) -> str:
+    return f"an array of shape {array.shape}"
