@@ -60,13 +60,13 @@ from IPython.display import display
 from rigidsym.kernel import Grade
 from rigidsym.paper import EQUATIONS, Ruling, verdicts
 from rigidsym.solution import ledger_text
-from support import badge, grades, page, sealed, table
+from support import grades, sealed, table
 
 ledger = sealed()
 verdict = {v.equation.number: v for v in verdicts(json.loads(ledger_text()))}
 
 count = Counter(v.ruling for v in verdict.values())
-display(table({"verdict": badge(ruling), "printed lines": count[ruling]} for ruling in Ruling))
+display(table({"verdict": str(ruling), "printed lines": count[ruling]} for ruling in Ruling))
 assert count[Ruling.OPEN] == 0
 assert set(verdict) == {equation.number for equation in EQUATIONS}
 
@@ -82,7 +82,7 @@ shown = []
 def pages(*numbers):
     """Show the verdicts on some equations, and keep count."""
     for number in numbers:
-        display(page(ledger, verdict[number]))
+        display(verdict[number])
     shown.extend(numbers)
 
 

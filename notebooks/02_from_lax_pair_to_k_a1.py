@@ -241,7 +241,7 @@ unit = momentum / K
 
 # %% tags=["hide-input"]
 figure = plt.figure(figsize=(10, 5.2))
-axes = momentum_sphere(figure, 121, inertia)
+axes = momentum_sphere(figure, 121, motion)
 axes.set_title("the momentum in the body, $M/K$", size=11)
 curve(axes, unit, color="C0", lw=2.5)
 start = unit[0]

@@ -39,7 +39,7 @@ from rigidsym import TorqueFreeMotion
 from rigidsym.algebra.jacobi_functions import NUMPY
 from rigidsym.cases import paper_case
 from rigidsym.kernel import Grade
-from support import definitions, derived, grades, page, printed, sealed, show
+from support import definitions, derived, grades, printed, sealed, show
 
 ledger = derived("kinematics", "phi1_integral", "winding")
 f"{len(ledger.facts)} facts in {len(ledger.contexts)} contexts"
@@ -140,7 +140,7 @@ from rigidsym.solution import ledger_data, ledger_text
 
 verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}
 everything = sealed()
-display(page(everything, verdict["35"]))
+display(verdict["35"])
 
 assert grades(ledger, "amplitude.printed", "amplitude.repaired") == {Grade.PROVED}
 assert ledger.facts["amplitude.printed"].kind == "unequal"
@@ -174,7 +174,7 @@ assert grades(ledger, "third_kind.left_side") == {Grade.PROVED}
 
 # %%
 display(show(everything, "theorem1_phi1.n", "theorem1_phi1.rate"))
-display(page(everything, verdict["20"]))
+display(verdict["20"])
 
 assert grades(everything, "theorem1_phi1.n", "theorem1_phi1.rate") == {Grade.PROVED}
 assert everything.facts["theorem1_printed.n"].kind == "unequal"

@@ -10,7 +10,8 @@ random ids, addresses or paths.  Pictures are not compared, only that they are t
 A new notebook: write cells, "# %%" and "# %% [markdown]", in NN_name.py or how_to_name.py and run
 the command, which adds the head.  It runs within a minute and writes nothing to stderr; it prints
 numbers rounded to what is certain, draws with matplotlib or plotly, and its last cell asserts ids
-and grades of facts.  `support` shows facts and verdicts, `figures` has drawings that are shared.
+and grades of facts.  `rigidsym.display` shows facts and verdicts, `rigidsym.pictures` motions, each
+with a still for readers without scripts; `support` and `figures` have what notebooks alone need.
 """
 
 import argparse

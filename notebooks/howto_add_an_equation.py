@@ -132,10 +132,11 @@ assert refused
 # As mathematics, with their grades:
 
 # %%
-from support import grades, show
+from rigidsym.display import claims
 
-show(book.ledger, "mine.constant", "mine.form", "mine.not_so")
-assert grades(book.ledger, "mine.constant", "mine.form") == {"PROVED"}
+mine = claims(book.ledger)
+assert {mine[name].grade for name in ("mine.constant", "mine.form")} == {"PROVED"}
+mine
 
 # %% [markdown]
 # ## Kept

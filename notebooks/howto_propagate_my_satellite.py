@@ -33,47 +33,46 @@ ATTITUDE = (1, 0, 0, 0)  # scalar first, satellite's axes to inertial axes
 # %% [markdown]
 # ## Principal axes
 #
-# `rigidsym` works in principal axes, where the inertia is three numbers. An eigenvalue problem
-# finds them; the columns of `axes` are the principal axes in the satellite's, made right-handed. If
-# your inertia is diagonal already, skip this.
+# `rigidsym` works in principal axes, where the inertia is three numbers. `principal_axes` finds
+# them; if your inertia is diagonal already, skip this.
 
 # %%
-moments, axes = np.linalg.eigh(INERTIA)
-axes[:, 2] *= np.sign(np.linalg.det(axes))
-assert np.allclose(axes @ np.diag(moments) @ axes.T, INERTIA)
-assert np.isclose(np.linalg.det(axes), 1)
-print("principal moments (kg m^2):", np.round(moments, 4))
+body = rigidsym.principal_axes(INERTIA)
+print("principal moments (kg m^2):", np.round(body.moments, 4))
+assert np.allclose(body.matrix @ np.diag(body.moments) @ body.matrix.T, INERTIA)
+assert np.isclose(np.linalg.det(body.matrix), 1)
 
 # %% [markdown]
-# The rates turn into principal axes by the transpose, and the attitude takes the constant rotation
-# from principal to satellite axes along. `Rotation` from SciPy keeps quaternions scalar *last*
-# unless told otherwise.
+# The columns of `body.matrix` are the principal axes in the satellite's, right-handed, and
+# `body.quaternion` is the same rotation, principal to satellite axes. `to_principal` turns rates
+# and attitude into what a motion takes.
 
 # %%
-from scipy.spatial.transform import Rotation
-
-to_satellite = Rotation.from_matrix(axes)
-start = Rotation.from_quat(ATTITUDE, scalar_first=True) * to_satellite
-motion = rigidsym.TorqueFreeMotion(moments, axes.T @ RATES, start.as_quat(scalar_first=True))
+motion = rigidsym.TorqueFreeMotion(body.moments, *body.to_principal(RATES, ATTITUDE))
 print(motion.regime)
 assert motion.regime in (rigidsym.Regime.LARGEST, rigidsym.Regime.SMALLEST)
 
 # %% [markdown]
 # ## States
 #
-# One call for all times, in seconds; any times, in any order, of any sign. Then back to the
-# satellite's own axes:
+# One call for all times, in seconds; any times, in any order, of any sign. `from_principal` goes
+# back to the satellite's own axes:
 
 # %%
 t = np.linspace(0, 600, 1201)
-q, omega = motion(t)
-attitude = motion.rotation(t) * to_satellite.inv()  # satellite's axes to inertial axes
-rates = omega @ axes.T
+q, rates = body.from_principal(*motion(t))
 assert q.shape == (1201, 4)
+assert np.allclose(q[0], ATTITUDE)
 assert np.allclose(rates[0], RATES)
-assert np.allclose(attitude[0].magnitude(), 0, atol=1e-7)
+
+# %% [markdown]
+# SciPy's `Rotation` does the rest; it keeps quaternions scalar *last* unless told otherwise.
 
 # %%
+from scipy.spatial.transform import Rotation
+
+attitude = Rotation.from_quat(q, scalar_first=True)  # satellite's axes to inertial axes
+
 figure, (upper, lower) = plt.subplots(2, figsize=(7, 5), sharex=True, layout="constrained")
 upper.plot(t, rates, label=["x", "y", "z"])
 upper.set_ylabel("body rates (rad/s)")
@@ -100,10 +99,10 @@ assert np.ptp(momentum, axis=0).max() < 1e-15
 
 # %%
 drawn = RATES + np.random.default_rng(1).normal(0, 1e-5, (1000, 3))
-q_later, _ = rigidsym.propagate(
-    moments, drawn @ axes, [600.0], attitude0=start.as_quat(scalar_first=True)
-)
-later = Rotation.from_quat(q_later[:, 0], scalar_first=True) * to_satellite.inv()
+omega0, attitude0 = body.to_principal(drawn, ATTITUDE)
+states = rigidsym.propagate(body.moments, omega0, [600.0], attitude0=attitude0)
+q_later, _ = body.from_principal(*states)
+later = Rotation.from_quat(q_later[:, 0], scalar_first=True)
 spread = np.degrees((attitude[-1].inv() * later).magnitude())
 print(f"half of them are within {np.median(spread):.1f} degrees")
 assert q_later.shape == (1000, 1, 4)

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
     from rigidsym.motion import TorqueFreeMotion, propagate
+    from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
 
 __version__ = "0.1.0"
@@ -18,9 +19,11 @@ __all__ = [
     "Generated",
     "InputError",
     "PrecisionError",
+    "PrincipalAxes",
     "Regime",
     "TorqueFreeMotion",
     "generate",
+    "principal_axes",
     "propagate",
 ]
 
@@ -29,9 +32,11 @@ _HOMES = {
     "Generated": "rigidsym.codegen",
     "InputError": "rigidsym.errors",
     "PrecisionError": "rigidsym.errors",
+    "PrincipalAxes": "rigidsym.principal",
     "Regime": "rigidsym.solution.polhode",
     "TorqueFreeMotion": "rigidsym.motion",
     "generate": "rigidsym.codegen",
+    "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
 }
 

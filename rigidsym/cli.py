@@ -380,21 +380,23 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
 
 
 def _trace(options: Any) -> int:
-    from rigidsym.trace import lines_of_equation, origin_of_line
+    from rigidsym.trace import TraceError, lines_of_equation, origin_of_line
 
     if (options.place is None) == (options.equation is None):
         given = options.place or options.equation or "nothing"
         raise InputError("trace", given, "takes either FILE:LINE or --equation NUMBER")
-    found = (
-        lines_of_equation(options.equation)
-        if options.place is None
-        else origin_of_line(options.place)
-    )
+    try:
+        found = (
+            lines_of_equation(options.equation)
+            if options.place is None
+            else origin_of_line(options.place)
+        )
+    except TraceError as error:
+        _say(f"rigidsym trace: {error}")
+        return 1
     for line in found:
         print(line)
-    if not found:
-        _say(f"rigidsym trace: nothing for {options.place or options.equation}")
-    return 0 if found else 1
+    return 0
 
 
 def _validate(options: Any) -> int:

@@ -26,11 +26,11 @@ from rigidsym.pictures.geometry import (
     momentum,
     polhode,
     regime_colour,
-    rotated,
     separatrix,
 )
 from rigidsym.pictures.plot import AXES, SCALAR
 from rigidsym.pictures.sphere import members
+from rigidsym.quaternions import rotated
 from rigidsym.solution.polhode import Regime
 from rigidsym.validate.peers import peer
 

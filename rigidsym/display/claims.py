@@ -68,8 +68,11 @@ class Claim:
 
     def _remarks(self, shown: list[str]) -> Iterator[Markup]:
         left_out = len(self.fact["lhs"]) - len(shown)
-        if self.fact["kind"] not in ("model", "partition") and left_out:
-            yield muted(f"and {counted(left_out, 'more component')}, alike or there already")
+        if self.fact["kind"] not in ("model", "partition"):
+            if left_out:
+                yield muted(f"and {counted(left_out, 'more component')}, alike or there already")
+            if self.fact["lhs"] == self.fact["rhs"]:
+                yield join(" ", muted("(both sides are the same once multiplied out)"))
         if any(r"\cdots" in text for text in shown):
             yield join(" ", muted("long sums are shown in part"))
         if self.fact["kind"] == "unequal":
@@ -102,6 +105,9 @@ class Claims(Mapping[str, Claim]):
 
     def __len__(self) -> int:
         return len(self._found)
+
+    def __repr__(self) -> str:
+        return f"<Claims: {counted(len(self), 'fact')}>"
 
     def citing(self, equation: str) -> "Claims":
         """Those that name an equation of the paper as their source."""

@@ -34,8 +34,15 @@ def _cell(contestant: Mapping[str, Any], stratum: str) -> Markup:
     shares = [float(cell["units"]) for cell in contestant["shares"].get(stratum, {}).values()]
     if found is None or not shares:
         return join(muted("not asked"))
-    share = f"{max(shares):.0%}" if max(shares) < float("inf") else "∞"
+    share = _part(max(shares))
     return join(f"{float(found['units']):.3g}, ", share if max(shares) <= 1 else badge(share))
+
+
+def _part(share: float) -> str:
+    """Per cent, or how many times as much as there is."""
+    if share == float("inf"):
+        return "∞"
+    return f"{share:.0%}" if share < 10 else f"{share:.2g} times"
 
 
 def derivation_html(derivation: Any) -> str:

@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rigidsym.motion import TorqueFreeMotion
-from rigidsym.pictures.geometry import moments, momentum, rotated
+from rigidsym.pictures.geometry import moments, momentum
 from rigidsym.pictures.scene import AXIS_COLOURS, GREY, dot, figure, line, plotly, with_slider
 from rigidsym.pictures.times import chosen
+from rigidsym.quaternions import rotated
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -48,7 +49,7 @@ def tumbling_body(motion: TorqueFreeMotion, times: Any = None) -> "Figure":
     fixed = [trail, *_momentum(go, motion)]
     half = 1.1 * max(float(np.linalg.norm(size)) / 2, float(np.max(tip)), 0.75)
     labels = [f"{k} (inertial)" for k in "xyz"]
-    whole = figure(go, [*frames[0], *fixed], f"Tumbling: {motion.regime}", labels, half)
+    whole = figure([*frames[0], *fixed], f"Tumbling: {motion.regime}", labels, half)
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 

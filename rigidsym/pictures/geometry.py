@@ -1,34 +1,32 @@
 """Curves and surfaces that pictures share, as arrays (N, 3)."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from itertools import product
 
 import numpy as np
 
+from rigidsym.motion import TorqueFreeMotion
 from rigidsym.pictures.times import once
 from rigidsym.solution.polhode import Regime
-
-if TYPE_CHECKING:
-    from rigidsym.motion import TorqueFreeMotion
 
 DIGITS = 11
 CIRCLE = 97
 DENSE = 12
 
 
-def moments(motion: "TorqueFreeMotion") -> np.ndarray:
+def moments(motion: TorqueFreeMotion) -> np.ndarray:
     """The principal moments, kg m^2."""
     return np.array([float(x) for x in motion.exact["inertia"]])
 
 
-def momentum(motion: "TorqueFreeMotion") -> np.ndarray:
+def momentum(motion: TorqueFreeMotion) -> np.ndarray:
     """The angular momentum at t = 0 in body axes, kg m^2/s."""
     return moments(motion) * [float(x) for x in motion.exact["omega0"]]
 
 
-def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
+def polhode(motion: TorqueFreeMotion, count: int) -> np.ndarray:
     """The body rates all around the polhode (count, 3), rad/s; one point where constant."""
     if motion.regime.steady:
         return motion([0.0])[1]
@@ -38,13 +36,6 @@ def polhode(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
     return rates[np.searchsorted(along, np.linspace(0, along[-1], count))]
 
 
-def rotated(q: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Vectors (..., 3) turned by unit quaternions (..., 4), shapes broadcast."""
-    scalar, axis = q[..., :1], q[..., 1:]
-    twice = 2 * np.cross(axis, vectors)
-    return vectors + scalar * twice + np.cross(axis, twice)
-
-
 def upright(vector: np.ndarray) -> np.ndarray:
     """The quaternion of the shortest rotation that takes a vector to the third axis."""
     x, y, z = vector / np.linalg.norm(vector)
@@ -52,13 +43,6 @@ def upright(vector: np.ndarray) -> np.ndarray:
         return np.array([0.0, 1.0, 0.0, 0.0])
     found = np.array([1 + z, y, -x, 0.0])
     return found / np.linalg.norm(found)
-
-
-def after(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """The product p q of a quaternion (4,) and quaternions (..., 4)."""
-    scalar = p[0] * q[..., :1] - (q[..., 1:] @ p[1:])[..., None]
-    vector = p[0] * q[..., 1:] + q[..., :1] * p[1:] + np.cross(p[1:], q[..., 1:])
-    return np.concatenate([scalar, vector], axis=-1)
 
 
 def great_circles(size: float) -> list[np.ndarray]:
@@ -91,6 +75,27 @@ def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
         curve[:, d] = np.sin(angle) * sign * across[1] / math.hypot(*across)
         circles.append(size * curve)
     return circles
+
+
+def members(motion: TorqueFreeMotion, size: float, count: int) -> Iterator[TorqueFreeMotion]:
+    """Motions of the same body and |M|, `count` about each end of the outer axes.
+
+    They start between axis and separatrix, in the plane of the axes of largest and least inertia.
+    """
+    inertia = motion.exact["inertia"]
+    d, _, a = sorted(range(3), key=inertia.__getitem__)
+    circles = separatrix(inertia, size)
+    if not circles:
+        return
+    quarter = circles[0][len(circles[0]) // 4]
+    edge = math.atan2(abs(quarter[d]), abs(quarter[a]))
+    for sign, axis, share in product((1, -1), (0.0, math.pi / 2), range(1, count + 1)):
+        angle = axis + (edge - axis) * share / (count + 0.4)
+        start = np.zeros(3)
+        start[a], start[d] = sign * size * math.cos(angle), sign * size * math.sin(angle)
+        if axis != edge:
+            omega = (start / moments(motion)).tolist()
+            yield TorqueFreeMotion(inertia, omega, allow_nonphysical=True)
 
 
 def regime_colour(regime: Regime) -> str:

@@ -8,13 +8,11 @@ import numpy as np
 from rigidsym.errors import InputError
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.pictures.geometry import (
-    after,
     great_circles,
     moments,
     momentum,
     polhode,
     regime_colour,
-    rotated,
     upright,
 )
 from rigidsym.pictures.scene import (
@@ -30,6 +28,7 @@ from rigidsym.pictures.scene import (
     with_slider,
 )
 from rigidsym.pictures.times import chosen
+from rigidsym.quaternions import product, rotated
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -61,7 +60,7 @@ def rolling(motion: TorqueFreeMotion, times: np.ndarray) -> Rolling:
     inertia, body = moments(motion), momentum(motion)
     front = upright(rotated(start[0], body))
     q, omega = motion(times)
-    turned = after(front, q)
+    turned = product(front, q)
     double_energy = float(body @ start[1])
     axes = np.sqrt(double_energy / inertia)
     return Rolling(
@@ -86,7 +85,7 @@ def rolling_ellipsoid(motion: TorqueFreeMotion, times: Any = None) -> "Figure":
     half = 1.08 * max(*steps.axes, float(np.abs(path.contact).max()))
     labels = [f"ω in space, {k} (rad/s)" for k in "xyz"]
     title = f"Poinsot's ellipsoid: {motion.regime}"
-    whole = figure(go, [*frames[0], *fixed], title, labels, half)
+    whole = figure([*frames[0], *fixed], title, labels, half)
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 

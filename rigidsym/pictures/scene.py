@@ -79,8 +79,11 @@ def ball(rows: int, columns: int) -> np.ndarray:
     return np.stack([sine * np.cos(around), sine * np.sin(around), np.cos(polar)], axis=2)
 
 
-def figure(go: Any, traces: Sequence[Any], title: str, labels: Sequence[str], half: float) -> Any:
+def figure(traces: Sequence[Any], title: str, labels: Sequence[str], half: float) -> Any:
     """A figure whose scene is a cube of half width `half`, axes labelled with units."""
+    # It needs plotly, which whoever calls has.
+    from rigidsym.pictures.picture import Picture
+
     names = ("xaxis", "yaxis", "zaxis")
     axes = {name: _axis(label, half) for name, label in zip(names, labels, strict=True)}
     scene = axes | {
@@ -88,7 +91,7 @@ def figure(go: Any, traces: Sequence[Any], title: str, labels: Sequence[str], ha
         "domain": {"x": [0.0, 1.0], "y": [0.0, 1.0]},
         "camera": {"center": {"x": 0, "y": 0, "z": -0.12}, "eye": {"x": 1.45, "y": 1.1, "z": 0.75}},
     }
-    return go.Figure(
+    return Picture(
         data=list(traces),
         layout={
             "title": {"text": title, "x": 0.01, "font": {"size": 15}},

@@ -1,8 +1,6 @@
 """The momentum sphere: all motions of one body with one momentum, and where they part."""
 
-import math
 from collections.abc import Iterator
-from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +9,7 @@ from rigidsym.errors import InputError
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.pictures.geometry import (
     great_circles,
+    members,
     moments,
     momentum,
     polhode,
@@ -58,7 +57,7 @@ def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
     traces += [*_own(go, motion), *_axes(go, size)]
     labels = [f"M{k} (kg m²/s)" for k in "₁₂₃"]
     title = f"Momentum sphere, |M| = {size:.4g} kg m²/s"
-    return figure(go, traces, title, labels, 1.15 * size)
+    return figure(traces, title, labels, 1.15 * size)
 
 
 def _family(go: Any, motion: TorqueFreeMotion, size: float, count: int) -> Iterator[Any]:
@@ -68,27 +67,6 @@ def _family(go: Any, motion: TorqueFreeMotion, size: float, count: int) -> Itera
         found.setdefault(other.regime, []).append(moments(motion) * polhode(other, AROUND))
     for regime, parts in found.items():
         yield line(go, curves(parts), str(regime), regime_colour(regime), 2.5)
-
-
-def members(motion: TorqueFreeMotion, size: float, count: int) -> Iterator[TorqueFreeMotion]:
-    """Motions of the same body and |M|, `count` about each end of the outer axes.
-
-    They start between axis and separatrix, in the plane of the axes of largest and least inertia.
-    """
-    inertia = motion.exact["inertia"]
-    d, _, a = sorted(range(3), key=inertia.__getitem__)
-    circles = separatrix(inertia, size)
-    if not circles:
-        return
-    quarter = circles[0][len(circles[0]) // 4]
-    edge = math.atan2(abs(quarter[d]), abs(quarter[a]))
-    for sign, axis, share in product((1, -1), (0.0, math.pi / 2), range(1, count + 1)):
-        angle = axis + (edge - axis) * share / (count + 0.4)
-        start = np.zeros(3)
-        start[a], start[d] = sign * size * math.cos(angle), sign * size * math.sin(angle)
-        if axis != edge:
-            omega = (start / moments(motion)).tolist()
-            yield TorqueFreeMotion(inertia, omega, allow_nonphysical=True)
 
 
 def _own(go: Any, motion: TorqueFreeMotion) -> Iterator[Any]:

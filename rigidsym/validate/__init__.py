@@ -1,7 +1,31 @@
-"""Validation of the generated modules: strata of cases, oracles, error measures, reports."""
+"""Validation of the generated modules, and of one's own: strata of cases, oracles, error measures,
+reports."""
 
 from rigidsym.validate.contestants import check_target
-from rigidsym.validate.report import ValidationReport
+from rigidsym.validate.examination import examine
+from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.measure import BOUNDS, MEANINGS, Errors
+from rigidsym.validate.peers import PEERS, Peer
+from rigidsym.validate.report import Failure, ValidationReport, Worst
+from rigidsym.validate.strata import STRATA, Sample, Stratum, draw
 from rigidsym.validate.validation import validate
 
-__all__ = ["ValidationReport", "check_target", "validate"]
+__all__ = [
+    "BOUNDS",
+    "MEANINGS",
+    "PEERS",
+    "STRATA",
+    "Errors",
+    "Failure",
+    "Finding",
+    "Peer",
+    "Sample",
+    "Stratum",
+    "ValidationReport",
+    "Worst",
+    "check_target",
+    "draw",
+    "examine",
+    "look",
+    "validate",
+]

@@ -1,6 +1,6 @@
 """Campaigns: cases in chunks, on any executor, with one result however they are shared out."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import asdict, dataclass, field, fields
 from itertools import islice
@@ -13,6 +13,7 @@ from rigidsym.validate.contestants import PEER, check_target, contestant, digest
 from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import look
 from rigidsym.validate.oracle import precise_motion
+from rigidsym.validate.peers import PEERS
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.tally import Cell, Tally
 
@@ -46,6 +47,16 @@ class Campaign:
     def contestants(self) -> tuple[str, ...]:
         """Targets, and peers with a word before them."""
         return (*self.targets, *(PEER + name for name in self.peers))
+
+    @property
+    def own(self) -> tuple[str, ...]:
+        """Peers that are none of PEERS: integrators of the user's, which have no name elsewhere."""
+        return tuple(name for name in self.peers if name not in PEERS)
+
+    @property
+    def judged(self) -> tuple[str, ...]:
+        """The contestants that have to keep the bounds; of other peers it is only said."""
+        return (*self.targets, *(PEER + name for name in self.own))
 
     @property
     def size(self) -> int:
@@ -85,6 +96,8 @@ def campaign(
     if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
         rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
         raise InputError("digits", digits, rule)
+    if not isinstance(cases, int) or cases < 1:
+        raise InputError("cases", repr(cases), "must be a whole number, at least 1")
     listed = tuple(dict.fromkeys(targets))
     wanted = tuple(name for name in STRATA if name in strata or not strata)
     others = tuple(dict.fromkeys(peers))
@@ -159,13 +172,20 @@ def tallied(whole: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
     stratum, start, stop = chunk
     tally = Tally()
     for index in range(start, stop):
-        _add_case(tally, whole, stratum, index)
+        add_case(tally, whole, stratum, index, whole.contestants)
     return chunk, tally
 
 
-def _add_case(tally: Tally, whole: Campaign, stratum: str, index: int) -> None:
+def add_case(
+    tally: Tally,
+    whole: Campaign,
+    stratum: str,
+    index: int,
+    contestants: Iterable[str] | Mapping[str, Any],
+) -> None:
+    """Measure and count one case; contestants as `look` takes them."""
     sample = draw(stratum, index, whole.seed)
-    finding = look(sample, whole.digits, whole.contestants)
+    finding = look(sample, whole.digits, contestants)
     tally.count(finding.reference)
     for name, errors in finding.errors.items():
         tally.add(name, finding.reference, errors)

@@ -8,7 +8,6 @@ from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
 from rigidsym.validate.campaign import Campaign
-from rigidsym.validate.contestants import PEER, contestant
 
 PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
 
@@ -26,7 +25,7 @@ def environment(whole: Campaign, place: str, seconds: float, states: int) -> dic
         "cores": os.cpu_count(),
         **{name: _version(name) for name in PACKAGES},
         **({"compiler": _compiler()} if "c" in whole.targets else {}),
-        **{name: contestant(PEER + name).version for name in whole.peers},
+        **dict(zip(whole.peers, whole.peer_versions, strict=True)),
     }
 
 

@@ -11,6 +11,7 @@ from rigidsym.validate.case_file import hexadecimal
 from rigidsym.validate.contestants import contestant
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
+from rigidsym.validate.peers.own import own
 from rigidsym.validate.strata import Sample
 
 SCHEMA = "rigidsym.case/1"
@@ -56,13 +57,23 @@ class Finding:
         return max(self.shares(name).values(), default=0.0)
 
 
-def look(sample: Sample, digits: int, contestants: Iterable[str]) -> Finding:
-    """Enclose and measure a case, at the times that are within a contestant's reach."""
+def look(sample: Sample, digits: int, contestants: Iterable[str] | Mapping[str, Any]) -> Finding:
+    """Enclose and measure a case, at the times that are within a contestant's reach.
+
+    contestants: targets and "peer NAME"; or by any names engines, peers, and functions such as
+    `examine` takes.
+    """
     reference = enclose(sample, digits)
     errors = {}
-    for name in contestants:
-        engine = contestant(name)
+    for name, engine in _entered(contestants).items():
         within = reference.within(getattr(engine, "reach", math.inf))
         if within.sample.times:
             errors[name] = measure(within, engine)
     return Finding(reference, errors)
+
+
+def _entered(contestants: Iterable[str] | Mapping[str, Any]) -> dict[str, Any]:
+    """Engines and peers by name."""
+    if isinstance(contestants, Mapping):
+        return {name: x if hasattr(x, "plan") else own(x) for name, x in contestants.items()}
+    return {name: contestant(name) for name in contestants}

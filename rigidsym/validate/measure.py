@@ -1,7 +1,6 @@
 """How wrong states are, by every measure, in units of 2^-53 and against the documented bounds."""
 
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -53,6 +52,11 @@ class Errors:
     condition: np.ndarray
     share: np.ndarray
 
+    @property
+    def values(self) -> np.ndarray:
+        """The errors as MEANINGS has them, in rad or relative (N,)."""
+        return self.units * ULP
+
 
 def measure(reference: Reference, engine: Any) -> dict[str, Errors]:
     """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong."""
@@ -98,9 +102,8 @@ def _planned(sample: Sample, engine: Any) -> tuple[Any, Any]:
     """A plan, and the doubles it is made from where they say all of the sample."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     body = tuple(np.array(values, dtype=float) for values in state)
-    is_exact = any(isinstance(x, Fraction) for values in state for x in values)
     # Peers take doubles only.
-    if is_exact and hasattr(engine, "exact_plan"):
+    if not sample.in_doubles and hasattr(engine, "exact_plan"):
         return engine.exact_plan(*sample.exact), None
     return engine.plan(*body), body
 

@@ -1,12 +1,14 @@
 """The validation report: what was measured, against which bounds, and where it was worst."""
 
 import json
+import re
 import shlex
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from rigidsym.display.reports import report_html
+from rigidsym.display.reports import BROKEN, PASSED, report_html
+from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES, Campaign
 from rigidsym.validate.case_file import file_name, hexadecimal
@@ -14,7 +16,7 @@ from rigidsym.validate.contestants import PEER
 from rigidsym.validate.finding import Finding
 from rigidsym.validate.markdown import markdown
 from rigidsym.validate.measure import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP
-from rigidsym.validate.strata import STRATA, count
+from rigidsym.validate.strata import STRATA, count, in_doubles
 from rigidsym.validate.tally import DRAWN, Cell, Tally
 
 SCHEMA = "rigidsym.validation/2"
@@ -23,7 +25,10 @@ FAILURES = "failures"
 
 @dataclass(frozen=True, slots=True)
 class Failure:
-    """A broken bound: who, where, by which measure, and the simplest case found that breaks it."""
+    """A broken bound: who, where, by which measure, and the simplest case found that breaks it.
+
+    said: the words in which an integrator of the user's refused the case, if it did.
+    """
 
     target: str
     measure: str
@@ -31,6 +36,7 @@ class Failure:
     stratum: str
     index: int
     simplest: Finding
+    said: str = ""
 
     @property
     def file(self) -> str:
@@ -47,10 +53,27 @@ class Failure:
         return (
             f"{self.target}: {self.stratum}:{self.index}: {self.measure} {figure}, "
             f"{self.share:.3g} of its bound {bound:g}"
-        )
+        ) + (f" ({self.said})" if self.said else "")
 
 
 @dataclass(frozen=True, slots=True)
+class Worst:
+    """The worst of one measure in a stratum: rad, or relative (MEANINGS says which); the condition
+    number there, the case as (stratum, index), which `draw` takes, and the time in s."""
+
+    error: float
+    condition: float
+    case: tuple[str, int]
+    time: float
+
+    @classmethod
+    def of(cls, cell: Cell) -> "Worst":
+        """What a cell of a tally has in units of 2^-53."""
+        stratum, index, time = cell.place
+        return cls(cell.worst * ULP, cell.condition, (stratum, index), time)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
 class ValidationReport:
     """A campaign, what it found, the worst cases in full, and how it was run."""
 
@@ -79,7 +102,7 @@ class ValidationReport:
                 lines.append(f"{stratum}: the oracles disagree by {apart:.2g}")
             lines += [
                 f"{target}: {stratum}: a bound is broken, or was not tested"
-                for target in self.campaign.targets
+                for target in self.campaign.judged
                 if not self.share(target, stratum) <= 1 and (target, stratum) not in told
             ]
         return tuple(lines)
@@ -98,7 +121,17 @@ class ValidationReport:
     @property
     def command(self) -> str:
         """What writes this report."""
+        if self.campaign.own:
+            return self._call
         return f"rigidsym validate {self.options}"
+
+    @property
+    def _call(self) -> str:
+        """In Python: an integrator of the user's is out of the command's sight."""
+        whole = self.campaign
+        drawn = f"cases={whole.cases}, digits={whole.digits}, seed={whole.seed}"
+        chosen = "" if whole.strata == in_doubles() else f", strata={[*whole.strata]}"
+        return f"examine({_variable(whole.own[0])}, {drawn}{chosen})"
 
     @property
     def options(self) -> str:
@@ -146,7 +179,7 @@ class ValidationReport:
                     "stratum": failure.stratum,
                     "index": failure.index,
                     "share": _figure(failure.share),
-                    "simplest": self._case(failure.simplest, failure.file),
+                    "simplest": self._case(failure.simplest, self._file(failure)),
                 }
                 for failure in self.failures
             ],
@@ -161,8 +194,33 @@ class ValidationReport:
         """`to_data` as text: the same for the same campaign, but for `run`."""
         return as_json(self.to_data())
 
+    def by_stratum(self, measure: str = "angle", name: str | None = None) -> dict[str, Worst]:
+        """The worst error in each stratum where a contestant was asked, the first by default.
+
+        measure: a key of BOUNDS.  Raises InputError for others, and for who was not measured.
+        """
+        if measure not in MEASURES:
+            raise InputError("measure", measure, f"must be one of: {', '.join(MEASURES)}")
+        known = {x.removeprefix(PEER): x for x in self.campaign.contestants}
+        who = next(iter(known)) if name is None else name.removeprefix(PEER)
+        if who not in known:
+            raise InputError("name", name, f"must be one of: {', '.join(known)}")
+        cells = self.tally.view(known[who], measure, "stratum")
+        return {
+            stratum: Worst.of(cells[stratum])
+            for stratum in self.campaign.strata
+            if stratum in cells
+        }
+
+    def __repr__(self) -> str:
+        return f"<ValidationReport, {PASSED if self.passed else BROKEN}: {self.command}>"
+
     def _repr_html_(self) -> str:
         return report_html(self)
+
+    def _file(self, failure: Failure) -> str | None:
+        """Where the case of a failure lies; None where it is one that is drawn."""
+        return None if self.campaign.own else failure.file
 
     def _contestant(self, name: str) -> dict[str, Any]:
         whole, peer = self.campaign, name.startswith(PEER)
@@ -196,6 +254,11 @@ class ValidationReport:
 
     def _replay(self, case: str) -> Iterator[str]:
         whole = self.campaign
+        if whole.own:
+            stratum, _, index = case.rpartition(":")
+            mine = f"{{{whole.own[0]!r}: {_variable(whole.own[0])}}}"
+            yield f"look(draw({stratum!r}, {index}, {whole.seed}), {whole.digits}, {mine})"
+            return
         yield from ("rigidsym validate", *whole.targets, "--case", shlex.quote(case))
         yield from (f"--digits {whole.digits}", f"--seed {whole.seed}")
         yield from (f"--peer {name}" for name in whole.peers)
@@ -223,6 +286,11 @@ class ValidationReport:
             },
             "replay": " ".join(self._replay(file or name)),
         }
+
+
+def _variable(name: str) -> str:
+    """A name as Python may have it."""
+    return re.sub(r"\W", "_", name)
 
 
 def as_json(data: Mapping[str, Any]) -> str:

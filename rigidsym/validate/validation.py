@@ -103,10 +103,10 @@ def reported(whole: Campaign, tally: Tally, run: Mapping[str, Any]) -> Validatio
 
 
 def worst_places(whole: Campaign, tally: Tally) -> list[Place]:
-    """Where each target is worst in each stratum, by angle and by rates; each case once."""
+    """Where each who is judged is worst in each stratum, by angle and by rates; each case once."""
     cells = (
         cell
-        for target in whole.targets
+        for target in whole.judged
         for measure in DRAWN
         for cell in tally.view(target, measure, "stratum").values()
     )

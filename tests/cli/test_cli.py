@@ -169,8 +169,28 @@ def test_trace_goes_both_ways(capsys):
     for place in places:
         assert main(["trace", place]) == 0
         assert "(34)" in capsys.readouterr().out
-    assert main(["trace", "torque_free.py:1"]) == 1
-    assert main(["trace", "--equation", "99"]) == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (["--equation", "99"], "(99) is no equation of the paper, and no source of a line"),
+        (["--equation", "(35)"], "no generated line rests on (35), which the paper prints"),
+        (["--equation", "Lemma 2"], "Lemma 2 is no equation of the paper, and no source of a line"),
+        (["--equation", "Remark 3"], "no generated line rests on Remark 3, which the paper prints"),
+        (["--equation", ""], "an empty number is no equation of the paper"),
+        (["torque_free.py:1"], "torque_free.py:1 has no equation behind it: "),
+        (["torque_free.py:0"], "torque_free.py has lines 1 to "),
+        (["some/where/torque_free.c:99999"], "torque_free.c has lines 1 to "),
+        (["main.c:3"], "main.c is no generated file: these are torque_free."),
+    ],
+)
+def test_trace_says_why_it_has_nothing(arguments, line, capsys):
+    assert main(["trace", *arguments]) == 1
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert said.err.startswith(f"rigidsym trace: {line}")
+    assert len(said.err.splitlines()) == 1
 
 
 def test_trace_names_what_rests_on_no_fact(capsys):

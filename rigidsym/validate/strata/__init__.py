@@ -6,6 +6,6 @@ can exist.
 """
 
 from rigidsym.validate.strata.sample import Sample, Stratum
-from rigidsym.validate.strata.table import STRATA, count, draw, samples
+from rigidsym.validate.strata.table import STRATA, count, draw, in_doubles, samples
 
-__all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "samples"]
+__all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "samples"]

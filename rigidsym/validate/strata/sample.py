@@ -35,6 +35,12 @@ class Sample:
         """Inertia, rates and attitude, as what their numbers mean."""
         return fractions(self.inertia), fractions(self.omega0), fractions(self.attitude0)
 
+    @property
+    def in_doubles(self) -> bool:
+        """Whether doubles say all of its numbers."""
+        numbers = (*self.inertia, *self.omega0, *self.attitude0)
+        return not any(isinstance(x, Fraction) for x in numbers)
+
 
 Body = Callable[[Random, int], Motion]
 Times = Callable[[Random, int, Motion], Floats]

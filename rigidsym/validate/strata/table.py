@@ -1,6 +1,7 @@
 """The strata by name, and how they are drawn."""
 
 from collections.abc import Iterator
+from functools import cache
 from random import Random
 
 from rigidsym.validate.strata import (
@@ -153,6 +154,12 @@ def count(stratum: str, cases: int) -> int:
     """How many cases there are of a stratum when `cases` are asked for."""
     size = STRATA[stratum].size
     return cases if size is None else min(cases, size)
+
+
+@cache
+def in_doubles() -> tuple[str, ...]:
+    """The strata for programs that take doubles: to others it is another motion they are told."""
+    return tuple(name for name in STRATA if draw(name, 0, 0).in_doubles)
 
 
 def samples(cases: int, seed: int) -> Iterator[Sample]:

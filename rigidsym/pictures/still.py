@@ -1,0 +1,80 @@
+"""A still of an interactive picture, from its own traces, for readers that run no scripts."""
+
+import io
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from rigidsym.pictures.packages import package
+
+SIZE, DPI = (6.6, 5.4), 90
+GREY = "#808080"
+# plotly's widths are in pixels, matplotlib's in points; on a smaller picture lines are thinner.
+_THINNER = 0.4
+
+
+def still(picture: Any) -> bytes:
+    """JPEG of a plotly figure made of lines, points, surfaces and triangles in one scene, as it is
+    before anything is turned or moved; raises ImportError without matplotlib."""
+    figure = package("matplotlib.figure", "still").Figure(figsize=SIZE, layout="constrained")
+    axes = figure.add_subplot(projection="3d")
+    for trace in picture.data:
+        _DRAWN[trace.type](axes, trace)
+    _dress(axes, picture.layout.scene)
+    axes.set_title(picture.layout.title.text or "", color=GREY, size=11)
+    if axes.get_legend_handles_labels()[1]:
+        axes.legend(loc="upper left", frameon=False, labelcolor=GREY, fontsize=8)
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="jpeg", dpi=DPI, pil_kwargs={"quality": 80})
+    return buffer.getvalue()
+
+
+def _points(trace: Any) -> list[np.ndarray]:
+    return [np.asarray(trace[name], dtype=float) for name in "xyz"]
+
+
+def _scatter(axes: Any, trace: Any) -> None:
+    name = "_nolegend_" if trace.showlegend is False else trace.name
+    if "lines" in (trace.mode or "lines"):
+        style = {"color": trace.line.color, "linewidth": _THINNER * (trace.line.width or 2)}
+    else:
+        style = {"color": trace.marker.color, "marker": "o", "markersize": trace.marker.size or 5}
+        style["linestyle"] = "none"
+    axes.plot(*_points(trace), label=name, **style)
+
+
+def _surface(axes: Any, trace: Any) -> None:
+    colour, opacity = trace.colorscale[0][1], trace.opacity
+    axes.plot_surface(*_points(trace), color=colour, alpha=opacity, linewidth=0, shade=False)
+
+
+def _triangles(axes: Any, trace: Any) -> None:
+    corners = np.stack([trace.i, trace.j, trace.k], axis=1).astype(int)
+    sides = np.stack(_points(trace), axis=1)[corners]
+    collection = package("mpl_toolkits.mplot3d.art3d", "still").Poly3DCollection
+    axes.add_collection3d(collection(sides, facecolors=list(trace.facecolor), zsort="min"))
+
+
+_DRAWN: Mapping[str, Callable[[Any, Any], None]] = {
+    "scatter3d": _scatter,
+    "surface": _surface,
+    "mesh3d": _triangles,
+}
+
+
+def _dress(axes: Any, scene: Any) -> None:
+    """The scene's cube, labels and camera."""
+    eye = scene.camera.eye
+    azimuth = math.degrees(math.atan2(eye.y, eye.x))
+    axes.view_init(math.degrees(math.atan2(eye.z, math.hypot(eye.x, eye.y))), azimuth)
+    axes.set_box_aspect((1, 1, 1))
+    for letter in "xyz":
+        one = getattr(axes, f"{letter}axis")
+        given = scene[f"{letter}axis"]
+        getattr(axes, f"set_{letter}lim")(*given.range)
+        getattr(axes, f"set_{letter}label")(given.title.text, color=GREY, size=8)
+        one.set_major_locator(package("matplotlib.ticker", "still").MaxNLocator(4))
+        one.set_pane_color((1, 1, 1, 0))
+        one.set_tick_params(labelsize=7, labelcolor=GREY)

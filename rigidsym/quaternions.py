@@ -1,0 +1,42 @@
+"""Quaternions as arrays (..., 4) of doubles, scalar first; leading shapes broadcast."""
+
+import numpy as np
+
+
+def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
+    """Hamilton's product p q.
+
+    >>> product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0, 0.0]))
+    array([0., 0., 0., 1.])
+    """
+    scalar = p[..., :1] * q[..., :1] - np.sum(p[..., 1:] * q[..., 1:], axis=-1, keepdims=True)
+    vector = p[..., :1] * q[..., 1:] + q[..., :1] * p[..., 1:] + np.cross(p[..., 1:], q[..., 1:])
+    return np.concatenate([scalar, vector], axis=-1)
+
+
+def conjugate(q: np.ndarray) -> np.ndarray:
+    """The opposite rotation, for a unit quaternion."""
+    return q * [1.0, -1.0, -1.0, -1.0]
+
+
+def rotated(q: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+    """Vectors (..., 3) turned by unit quaternions."""
+    scalar, axis = q[..., :1], q[..., 1:]
+    twice = 2 * np.cross(axis, vectors)
+    return vectors + scalar * twice + np.cross(axis, twice)
+
+
+def of_matrix(m: np.ndarray) -> np.ndarray:
+    """The unit quaternion (4,) of a rotation matrix (3, 3), scalar part not negative.
+
+    Of the four squares the largest is rooted (Shepperd, J. Guidance and Control 1, 1978).
+    """
+    k = int(np.argmax([np.trace(m), *np.diag(m)])) - 1
+    if k < 0:
+        q = np.array([1 + np.trace(m), m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1]])
+    else:
+        i, j = (k + 1) % 3, (k + 2) % 3
+        q = np.empty(4)
+        q[0], q[1 + k] = m[j, i] - m[i, j], 1 + m[k, k] - m[i, i] - m[j, j]
+        q[1 + i], q[1 + j] = m[i, k] + m[k, i], m[j, k] + m[k, j]
+    return np.copysign(1.0, q[0]) * q / np.linalg.norm(q)

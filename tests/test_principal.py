@@ -1,0 +1,153 @@
+"""Principal axes: the tensor comes back, motions agree in both axes, bad tensors are refused."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rigidsym import InputError, TorqueFreeMotion, principal_axes
+from rigidsym.quaternions import conjugate, of_matrix, product, rotated
+
+NUMBERS = st.floats(-1, 1)
+ROTATIONS = (
+    st.tuples(NUMBERS, NUMBERS, NUMBERS, NUMBERS)
+    .filter(lambda q: math.hypot(*q) > 0.1)
+    .map(lambda q: np.array(q) / math.hypot(*q))
+)
+# Bodies that can exist: moments are sums of two of three second moments of mass.
+SPREADS = st.tuples(*[st.floats(1e-3, 1)] * 3).map(np.array)
+SCALES = st.sampled_from([1e-300, 1e-9, 1.0, 1e12, 1e300])
+SETTING = np.array([0.5, -0.5, 0.5, 0.5])
+
+
+def matrix(q):
+    return rotated(q, np.eye(3)).T
+
+
+def tensor_of(moments, q):
+    full = matrix(q) @ np.diag(moments) @ matrix(q).T
+    return (full + full.T) / 2
+
+
+@given(SPREADS, ROTATIONS, SCALES)
+def test_moments_and_axes_give_the_tensor_again(spread, q, scale):
+    moments = np.sum(spread) - spread
+    tensor = tensor_of(moments, q) * scale
+    found = principal_axes(tensor)
+    assert np.all(np.diff(found.moments) >= 0)
+    assert np.allclose(found.moments / scale, np.sort(moments), rtol=0, atol=1e-14)
+    again = found.matrix @ np.diag(found.moments / scale) @ found.matrix.T
+    assert np.allclose(again, tensor / scale, rtol=0, atol=1e-14)
+    assert np.allclose(found.matrix.T @ found.matrix, np.eye(3), rtol=0, atol=1e-14)
+    assert np.linalg.det(found.matrix) == pytest.approx(1)
+    assert np.allclose(matrix(found.quaternion), found.matrix, rtol=0, atol=1e-14)
+    assert found.quaternion[0] >= 0
+
+
+@given(SPREADS, ROTATIONS, ROTATIONS, st.tuples(NUMBERS, NUMBERS, NUMBERS))
+def test_what_is_turned_there_comes_back(spread, q, attitude, rates):
+    body = principal_axes(tensor_of(np.sum(spread) - spread, q))
+    omega0, attitude0 = body.to_principal(rates, attitude)
+    back = body.from_principal(attitude0, omega0)
+    assert np.allclose(back[0], attitude, rtol=0, atol=1e-14)
+    assert np.allclose(back[1], rates, rtol=0, atol=1e-14)
+    # The momentum in space is the same by either axes.
+    there = rotated(attitude0, body.moments * omega0)
+    here = rotated(attitude, tensor_of(np.sum(spread) - spread, q) @ np.array(rates))
+    assert np.allclose(there, here, rtol=0, atol=1e-13)
+
+
+def test_a_motion_keeps_its_momentum_in_the_given_axes():
+    tensor = tensor_of((0.0109, 0.04, 0.0506), np.array([0.1, -0.7, 0.5, 0.5]))
+    body, rates = principal_axes(tensor), np.array([0.03, -0.02, 0.05])
+    motion = TorqueFreeMotion(body.moments, *body.to_principal(rates, SETTING))
+    q, omega = body.from_principal(*motion(np.linspace(0, 600, 50)))
+    assert (q.shape, omega.shape) == ((50, 4), (50, 3))
+    assert np.allclose(q[0], SETTING, rtol=0, atol=1e-15)
+    assert np.allclose(omega[0], rates, rtol=0, atol=1e-16)
+    momentum = rotated(q, omega @ tensor)
+    assert np.ptp(momentum, axis=0).max() < 1e-16
+    assert np.einsum("ni,ij,nj->n", omega, tensor, omega) == pytest.approx(rates @ tensor @ rates)
+
+
+@given(st.permutations([0.1, 0.3, 0.35]))
+def test_diagonal_tensors_are_put_in_order_exactly(moments):
+    found = principal_axes(np.diag(moments))
+    assert found.moments.tolist() == [0.1, 0.3, 0.35]
+    assert {*np.abs(found.matrix).ravel().tolist()} == {0.0, 1.0}
+    assert np.linalg.det(found.matrix) == 1
+    if moments == [0.1, 0.3, 0.35]:
+        assert found.quaternion.tolist() == [1, 0, 0, 0]
+
+
+def test_equal_moments_have_any_axes():
+    assert principal_axes(np.eye(3)).matrix.tolist() == np.eye(3).tolist()
+    found = principal_axes(tensor_of((1, 1, 1.5), SETTING))
+    assert np.allclose(found.moments, (1, 1, 1.5), rtol=1e-15)
+    assert np.allclose(found.matrix.T @ found.matrix, np.eye(3), rtol=0, atol=1e-15)
+
+
+def test_numbers_of_any_kind():
+    found = principal_axes([["0.5", 0, Fraction(0)], [0, "1/2", 0], [0, 0, np.float32(0.5)]])
+    assert found.moments.tolist() == [0.5, 0.5, 0.5]
+
+
+def test_what_is_nearly_symmetric_is_made_so():
+    tensor = np.array([[2, 0.1, 0], [0.1 + 1e-9, 3, 0], [0, 0, 4]])
+    assert principal_axes(tensor).moments.tolist() == principal_axes(tensor.T).moments.tolist()
+
+
+@pytest.mark.parametrize(
+    ("tensor", "line"),
+    [
+        ([[1, 0.1, 0], [0, 1, 0], [0, 0, 1]],
+         "tensor[0][1] = 0.1: but tensor[1][0] = 0: an inertia tensor is symmetric"),
+        ([[1, 0, 0], [0, 1, 0], [0, 0, 0]], "tensor = one of principal moments [0, 1, 1]: pr"),
+        ([[1, 1, 0], [1, 1, 0], [0, 0, 1]], "tensor = one of principal moments [0, 1, 2]: "),
+        ([[1, 2, 0], [2, 1, 0], [0, 0, 1]], "tensor = one of principal moments [-1, 1, 3]: "),
+        (np.zeros((3, 3)), "tensor = one of principal moments [0, 0, 0]: "),
+        ([[1, 0, 0], [0, math.nan, 0], [0, 0, 1]], "tensor[1][1] = nan: must be finite"),
+        ([[1, 0, 0], [0, 1, 0], [0, 0, math.inf]], "tensor[2][2] = inf: must be finite"),
+        ([[1, 0, 0], [0, "x", 0], [0, 0, 1]], "tensor[1][1] = 'x': must be"),
+        ([[1, 0, 0], [0, 1j, 0], [0, 0, 1]], "tensor[1][1] = 1j: must be a number"),
+        (["1 +/- 0.1", 0, 0], "tensor[0] = '1 +/- 0.1': must be a list of numbers"),
+        ([["1 +/- 0.1", 0, 0], [0, 1, 0], [0, 0, 1]], "tensor[0][0] = 1 +/- 0.1: is uncertain"),
+        ([["1e999", 0, 0], [0, 1, 0], [0, 0, 1]], "tensor[0] = [1.00000000000E+999, 0, 0]: "),
+        (np.eye(2), "tensor = 2 rows: must have 3 rows of 3 numbers"),
+        (np.ones((3, 4)), "tensor[0] = [1. 1. 1. 1.]: must have 3 numbers, not 4"),
+        ((1, 2, 3), "tensor[0] = 1: must be a list of numbers"),
+        (2.0, "tensor = 2.0: must be a list of numbers"),
+        (None, "tensor = None: must be a list of numbers"),
+        ("abc", "tensor = 'abc': must be a list of numbers"),
+    ],
+)  # fmt: skip
+def test_tensors_that_are_none(tensor, line):
+    with pytest.raises(InputError) as caught:
+        principal_axes(tensor)
+    assert str(caught.value).startswith(line)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (([1, 2], [1, 0, 0, 0]), "omega = shape (2,): must be (..., 3)"),
+        (([1, 2, 3], 1), "attitude = shape (): must be (..., 4)"),
+        ((["x", 2, 3], [1, 0, 0, 0]), "omega = ['x', 2, 3]: must be numbers"),
+    ],
+)
+def test_states_that_are_none(arguments, line):
+    with pytest.raises(InputError) as caught:
+        principal_axes(np.eye(3)).to_principal(*arguments)
+    assert str(caught.value) == line
+
+
+@given(ROTATIONS, ROTATIONS)
+def test_products_of_quaternions_are_products_of_matrices(p, q):
+    assert np.allclose(matrix(product(p, q)), matrix(p) @ matrix(q), rtol=0, atol=1e-14)
+    assert np.allclose(product(q, conjugate(q)), [1, 0, 0, 0], rtol=0, atol=1e-15)
+    found = of_matrix(matrix(q))
+    assert min(np.abs(found - q).max(), np.abs(found + q).max()) < 1e-14

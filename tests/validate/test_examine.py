@@ -1,0 +1,235 @@
+"""One's own integrator: the truth passes, and whatever is wrong is a finding in the report."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+from rigidsym import InputError, TorqueFreeMotion
+from rigidsym.engines import engine
+from rigidsym.validate import STRATA, draw, examine, look, validate
+from rigidsym.validate.page import page
+from rigidsym.validate.strata import in_doubles
+
+FEW = ("uniform", "spin")
+
+
+def exact(inertia, omega0, attitude0, times):
+    return TorqueFreeMotion(inertia, omega0, attitude0)(times)
+
+
+def few(integrator, **options):
+    return examine(integrator, **{"cases": 1, "strata": FEW, **options})
+
+
+@pytest.mark.parametrize("reach", [None, math.inf])
+def test_the_truth_passes_everywhere(reach):
+    report = examine(exact, cases=2, seed=7, reach=reach)
+    assert report.complaints == ()
+    assert report.passed
+    assert report.campaign.strata == in_doubles()
+    assert set(report.by_stratum()) == set(in_doubles())
+
+
+def test_what_doubles_cannot_say_is_left_out():
+    exact_only = {"decimals", "needle", "nearest separatrix", "nearest sphere", "published"}
+    assert set(STRATA) - set(in_doubles()) == exact_only | {"nearest symmetric"}
+    assert not examine(exact, cases=1, strata=["decimals"]).passed
+
+
+def test_the_report_is_that_of_everybody():
+    report = few(exact, name="the truth", cases=2)
+    data = json.loads(report.to_json())
+    assert data["passed"] is True
+    assert data["command"] == (
+        "examine(the_truth, cases=2, digits=40, seed=1, strata=['uniform', 'spin'])"
+    )
+    assert [one["name"] for one in data["contestants"]] == ["peer the truth"]
+    assert data["worst"][0]["replay"].startswith("look(draw('spin', ")
+    assert "| uniform | 2 | 34 |" in report.to_markdown()
+    assert "the truth" in page(data)
+    assert "the truth" in report._repr_html_()
+    assert repr(report) == f"<ValidationReport, passed: {data['command']}>"
+
+
+def test_what_a_function_gets():
+    asked = []
+
+    def heard(inertia, omega0, attitude0, times):
+        asked.append(times.copy())
+        assert [x.shape for x in (inertia, omega0, attitude0)] == [(3,), (3,), (4,)]
+        assert abs(np.linalg.norm(attitude0) - 1) < 1e-15
+        found = exact(inertia, omega0, attitude0, times)
+        for given in (inertia, omega0, attitude0, times):
+            given[:] = np.nan
+        return found
+
+    assert few(heard, reach=5.0).passed
+    assert {float(np.sign(times[0])) for times in asked} == {-1.0, 1.0}
+    for times in asked:
+        assert np.all(np.diff(np.abs(times)) > 0)
+        assert len({*np.sign(times)}) == 1
+
+
+def raising(error):
+    def raises(inertia, omega0, attitude0, times):
+        raise error
+
+    return raises
+
+
+def spoilt(change):
+    def spoils(inertia, omega0, attitude0, times):
+        return change(*exact(inertia, omega0, attitude0, times))
+
+    return spoils
+
+
+WRONG = {
+    "a key": (raising(KeyError("x")), "KeyError: 'x'"),
+    "two lines": (raising(RuntimeError("a\nb")), "RuntimeError: a b"),
+    "no words": (raising(ZeroDivisionError()), "ZeroDivisionError"),
+    "recursion": (raising(RecursionError("deep")), "RecursionError: deep"),
+    "transposed": (spoilt(lambda q, w: (q.T, w.T)), "q: shape (4, "),
+    "rates of four": (spoilt(lambda q, w: (q, q)), "omega: shape ("),
+    "one state": (spoilt(lambda q, w: (q[0], w[0])), "q: shape (4,)"),
+    "attitude alone": (spoilt(lambda q, w: q[:3]), "must be (q, omega)"),
+    "nothing": (lambda *given: None, "gives NoneType: must be (q, omega)"),
+    "words": (spoilt(lambda q, w: ([["a"] * 4] * len(q), w)), "q: must be real numbers"),
+    "complex": (spoilt(lambda q, w: (q + 1j, w)), "q: must be real numbers"),
+    "ragged": (spoilt(lambda q, w: ([[1.0], [1.0, 2.0]], w)), "q: must be real numbers"),
+    "too few arguments": (lambda inertia: None, "TypeError: "),
+    "NaN": (spoilt(lambda q, w: (np.full_like(q, np.nan), w)), "angle inf"),
+    "infinite": (spoilt(lambda q, w: (q, w * np.inf)), "inf of its bound"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_what_goes_wrong_is_said_for_each_stratum(name):
+    integrator, words = WRONG[name]
+    report = few(integrator)
+    assert not report.passed
+    assert len(report.complaints) == len(report.failures) == len(FEW)
+    for line in report.complaints:
+        assert words in line
+        assert "\n" not in line
+    assert {worst.error for worst in report.by_stratum().values()} == {math.inf}
+    assert json.loads(report.to_json())["complaints"] == [*report.complaints]
+    page(report.to_data())
+    report.to_markdown()
+
+
+def test_interrupts_are_not_caught():
+    with pytest.raises(KeyboardInterrupt):
+        few(raising(KeyboardInterrupt()))
+
+
+def test_what_fails_on_one_side_is_right_on_the_other():
+    def forward(inertia, omega0, attitude0, times):
+        if times[0] < 0:
+            raise ValueError("not backwards")
+        return exact(inertia, omega0, attitude0, times)
+
+    report = few(forward, strata=["uniform"])
+    assert "not backwards" in report.complaints[0]
+    worst = report.by_stratum()["uniform"]
+    assert (worst.error, worst.time < 0) == (math.inf, True)
+    found = look(draw("uniform", 0, 1), 40, {"x": forward}).errors["x"]["angle"]
+    assert np.isinf(found.units[found.times < 0]).all()
+    assert np.all(found.share[found.times >= 0] <= 1)
+    assert np.all(found.values[found.times >= 0] < 2e-15)
+
+
+def test_errors_are_in_their_own_units_with_case_and_time():
+    report = few(spoilt(lambda q, w: (q, w * (1 + 1e-6))), strata=["uniform"])
+    worst = report.by_stratum("omega")["uniform"]
+    assert worst.error == pytest.approx(1e-6, rel=1e-6)
+    assert worst.time in draw(*worst.case, seed=1).times
+    assert report.by_stratum(name="spoils")["uniform"].error < 2e-15
+    assert report.by_stratum(name="peer spoils") == report.by_stratum()
+
+
+class Rotations:
+    """An object with a peer's methods, on no sheet."""
+
+    name, version, reach, sheets = "rotations", "7", 20.0, False
+
+    def __init__(self):
+        self.engine = engine("numpy")
+
+    def plan(self, *motion):
+        return self.engine.plan(*motion)
+
+    def states(self, plan, t):
+        assert max(map(abs, t)) < 1e6
+        q, omega = self.engine.states(plan, np.asarray(t))
+        return np.copysign(1.0, q[:, 0])[:, None] * q, omega
+
+
+def test_an_object_says_itself_what_it_is():
+    report = few(Rotations(), strata=["uniform"])
+    assert report.by_stratum("angle")["uniform"].error < 2e-15
+    assert report.campaign.peers == ("rotations",)
+    assert report.campaign.peer_versions == ("7",)
+    assert few(Rotations(), strata=["uniform"], sheets=True).by_stratum()["uniform"].error > 1
+    assert few(Rotations(), name="other").campaign.peers == ("other",)
+
+
+def test_validate_takes_no_part_in_it():
+    report = validate(["numpy"], cases=1, strata=["uniform"])
+    assert report.campaign.judged == ("numpy",)
+    assert set(report.by_stratum()) == {"uniform"}
+
+
+def test_progress_counts_cases():
+    told = []
+    few(exact, cases=2, progress=lambda done, total: told.append((done, total)))
+    assert told == [(k, 4) for k in range(1, 5)]
+
+
+@pytest.mark.parametrize(
+    ("integrator", "options", "line"),
+    [
+        (3, {}, "integrator = 3: must be a function of"),
+        (exact, {"name": ""}, "name = '': must be words"),
+        (exact, {"name": "../x"}, "name = '../x': must be words"),
+        (exact, {"name": 3}, "name = 3: must be words"),
+        (exact, {"name": "dop853"}, "name = dop853: is measured by that name already"),
+        (exact, {"name": "numpy"}, "name = numpy: is measured by that name already"),
+        (exact, {"reach": 0}, "reach = 0: must be a number above zero"),
+        (exact, {"reach": math.nan}, "reach = nan: must be a number above zero"),
+        (exact, {"reach": "far"}, "reach = 'far': must be a number above zero"),
+        (exact, {"cases": 0}, "cases = 0: must be a whole number, at least 1"),
+        (exact, {"cases": 1.5}, "cases = 1.5: must be a whole number, at least 1"),
+        (exact, {"digits": 3}, "digits = 3: must be at least 20"),
+        (exact, {"strata": ["foo"]}, "stratum = foo: must be one of"),
+    ],
+)
+def test_options_that_mean_nothing(integrator, options, line):
+    with pytest.raises(InputError) as caught:
+        few(integrator, **options)
+    assert str(caught.value).startswith(line)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [(("foo",), "measure = foo: must be one of: angle,"),
+     (("angle", "you"), "name = you: must be one of: exact")],
+)  # fmt: skip
+def test_what_was_not_measured_has_no_errors(arguments, line):
+    with pytest.raises(InputError) as caught:
+        few(exact, strata=["rest"]).by_stratum(*arguments)
+    assert str(caught.value).startswith(line)
+
+
+def test_lambdas_and_objects_have_names():
+    assert few(lambda *given: exact(*given)).campaign.peers == ("lambda",)
+
+    class Mine:
+        def __call__(self, *given):
+            return exact(*given)
+
+    assert few(Mine()).campaign.peers == ("Mine",)
+    assert set(FEW) < set(STRATA)
