@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
+    from rigidsym.manoeuvre import plan
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
@@ -23,6 +24,7 @@ __all__ = [
     "Regime",
     "TorqueFreeMotion",
     "generate",
+    "plan",
     "principal_axes",
     "propagate",
 ]
@@ -36,6 +38,7 @@ _HOMES = {
     "Regime": "rigidsym.solution.polhode",
     "TorqueFreeMotion": "rigidsym.motion",
     "generate": "rigidsym.codegen",
+    "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
 }

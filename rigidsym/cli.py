@@ -163,6 +163,10 @@ def _parser() -> argparse.ArgumentParser:
     methods.add_argument("-o", "--output", metavar="DIR", type=_path, help="JSON and a plot")
     methods.add_argument("--json", action="store_true", help="to stdout alone")
     methods.add_argument("--allow-nonphysical", action="store_true", help="any body")
+
+    from rigidsym.manoeuvre import commands as manoeuvres
+
+    manoeuvres.add(command, manoeuvres.Tools(_path, _positive, _table, _progress, _say))
     return parser
 
 

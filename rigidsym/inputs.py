@@ -21,6 +21,7 @@ _HEX = re.compile(r"[+-]?0[xX]")
 _ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
+_SHORT = 30
 MOST_DIGITS = 100_000
 MOST_TIMES = 10_000_000
 
@@ -208,3 +209,13 @@ def decimal(value: Fraction, digits: int) -> str:
     """A rational correctly rounded to `digits` digits, without zeros that say nothing."""
     context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
     return str(context.divide(Decimal(value.numerator), Decimal(value.denominator)))
+
+
+def exact_text(value: Fraction) -> str:
+    """A string that `exact` reads as this very number: a decimal where a short one is, else the
+    double in hexadecimal, else a fraction."""
+    short = decimal(value, _SHORT)
+    if Fraction(short) == value:
+        return short
+    nearest = float(value) if abs(value) < 2**1023 else 0.0
+    return nearest.hex() if Fraction(nearest) == value else str(value)

@@ -21,7 +21,7 @@ from rigidsym.cli import main
 from rigidsym.export import aem, sampled
 
 COMMANDS = ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate",
-            "methods")  # fmt: skip
+            "methods", "plan", "track", "figures")  # fmt: skip
 
 CASE = """
 inertia = ["0.0109", "0.04", "0.0506"]

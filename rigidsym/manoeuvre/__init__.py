@@ -1,0 +1,31 @@
+"""Manoeuvres along natural motions: planned, flown, compared."""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
+    from rigidsym.manoeuvre.plan import Plan, plan, solve
+    from rigidsym.manoeuvre.transfer import Transfer
+
+__all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "plan", "solve"]
+
+# Imported at first use: the command line asks this package for its commands, and its help is cheap.
+_HOMES = {
+    "Limits": "rigidsym.manoeuvre.manoeuvre",
+    "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",
+    "Plan": "rigidsym.manoeuvre.plan",
+    "Transfer": "rigidsym.manoeuvre.transfer",
+    "plan": "rigidsym.manoeuvre.plan",
+    "solve": "rigidsym.manoeuvre.plan",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'rigidsym.manoeuvre' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,73 @@
+"""Line pictures by matplotlib, the same bytes on each run: SVG and PNG."""
+
+import io
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rigidsym.manoeuvre.packages import require
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+require("drawing", "matplotlib")
+
+# Okabe and Ito's colours, told apart by all readers: the axes 1, 2, 3, and a scalar part.
+AXES = ("#0072b2", "#d55e00", "#009e73")
+SCALAR = "#555555"
+FLOWN: dict[str, Any] = {"linewidth": 2.0}
+WANTED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
+
+
+def blank(height: float = 4.2) -> tuple["Figure", Any]:
+    """A figure of its own, apart from pyplot and its state, and its axes over time."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.0, height), layout="constrained")
+    axes = figure.add_subplot()
+    axes.set_xlabel("time (s)")
+    # What happens at the first time is not hidden by the axis.
+    axes.margins(x=0.01)
+    axes.locator_params(axis="x", nbins=10, steps=[1, 2, 5, 10])
+    axes.grid(alpha=0.25)
+    axes.spines[["top", "right"]].set_visible(False)
+    return figure, axes
+
+
+def lines(
+    axes: Any,
+    t: np.ndarray,
+    values: np.ndarray,
+    labels: tuple[str, ...],
+    colours: tuple[str, ...] = AXES,
+    **style: Any,
+) -> None:
+    """A line for each column of values (N, k); a label that is empty is left out of the legend."""
+    for column, label, colour in zip(values.T, labels, colours, strict=True):
+        axes.plot(t, column, color=colour, label=label or None, **style)
+
+
+def legend(axes: Any) -> None:
+    """Beside the plot, where it hides nothing."""
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+
+
+def mark(axes: Any, t: float, text: str) -> None:
+    """A dotted line at a time, its meaning written above."""
+    axes.axvline(t, color="0.4", linewidth=1.0, linestyle=":")
+    place = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
+    axes.annotate(text, (t, 1.0), xytext=(0, 4), ha="center", fontsize=9, color="0.3", **place)
+
+
+def rendered(figure: "Figure") -> dict[str, bytes]:
+    """The file contents by suffix, without dates or names that change from run to run."""
+    from matplotlib import rc_context
+
+    found = {}
+    kinds = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}
+    with rc_context({"svg.hashsalt": "rigidsym"}):
+        for suffix, metadata in kinds.items():
+            buffer = io.BytesIO()
+            figure.savefig(buffer, format=suffix, dpi=150, metadata=metadata)
+            found[suffix] = buffer.getvalue()
+    return found

@@ -1,0 +1,17 @@
+"""A spacecraft flown along a natural motion, in closed loop, through what disturbs it.
+
+Conventions are those of the project: quaternions scalar first, body to inertial; vectors of the
+spacecraft in its body axes; SI units.  The inertial frame is the geocentric celestial one (its
+third axis is the Earth's, to a tenth of a degree).
+"""
+
+from rigidsym.manoeuvre.packages import require
+
+require("flying a manoeuvre", "scipy", "erfa", "ppigrf")
+
+from rigidsym.manoeuvre.flight.fly import fly  # noqa: E402
+from rigidsym.manoeuvre.flight.reading import read  # noqa: E402
+from rigidsym.manoeuvre.flight.run import Run  # noqa: E402
+from rigidsym.manoeuvre.flight.settings import Flight  # noqa: E402
+
+__all__ = ["Flight", "Run", "fly", "read"]

@@ -1,0 +1,74 @@
+"""The attitude to follow at each time, and the torque that brings the spacecraft there."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+
+from rigidsym.manoeuvre.flight.rotation import cross, matrix, relative
+from rigidsym.manoeuvre.flight.settings import Controller
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.motion import TorqueFreeMotion
+
+
+class Transfer(Protocol):
+    """What is flown of a planned transfer."""
+
+    @property
+    def duration(self) -> float:
+        """From the start to the target, s."""
+        ...
+
+    @property
+    def motion(self) -> TorqueFreeMotion:
+        """The natural motion from the start, with the rates after the first burst."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Reference:
+    """Attitudes q (N, 4) and body rates omega (N, 3) along the times of a flight."""
+
+    q: np.ndarray
+    omega: np.ndarray
+
+
+def natural(transfer: Transfer, t: np.ndarray) -> Reference:
+    """The natural motion at times (N,), on beyond the end of the manoeuvre."""
+    return Reference(*transfer.motion(t))
+
+
+def reference(manoeuvre: Manoeuvre, transfer: Transfer, t: np.ndarray) -> Reference:
+    """The natural motion until the target is reached, the target from then on.
+
+    A target that spins goes on as a free body does.  The attitudes are continuous in the double
+    cover: of the two quaternions of the target it is the one at which the motion arrives.
+    """
+    arrived = transfer.motion(transfer.duration)[0]
+    target = np.array([float(x) for x in manoeuvre.target])
+    held = target if arrived @ target >= 0 else -target
+    after = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.target_spin, held.tolist())
+    late = t >= transfer.duration
+    ahead, then = transfer.motion(t[~late]), after(t[late] - transfer.duration)
+    return Reference(*(np.concatenate(pair) for pair in zip(ahead, then, strict=True)))
+
+
+def command(
+    controller: Controller,
+    inertia: np.ndarray,
+    state: tuple[np.ndarray, np.ndarray, np.ndarray],
+    wanted: tuple[np.ndarray, np.ndarray],
+) -> np.ndarray:
+    """The torque (3,), N m, for q, omega and the wheels' momentum, where q and omega are wanted.
+
+    -2 Kp sign(d0) d - Kd (omega - omega wanted) with d the error's quaternion: the way back is
+    the shorter one.  With `feedforward`, omega x h of the wheels' momentum h on top: the body
+    then feels them as if they were not there, and needs no torque on a natural motion.
+    """
+    q, omega, momentum = state
+    error = relative(wanted[0], q)
+    slip = omega - wanted[1] @ matrix(error)
+    towards = np.copysign(2.0, error[0]) * error[1:]
+    frequency, damping = controller.natural_frequency, controller.damping_ratio
+    torque = -inertia * (frequency**2 * towards + 2 * damping * frequency * slip)
+    return torque + cross(omega, momentum) if controller.feedforward else torque

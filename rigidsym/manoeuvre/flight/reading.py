@@ -1,0 +1,182 @@
+"""The settings of a flight from the tables of a manoeuvre file."""
+
+from collections.abc import Callable, Mapping
+from datetime import UTC, datetime
+from fractions import Fraction
+from typing import Any
+
+from rigidsym import inputs, toml_file
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre.flight.settings import (
+    Controller,
+    Disturbances,
+    Flight,
+    Orbit,
+    Spacecraft,
+    Timing,
+    Wheels,
+)
+
+MOST_SAMPLES = 1_000_000
+LONGEST = 100_000
+"s: some seventeen orbits, over which the circular one stays what it is."
+# Beyond it the field of the Earth and its atmosphere are not what the models say.
+HIGHEST = 100_000.0
+
+Reader = Callable[[str, Any], Any]
+
+
+def read(tables: Mapping[str, Any]) -> Flight:
+    """A flight from the tables [orbit], [wheels], ... as TOML gives them; missing: the paper's.
+
+    Raises InputError about the first key that is not known or value that cannot be.
+    """
+    made = {name: _table(name, tables[name]) for name in _READERS if name in tables}
+    flight = Flight(**made)
+    _check_sunlight(flight.spacecraft)
+    _check_wheels(flight.wheels)
+    _check_samples(flight.run)
+    return flight
+
+
+def _table(name: str, table: Any) -> Any:
+    kind, readers = _READERS[name]
+    if not isinstance(table, Mapping):
+        raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(readers))}")
+    toml_file.check_keys(name, table, readers)
+    return kind(**{key: readers[key](f"{name}.{key}", value) for key, value in table.items()})
+
+
+def _number(field: str, value: Any) -> float:
+    return inputs.doubles(field, [inputs.exact(field, value)])[0]
+
+
+def _between(low: float, high: float, rule: str, open_below: bool = False) -> Reader:
+    """A reader of numbers from low to high, or above low; `rule` says so."""
+
+    def reader(field: str, value: Any) -> float:
+        number = _number(field, value)
+        if not low <= number <= high or (open_below and number == low):
+            raise InputError(field, value, rule)
+        return number
+
+    return reader
+
+
+def _altitude(field: str, value: Any) -> float:
+    altitude = _number(field, value)
+    if altitude <= 0:
+        raise InputError(field, value, "must be above the surface, km")
+    if altitude > HIGHEST:
+        raise InputError(field, value, f"must be at most {HIGHEST:.0f} km")
+    return altitude
+
+
+def _triple(field: str, value: Any) -> tuple[float, ...]:
+    numbers = inputs.certain(field, inputs.vector(field, value, 3))
+    return tuple(inputs.doubles(field, numbers))
+
+
+def _size(field: str, value: Any) -> tuple[float, ...]:
+    edges = _triple(field, value)
+    for k, edge in enumerate(edges):
+        if edge <= 0:
+            raise InputError(f"{field}[{k}]", edge, "must be above zero")
+    return edges
+
+
+def _switch(field: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(field, repr(value), "must be true or false")
+    return value
+
+
+def _instant(field: str, value: Any) -> datetime:
+    if not isinstance(value, datetime):
+        raise InputError(field, repr(value), "must be a date and time, 2013-07-17T12:00:00Z")
+    return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
+
+
+def _seconds(field: str, value: Any) -> Fraction:
+    number = inputs.exact(field, value)
+    if not 0 < number <= LONGEST:
+        raise InputError(field, value, f"must be above zero, and at most {LONGEST} s")
+    return number
+
+
+def _check_sunlight(craft: Spacecraft) -> None:
+    if craft.specular + craft.diffuse > 1:
+        rule = "with specular, must not be more than all of the light"
+        raise InputError("spacecraft.diffuse", craft.diffuse, rule)
+
+
+def _check_wheels(wheels: Wheels) -> None:
+    for k, momentum in enumerate(wheels.momentum):
+        if wheels.max_momentum is not None and abs(momentum) > wheels.max_momentum:
+            rule = "is more than wheels.max_momentum"
+            raise InputError(f"wheels.momentum[{k}]", momentum, rule)
+
+
+def _check_samples(run: Timing) -> None:
+    if run.period > run.length:
+        raise InputError("run.period", float(run.period), "must not be longer than run.length")
+    if run.length / run.period > MOST_SAMPLES:
+        raise InputError("run.period", float(run.period), f"is for {MOST_SAMPLES} samples at most")
+
+
+_ANY = float("inf")
+_ABOVE = _between(0, _ANY, "must be above zero", open_below=True)
+_NOT_NEGATIVE = _between(0, _ANY, "must not be negative")
+_SHARE = _between(0, 1, "must be a share, from 0 to 1")
+_TURN = _between(-360, 360, "must be an angle in degrees, from -360 to 360")
+
+_READERS: dict[str, tuple[type, dict[str, Reader]]] = {
+    "orbit": (
+        Orbit,
+        {
+            "altitude": _altitude,
+            "inclination": _between(0, 180, "must be from 0 to 180 degrees"),
+            "node": _TURN,
+            "latitude_argument": _TURN,
+            "epoch": _instant,
+        },
+    ),
+    "wheels": (
+        Wheels,
+        {
+            "max_torque": _ABOVE,
+            "max_torque_rate": _ABOVE,
+            "max_momentum": _ABOVE,
+            "momentum": _triple,
+        },
+    ),
+    "controller": (
+        Controller,
+        {
+            "natural_frequency": _NOT_NEGATIVE,
+            "damping_ratio": _NOT_NEGATIVE,
+            "feedforward": _switch,
+        },
+    ),
+    "spacecraft": (
+        Spacecraft,
+        {
+            "size": _size,
+            "offset": _triple,
+            "drag_coefficient": _NOT_NEGATIVE,
+            "specular": _SHARE,
+            "diffuse": _SHARE,
+            "dipole": _triple,
+        },
+    ),
+    "disturbances": (Disturbances, dict.fromkeys(Disturbances.__slots__, _switch)),
+    "run": (
+        Timing,
+        {
+            "length": _seconds,
+            "period": _seconds,
+            "tolerance": _between(1e-14, 1e-3, "must be from 1e-14 to 1e-3"),
+            "settled": _ABOVE,
+        },
+    ),
+}

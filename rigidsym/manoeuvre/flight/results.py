@@ -1,0 +1,152 @@
+"""A flight as files and tables."""
+
+import io
+import json
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from datetime import datetime
+from fractions import Fraction
+from math import degrees, radians
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rigidsym.files import write_bytes, write_text
+from rigidsym.manoeuvre import drawing
+from rigidsym.manoeuvre.flight import pictures
+from rigidsym.manoeuvre.flight.control import Transfer
+from rigidsym.manoeuvre.flight.run import Run
+from rigidsym.manoeuvre.flight.settings import Flight
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+
+SCHEMA = "rigidsym.track/1"
+_PICTURES = {
+    "attitude": pictures.attitude,
+    "torques": pictures.torques,
+    "disturbances": pictures.disturbances,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Tracked:
+    """A flight with what was asked for."""
+
+    manoeuvre: Manoeuvre
+    flight: Flight
+    transfer: Transfer
+    run: Run
+
+    def summary(self) -> dict[str, Any]:
+        """Numbers of the flight: SI units and radians, settings in the units of the file."""
+        run = self.run
+        return {
+            "schema": SCHEMA,
+            "transfer": {
+                "duration": run.arrival,
+                "omega0": run.natural.omega[0].tolist(),
+                "omega1": self.transfer.motion(run.arrival)[1].tolist(),
+                "regime": str(self.transfer.motion.regime),
+            },
+            "tracking_error": run.tracking(),
+            "target": run.holding(radians(self.flight.run.settled)),
+            **run.effort(),
+            "disturbance_peak": {
+                name: float(np.max(np.linalg.norm(torque, axis=1)))
+                for name, torque in run.disturbances.items()
+            },
+            "checks": {
+                "momentum_defect": run.momentum_defect(),
+                "energy_defect": run.energy_defect(),
+            },
+            "manoeuvre": self.manoeuvre.to_data(),
+            "flight": _plain(asdict(self.flight)),
+        }
+
+    def to_json(self) -> str:
+        """The summary, as the schema rigidsym.track/1."""
+        return json.dumps(self.summary(), indent=1) + "\n"
+
+    @property
+    def missed(self) -> bool:
+        """Whether there was time to settle at the target, and it did not."""
+        target = self.run.holding(radians(self.flight.run.settled))
+        return target["final_error"] is not None and target["settled_at"] is None
+
+    def rows(self) -> list[tuple[str, str]]:
+        """What a reader wants to know first."""
+        found = self.summary()
+        error, target = found["tracking_error"], found["target"]
+        rows = [
+            ("natural motion", f"{found['transfer']['duration']:g} s"),
+            ("tracking error, greatest and rms", f"{_deg(error['max'])}, {_deg(error['rms'])}"),
+            ("error at arrival", _deg(error["last"])),
+            ("settled at the target", _settled(target, self.flight.run.settled)),
+            ("error at the end", _deg(target["final_error"])),
+            ("torque peaks", _three(found["torque_peak"], "N m")),
+            ("torque integrals", _three(found["torque_integral"], "N m s")),
+            ("wheels' momentum peaks", _three(found["wheel_momentum_peak"], "N m s")),
+        ]
+        for name, peak in found["disturbance_peak"].items():
+            rows.append((f"{name.replace('_', ' ')}, peak", f"{peak:.2e} N m"))
+        checks = found["checks"]
+        rows.append(("momentum unexplained", f"{checks['momentum_defect']:.1e} N m s"))
+        rows.append(("energy unexplained", f"{checks['energy_defect']:.1e} J"))
+        return rows
+
+    def to_npz(self) -> bytes:
+        """float64 arrays, a row for each sample; names as those of `Run`."""
+        run = self.run
+        arrays: dict[str, Any] = {
+            "t": run.t,
+            "q": run.q,
+            "omega": run.omega,
+            "reference_q": run.reference.q,
+            "reference_omega": run.reference.omega,
+            "natural_q": run.natural.q,
+            "natural_omega": run.natural.omega,
+            "error": run.error,
+            "torque": run.torque,
+            "wheel_momentum": run.wheel_momentum,
+            "impulse": run.impulse,
+            "work": run.work,
+        }
+        arrays |= {f"disturbance_{name}": torque for name, torque in run.disturbances.items()}
+        buffer = io.BytesIO()
+        np.savez(buffer, **arrays)
+        return buffer.getvalue()
+
+    def write(self, directory: Path) -> list[Path]:
+        """run.npz, summary.json and the pictures; raises InputError where that fails."""
+        written = [write_bytes(directory / "run.npz", self.to_npz())]
+        for name, draw in _PICTURES.items():
+            for suffix, data in drawing.rendered(draw(self.run)).items():
+                written.append(write_bytes(directory / f"{name}.{suffix}", data))
+        return [*written, write_text(directory / "summary.json", self.to_json())]
+
+
+def _plain(value: Any) -> Any:
+    """What JSON can hold."""
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(item) for item in value]
+    if isinstance(value, datetime):
+        return value.isoformat()
+    return float(value) if isinstance(value, Fraction) else value
+
+
+def _deg(angle: float | None) -> str:
+    return "not flown" if angle is None else f"{degrees(angle):.3f} deg"
+
+
+def _settled(target: Mapping[str, Any], within: float) -> str:
+    if target["final_error"] is None:
+        return "not flown"
+    if target["settled_at"] is None:
+        return f"not within {within:g} deg at the end"
+    return f"from {target['settled_at']:.1f} s on, within {within:g} deg"
+
+
+def _three(values: list[float], unit: str) -> str:
+    return f"{', '.join(f'{value:.2e}' for value in values)} {unit}"

@@ -1,0 +1,90 @@
+"""What a flight leaves: its states, and what is measured on them."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from rigidsym.manoeuvre.flight.control import Reference
+from rigidsym.manoeuvre.flight.rotation import angle, matrix
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """A flight at its samples, N of them; SI units, vectors in body axes."""
+
+    inertia: np.ndarray
+    "Principal moments (3,)."
+    arrival: float
+    "When the target takes the natural motion's place as what is followed, s."
+    t: np.ndarray
+    "(N,)."
+    q: np.ndarray
+    "Attitude flown (N, 4)."
+    omega: np.ndarray
+    "Body rates flown (N, 3)."
+    reference: Reference
+    "What was to be followed: natural motion, then target."
+    natural: Reference
+    "The natural motion all along."
+    torque: np.ndarray
+    "Of the wheels on the body (N, 3); straight lines between the samples."
+    wheel_momentum: np.ndarray
+    "(N, 3)."
+    disturbances: dict[str, np.ndarray]
+    "Torques by name, (N, 3) each; what is switched off is missing."
+    impulse: np.ndarray
+    "Of all disturbances from t = 0, in inertial axes, as integrated with the motion (N, 3)."
+    work: np.ndarray
+    "Of all torques on the body from t = 0 (N,)."
+
+    @property
+    def error(self) -> np.ndarray:
+        """Angle between what was flown and what was to be followed (N,), rad."""
+        return angle(self.reference.q, self.q)
+
+    def momentum_defect(self) -> float:
+        """Largest change of body's and wheels' momentum that the disturbances do not explain.
+
+        In inertial axes, N m s: zero but for rounding and integration.
+        """
+        body = self.inertia * self.omega + self.wheel_momentum
+        whole = np.array([matrix(q) @ m for q, m in zip(self.q, body, strict=True)])
+        return float(np.max(np.linalg.norm(whole - whole[0] - self.impulse, axis=1)))
+
+    def energy_defect(self) -> float:
+        """Largest change of the body's energy of rotation that is no torque's work, J."""
+        energy = 0.5 * np.sum(self.inertia * self.omega**2, axis=1)
+        return float(np.max(np.abs(energy - energy[0] - self.work)))
+
+    def tracking(self) -> dict[str, float]:
+        """Greatest, mean square and last angle of error until arrival, rad."""
+        error = self.error[self.t < self.arrival]
+        rms = float(np.sqrt(np.mean(error**2)))
+        return {"max": float(np.max(error)), "rms": rms, "last": float(error[-1])}
+
+    def holding(self, settled: float) -> dict[str, Any]:
+        """Of the target after arrival: the last angle of error (rad), and since when (s) it stays
+
+        within `settled` rad; None where it is not so at the end, or nothing is flown by then.
+        """
+        late = self.t >= self.arrival
+        if not late.any():
+            return {"final_error": None, "greatest_error": None, "settled_at": None}
+        error, t = self.error[late], self.t[late]
+        outside = np.flatnonzero(error > settled)
+        since = outside[-1] + 1 if outside.size else 0
+        return {
+            "final_error": float(error[-1]),
+            "greatest_error": float(np.max(error)),
+            "settled_at": float(t[since]) if since < len(t) else None,
+        }
+
+    def effort(self) -> dict[str, list[float]]:
+        """By axis: peak of |torque| (N m), its integral (N m s), peak of the wheels' momentum."""
+        size = np.abs(self.torque)
+        return {
+            "torque_peak": np.max(size, axis=0).tolist(),
+            "torque_integral": np.trapezoid(size, self.t, axis=0).tolist(),
+            "wheel_momentum_peak": np.max(np.abs(self.wheel_momentum), axis=0).tolist(),
+        }

@@ -1,0 +1,63 @@
+"""Limits that decide a duration, or cannot be kept in one."""
+
+from dataclasses import replace
+from decimal import ROUND_UP, Context, Decimal
+from fractions import Fraction
+from typing import NoReturn
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre.burns import Burns
+from rigidsym.manoeuvre.cheapest import cheapest
+from rigidsym.manoeuvre.families import families, least
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+
+_NEVER = "found no natural motion that keeps to it, at any duration; the spins alone take more"
+# Durations are longer by this part than the limits say, so that rounding does not break them.
+_ROOM = 1e-12
+_GROWTH = 1.5
+# Where spins take more than a burst may give, there may be no motion at all that keeps to the
+# limits.  The search ends here, at momenta of some twenty turns.
+_LARGEST = 30.0
+_SHOWN = Context(prec=6, rounding=ROUND_UP)
+
+
+def shortest(bursts: Burns) -> Fraction:
+    """The shortest duration in s that the limits allow; raises InputError where none does."""
+    found = _shortest(bursts)
+    if found == 0:
+        rule = "start equals target, which takes no time: give one"
+        raise InputError("duration", "missing", rule)
+    if not np.isfinite(found):
+        raise InputError("max_impulse", "as given", _NEVER)
+    return Fraction(found * (1 + _ROOM))
+
+
+def refuse(bursts: Burns, asked: Manoeuvre) -> NoReturn:
+    """Raise InputError: which limit binds in the duration, and which duration would do."""
+    duration = float(asked.duration or 0)
+    given = {
+        "max_rate": (asked.limits.max_rate, replace(bursts, max_burst=np.inf)),
+        "max_impulse": (asked.limits.max_impulse, replace(bursts, max_rate=np.inf)),
+    }
+    there = {name: value for name, (value, _) in given.items() if value is not None}
+    binding = [name for name in there if not len(cheapest(given[name][1], duration, 1))] or [*there]
+    found = _shortest(bursts)
+    rule = _NEVER
+    if np.isfinite(found):
+        enough = _SHOWN.create_decimal(Decimal(found))
+        rule = f"no natural motion of {duration:g} s keeps to it; {enough.normalize():f} s would do"
+    raise InputError(
+        " and ".join(binding), ", ".join(f"{float(there[x]):g}" for x in binding), rule
+    )
+
+
+def _shortest(bursts: Burns) -> float:
+    """The shortest duration, s: motions of larger momentum than those looked at need longer."""
+    bound = least(bursts.problem)
+    while True:
+        found = float(np.min(bursts.shortest(families(bursts.problem, bound)), initial=np.inf))
+        if found <= bound / bursts.most(1.0) * (1 + _ROOM) or bound > _LARGEST:
+            return found
+        bound = found * bursts.most(1.0) if np.isfinite(found) else _GROWTH * bound + 0.1

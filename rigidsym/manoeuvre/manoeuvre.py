@@ -1,0 +1,125 @@
+"""What is asked of a manoeuvre: from one attitude to another in a given time, within limits."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from rigidsym import inputs, toml_file
+from rigidsym.errors import InputError
+from rigidsym.files import read_text
+
+REST = (0, 0, 0)
+_NEEDED = ("inertia", "start", "target")
+_OWN = {*_NEEDED, "duration", "spin", "limits"}
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What the spacecraft can do; None where there is no limit."""
+
+    max_rate: Fraction | None = None
+    "Of the body rates at any time of the motion, |omega|, rad/s."
+    max_impulse: Fraction | None = None
+    "Of either burst, the change of the momentum that it makes, N m s."
+
+
+@dataclass(frozen=True, slots=True)
+class Manoeuvre:
+    """From `start` to `target` (quaternions, scalar first, body to inertial), in `duration` s.
+
+    inertia: principal moments, kg m^2.  duration None: the shortest that the limits allow.
+    start_spin, target_spin: body rates before the first burst and after the last, rad/s.
+    All numbers are exact; `manoeuvre` and `parse` make one from what users give.
+    """
+
+    inertia: tuple[Fraction, ...]
+    start: tuple[Fraction, ...]
+    target: tuple[Fraction, ...]
+    duration: Fraction | None
+    start_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
+    target_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
+    limits: Limits = Limits()
+
+    def to_data(self) -> dict[str, Any]:
+        """The tables of a manoeuvre file, numbers as strings that mean them exactly."""
+        data: dict[str, Any] = {name: _texts(getattr(self, name)) for name in _NEEDED}
+        data["duration"] = None if self.duration is None else inputs.exact_text(self.duration)
+        data["spin"] = {"start": _texts(self.start_spin), "target": _texts(self.target_spin)}
+        given = {"max_rate": self.limits.max_rate, "max_impulse": self.limits.max_impulse}
+        data["limits"] = {
+            k: inputs.exact_text(value) for k, value in given.items() if value is not None
+        }
+        return data
+
+
+def _texts(values: tuple[Fraction, ...]) -> list[str]:
+    return [inputs.exact_text(value) for value in values]
+
+
+def manoeuvre(
+    inertia: Any,
+    start: Any,
+    target: Any,
+    duration: Any = None,
+    *,
+    start_spin: Any = REST,
+    target_spin: Any = REST,
+    max_rate: Any = None,
+    max_impulse: Any = None,
+) -> Manoeuvre:
+    """A manoeuvre from numbers as users give them; raises InputError for the first bad one."""
+    limits = Limits(_above_zero("max_rate", max_rate), _above_zero("max_impulse", max_impulse))
+    length = _above_zero("duration", duration)
+    if length is None and limits == Limits():
+        raise InputError("duration", "missing", "give one, or a limit that decides it")
+    return Manoeuvre(
+        inputs.certain("inertia", inputs.inertia(inertia)),
+        inputs.certain("start", inputs.attitude(start, "start")),
+        inputs.certain("target", inputs.attitude(target, "target")),
+        length,
+        inputs.certain("spin.start", inputs.vector("spin.start", start_spin, 3)),
+        inputs.certain("spin.target", inputs.vector("spin.target", target_spin, 3)),
+        limits,
+    )
+
+
+def _above_zero(field: str, value: Any) -> Fraction | None:
+    if value is None:
+        return None
+    number = inputs.exact(field, value)
+    if number <= 0:
+        raise InputError(field, value, "must be above zero")
+    return number
+
+
+def load(path: str | Path, others: frozenset[str] = frozenset()) -> tuple[Manoeuvre, Mapping]:
+    """A manoeuvre file and its tables as they are; raises InputError about the first bad thing.
+
+    `others` are tables that a file may hold for those who fly the manoeuvre.
+    """
+    tables = toml_file.parse("manoeuvre", read_text("manoeuvre", path))
+    return parse(tables, others), tables
+
+
+def parse(tables: Mapping[str, Any], others: frozenset[str] = frozenset()) -> Manoeuvre:
+    """A manoeuvre from the tables of a file; numbers may be floats or strings of decimals."""
+    toml_file.check_keys("manoeuvre", tables, _OWN | others, _NEEDED)
+    spin = _table(tables, "spin", {"start", "target"})
+    limits = _table(tables, "limits", {"max_rate", "max_impulse"})
+    return manoeuvre(
+        *(tables[key] for key in _NEEDED),
+        tables.get("duration"),
+        start_spin=spin.get("start", REST),
+        target_spin=spin.get("target", REST),
+        **limits,
+    )
+
+
+def _table(tables: Mapping[str, Any], name: str, known: set[str]) -> Mapping[str, Any]:
+    table = tables.get(name, {})
+    if not isinstance(table, Mapping):
+        raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(known))}")
+    toml_file.check_keys(name, table, known)
+    return table

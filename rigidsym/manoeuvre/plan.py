@@ -1,0 +1,134 @@
+"""The natural motions from one attitude to another, ranked by what their two bursts cost."""
+
+import json
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from rigidsym import engines, inputs
+from rigidsym.files import write_text
+from rigidsym.manoeuvre.burns import burns
+from rigidsym.manoeuvre.cheapest import cheapest
+from rigidsym.manoeuvre.limits import refuse, shortest
+from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, manoeuvre
+from rigidsym.manoeuvre.peak import peaks
+from rigidsym.manoeuvre.problem import problem
+from rigidsym.manoeuvre.transfer import Transfer
+from rigidsym.manoeuvre.verify import verified
+
+SCHEMA = "rigidsym.plan/1"
+MOST_FAMILIES = 1000
+
+
+COLUMNS = (
+    "",
+    "omega0 (rad/s)",
+    "cost (N m s)",
+    "energy (J)",
+    "peak rate (rad/s)",
+    "misses by (rad)",
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Transfers for one manoeuvre, the cheapest first."""
+
+    manoeuvre: Manoeuvre
+    transfers: tuple[Transfer, ...]
+
+    @property
+    def best(self) -> Transfer:
+        """The cheapest transfer within the limits."""
+        return self.transfers[0]
+
+    @property
+    def title(self) -> str:
+        """What is planned, in one line; says so where there is nothing to do."""
+        nothing = self.best.cost == 0
+        done = ": start equals target, nothing to do" if nothing else ""
+        return f"rigidsym plan: {self.best.duration:.12g} s{done}"
+
+    def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
+        """Columns and rows for reading."""
+        return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
+
+    def write(self, directory: Path) -> list[Path]:
+        """Write plan.json, and each transfer as a case file for `rigidsym propagate`."""
+        paths = [write_text(directory / "plan.json", self.to_json())]
+        for k, one in enumerate(self.transfers, 1):
+            paths.append(write_text(directory / f"transfer-{k}.toml", one.to_case()))
+        return paths
+
+    def to_json(self) -> str:
+        """The plan as JSON, schema rigidsym.plan/1."""
+        data = {
+            "schema": SCHEMA,
+            "manoeuvre": self.manoeuvre.to_data(),
+            "transfers": [transfer.to_data() for transfer in self.transfers],
+        }
+        return json.dumps(data, indent=1) + "\n"
+
+
+def plan(
+    inertia: Any,
+    start: Any,
+    target: Any,
+    duration: Any = None,
+    *,
+    start_spin: Any = REST,
+    target_spin: Any = REST,
+    max_rate: Any = None,
+    max_impulse: Any = None,
+    families: int = 1,
+    engine: str = "c",
+) -> Plan:
+    """Natural motions that take a body from one attitude to another in a given time.
+
+    inertia (3,): principal moments, kg m^2.  start, target (4,): quaternions, scalar first, body
+    to inertial; either sign of the target is reached.  duration: s; None for the shortest that the
+    limits allow.  start_spin, target_spin (3,): body rates before and after, rad/s.  max_rate:
+    of |omega| on the way, rad/s.  max_impulse: of either burst, N m s.  families: how many
+    transfers to give, the cheapest first; there are infinitely many.  engine: as for
+    `TorqueFreeMotion`.
+
+    Every transfer misses the target by at most 1e-12 rad, by the derived solution at thirty
+    digits.  Raises InputError for bad input, and for limits that cannot be kept, with the limit
+    that binds and a duration that would do.  Source: section V of the paper.
+
+    >>> found = plan((0.0109, 0.04, 0.0506), (1, 0, 0, 0), (0.5, 0.5, 0.5, 0.5), 180)
+    >>> found.best.omega0.round(6), round(found.best.cost, 6)
+    (array([0.010731, 0.00148 , 0.007482]), 0.000801)
+    """
+    asked = manoeuvre(
+        inertia,
+        start,
+        target,
+        duration,
+        start_spin=start_spin,
+        target_spin=target_spin,
+        max_rate=max_rate,
+        max_impulse=max_impulse,
+    )
+    return solve(asked, families, engine)
+
+
+def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
+    """See `plan`."""
+    count = inputs.whole("families", families, MOST_FAMILIES)
+    posed = problem(asked.inertia, asked.start, asked.target, engines.engine(engine))
+    bursts = burns(posed, asked)
+    duration = shortest(bursts) if asked.duration is None else asked.duration
+    asked = replace(asked, duration=duration)
+    chosen = cheapest(bursts, float(duration), count)
+    if not len(chosen):
+        refuse(bursts, asked)
+    ways = zip(chosen, peaks(posed, chosen) / float(duration), strict=True)
+    found = (Transfer(asked, *verified(posed, asked, x), float(y), engine) for x, y in ways)
+    return Plan(asked, tuple(found))
+
+
+def _row(place: int, one: Transfer) -> tuple[str, ...]:
+    rates = ", ".join(f"{x:.9g}" for x in one.omega0)
+    figures = (f"{x:.6g}" for x in (one.cost, one.energy, one.peak_rate))
+    return (str(place), rates, *figures, f"{one.residual:.1e}")

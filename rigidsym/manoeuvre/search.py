@@ -1,0 +1,136 @@
+"""Where motions that arrive are to be looked for: samples of arcs, made finer until none hides.
+
+A motion from a direction on an arc brings the momentum where it should be after a known time, and
+again after each period of its polhode.  What is left of the attitude then is a turn about the
+momentum, by one angle.  The motion arrives where half of that is a multiple of pi: so these are
+the zeros of functions of one variable.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre.directions import Arcs, arcs
+from rigidsym.manoeuvre.problem import Problem
+from rigidsym.manoeuvre.transit import transits
+
+# Coordinates of the first samples of an arc; they leave out 1e-14 of it at either end.
+_GRID = np.arange(-32.0, 32.1, 0.75)
+# Steps are halved until half angles, and rates as angles in time 1, change by no more (rad).
+_HALF_STEP, _RATE_STEP = 0.8, 1.2
+_ROUNDS = 24
+_LEAST_STEP = 1e-7
+# A sine this small that does not change its sign may have a double zero beside it.
+_TANGENT = 0.02
+# Times may dip between samples.
+_MARGIN = 1.02
+_MOST = 2_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class _Samples:
+    """Points of arcs, and how the motions that start there arrive; arrays with N rows.
+
+    turns: whole turns of the momentum round its polhode.  time: momentum times duration.
+    half: of the angle about the momentum that is left, rad.
+    """
+
+    arc: np.ndarray
+    x: np.ndarray
+    turns: np.ndarray
+    time: np.ndarray
+    rates: np.ndarray
+    half: np.ndarray
+
+    def __getitem__(self, rows: np.ndarray) -> "_Samples":
+        return _Samples(*(getattr(self, field.name)[rows] for field in fields(self)))
+
+    def __add__(self, other: "_Samples") -> "_Samples":
+        pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self))
+        return _Samples(*map(np.concatenate, pairs))
+
+
+def starts(problem: Problem, bound: float) -> np.ndarray:
+    """Rates (N, 3) close to all that arrive with a momentum up to `bound`.
+
+    Raises InputError where a needle turns so often that these are too many.
+    """
+    curves = arcs(problem)
+    return np.concatenate([np.empty((0, 3)), *_search(problem, curves, bound)])
+
+
+def _search(problem: Problem, curves: Arcs, bound: float) -> Iterator[np.ndarray]:
+    samples, left, right = _first(problem, curves, bound)
+    for _ in range(_ROUNDS):
+        begin, end = samples[left], samples[right]
+        coarse = _is_coarse(begin, end, bound)
+        yield _zeros(begin[~coarse], end[~coarse])
+        if not coarse.any():
+            break
+        left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
+        middle = _sample(problem, curves, begin.arc, (begin.x + end.x) / 2, begin.turns)
+        new = len(samples.x) + np.arange(len(middle.x))
+        samples = samples + middle
+        left, right = np.concatenate([left, new]), np.concatenate([new, right])
+
+
+def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[_Samples, np.ndarray, np.ndarray]:
+    """Samples, and the rows between which the first steps go."""
+    count, grid = len(curves.ends), len(_GRID)
+    arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
+    times, periods = transits(problem, curves.at(arc, x))
+    least = np.fmin.reduce([times[:-1], times[1:]]) if count else times[:0]
+    shortest = np.fmin(periods[:-1], periods[1:])
+    whole = np.floor((bound * _MARGIN - least) / shortest) + 1
+    whole[(arc[:-1] != arc[1:]) | np.isnan(times[:-1] + times[1:]) | ~(whole > 0)] = 0
+    if whole.sum() > _MOST:
+        raise InputError("inertia", problem.inertia, "turns too often: a needle's motions are many")
+    step = np.repeat(np.arange(len(whole)), whole.astype(int))
+    turns = np.arange(len(step)) - np.searchsorted(step, step)
+    # Neighbouring steps share a sample.
+    nodes, place = np.unique(
+        np.concatenate([step, step + 1]) + len(x) * np.tile(turns, 2), return_inverse=True
+    )
+    at, turns = nodes % len(x), nodes // len(x)
+    samples = _sample(problem, curves, arc[at], x[at], turns)
+    return samples, place[: len(step)], place[len(step) :]
+
+
+def _sample(
+    problem: Problem, curves: Arcs, arc: np.ndarray, x: np.ndarray, turns: np.ndarray
+) -> _Samples:
+    momenta = curves.at(arc, x)
+    first, period = transits(problem, momenta)
+    time = first + turns * period
+    rates = time[:, None] * momenta / problem.inertia
+    arrived = problem.arrivals(np.nan_to_num(rates))
+    half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
+    return _Samples(arc, x, turns, time, rates, half)
+
+
+def _is_coarse(begin: _Samples, end: _Samples, bound: float) -> np.ndarray:
+    apart = np.linalg.norm(end.rates - begin.rates, axis=1)
+    coarse = (np.abs(_turned(begin, end)) > _HALF_STEP) | (apart > _RATE_STEP)
+    matters = np.minimum(begin.time, end.time) <= bound * _MARGIN
+    return coarse & matters & (end.x - begin.x > _LEAST_STEP)
+
+
+def _turned(begin: _Samples, end: _Samples) -> np.ndarray:
+    """By what half angles change, from -pi to pi."""
+    return np.mod(end.half - begin.half + np.pi, 2 * np.pi) - np.pi
+
+
+def _zeros(begin: _Samples, end: _Samples) -> np.ndarray:
+    """Rates where the half angle passes a multiple of pi, or comes close to one."""
+    step = _turned(begin, end)
+    low, high = np.minimum(0, step), np.maximum(0, step)
+    whole = np.ceil((begin.half + low) / np.pi) * np.pi - begin.half
+    crossed = whole <= high
+    share = np.divide(whole, step, out=np.full_like(step, 0.5), where=step != 0)
+    between = begin.rates + share[:, None] * (end.rates - begin.rates)
+    first, last = np.abs(np.sin(begin.half)), np.abs(np.sin(end.half))
+    close = ~crossed & (np.minimum(first, last) < _TANGENT)
+    nearer = np.where((first < last)[:, None], begin.rates, end.rates)
+    return np.concatenate([between[crossed], nearer[close]])

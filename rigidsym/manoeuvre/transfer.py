@@ -1,0 +1,112 @@
+"""One natural motion from start to target, and the bursts that begin and end it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from rigidsym import inputs
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.motion import TorqueFreeMotion
+
+_SAMPLES = 181
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """A natural motion that reaches the target at the end of the duration.
+
+    manoeuvre: what it is for, with its duration.  rates: body rates at its start, exact, rad/s.
+    residual: the angle by which the derived solution, at thirty digits, misses the target for
+    these rates, either sign of the quaternion, rad.  peak_rate: the largest |omega| on the way,
+    rad/s.  engine: the generated module that computes states.
+    """
+
+    manoeuvre: Manoeuvre
+    rates: tuple[Fraction, ...]
+    residual: float
+    peak_rate: float
+    engine: str
+
+    @cached_property
+    def motion(self) -> TorqueFreeMotion:
+        """The motion, from t = 0 at `start`."""
+        start = self.manoeuvre.start
+        return TorqueFreeMotion(self.manoeuvre.inertia, self.rates, start, engine=self.engine)
+
+    @property
+    def duration(self) -> float:
+        """From the first burst to the last, s."""
+        return float(self.manoeuvre.duration or 0)
+
+    @property
+    def omega0(self) -> np.ndarray:
+        """Body rates (3,) after the first burst, rad/s."""
+        return np.array([float(x) for x in self.rates])
+
+    @cached_property
+    def omega1(self) -> np.ndarray:
+        """Body rates (3,) before the last burst, rad/s."""
+        return self.motion(self.duration)[1]
+
+    @cached_property
+    def bursts(self) -> np.ndarray:
+        """Changes of momentum (2, 3) that start and end the motion, in body axes, N m s."""
+        given = self.manoeuvre
+        begin = self.omega0 - _doubles(given.start_spin)
+        return _doubles(given.inertia) * [begin, _doubles(given.target_spin) - self.omega1]
+
+    @property
+    def cost(self) -> float:
+        """Of both bursts together, |I omega(0)| + |I omega(T)| from rest to rest, N m s."""
+        return float(np.linalg.norm(self.bursts, axis=1).sum())
+
+    @property
+    def momentum(self) -> float:
+        """K, N m s."""
+        return float(np.linalg.norm(_doubles(self.manoeuvre.inertia) * self.omega0))
+
+    @property
+    def energy(self) -> float:
+        """Kinetic energy H, J."""
+        return float(_doubles(self.manoeuvre.inertia) @ self.omega0**2 / 2)
+
+    def to_case(self) -> str:
+        """A case file of the motion, for `rigidsym propagate`."""
+        given = self.manoeuvre
+        lines = [
+            f"{name} = {_listed(values)}"
+            for name, values in (
+                ("inertia", given.inertia),
+                ("omega0", self.rates),
+                ("attitude0", given.start),
+            )
+        ]
+        stop = inputs.exact_text(given.duration or Fraction(0))
+        times = ["", "[times]", "start = 0", f'stop = "{stop}"', f"count = {_SAMPLES}"]
+        return "\n".join([*lines, *times, ""])
+
+    def to_data(self) -> dict[str, Any]:
+        """What `rigidsym.plan/1` holds of a transfer; `rates` are omega0 exactly."""
+        return {
+            "omega0": self.omega0.tolist(),
+            "rates": [inputs.exact_text(x) for x in self.rates],
+            "omega1": self.omega1.tolist(),
+            "bursts": self.bursts.tolist(),
+            "cost": self.cost,
+            "momentum": self.momentum,
+            "energy": self.energy,
+            "peak_rate": self.peak_rate,
+            "residual": self.residual,
+        }
+
+
+def _listed(values: Sequence[Fraction]) -> str:
+    return "[" + ", ".join(f'"{inputs.exact_text(x)}"' for x in values) + "]"
+
+
+def _doubles(values: Sequence[Fraction]) -> np.ndarray:
+    return np.array([float(x) for x in values])

@@ -1,0 +1,84 @@
+"""Settings from files, and one clear line for what cannot be."""
+
+import tomllib
+from datetime import UTC, datetime
+from fractions import Fraction
+
+import pytest
+
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre.files import FLIGHT, open_manoeuvre
+from rigidsym.manoeuvre.flight.reading import read
+from rigidsym.manoeuvre.flight.settings import Flight
+
+
+def test_the_shipped_file_is_what_is_default():
+    asked, tables = open_manoeuvre("paper")
+    assert set(tables) >= FLIGHT == set(Flight.__slots__)
+    assert read(tables) == read({}) == Flight()
+    assert asked.duration == 120
+    assert sum(x * x for x in asked.target) == 1
+
+
+def test_the_shipped_file_names_every_setting():
+    _, tables = open_manoeuvre("paper")
+    for name in FLIGHT:
+        known = set(getattr(Flight(), name).__slots__) - {"max_momentum"}
+        assert set(tables[name]) == known
+
+
+def test_numbers_may_be_strings():
+    found = read({"run": {"length": "3/2", "period": "0.05"}, "orbit": {"altitude": "550.5"}})
+    assert (found.run.length, found.run.period) == (Fraction(3, 2), Fraction(1, 20))
+    assert found.orbit.altitude == 550.5
+
+
+@pytest.mark.parametrize(
+    "text", ["2020-01-02T03:04:05Z", "2020-01-02T03:04:05", "2020-01-02T05:04:05+02:00"]
+)
+def test_epochs_are_in_utc(text):
+    found = read(tomllib.loads(f"[orbit]\nepoch = {text}"))
+    assert found.orbit.epoch == datetime(2020, 1, 2, 3, 4, 5, tzinfo=UTC)
+
+
+BAD = {
+    "orbit.height": ("[orbit]\nheight = 1", "orbit = height: is not one of: altitude, epoch"),
+    "below": ("[orbit]\naltitude = -10", "orbit.altitude = -10: must be above the surface, km"),
+    "on": ("[orbit]\naltitude = 0", "orbit.altitude = 0: must be above the surface, km"),
+    "far": ("[orbit]\naltitude = 1e9", "orbit.altitude = 1000000000.0: must be at most 100000 km"),
+    "tilt": ("[orbit]\ninclination = 181", "orbit.inclination = 181: must be from 0 to 180"),
+    "day": ('[orbit]\nepoch = "monday"', "orbit.epoch = 'monday': must be a date and time"),
+    "nan": ("[orbit]\nnode = nan", "orbit.node = nan: must be finite"),
+    "inf": ("[wheels]\nmax_torque = inf", "wheels.max_torque = inf: must be finite"),
+    "none": ("[wheels]\nmax_torque_rate = 0", "wheels.max_torque_rate = 0: must be above zero"),
+    "huge": (
+        '[wheels]\nmax_torque = "1e999"',
+        "wheels.max_torque = [1.00000000000E+999]: is beyond",
+    ),
+    "full": ("[wheels]\nmax_momentum = 1\nmomentum = [0, -2, 0]", "wheels.momentum[1] = -2.0: is"),
+    "gain": ("[controller]\nnatural_frequency = -0.1", "natural_frequency = -0.1: must not be neg"),
+    "damping": ("[controller]\ndamping_ratio = -1", "damping_ratio = -1: must not be negative"),
+    "switch": ("[controller]\nfeedforward = 1", "feedforward = 1: must be true or false"),
+    "drag": ('[disturbances]\ndrag = "no"', "disturbances.drag = 'no': must be true or false"),
+    "which": ("[disturbances]\nwind = true", "disturbances = wind: is not one of: dipole, drag"),
+    "edge": ("[spacecraft]\nsize = [1, 0, 1]", "spacecraft.size[1] = 0.0: must be above zero"),
+    "two": ("[spacecraft]\ndipole = [1, 2]", "spacecraft.dipole = [1, 2]: must have 3 numbers"),
+    "word": ('[spacecraft]\noffset = [1, "x", 2]', "spacecraft.offset[1] = 'x': must be a finite"),
+    "share": ("[spacecraft]\nspecular = 1.5", "specular = 1.5: must be a share, from 0 to 1"),
+    "shares": ("[spacecraft]\nspecular = 0.6\ndiffuse = 0.5", "diffuse = 0.5: with specular"),
+    "length": ("[run]\nlength = 0", "run.length = 0: must be above zero, and at most 100000 s"),
+    "period": ("[run]\nlength = 1\nperiod = 2", "run.period = 2.0: must not be longer"),
+    "long": ("[run]\nlength = 1e9", "run.length = 1000000000.0: must be above zero, and at"),
+    "many": ("[run]\nperiod = 1e-9", "run.period = 1e-09: is for 1000000 samples at most"),
+    "sharp": ("[run]\ntolerance = 1e-20", "run.tolerance = 1e-20: must be from 1e-14 to 1e-3"),
+    "uncertain": ('[orbit]\naltitude = "600 +/- 1"', "orbit.altitude = '600 +/- 1': must be"),
+    "table": ("orbit = 600", "orbit = 600: must be a table of altitude, epoch"),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), BAD.values(), ids=BAD)
+def test_what_cannot_be_is_refused_in_one_line(text, message):
+    with pytest.raises(InputError) as refused:
+        read(tomllib.loads(text))
+    assert message in str(refused.value)
+    assert "\n" not in str(refused.value)

@@ -1,0 +1,87 @@
+"""What a flight leaves behind: the same bytes each time, and numbers that agree with the states."""
+
+import io
+import json
+import zipfile
+
+import numpy as np
+import pytest
+from manoeuvre_flights import NOTHING, known, short
+
+from rigidsym.manoeuvre.flight import fly
+from rigidsym.manoeuvre.flight.results import Tracked
+from rigidsym.manoeuvre.flight.rotation import angle
+
+
+def tracked(length=40, **parts):
+    asked, transfer = known(duration=10, omega0=(0.01, 0.02, -0.01))
+    flight = short(length, **parts)
+    return Tracked(asked, flight, transfer, fly(asked, flight, transfer))
+
+
+@pytest.fixture(scope="module")
+def found():
+    return tracked()
+
+
+def test_the_files(found, tmp_path):
+    names = {path.name for path in found.write(tmp_path)}
+    pictures = {f"{p}.{s}" for p in ("attitude", "torques", "disturbances") for s in ("svg", "png")}
+    assert names == pictures | {"run.npz", "summary.json"}
+    assert all((tmp_path / name).stat().st_size > 500 for name in names)
+
+
+def test_the_same_bytes_twice(found, tmp_path):
+    for directory, flown in (("a", found), ("b", tracked())):
+        flown.write(tmp_path / directory)
+    for path in (tmp_path / "a").iterdir():
+        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
+
+
+def test_the_states(found):
+    data = found.to_npz()
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        assert {entry.date_time for entry in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
+    states = np.load(io.BytesIO(data))
+    assert states["t"].tolist() == [k / 10 for k in range(401)]
+    np.testing.assert_array_equal(states["q"], found.run.q)
+    np.testing.assert_allclose(states["error"], angle(states["reference_q"], states["q"]))
+    assert {name for name in states if name.startswith("disturbance_")} == {
+        f"disturbance_{name}" for name in ("drag", "gravity_gradient", "radiation", "dipole")
+    }
+    assert all(len(states[name]) == 401 for name in states)
+
+
+def test_the_summary(found):
+    summary, run = json.loads(found.to_json()), found.run
+    assert summary["schema"] == "rigidsym.track/1"
+    assert summary["transfer"]["omega0"] == [0.01, 0.02, -0.01]
+    error = run.error[run.t < 10]
+    assert summary["tracking_error"]["max"] == error.max()
+    assert summary["tracking_error"]["rms"] == pytest.approx(np.sqrt((error**2).mean()))
+    assert summary["target"]["final_error"] == run.error[-1]
+    late = run.t >= summary["target"]["settled_at"]
+    assert run.error[late].max() <= np.radians(0.1) < run.error[np.argmax(late) - 1]
+    assert summary["torque_peak"] == np.abs(run.torque).max(axis=0).tolist()
+    assert summary["wheel_momentum_peak"] == np.abs(run.wheel_momentum).max(axis=0).tolist()
+    assert summary["flight"]["orbit"]["altitude"] == 600
+    assert summary["manoeuvre"]["inertia"] == ["109/10000", "1/25", "253/5000"]
+
+
+def test_a_flight_that_does_not_settle():
+    flown = tracked(11)
+    assert flown.missed
+    assert ("settled at the target", "not within 0.1 deg at the end") in flown.rows()
+
+
+def test_a_flight_that_ends_early():
+    flown = tracked(5)
+    assert not flown.missed
+    assert ("settled at the target", "not flown") in flown.rows()
+    assert ("error at the end", "not flown") in flown.rows()
+
+
+def test_a_flight_without_disturbances(tmp_path):
+    flown = tracked(5, disturbances=NOTHING)
+    assert flown.write(tmp_path)
+    assert json.loads(flown.to_json())["disturbance_peak"] == {}

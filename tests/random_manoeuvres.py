@@ -1,0 +1,78 @@
+"""Random manoeuvres, and a search for the cheapest that knows nothing of the planner's geometry."""
+
+from fractions import Fraction
+
+import numpy as np
+
+from rigidsym.manoeuvre.families import least
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.manoeuvre.problem import Problem, problem
+from rigidsym.manoeuvre.refine import refine
+
+BODIES = ("any", "near symmetric", "flat", "rod", "near sphere")
+TARGETS = ("any", "half turn", "middle axis", "small", "near symmetry")
+# The planner evaluates some 150 motions before it refines any; this is a hundred times as many.
+STARTS = 15_000
+REFINED = 1000
+
+
+def manoeuvre(index: int, seed: int = 1) -> Manoeuvre:
+    """A problem of a kind that goes with its index; body, start and target are random."""
+    rng = np.random.default_rng([seed, index])
+    inertia = _body(rng, BODIES[index % len(BODIES)])
+    start = rng.normal(size=4)
+    turn = _turn(rng, inertia, TARGETS[index // len(BODIES) % len(TARGETS)])
+    p, v = turn[0], turn[1:]
+    target = [
+        start[0] * p - start[1:] @ v,
+        *(start[0] * v + p * start[1:] + np.cross(start[1:], v)),
+    ]
+    exact = [tuple(map(Fraction, map(float, x))) for x in (inertia, start, target)]
+    return Manoeuvre(exact[0], exact[1], exact[2], Fraction(1))
+
+
+def posed(asked: Manoeuvre, engine) -> Problem:
+    return problem(asked.inertia, asked.start, asked.target, engine)
+
+
+def _body(rng, kind):
+    """Moments in any order; the third is never larger than the sum of the others."""
+    a, b = rng.uniform(0.1, 1, size=2)
+    c = rng.uniform(abs(a - b), a + b)
+    if kind == "near symmetric":
+        b = a * (1 + 10 ** rng.uniform(-8, -1) * rng.choice([-1, 1]))
+        c = rng.uniform(0.05, 1) * (a + b)
+    elif kind == "flat":
+        c = (a + b) * (1 - 10 ** rng.uniform(-8, -1))
+    elif kind == "rod":
+        b = a * rng.uniform(0.98, 1.02)
+        c = a * 10 ** rng.uniform(-1.3, -0.5)
+        c = max(c, abs(a - b) * 1.01)
+    elif kind == "near sphere":
+        a, b, c = 1 + 10 ** rng.uniform(-8, -1) * rng.uniform(-1, 1, size=3)
+    return rng.permutation([a, b, c]) * 10 ** rng.uniform(-2, 3)
+
+
+def _turn(rng, inertia, kind):
+    turn = rng.normal(size=4)
+    if kind == "half turn":
+        turn[0] = 0
+    elif kind == "middle axis":
+        turn = np.eye(4)[1 + np.argsort(inertia)[1]] + 10 ** rng.uniform(-9, -0.5) * turn
+    elif kind == "small":
+        turn = np.eye(4)[0] + 10 ** rng.uniform(-6, -1) * turn
+    elif kind == "near symmetry":
+        turn = np.eye(4)[rng.integers(1, 4)] + 10 ** rng.uniform(-9, -0.5) * turn
+    return turn / np.linalg.norm(turn)
+
+
+def brute(problem: Problem, rng, starts: int = STARTS, refined: int = REFINED) -> float:
+    """The least momentum that random rates lead to: all are evaluated, the best are refined."""
+    direction = rng.normal(size=(starts, 3))
+    direction /= np.linalg.norm(direction, axis=1, keepdims=True)
+    size = 1.05 * least(problem) * rng.random(starts) ** (1 / 3)
+    rates = size[:, None] * direction / problem.inertia
+    misses = np.linalg.norm(problem.misses(rates), axis=1)
+    best = rates[np.argsort(misses)[:refined]]
+    rates, misses = refine(problem, best, rounds=25)
+    return float(np.min(problem.momenta(rates)[misses < 1e-9], initial=np.inf))
