@@ -13,10 +13,12 @@ from document_texts import FENCED, README, ROOT, TEXTS, blocks, rows
 
 import rigidsym
 from rigidsym.cases import parse_case
-from rigidsym.cli import _parser, main
+from rigidsym.cli import main, parser
 from rigidsym.engines.compiler import FLAGS, NATIVE
+from rigidsym.manoeuvre.manoeuvre import parse
+from rigidsym.manoeuvre.plan import solve
 
-KINDS = {"sh", "python", "toml", "c", "text", "python no-run", "c no-run"}
+KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "text", "python no-run", "c no-run"}
 # What a programme of one's own is compiled with: as the engine is, but for any machine.
 COMPILED_WITH = [flag for flag in FLAGS if flag not in (*NATIVE, "-fPIC", "-shared")]
 
@@ -24,6 +26,7 @@ COMPILED_WITH = [flag for flag in FLAGS if flag not in (*NATIVE, "-fPIC", "-shar
 ANSWERS = {
     "q": lambda q: q.shape == (3, 4) and np.isfinite(q).all(),
     "report": lambda report: report.passed,
+    "plan": lambda plan: plan.best.residual <= 1e-12,
 }
 
 
@@ -61,6 +64,11 @@ def test_a_case_file_is_one(text, tmp_path, capsys):
     assert len(capsys.readouterr().out.splitlines()) == count + 1
 
 
+@pytest.mark.parametrize("text", blocks("toml manoeuvre"))
+def test_a_manoeuvre_is_planned(text):
+    assert solve(parse(tomllib.loads(text))).best.residual <= 1e-12
+
+
 COMMANDS = [
     line.partition("#")[0].replace("uv run ", "").rpartition("&&")[2].strip()
     for block in blocks("sh")
@@ -75,7 +83,7 @@ IN_THE_TABLE = [
 @pytest.mark.parametrize("command", [*COMMANDS, *IN_THE_TABLE])
 def test_a_command_line_is_understood(command):
     """It is only parsed: what it does is tested where it is."""
-    assert _parser().parse_args(shlex.split(command)[1:]).command
+    assert parser().parse_args(shlex.split(command)[1:]).command
 
 
 def test_there_are_command_lines():
@@ -85,7 +93,7 @@ def test_there_are_command_lines():
 
 def test_the_table_of_commands_has_all_of_them(capsys):
     listed = re.findall(r"^\| `rigidsym (\w+)` \|", TEXTS["use.md"], re.MULTILINE)
-    (known,) = (action.choices for action in _parser()._actions if action.dest == "command")
+    (known,) = (action.choices for action in parser()._actions if action.dest == "command")
     assert listed == [*known]
     for command in listed:
         with pytest.raises(SystemExit) as stop:

@@ -4,7 +4,7 @@ import argparse
 from collections.abc import Iterator
 
 from generate.text import code, fenced, plain, prose, table
-from rigidsym.cli import _parser
+from rigidsym.cli import parser
 
 WIDTH = 80
 _HEAD = """# The command
@@ -18,7 +18,7 @@ output; progress and remarks go to standard error.
 
 def page() -> str:
     """One section for each command: what it does, how it is called, what it takes."""
-    commands = _commands(_parser())
+    commands = _commands(parser())
     overview = table(
         ("command", "does"),
         ((f"[`{name}`](#rigidsym-{name})", plain(parser.description or ""))

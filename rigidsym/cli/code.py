@@ -1,0 +1,83 @@
+"""The commands `codegen` and `trace`."""
+
+import sys
+from pathlib import Path
+from typing import Any
+
+from rigidsym.cli.arguments import Command, as_path
+from rigidsym.cli.output import say, say_written
+from rigidsym.errors import InputError
+
+
+def add(command: Command) -> None:
+    """Give the command line its commands about generated code."""
+    codegen = command("codegen", _codegen, "write a numeric module")
+    codegen.add_argument("target", metavar="TARGET", help="numpy or c")
+    codegen.add_argument("-o", "--output", metavar="DIR", type=as_path, help="the package itself")
+    instead = codegen.add_mutually_exclusive_group()
+    instead.add_argument("--check", action="store_true", help="compare with what is there")
+    instead.add_argument("--stdout", action="store_true", help="print the module")
+
+    trace = command("trace", _trace, "a generated line's equations; an equation's generated lines")
+    trace.add_argument("place", metavar="FILE:LINE", nargs="?", help="of a generated file")
+    trace.add_argument("--equation", metavar="NUMBER", help="as the paper numbers it")
+
+
+def _codegen(options: Any) -> int:
+    from rigidsym.codegen import generate
+    from rigidsym.seal import seal, seal_text
+    from rigidsym.solution import sealed
+
+    generated = generate(options.target)
+    seal(sealed())
+    seal_text(generated, sealed())
+    if options.stdout:
+        print("".join(generated.files.values()), end="")
+        return 0
+    directory = options.output or _generated_directory()
+    if options.check:
+        return _differences(generated.texts(), directory)
+    say_written(generated.write(directory))
+    return 0
+
+
+def _generated_directory() -> Path:
+    import rigidsym.generated
+
+    return Path(rigidsym.generated.__path__[0])
+
+
+def _differences(texts: dict[str, str], directory: Path) -> int:
+    """Print a diff against the files that are there; 1 where there is one."""
+    from difflib import unified_diff
+
+    status = 0
+    for name, text in texts.items():
+        path = directory / name
+        there = path.read_text("utf-8", errors="replace") if path.is_file() else ""
+        if there != text:
+            status = 1
+            lines = unified_diff(there.splitlines(True), text.splitlines(True), str(path), "new")
+            sys.stdout.writelines(lines)
+    print("differs" if status else "current", file=sys.stderr)
+    return status
+
+
+def _trace(options: Any) -> int:
+    from rigidsym.trace import TraceError, lines_of_equation, origin_of_line
+
+    if (options.place is None) == (options.equation is None):
+        given = options.place or options.equation or "nothing"
+        raise InputError("trace", given, "takes either FILE:LINE or --equation NUMBER")
+    try:
+        found = (
+            lines_of_equation(options.equation)
+            if options.place is None
+            else origin_of_line(options.place)
+        )
+    except TraceError as error:
+        say(f"rigidsym trace: {error}")
+        return 1
+    for line in found:
+        print(line)
+    return 0

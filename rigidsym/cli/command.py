@@ -1,0 +1,63 @@
+"""The `rigidsym` command: parses, calls, prints.  Heavy modules are imported by the commands.
+
+Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad input or usage.
+"""
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from rigidsym.cli import code, manoeuvres, proofs, reproduction, states, validation
+from rigidsym.cli.arguments import Parser
+from rigidsym.cli.output import BARS, discard_output, prepare_output
+from rigidsym.errors import InputError, LedgerError, PrecisionError
+
+# In the order of the help.
+_GROUPS = (reproduction, proofs, code, validation, states, manoeuvres)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line; returns the exit status."""
+    prepare_output()
+    options = parser().parse_args(arguments)
+    try:
+        with BARS:
+            status = options.run(options)
+        sys.stdout.flush()
+        return status
+    except (InputError, LedgerError, PrecisionError) as error:
+        print(f"rigidsym {options.command}: {error}", file=sys.stderr)
+        return 1 if isinstance(error, PrecisionError) else 2
+    except BrokenPipeError:  # the reader went away, as `head` does
+        discard_output()
+        return 0
+    except OSError as error:
+        print(f"rigidsym {options.command}: output: {error.strerror}", file=sys.stderr)
+        discard_output()
+        return 2
+    except KeyboardInterrupt as stopped:
+        print(f"rigidsym {options.command}: {str(stopped) or 'interrupted'}", file=sys.stderr)
+        return 130
+
+
+def parser() -> argparse.ArgumentParser:
+    """All commands and their arguments."""
+    whole = Parser(prog="rigidsym", description="Exact torque-free motion of a rigid body.")
+    whole.add_argument("--version", action="version", version=f"%(prog)s {_version()}")
+    commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
+
+    def command(name: str, run: Callable[[Any], int], summary: str) -> argparse.ArgumentParser:
+        added = commands.add_parser(name, help=summary, description=summary)
+        added.set_defaults(run=run)
+        return added
+
+    for group in _GROUPS:
+        group.add(command)
+    return whole
+
+
+def _version() -> str:
+    import rigidsym
+
+    return rigidsym.__version__

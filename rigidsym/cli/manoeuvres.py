@@ -1,0 +1,90 @@
+"""The commands `plan`, `track` and `figures`."""
+
+from collections.abc import Generator
+from contextlib import contextmanager
+from typing import Any
+
+from rigidsym.cli.arguments import Command, as_count, as_path
+from rigidsym.cli.output import progress, say_written, table
+from rigidsym.errors import InputError
+
+
+def add(command: Command) -> None:
+    """Give the command line its commands about manoeuvres."""
+    plan = command("plan", _plan, "natural motions from one attitude to another")
+    plan.add_argument("manoeuvre", metavar="MANOEUVRE.toml", help="a file, or `paper`")
+    plan.add_argument(
+        "--all", metavar="N", type=as_count, default=1, help="the N cheapest; one by default"
+    )
+    plan.add_argument("-o", "--output", metavar="DIR", type=as_path, help="JSON and case files")
+    plan.add_argument("--json", action="store_true", help="to stdout alone")
+
+    track = command("track", _track, "fly a manoeuvre in closed loop")
+    track.add_argument("manoeuvre", metavar="MANOEUVRE.toml", help="a file, or `paper`")
+    track.add_argument("-o", "--output", metavar="DIR", type=as_path, help="states and pictures")
+    track.add_argument("--json", action="store_true", help="to stdout alone")
+
+    figures = command("figures", _figures, "the paper's Figures 1 to 3")
+    figures.add_argument(
+        "-o", "--output", metavar="DIR", default="figures", type=as_path, help="for the pictures"
+    )
+
+
+def _plan(options: Any) -> int:
+    from rigidsym.files import probe
+    from rigidsym.manoeuvre.files import open_manoeuvre
+
+    asked, _ = open_manoeuvre(options.manoeuvre)
+    if options.output:
+        probe(options.output)
+    with _app():
+        from rigidsym.manoeuvre.plan import solve
+    found = solve(asked, options.all)
+    written = found.write(options.output) if options.output else []
+    if options.json:
+        print(found.to_json(), end="")
+    else:
+        table(found.title, *found.table())
+    say_written(written)
+    return 0
+
+
+def _track(options: Any) -> int:
+    with _app():
+        from rigidsym.manoeuvre.flight.track import track
+    from rigidsym.files import probe
+
+    if options.output:
+        probe(options.output)
+    with _app():
+        found = track(options.manoeuvre, progress("track"))
+        written = found.write(options.output) if options.output else []
+    if options.json:
+        print(found.to_json(), end="")
+    else:
+        table("rigidsym track", ("", "flown"), found.rows())
+    say_written(written)
+    return 1 if found.missed else 0
+
+
+def _figures(options: Any) -> int:
+    with _app():
+        from rigidsym.manoeuvre.figures import figures
+    from rigidsym.files import probe
+
+    probe(options.output)
+    with _app():
+        found = figures(progress("figures"))
+        written = found.write(options.output)
+    table("rigidsym figures", ("figure", "this shows"), found.rows())
+    say_written(written)
+    return 0
+
+
+@contextmanager
+def _app() -> Generator[None]:
+    """A package that is not installed becomes one line."""
+    try:
+        yield
+    except ImportError as error:
+        raise InputError("packages", error.name or "missing", str(error)) from None

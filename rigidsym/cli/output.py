@@ -1,0 +1,86 @@
+"""What commands print: tables to stdout, messages and progress to stderr."""
+
+import io
+import os
+import sys
+from collections.abc import Callable, Generator, Iterable, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+# Progress bars that are shown; leaving takes them from the terminal.
+BARS = ExitStack()
+
+
+def prepare_output() -> None:
+    """Closed streams and encodings without our letters are no reason to fail."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, io.StringIO())
+        elif isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
+def discard_output() -> None:
+    """What is still buffered goes nowhere, so that leaving does not fail again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+@contextmanager
+def reader_may_leave() -> Generator[None]:
+    """Printing to a reader that goes away, as `head` does, changes no exit status."""
+    try:
+        yield
+        sys.stdout.flush()
+    except BrokenPipeError:
+        discard_output()
+
+
+def progress(label: str) -> Callable[[int, int], None]:
+    """A progress bar with the time left on a terminal, silence elsewhere; called with what is done
+    and the total."""
+    if not sys.stderr.isatty():
+        return lambda done, total: None
+    from rich.console import Console
+    from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    columns = (*Progress.get_default_columns()[:2], MofNCompleteColumn(), TimeRemainingColumn())
+    bar = Progress(*columns, console=Console(stderr=True), transient=True)
+    task = bar.add_task(label)
+    bar.start()
+    BARS.callback(bar.stop)
+
+    def show(done: int, total: int) -> None:
+        bar.update(task, completed=done, total=total)
+        if done == total:
+            bar.stop()
+
+    return show
+
+
+def table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+    """Print a table, as wide as the terminal, or 120 characters."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(title=title, title_justify="left")
+    for column in columns:
+        table.add_column(column, overflow="fold")
+    for row in rows:
+        table.add_row(*map(Text, row))
+    console = Console(width=None if sys.stdout.isatty() else 120)
+    with console.capture() as text:
+        console.print(table)
+    sys.stdout.write(text.get())
+
+
+def say(message: str) -> None:
+    """Print to stderr."""
+    print(message, file=sys.stderr)
+
+
+def say_written(paths: Iterable[Path]) -> None:
+    """Tell which files there are now."""
+    for path in paths:
+        say(f"wrote {path}")

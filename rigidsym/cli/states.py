@@ -1,0 +1,146 @@
+"""The commands `propagate` and `methods`."""
+
+import sys
+from typing import Any
+
+from rigidsym.cli.arguments import Command, as_count, as_path, as_seconds
+from rigidsym.cli.output import progress, table
+from rigidsym.errors import InputError
+
+# The arguments of `rigidsym.export.aem` that are text.
+_MESSAGE = {
+    "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed"),
+    "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),
+    "object-name": ("NAME", "UNKNOWN by default"),
+    "object-id": ("ID", "such as 2000-052A; UNKNOWN by default"),
+    "originator": ("NAME", "who makes the message; RIGIDSYM by default"),
+    "creation-date": ("DATE", "UTC; the epoch by default"),
+    "ref-frame-a": ("FRAME", "the inertial one, EME2000 by default"),
+    "ref-frame-b": ("FRAME", "the axes of the body, SC_BODY_1 by default"),
+}
+
+
+def add(command: Command) -> None:
+    """Give the command line its commands about states."""
+    propagate = command("propagate", _propagate, "states of one motion")
+    propagate.add_argument("case", metavar="CASE.toml", help="a case file, or `paper`")
+    propagate.add_argument("--digits", metavar="D", type=as_count, help="significant, all certain")
+    propagate.add_argument("--enclose", action="store_true", help="balls: middles and radii")
+    propagate.add_argument("--method", metavar="M", help="theta, carlson, landen or quadrature")
+    propagate.add_argument("--max-seconds", metavar="S", type=as_seconds, help="for all the digits")
+    propagate.add_argument(
+        "--format",
+        choices=("csv", "json", "npz", "aem"),
+        default="csv",
+        help="npz holds doubles, aem is the CCSDS attitude ephemeris message",
+    )
+    propagate.add_argument("-o", "--output", metavar="FILE", type=as_path, help="instead of stdout")
+    propagate.add_argument("--allow-nonphysical", action="store_true", help="any body")
+    message = propagate.add_argument_group("of --format aem")
+    for name, (metavar, summary) in _MESSAGE.items():
+        message.add_argument(f"--{name}", metavar=metavar, help=summary)
+    message.add_argument(
+        "--no-rates", dest="rates", action="store_false", default=None, help="quaternions only"
+    )
+
+    methods = command("methods", _methods, "cost and accuracy of the methods for many digits")
+    methods.add_argument("case", metavar="CASE", nargs="?", default="paper", help="a case file")
+    methods.add_argument("--digits", metavar="D", type=as_count, nargs="+", help="to compare at")
+    methods.add_argument("-o", "--output", metavar="DIR", type=as_path, help="JSON and a plot")
+    methods.add_argument("--json", action="store_true", help="to stdout alone")
+    methods.add_argument("--allow-nonphysical", action="store_true", help="any body")
+
+
+def _propagate(options: Any) -> int:
+    from rigidsym.files import write_bytes
+    from rigidsym.states import FORMATS
+
+    certain = options.digits or options.enclose
+    if options.format == "npz" and (options.output is None or certain):
+        rule = "holds doubles and goes to a file: give -o FILE, no --digits and no --enclose"
+        raise InputError("format", "npz", rule)
+    for name in ("method", "max_seconds"):
+        if getattr(options, name) is not None and not certain:
+            rule = "is for many digits: give --digits D or --enclose"
+            raise InputError(name.replace("_", "-"), getattr(options, name), rule)
+    heading = _heading(options)
+    if options.format == "aem":
+        data = _message(_case(options), heading)
+    else:
+        data = FORMATS[options.format](_states(_case(options), options))
+    if options.output:
+        write_bytes(options.output, data)
+    else:
+        sys.stdout.write(data.decode())
+    return 0
+
+
+def _heading(options: Any) -> dict[str, Any]:
+    """The options that a message takes, by name; another format takes none of them."""
+    names = [name.replace("-", "_") for name in _MESSAGE]
+    given = {name: getattr(options, name) for name in (*names, "rates")}
+    given = {name: value for name, value in given.items() if value is not None}
+    if options.format != "aem":
+        for name in given:
+            option = "no-rates" if name == "rates" else name.replace("_", "-")
+            value = "given" if name == "rates" else given[name]
+            raise InputError(option, value, "is for --format aem")
+    elif options.digits or options.enclose:
+        rule = "has 16 digits by its standard: no --digits and no --enclose"
+        raise InputError("format", "aem", rule)
+    elif "epoch" not in given:
+        rule = "--format aem needs --epoch YYYY-MM-DDThh:mm:ss[.d...]"
+        raise InputError("epoch", "missing", rule)
+    return given
+
+
+def _message(case: Any, heading: dict[str, Any]) -> bytes:
+    from rigidsym import inputs
+    from rigidsym.export import aem, sampled
+
+    track = sampled(case.motion, inputs.doubles("times", case.times))
+    names = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
+    whole: dict[str, Any] = {**names, **heading}
+    return aem(track, **whole).encode()
+
+
+def _case(options: Any) -> Any:
+    from rigidsym.cases import load_case, paper_case
+
+    if options.case == "paper":
+        return paper_case()
+    return load_case(options.case, options.allow_nonphysical)
+
+
+def _states(case: Any, options: Any) -> Any:
+    from rigidsym import states
+
+    given = {"method": options.method, "max_seconds": options.max_seconds}
+    how = {name: value for name, value in given.items() if value is not None}
+    if options.enclose:
+        return states.balls(case, options.digits or 50, **how)
+    if options.digits:
+        return states.decimals(case, options.digits, **how)
+    return states.doubles(case)
+
+
+def _methods(options: Any) -> int:
+    from rigidsym.comparison import DIGITS, compare
+    from rigidsym.files import probe, write_text
+
+    if options.output:
+        probe(options.output)
+    found = compare(_case(options), options.digits or DIGITS, progress("methods"))
+    if options.json:
+        print(found.to_json(), end="")
+    else:
+        columns = ("method", "first state", "one more", "error below", "radius")
+        rows = [m.row(str(m.digits)) for m in found.by_digits]
+        table("rigidsym methods", ("digits", *columns), rows)
+        if found.by_distance:
+            rows = [m.row(str(m.distance)) for m in found.by_distance]
+            table("rigidsym methods: near the separatrix", ("distance", *columns), rows)
+    if options.output:
+        write_text(options.output / "methods.json", found.to_json())
+        write_text(options.output / "methods.svg", found.to_svg())
+    return 0

@@ -1,0 +1,127 @@
+"""The command `validate`."""
+
+import signal
+from typing import Any
+
+from rigidsym.cli.arguments import Command, as_count, as_path
+from rigidsym.cli.output import progress, reader_may_leave, say, table
+from rigidsym.errors import InputError
+
+# Options of a campaign that mean nothing elsewhere.
+_NOT_WITH = {
+    "case": ("cases", "stratum", "workers", "scheduler", "record"),
+    "faults": ("peer", "workers", "scheduler", "record"),
+}
+
+
+def add(command: Command) -> None:
+    """Give the command line its command about accuracy."""
+    validate = command("validate", _validate, "measure generated modules against the derivation")
+    validate.add_argument("targets", metavar="TARGET", nargs="*", help="numpy, c; both by default")
+    validate.add_argument("--cases", metavar="N", type=as_count, help="samples of each stratum")
+    validate.add_argument("--digits", metavar="D", type=as_count, help="digits of the oracle")
+    validate.add_argument("--seed", metavar="S", type=int, help="of the cases")
+    validate.add_argument(
+        "--stratum", metavar="NAME", action="append", help="only this; repeatable"
+    )
+    validate.add_argument("--peer", metavar="NAME", action="append", help="heyoka, dop853, lsoda…")
+    instead = validate.add_mutually_exclusive_group()
+    instead.add_argument("--case", metavar="CASE", help="STRATUM:INDEX or FILE.toml, at each time")
+    instead.add_argument("--faults", action="store_true", help="which injected faults are noticed")
+    instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
+    where = validate.add_mutually_exclusive_group()
+    where.add_argument("--workers", metavar="W", type=as_count, help="processes; all cores")
+    where.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster, tcp://…")
+    validate.add_argument(
+        "-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown, page"
+    )
+    validate.add_argument("--json", action="store_true", help="to stdout alone")
+    validate.add_argument("--record", action="store_true", help="for the heads of the modules")
+
+
+def _validate(options: Any) -> int:
+    from rigidsym.files import probe
+    from rigidsym.validate import session
+
+    names = {"targets": "targets", "peer": "peers", "stratum": "strata"}
+    names |= {name: name for name in ("cases", "digits", "seed")}
+    given = {name: getattr(options, option) for option, name in names.items()}
+    chosen = {name: value for name, value in given.items() if value not in (None, [])}
+    mode = "case" if options.case else "faults" if options.faults else ""
+    for name in _NOT_WITH.get(mode, ()):
+        if getattr(options, name) not in (None, False):
+            raise InputError(name, "given", f"is not for --{mode}")
+    if options.output and not options.resume:
+        probe(options.output)
+    # What a batch system sends is an interrupt, too.
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    whole, done = session.begin(chosen, None if mode else options.output, options.resume)
+    if options.case:
+        return _validate_case(whole, options)
+    return _validate_faults(whole, options) if options.faults else _campaign(whole, done, options)
+
+
+def _campaign(whole: Any, done: Any, options: Any) -> int:
+    from rigidsym.validate import checkpoint, executors, session, tables, validation
+    from rigidsym.validate.record import record
+
+    place = (
+        executors.local(options.workers)
+        if options.scheduler is None
+        else executors.cluster(options.scheduler)
+    )
+    kept = checkpoint.Checkpoint(options.output, whole, done) if options.output else None
+    report = validation.conduct(whole, done, place, progress("validate"), kept)
+    if kept:
+        say(f"report: {session.write(report, options.output)}")
+        kept.remove()
+    if options.record:
+        say(f"recorded: {record(report)}")
+    run = report.run
+    say(
+        f"{run['enclosed states']} states in {run['seconds']} s, "
+        f"{run['enclosed states a second']} a second, {run['place']}"
+    )
+    for complaint in report.complaints:
+        say(f"broken: {complaint}")
+    title = f"{report.command}: worst errors in units of 2^-53"
+    with reader_may_leave():
+        if options.json:
+            print(report.to_json(), end="", flush=True)
+        else:
+            table(title, *tables.summary(report))
+    return 0 if report.passed else 1
+
+
+def _validate_case(whole: Any, options: Any) -> int:
+    import json
+
+    from rigidsym.validate import case_file, session, tables
+
+    finding = session.replay(options.case, whole)
+    if options.output:
+        path = options.output / case_file.file_name(finding.sample)
+        say(f"case: {case_file.write(path, finding.sample)}")
+    with reader_may_leave():
+        if options.json:
+            print(json.dumps(finding.to_data(), indent=1, sort_keys=True))
+        else:
+            print(case_file.toml(finding.sample), end="")
+            table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
+    return 0 if max(map(finding.share, whole.targets)) <= 1 else 1
+
+
+def _validate_faults(whole: Any, options: Any) -> int:
+    from rigidsym.files import write_text
+    from rigidsym.validate.faults import inject
+
+    drawn = (whole.targets, whole.cases, whole.digits, whole.seed)
+    report = inject(*drawn, progress=progress("validate --faults"), strata=whole.strata)
+    if options.output:
+        write_text(options.output / "faults.json", report.to_json())
+        write_text(options.output / "faults.md", report.to_markdown())
+    for fault in report.missed:
+        say(f"not caught: {fault.target}: {fault.name}")
+    with reader_may_leave():
+        print(report.to_json() if options.json else report.to_markdown(), end="", flush=True)
+    return 0 if report.passed else 1
