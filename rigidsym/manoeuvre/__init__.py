@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
-    from rigidsym.manoeuvre.plan import Plan, plan, solve
+    from rigidsym.manoeuvre.planning import Plan, plan, solve
     from rigidsym.manoeuvre.transfer import Transfer
 
 __all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "plan", "solve"]
@@ -14,10 +14,10 @@ __all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "plan", "solve"]
 _HOMES = {
     "Limits": "rigidsym.manoeuvre.manoeuvre",
     "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",
-    "Plan": "rigidsym.manoeuvre.plan",
+    "Plan": "rigidsym.manoeuvre.planning",
     "Transfer": "rigidsym.manoeuvre.transfer",
-    "plan": "rigidsym.manoeuvre.plan",
-    "solve": "rigidsym.manoeuvre.plan",
+    "plan": "rigidsym.manoeuvre.planning",
+    "solve": "rigidsym.manoeuvre.planning",
 }
 
 

@@ -16,7 +16,7 @@ from rigidsym.cases import parse_case
 from rigidsym.cli import main, parser
 from rigidsym.engines.compiler import FLAGS, NATIVE
 from rigidsym.manoeuvre.manoeuvre import parse
-from rigidsym.manoeuvre.plan import solve
+from rigidsym.manoeuvre.planning import solve
 
 KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "text", "python no-run", "c no-run"}
 # What a programme of one's own is compiled with: as the engine is, but for any machine.

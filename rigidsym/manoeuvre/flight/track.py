@@ -6,7 +6,7 @@ from rigidsym.manoeuvre.files import open_manoeuvre
 from rigidsym.manoeuvre.flight.fly import fly
 from rigidsym.manoeuvre.flight.reading import read
 from rigidsym.manoeuvre.flight.results import Tracked
-from rigidsym.manoeuvre.plan import solve
+from rigidsym.manoeuvre.planning import solve
 
 
 def track(name: str, progress: Callable[[int, int], None] = lambda done, total: None) -> Tracked:
