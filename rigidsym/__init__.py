@@ -38,7 +38,7 @@ _HOMES = {
     "Regime": "rigidsym.solution.polhode",
     "TorqueFreeMotion": "rigidsym.motion",
     "generate": "rigidsym.codegen",
-    "plan": "rigidsym.manoeuvre.planning",
+    "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
 }

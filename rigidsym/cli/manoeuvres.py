@@ -38,7 +38,7 @@ def _plan(options: Any) -> int:
     if options.output:
         probe(options.output)
     with _app():
-        from rigidsym.manoeuvre.planning import solve
+        from rigidsym.manoeuvre import solve
     found = solve(asked, options.all)
     written = found.write(options.output) if options.output else []
     if options.json:

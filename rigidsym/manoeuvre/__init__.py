@@ -3,6 +3,8 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from rigidsym.manoeuvre.packages import require
+
 if TYPE_CHECKING:
     from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
     from rigidsym.manoeuvre.planning import Plan, plan, solve
@@ -24,6 +26,7 @@ _HOMES = {
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym.manoeuvre' has no attribute {name!r}")
+    require("rigidsym.manoeuvre", "scipy")
     return getattr(import_module(_HOMES[name]), name)
 
 

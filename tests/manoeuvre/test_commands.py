@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+from itertools import product
 
 import numpy as np
 import pytest
@@ -86,8 +87,13 @@ def test_a_file_that_is_not_there(capsys):
     assert "manoeuvre = nowhere.toml: cannot be read" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("package", ["scipy", "erfa", "ppigrf", "matplotlib"])
-@pytest.mark.parametrize("command", ["track paper", "figures"])
+@pytest.mark.parametrize(
+    ("package", "command"),
+    [
+        ("scipy", "plan paper"),
+        *product(("scipy", "erfa", "ppigrf", "matplotlib"), ("track paper", "figures")),
+    ],
+)
 def test_missing_packages_are_named_in_one_line(package, command, tmp_path):
     code = (
         f"import sys\nsys.modules[{package!r}] = None\nfrom rigidsym.cli import main\n"
