@@ -22,6 +22,9 @@ _GRID = np.arange(-32.0, 32.1, 0.75)
 _HALF_STEP, _RATE_STEP = 0.8, 1.2
 _ROUNDS = 24
 _LEAST_STEP = 1e-7
+# A time that still changes by half a period over such a step jumps by a whole one, at the axis of
+# the turn, or within rounding of it.
+_JUMP_STEP = 0.05
 # A sine this small that does not change its sign may have a double zero beside it.
 _TANGENT = 0.02
 # Times may dip between samples.
@@ -33,13 +36,15 @@ _MOST = 2_000_000
 class _Samples:
     """Points of arcs, and how the motions that start there arrive; arrays with N rows.
 
-    turns: whole turns of the momentum round its polhode.  time: momentum times duration.
+    turns: whole turns of the momentum round its polhode, which take `period` each.  time: momentum
+    times duration.
     half: of the angle about the momentum that is left, rad.
     """
 
     arc: np.ndarray
     x: np.ndarray
     turns: np.ndarray
+    period: np.ndarray
     time: np.ndarray
     rates: np.ndarray
     half: np.ndarray
@@ -107,14 +112,16 @@ def _sample(
     rates = time[:, None] * momenta / problem.inertia
     arrived = problem.arrivals(np.nan_to_num(rates))
     half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
-    return _Samples(arc, x, turns, time, rates, half)
+    return _Samples(arc, x, turns, period, time, rates, half)
 
 
 def _is_coarse(begin: _Samples, end: _Samples, bound: float) -> np.ndarray:
     apart = np.linalg.norm(end.rates - begin.rates, axis=1)
     coarse = (np.abs(_turned(begin, end)) > _HALF_STEP) | (apart > _RATE_STEP)
     matters = np.minimum(begin.time, end.time) <= bound * _MARGIN
-    return coarse & matters & (end.x - begin.x > _LEAST_STEP)
+    step = end.x - begin.x
+    jumps = np.abs(end.time - begin.time) > np.minimum(begin.period, end.period) / 2
+    return coarse & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
 
 def _turned(begin: _Samples, end: _Samples) -> np.ndarray:
