@@ -4,6 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from rigidsym.quaternions import conjugate, product
+
 Numbers = np.ndarray | Sequence[float]
 
 
@@ -21,15 +23,7 @@ def matrix(q: Numbers) -> np.ndarray:
 
 def relative(p: np.ndarray, q: np.ndarray) -> np.ndarray:
     """conj(p) q, of (..., 4) each: from the axes of q to those of p."""
-    a, b, c, d = np.moveaxis(np.asarray(p) * [1, -1, -1, -1], -1, 0)
-    e, f, g, h = np.moveaxis(np.asarray(q), -1, 0)
-    parts = (
-        a * e - b * f - c * g - d * h,
-        a * f + b * e + c * h - d * g,
-        a * g - b * h + c * e + d * f,
-        a * h + b * g - c * f + d * e,
-    )
-    return np.stack(parts, axis=-1)
+    return product(conjugate(p), q)
 
 
 def angle(p: np.ndarray, q: np.ndarray) -> np.ndarray:
