@@ -29,6 +29,7 @@ _JUMP_STEP = 0.05
 _TANGENT = 0.02
 # Times may dip between samples.
 _MARGIN = 1.02
+_FAR = 4.0
 _MOST = 2_000_000
 
 
@@ -75,7 +76,7 @@ def _search(problem: Problem, curves: Arcs, bound: float) -> Iterator[np.ndarray
         if not coarse.any():
             break
         left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
-        middle = _sample(problem, curves, begin.arc, (begin.x + end.x) / 2, begin.turns)
+        middle = _sample(problem, curves, bound, begin.arc, (begin.x + end.x) / 2, begin.turns)
         new = len(samples.x) + np.arange(len(middle.x))
         samples = samples + middle
         left, right = np.concatenate([left, new]), np.concatenate([new, right])
@@ -99,29 +100,37 @@ def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[_Samples, np.n
         np.concatenate([step, step + 1]) + len(x) * np.tile(turns, 2), return_inverse=True
     )
     at, turns = nodes % len(x), nodes // len(x)
-    samples = _sample(problem, curves, arc[at], x[at], turns)
+    samples = _sample(problem, curves, bound, arc[at], x[at], turns)
     return samples, place[: len(step)], place[len(step) :]
 
 
 def _sample(
-    problem: Problem, curves: Arcs, arc: np.ndarray, x: np.ndarray, turns: np.ndarray
+    problem: Problem,
+    curves: Arcs,
+    bound: float,
+    arc: np.ndarray,
+    x: np.ndarray,
+    turns: np.ndarray,
 ) -> _Samples:
+    """The samples there; what arrives much later than `bound` has no half angle."""
     momenta = curves.at(arc, x)
     first, period = transits(problem, momenta)
     time = first + turns * period
-    rates = time[:, None] * momenta / problem.inertia
+    rates = np.where(time <= _FAR * bound, time, np.nan)[:, None] * momenta / problem.inertia
     arrived = problem.arrivals(np.nan_to_num(rates))
     half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
-    return _Samples(arc, x, turns, period, time, rates, half)
+    return _Samples(
+        arc, x, turns, period, time, rates, np.where(time <= _FAR * bound, half, np.nan)
+    )
 
 
 def _is_coarse(begin: _Samples, end: _Samples, bound: float) -> np.ndarray:
     apart = np.linalg.norm(end.rates - begin.rates, axis=1)
-    coarse = (np.abs(_turned(begin, end)) > _HALF_STEP) | (apart > _RATE_STEP)
+    fine = (np.abs(_turned(begin, end)) <= _HALF_STEP) & (apart <= _RATE_STEP)
     matters = np.minimum(begin.time, end.time) <= bound * _MARGIN
     step = end.x - begin.x
     jumps = np.abs(end.time - begin.time) > np.minimum(begin.period, end.period) / 2
-    return coarse & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
+    return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
 
 def _turned(begin: _Samples, end: _Samples) -> np.ndarray:
