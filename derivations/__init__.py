@@ -26,6 +26,7 @@ CHAPTERS = (
     "edges",
     "steady",
     "regimes",
+    "manoeuvres",
     "publish",
     "repairs",
     "mutants",

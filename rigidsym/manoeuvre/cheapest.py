@@ -14,8 +14,9 @@ _ROUNDING = 1e-12
 def cheapest(bursts: Burns, duration: float, count: int) -> np.ndarray:
     """The cheapest motions within the limits, rates (N, 3), N at most `count`.
 
-    No motion costs less than twice its momentum less what the spins before and after can save; so
-    all those up to a cost are known when all those up to a momentum are.
+    From rest to rest a motion costs twice its momentum (facts manoeuvre.first_burst,
+    manoeuvre.last_burst), and never less than that less what the spins before and after can save;
+    so all those up to a cost are known when all those up to a momentum are.
     """
     spins = bursts.spin * duration
     most = bursts.most(duration)

@@ -2,10 +2,11 @@
 
 The motion keeps the momentum in space, so the turn takes it from the target's body axes to the
 start's; it keeps the energy, too.  Both momenta m and mR of size 1 then have the same energy:
-m A m = 0 with A = R J R^T - J, J the inverse moments.  A has no trace, so that this is a cone, and
-its directions are two closed curves on the sphere, one opposite the other.  They are cut into
-arcs at the points where transit times jump or have no bound: the axis of the turn, and the two
-planes of the separatrix.
+m A m = 0 with A = R J R^T - J, J the inverse moments (fact manoeuvre.cone).  A has no trace (fact
+manoeuvre.trace), so that this is a cone, and its directions are two closed curves on the sphere,
+one opposite the other.  They are cut into arcs at the points where transit times jump or have no
+bound: the axis of the turn, which is on the cone (fact manoeuvre.axis), and the two planes of the
+separatrix (fact separatrix_planes.planes).
 """
 
 from collections.abc import Callable
@@ -55,7 +56,10 @@ def arcs(problem: Problem) -> Arcs:
 
 
 def is_symmetry(problem: Problem) -> bool:
-    """Whether the turn leaves the inertia as it is, so that motions come in rings of equal cost."""
+    """Whether the turn leaves the inertia as it is, so that motions come in rings of equal cost.
+
+    Facts manoeuvre.symmetry, ring.euler.
+    """
     return bool(np.abs(_form(problem)).max() <= _SYMMETRY * np.abs(_inverse(problem)).max())
 
 

@@ -17,7 +17,8 @@ def least(problem: Problem) -> float:
 
     Found from turns about the axis of the whole turn; where none leads to a motion it is a bound:
     that turn at constant rates has energy enough for the shortest way, and of all motions with
-    an energy the one about the axis of largest moment has the largest momentum.
+    an energy the one about the axis of largest moment has the largest momentum (fact
+    sorted_body.most_momentum).
     """
     shortest = problem.angle * np.sqrt(problem.axis @ (problem.inertia * problem.axis))
     arrive = _distinct(problem, *refine(problem, _spins(problem, 0.0)))

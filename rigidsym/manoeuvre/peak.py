@@ -10,7 +10,8 @@ def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
     """Largest |omega| (N,) in time 1 of motions that begin with rates (N, 3) and arrive.
 
     On a polhode |omega|^2 is linear in sn^2, so that its extremes are at the ends of the motion
-    and where the argument of Jacobi's functions passes a multiple of K(m).
+    and where the argument of Jacobi's functions passes a multiple of K(m) (facts regular.speed,
+    regular.speed_rate).
     """
     sizes = problem.momenta(rates)
     momenta = problem.inertia * rates / np.where(sizes > 0, sizes, 1.0)[:, None]

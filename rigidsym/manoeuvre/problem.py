@@ -1,8 +1,9 @@
 """The boundary-value problem without units: body axes of the start, time 1, largest moment 1.
 
-Natural motions keep their momentum in space, and time only scales their rates.  So all that
-matters of two attitudes is the turn from one to the other in the body axes of the first, and all
-that matters of a duration is the rates times it.
+Natural motions keep their momentum in space (fact moving_body.momentum_is_constant), and time only
+scales their rates (facts faster.kinematics, faster.euler).  So all that matters of two attitudes is
+the turn from one to the other in the body axes of the first, and all that matters of a duration is
+the rates times it.
 """
 
 from collections.abc import Sequence

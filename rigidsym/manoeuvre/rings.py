@@ -1,5 +1,6 @@
 """Rings of motions: where the turn is a symmetry of the body, each motion that arrives has a
-circle of others beside it, with the same momentum and energy, all round its polhode."""
+circle of others beside it, with the same momentum and energy, all round its polhode (facts
+ring.kinematics, ring.momentum, ring.euler)."""
 
 from itertools import product
 

@@ -2,8 +2,8 @@
 
 A motion from a direction on an arc brings the momentum where it should be after a known time, and
 again after each period of its polhode.  What is left of the attitude then is a turn about the
-momentum, by one angle.  The motion arrives where half of that is a multiple of pi: so these are
-the zeros of functions of one variable.
+momentum, by one angle (facts arrival.gap, arrival.angle).  The motion arrives where half of that
+is a multiple of pi: so these are the zeros of functions of one variable.
 """
 
 from collections.abc import Iterator

@@ -174,6 +174,19 @@ MUTANTS = [
         "phi1_rate*sin_phi2 = Omega2*sin_phi3 + Omega3*cos_phi3",
         "phi1_rate*sin_phi2 = Omega2*cos_phi3 + Omega3*sin_phi3",
     ),
+    # natural motions between two attitudes
+    ("faster", "c1*D(W1) = (c2 - c3)*W2*W3", "c1*D(W1) = s*(c2 - c3)*W2*W3"),
+    ("faster", "W1*M1 + W2*M2 + W3*M3 = 2*s*H", "W1*M1 + W2*M2 + W3*M3 = 2*s**2*H"),
+    ("manoeuvre", "A11 + A22 + A33 = 0", "A11 + A22 = 0"),
+    ("manoeuvre", "N1**2 + N2**2 + N3**2 = K**2", "N1**2 + N2**2 - N3**2 = K**2"),
+    ("manoeuvre", "R11*p1 + R12*p2 + R13*p3 = p1", "R11*p1 + R12*p2 + R13*p3 = p2"),
+    ("arrival", "q1 = z0*p1 + z1*p0 + z2*p3 - z3*p2", "q1 = z0*p1 + z1*p0 - z2*p3 + z3*p2"),
+    (
+        "separatrix_planes",
+        "E_b = c_b*(across*M_a - along*M_d)*(across*M_a + along*M_d)",
+        "E_b = c_b*(along*M_a - across*M_d)*(along*M_a + across*M_d)",
+    ),
+    ("ring", "c1*W1 = R11*M1 + R21*M2 + R31*M3", "c1*W1 = R11*M1 + R21*M2 - R31*M3"),
 ]
 
 

@@ -111,13 +111,17 @@ def test_a_ledger_that_proves_less_is_refused(text, message):
         load(text)
 
 
-NUMBER_WING = ("solution", "precise", "codegen", "validate", "generated", "engines", "pictures")
+NUMBER_WING = ("solution", "precise", "codegen", "validate", "generated", "engines", "pictures",
+               "export", "manoeuvre")  # fmt: skip
 ALLOWED = {
     "kernel": {"kernel"},
     "algebra": {"algebra", "kernel"},
     "display": {"display", "solution", "inputs", "errors"},
     "paper": {"paper", "display"},
-    "pictures": {"pictures", "motion", "precise", "solution", "errors", "inputs"},
+    "export": {"export", "motion", "errors"},
+    "manoeuvre": {"manoeuvre", "motion", "engines", "pictures", "solution", "quaternions"}
+    | {"errors", "files", "inputs", "toml_file"},
+    "pictures": {"pictures", "motion", "precise", "solution", "errors", "inputs", "quaternions"},
     "solution": {"solution", "errors"},
     "precise": {"precise", "solution", "errors", "inputs"},
     "codegen": {"codegen", "solution", "errors", "files"},

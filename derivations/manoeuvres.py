@@ -1,0 +1,224 @@
+"""Natural motions between two attitudes: what the planner of manoeuvres rests on.
+
+Such a motion turns the body by p, a unit quaternion; R is p as a matrix.  The momentum stays where
+it is in space: it is M in the body axes of the start and N = R^T M in those of the target.  The
+energy stays, too, so that M lies on the cone M^T A M = 0, A = R J R^T - J, with the inverse
+moments J.  At a time when the momentum is N, what is left of the attitude is a turn about M.  Where
+A = 0, that is where the turn is a symmetry of the body, motions that arrive come in rings.
+
+Not here: that motions with the same rates and attitude at one time are the same, which is a
+theorem on all such equations; and when the turn that is left is a whole one, which is for numbers.
+"""
+
+from derivations.attitude import INERTIA as AXES
+from derivations.euler_lax import ATTITUDE, BODY, INERTIA
+from derivations.lie_algebra import UNIT_QUATERNION
+from derivations.regular_form import BY_RATES
+from rigidsym.algebra import Book, Part, equal, join, names
+from rigidsym.algebra.quaternion import product
+
+CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
+PAIRS = [(j, k) for j in (1, 2, 3) for k in (1, 2, 3)]
+ACROSS = [(j, k) for j, k in PAIRS if j != k]
+
+
+def total(term: str) -> str:
+    """The sum of a term over the three axes; ? stands for their numbers."""
+    return " + ".join(term.replace("?", k) for k in "123")
+
+
+def matrix(name: str, q: str) -> dict[str, str]:
+    """The entries of the rotation matrix of a unit quaternion."""
+    entries = {}
+    for j, k, i in CYCLES:
+        entries |= {
+            f"{name}{j}{j}": f"{q}0**2 + {q}{j}**2 - {q}{k}**2 - {q}{i}**2",
+            f"{name}{j}{k}": f"2*({q}{j}*{q}{k} - {q}0*{q}{i})",
+            f"{name}{k}{j}": f"2*({q}{j}*{q}{k} + {q}0*{q}{i})",
+        }
+    return entries
+
+
+# What q and Omega are at the time s t: everything moves s times as fast.
+FASTER = Part(
+    witness={"s": "2"},
+    definitions={f"W{k}": f"s*Omega{k}" for k in (1, 2, 3)},
+    rates={name: f"s*({rate})" for name, rate in {**BODY.rates, **ATTITUDE.rates}.items()},
+    reading={
+        "s": "constant: the other names stand for a motion at the time s t",
+        **{f"W{k}": f"rate about axis {k} in the time t, rad/s" for k in (1, 2, 3)},
+    },
+)
+TURN = Part(
+    witness=dict.fromkeys(("p0", "p1", "p2", "p3"), "1/2"),
+    definitions=matrix("R", "p"),
+    relations=("p3**2 + p2**2 + p1**2 + p0**2 - 1",),
+    reading={f"p{k}": f"component {k} of the turn from start to target" for k in range(4)},
+)
+MOMENTUM = Part(
+    witness={"M1": "2", "M2": "3", "M3": "6", "K": "7"},
+    definitions={f"N{k}": total(f"R?{k}*M?") for k in (1, 2, 3)},
+    relations=("K**2 - M1**2 - M2**2 - M3**2",),
+    nonnegative=("K",),
+    reading={
+        **{f"M{k}": f"momentum along body axis {k} of the start" for k in (1, 2, 3)},
+        **{f"N{k}": f"momentum along body axis {k} of the target" for k in (1, 2, 3)},
+        "K": "|M|, kg m^2 rad/s",
+    },
+)
+CONE = Part(
+    definitions={f"A{j}{k}": total(f"R{j}?*R{k}?/c?") + f" - 1/c{k}" * (j == k) for j, k in PAIRS},
+)
+# The attitude q takes N to L; z is what is left of it after the turn, q = z p.
+LEFT = Part(
+    definitions={
+        **matrix("S", "q"),
+        **{f"L{k}": total(f"S{k}?*N?") for k in (1, 2, 3)},
+        "z0": "q0*p0 + q1*p1 + q2*p2 + q3*p3",
+        **{f"z{i}": f"q{i}*p0 - q0*p{i} + q{k}*p{j} - q{j}*p{k}" for i, j, k in CYCLES},
+        "along": total("z?*M?"),
+    },
+    reading={
+        **{f"q{k}": f"component {k} of the attitude, 1 at the start" for k in range(4)},
+        "along": "K sin(x/2), where z is a turn about M by x, and z0 is cos(x/2)",
+    },
+)
+# The planes that E_b = 0 consists of, by the roots of the differences of inverse moments.
+PLANES = Part(
+    witness={"i_a": "1", "across": "1", "along": "1", "M_a": "1", "M_b": "0", "M_d": "1"},
+    units=("i_a", "i_a + across**2", "i_a + across**2 + along**2"),
+    definitions={
+        "c_a": "1/i_a",
+        "c_b": "1/(i_a + across**2)",
+        "c_d": "1/(i_a + across**2 + along**2)",
+        **{f"Omega_{x}": f"M_{x}/c_{x}" for x in "abd"},
+        **{name: BY_RATES[name] for name in ("H", "E_b")},
+    },
+    nonnegative=("across", "along"),
+    reading={
+        **AXES.reading,
+        "i_a": "1/c_a; a is the axis of the largest moment",
+        **{f"M_{x}": f"momentum along axis {x}, kg m^2 rad/s" for x in "abd"},
+    },
+)
+# With p constant, the motion that has the rates W at the attitude x = q p.
+BESIDE = Part(
+    witness={"c1": "2", "c2": "2", "c3": "1", "p0": "3/5", "p1": "0", "p2": "0", "p3": "4/5"},
+    definitions={
+        **{f"W{k}": total(f"R?{k}*Omega?") for k in (1, 2, 3)},
+        **{f"P{k}": total(f"R?{k}*M?") for k in (1, 2, 3)},
+        "x0": "q0*p0 - q1*p1 - q2*p2 - q3*p3",
+        **{f"x{i}": f"q0*p{i} + q{i}*p0 + q{j}*p{k} - q{k}*p{j}" for i, j, k in CYCLES},
+    },
+    reading={f"W{k}": f"rate about axis {k} of the motion beside, rad/s" for k in (1, 2, 3)},
+)
+# Axes j and k have one moment, or the turn does not mix them: R_jk = R_kj = 0, these being
+# 2 (p_j p_k -+ p_0 p_i).
+SYMMETRY = Part(
+    relations=tuple(f"(c{j} - c{k})*{x}" for i, j, k in CYCLES for x in (f"p{j}*p{k}", f"p0*p{i}")),
+)
+
+
+def derive(book: Book) -> None:
+    """Time; the cone, the bursts; what is left of the attitude; planes, peaks, rings, a bound."""
+    _faster(book)
+    _cone(book)
+    _left(book)
+    _planes(book)
+    _peaks(book)
+    _ring(book)
+    _bound(book)
+
+
+def _faster(book: Book) -> None:
+    """q(s t) and s Omega(s t) are a motion; momentum goes with s, energy with s^2."""
+    ring = book.open(join("faster", INERTIA, BODY, UNIT_QUATERNION, ATTITUDE, FASTER))
+    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "W1 W2 W3")
+    half_turn = [x / 2 for x in product(q, (ring.element(0), *rates))]
+    book.claim("faster.kinematics", equal(map(ring.rate, q), half_turn), ["3"])
+    euler = {f"c{i}*D(W{i})": f"(c{j} - c{k})*W{j}*W{k}" for i, j, k in CYCLES}
+    book.claim("faster.euler", euler, ["5"])
+    book.claim(
+        "faster.invariants",
+        {
+            **{f"c{k}*W{k}": f"s*M{k}" for k in (1, 2, 3)},
+            total("(c?*W?)**2"): "s**2*K_squared",
+            f"({total('c?*W?**2')})/2": "s**2*H",
+        },
+        ["6", "8", "15"],
+    )
+
+
+def _cone(book: Book) -> None:
+    """Energies at both ends differ by the form A of M: no trace, zero on the axis of the turn."""
+    book.open(join("manoeuvre", INERTIA, TURN, MOMENTUM, CONE, static=True))
+    form = " + ".join(f"A{j}{k}*M{j}*M{k}" for j, k in PAIRS)
+    book.claim("manoeuvre.cone", {f"{total('N?**2/c?')} - ({total('M?**2/c?')})": form}, ["6"])
+    book.claim("manoeuvre.trace", {total("A??"): "0"})
+    axis = " + ".join(f"A{j}{k}*p{j}*p{k}" for j, k in PAIRS)
+    book.claim("manoeuvre.axis", {total(f"R{k}?*p?"): f"p{k}" for k in (1, 2, 3)} | {axis: "0"})
+    # From rest to rest the bursts are M and -N in the body axes.
+    book.root("manoeuvre.first_burst", "K", "M1**2 + M2**2 + M3**2", ["6"])
+    book.root("manoeuvre.last_burst", "K", "N1**2 + N2**2 + N3**2", ["6"])
+    # A R = R J - J R: A = 0 where R does not mix axes of different moments.
+    mixed = {total(f"A{j}?*R?{k}"): f"R{j}{k}*(1/c{k} - 1/c{j})" for j, k in ACROSS}
+    book.claim("manoeuvre.symmetry", mixed)
+
+
+def _left(book: Book) -> None:
+    """q = z p takes N to L, which is M where z is a turn about M, and only there."""
+    ring = book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
+    p, q, z = (names(ring, f"{x}0 {x}1 {x}2 {x}3") for x in "pqz")
+    book.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
+    book.claim("arrival.left", equal(q, product(z, p)))
+    cross = " + ".join(f"(z{j}*M{k} - z{k}*M{j})**2" for _, j, k in CYCLES)
+    book.claim("arrival.gap", {total("(L? - M?)**2"): f"4*({cross})"})
+    book.claim("arrival.angle", {f"(K*z0)**2 + along**2 + {cross}": "K**2"})
+
+
+def _planes(book: Book) -> None:
+    """K^2 - 2 H c_b vanishes on the two planes across M_a = +-along M_d."""
+    book.open(join("separatrix_planes", PLANES, static=True))
+    book.root("separatrix_planes.across", "across", "(c_a - c_b)/(c_a*c_b)")
+    book.root("separatrix_planes.along", "along", "(c_b - c_d)/(c_b*c_d)")
+    book.claim(
+        "separatrix_planes.E_b",
+        {
+            "M_a**2 + M_b**2 + M_d**2 - 2*H*c_b": "E_b",
+            "E_b": "M_a**2*(c_a - c_b)/c_a - M_d**2*(c_b - c_d)/c_d",
+        },
+        ["6"],
+    )
+    product = "c_b*(across*M_a - along*M_d)*(across*M_a + along*M_d)"
+    book.claim("separatrix_planes.planes", {"E_b": product})
+
+
+def _peaks(book: Book) -> None:
+    """|Omega|^2 is linear in sn^2, and stands still where sn, cn or dn is zero."""
+    square = "Omega_a**2 + Omega_b**2 + Omega_d**2"
+    slope = "(A_b**2 - A_d**2 - m*A_a**2)"
+    book.claim("regular.speed", {square: f"A_a**2 + A_d**2 + {slope}*sn**2"}, ["10"])
+    book.claim("regular.speed_rate", {f"D({square})": f"2*lambda_*{slope}*sn*cn*dn"}, ["10"])
+
+
+def _ring(book: Book) -> None:
+    """Where the turn leaves J as it is, x = q p and W = R^T Omega are a motion, too.
+
+    A motion from q = 1 that is at p at the time T has the rates W there: it goes on as x and W do,
+    so that q(T + t) = q(t) p, and from whatever q(t) it is at, it turns by p in the time T.
+    """
+    motion = (INERTIA, TURN, BODY, UNIT_QUATERNION, ATTITUDE)
+    ring = book.open(join("ring", *motion, BESIDE, SYMMETRY))
+    x, rates = names(ring, "x0 x1 x2 x3"), names(ring, "W1 W2 W3")
+    book.claim("ring.symmetry", {f"R{j}{k}*(1/c{k} - 1/c{j})": "0" for j, k in ACROSS})
+    half_turn = [y / 2 for y in product(x, (ring.element(0), *rates))]
+    book.claim("ring.kinematics", equal(map(ring.rate, x), half_turn), ["3"])
+    book.claim("ring.momentum", {f"P{k}": f"c{k}*W{k}" for k in (1, 2, 3)}, ["8"])
+    euler = {f"c{i}*D(W{i})": f"P{j}*W{k} - P{k}*W{j}" for i, j, k in CYCLES}
+    book.claim("ring.euler", euler, ["5", "7"])
+
+
+def _bound(book: Book) -> None:
+    """K^2 <= 2 H c for the largest moment c."""
+    forms = {"2*H*c_1 - K_squared": "c_2*c_12*Omega_2**2 + c_3*c_13*Omega_3**2"}
+    book.sign("sorted_body.most_momentum", forms, ["6", "15"])
