@@ -15,6 +15,8 @@ extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton", "docstrings"
 
 # Notebooks are shown as they are committed.
 nb_execution_mode = "off"
+# Tables that cells give are tables, with formulas in them.
+nb_render_markdown_format = "myst"
 nb_ipywidgets_js: dict[str, dict[str, str]] = {}
 nb_mime_priority_overrides = [("html", "image/svg+xml", 5)]
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath"]

@@ -3,14 +3,14 @@
 from collections.abc import Iterator
 from typing import Any
 
-from rigidsym import inputs
-from rigidsym.display.parts import card, counted, head, math, muted, table
+from rigidsym.display.parts import card, counted, head, muted, table
+from rigidsym.display.quantities import INERTIA, RATE, decimal, row, vector
 from rigidsym.display.statement import listed
 from rigidsym.errors import InputError
 
 _GIVEN = (
-    ("inertia", r"(c_1, c_2, c_3)", r"\mathrm{kg\,m^2}"),
-    ("omega0", r"\Omega(0)", r"\mathrm{rad/s}"),
+    ("inertia", r"(c_1, c_2, c_3)", INERTIA),
+    ("omega0", r"\Omega(0)", RATE),
     ("attitude0", r"R(0)", ""),
 )
 
@@ -23,7 +23,7 @@ def motion_html(motion: Any) -> str:
 def motion_latex(motion: Any) -> str:
     """What a motion was made from, in one line."""
     parts = [
-        rf"{name} = {_row(getattr(motion, field))}\,{unit}".removesuffix(r"\,")
+        rf"{name} = {vector(getattr(motion, field))}\,{unit}".removesuffix(r"\,")
         for field, name, unit in _GIVEN
     ]
     return f"${listed(parts)}$"
@@ -32,7 +32,7 @@ def motion_latex(motion: Any) -> str:
 def case_html(case: Any) -> str:
     """A motion, and how many times of it are wanted."""
     times = case.times
-    ends = f"{_decimal(times[0])} s to {_decimal(times[-1])} s" if times else ""
+    ends = f"{decimal(times[0])} s to {decimal(times[-1])} s" if times else ""
     said = counted(len(times), "time") + (f", {ends}" if ends else "")
     title = head("Case", muted(_regime(case.motion)))
     return card(title, table((), [*_rows(case.motion), (muted("times"), said, "")]))
@@ -40,22 +40,7 @@ def case_html(case: Any) -> str:
 
 def _rows(motion: Any) -> Iterator[tuple[Any, ...]]:
     for field, name, unit in _GIVEN:
-        yield muted(field), math(f"{name} = {_row(getattr(motion, field))}"), math(unit or r"\,")
-
-
-def _row(values: Any) -> str:
-    inside = r",\ ".join(map(_decimal, values))
-    return f"({inside})"
-
-
-def _decimal(value: Any) -> str:
-    """Six digits, in LaTeX."""
-    if isinstance(value, inputs.Uncertain):
-        return rf"{_decimal(value.middle)} \pm {_decimal(value.radius)}"
-    number, _, exponent = inputs.decimal(value, 6).lower().partition("e")
-    number = number.rstrip("0").rstrip(".") if "." in number else number
-    number = f"{{{number}}}" if value < 0 else number
-    return rf"{number} \cdot 10^{{{int(exponent)}}}" if exponent else number
+        yield row(field, f"{name} = {vector(getattr(motion, field))}", unit)
 
 
 def _regime(motion: Any) -> str:

@@ -23,6 +23,9 @@ TINTS = {
     "open": OPEN,
     "passed": GOOD,
     "NOT PASSED": BAD,
+    "settled": GOOD,
+    "under way": OPEN,
+    "missed": BAD,
 }
 # What Sphinx needs to know that there are formulas inside.
 _CLASSES = "rigidsym tex2jax_process mathjax_process"

@@ -7,10 +7,11 @@ from rigidsym.manoeuvre.packages import require
 
 if TYPE_CHECKING:
     from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
+    from rigidsym.manoeuvre.picture import directions_of
     from rigidsym.manoeuvre.planning import Plan, plan, solve
     from rigidsym.manoeuvre.transfer import Transfer
 
-__all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "plan", "solve"]
+__all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "directions_of", "plan", "solve"]
 
 # Imported at first use: the command line asks this package for its commands, and its help is cheap.
 _HOMES = {
@@ -18,6 +19,7 @@ _HOMES = {
     "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",
     "Plan": "rigidsym.manoeuvre.planning",
     "Transfer": "rigidsym.manoeuvre.transfer",
+    "directions_of": "rigidsym.manoeuvre.picture",
     "plan": "rigidsym.manoeuvre.planning",
     "solve": "rigidsym.manoeuvre.planning",
 }

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rigidsym.manoeuvre.packages import require
+from rigidsym.pictures import flat
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,10 +21,8 @@ WANTED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
 
 
 def blank(height: float = 4.2) -> tuple["Figure", Any]:
-    """A figure of its own, apart from pyplot and its state, and its axes over time."""
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(8.0, height), layout="constrained")
+    """A figure that shows itself in a notebook, and its axes over time."""
+    figure = flat.blank("drawing", 8.0, height)
     axes = figure.add_subplot()
     axes.set_xlabel("time (s)")
     # What happens at the first time is not hidden by the axis.

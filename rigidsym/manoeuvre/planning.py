@@ -69,6 +69,11 @@ class Plan:
         }
         return json.dumps(data, indent=1) + "\n"
 
+    def _repr_html_(self) -> str:
+        from rigidsym.display.plans import plan_html
+
+        return plan_html(self)
+
 
 def plan(
     inertia: Any,

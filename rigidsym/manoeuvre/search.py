@@ -34,7 +34,7 @@ _MOST = 2_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class _Samples:
+class Samples:
     """Points of arcs, and how the motions that start there arrive; arrays with N rows.
 
     turns: whole turns of the momentum round its polhode, which take `period` each.  time: momentum
@@ -50,12 +50,12 @@ class _Samples:
     rates: np.ndarray
     half: np.ndarray
 
-    def __getitem__(self, rows: np.ndarray) -> "_Samples":
-        return _Samples(*(getattr(self, field.name)[rows] for field in fields(self)))
+    def __getitem__(self, rows: np.ndarray) -> "Samples":
+        return Samples(*(getattr(self, field.name)[rows] for field in fields(self)))
 
-    def __add__(self, other: "_Samples") -> "_Samples":
+    def __add__(self, other: "Samples") -> "Samples":
         pairs = ((getattr(self, f.name), getattr(other, f.name)) for f in fields(self))
-        return _Samples(*map(np.concatenate, pairs))
+        return Samples(*map(np.concatenate, pairs))
 
 
 def starts(problem: Problem, bound: float) -> np.ndarray:
@@ -76,13 +76,13 @@ def _search(problem: Problem, curves: Arcs, bound: float) -> Iterator[np.ndarray
         if not coarse.any():
             break
         left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
-        middle = _sample(problem, curves, bound, begin.arc, (begin.x + end.x) / 2, begin.turns)
+        middle = sample(problem, curves, bound, begin.arc, (begin.x + end.x) / 2, begin.turns)
         new = len(samples.x) + np.arange(len(middle.x))
         samples = samples + middle
         left, right = np.concatenate([left, new]), np.concatenate([new, right])
 
 
-def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[_Samples, np.ndarray, np.ndarray]:
+def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.ndarray, np.ndarray]:
     """Samples, and the rows between which the first steps go."""
     count, grid = len(curves.ends), len(_GRID)
     arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
@@ -100,18 +100,18 @@ def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[_Samples, np.n
         np.concatenate([step, step + 1]) + len(x) * np.tile(turns, 2), return_inverse=True
     )
     at, turns = nodes % len(x), nodes // len(x)
-    samples = _sample(problem, curves, bound, arc[at], x[at], turns)
+    samples = sample(problem, curves, bound, arc[at], x[at], turns)
     return samples, place[: len(step)], place[len(step) :]
 
 
-def _sample(
+def sample(
     problem: Problem,
     curves: Arcs,
     bound: float,
     arc: np.ndarray,
     x: np.ndarray,
     turns: np.ndarray,
-) -> _Samples:
+) -> Samples:
     """The samples there; what arrives much later than `bound` has no half angle."""
     momenta = curves.at(arc, x)
     first, period = transits(problem, momenta)
@@ -119,12 +119,10 @@ def _sample(
     rates = np.where(time <= _FAR * bound, time, np.nan)[:, None] * momenta / problem.inertia
     arrived = problem.arrivals(np.nan_to_num(rates))
     half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
-    return _Samples(
-        arc, x, turns, period, time, rates, np.where(time <= _FAR * bound, half, np.nan)
-    )
+    return Samples(arc, x, turns, period, time, rates, np.where(time <= _FAR * bound, half, np.nan))
 
 
-def _is_coarse(begin: _Samples, end: _Samples, bound: float) -> np.ndarray:
+def _is_coarse(begin: Samples, end: Samples, bound: float) -> np.ndarray:
     apart = np.linalg.norm(end.rates - begin.rates, axis=1)
     fine = (np.abs(_turned(begin, end)) <= _HALF_STEP) & (apart <= _RATE_STEP)
     matters = np.minimum(begin.time, end.time) <= bound * _MARGIN
@@ -133,12 +131,12 @@ def _is_coarse(begin: _Samples, end: _Samples, bound: float) -> np.ndarray:
     return ~fine & matters & np.where(jumps, step > _JUMP_STEP, step > _LEAST_STEP)
 
 
-def _turned(begin: _Samples, end: _Samples) -> np.ndarray:
+def _turned(begin: Samples, end: Samples) -> np.ndarray:
     """By what half angles change, from -pi to pi."""
     return np.mod(end.half - begin.half + np.pi, 2 * np.pi) - np.pi
 
 
-def _zeros(begin: _Samples, end: _Samples) -> np.ndarray:
+def _zeros(begin: Samples, end: Samples) -> np.ndarray:
     """Rates where the half angle passes a multiple of pi, or comes close to one."""
     step = _turned(begin, end)
     low, high = np.minimum(0, step), np.maximum(0, step)

@@ -103,6 +103,11 @@ class Transfer:
             "residual": self.residual,
         }
 
+    def _repr_html_(self) -> str:
+        from rigidsym.display.plans import transfer_html
+
+        return transfer_html(self)
+
 
 def _listed(values: Sequence[Fraction]) -> str:
     return "[" + ", ".join(f'"{inputs.exact_text(x)}"' for x in values) + "]"

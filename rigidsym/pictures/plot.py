@@ -1,10 +1,10 @@
 """Rates, attitude and momentum sphere of one motion, as a matplotlib figure."""
 
-import io
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rigidsym.pictures.flat import blank
 from rigidsym.pictures.geometry import (
     great_circles,
     moments,
@@ -13,7 +13,6 @@ from rigidsym.pictures.geometry import (
     regime_colour,
     separatrix,
 )
-from rigidsym.pictures.packages import package
 from rigidsym.pictures.times import chosen
 from rigidsym.solution.polhode import Regime
 
@@ -32,7 +31,7 @@ SEPARATRIX = regime_colour(Regime.SEPARATRIX)
 
 def plot(motion: "TorqueFreeMotion", times: Any = None) -> "Figure":
     """Three plots: omega(t), q(t), and the momentum on its sphere in body axes."""
-    figure = _figure()
+    figure = blank("plot", 10.5, 5.2)
     t = chosen(motion, times, SAMPLES)
     q, omega = motion(t)
     layout = figure.add_gridspec(2, 2, width_ratios=(1.25, 1))
@@ -46,21 +45,6 @@ def plot(motion: "TorqueFreeMotion", times: Any = None) -> "Figure":
     _sphere(figure.add_subplot(layout[:, 1], projection="3d"), motion, omega)
     figure.suptitle(str(motion.regime), fontsize=11)
     return figure
-
-
-def _figure() -> Any:
-    """A figure of its own, apart from pyplot and its state, that notebooks can show."""
-    base = package("matplotlib.figure", "plot").Figure
-
-    class Picture(base):
-        """A figure that shows itself as PNG."""
-
-        def _repr_png_(self) -> bytes:
-            buffer = io.BytesIO()
-            self.savefig(buffer, format="png", dpi=130)
-            return buffer.getvalue()
-
-    return Picture(figsize=(10.5, 5.2), layout="constrained")
 
 
 def _lines(

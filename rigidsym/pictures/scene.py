@@ -79,6 +79,15 @@ def ball(rows: int, columns: int) -> np.ndarray:
     return np.stack([sine * np.cos(around), sine * np.sin(around), np.cos(polar)], axis=2)
 
 
+def body_axes(go: Any, length: float) -> list[Any]:
+    """The three axes from the middle on."""
+    tips = length * np.eye(3)
+    return [
+        line(go, np.stack([0 * tip, tip]), f"axis {k}", colour, 5, showlegend=False)
+        for k, (tip, colour) in enumerate(zip(tips, AXIS_COLOURS, strict=True), 1)
+    ]
+
+
 def figure(traces: Sequence[Any], title: str, labels: Sequence[str], half: float) -> Any:
     """A figure whose scene is a cube of half width `half`, axes labelled with units."""
     # It needs plotly, which whoever calls has.

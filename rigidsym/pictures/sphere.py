@@ -17,10 +17,10 @@ from rigidsym.pictures.geometry import (
     separatrix,
 )
 from rigidsym.pictures.scene import (
-    AXIS_COLOURS,
     GREY,
     GRID,
     ball,
+    body_axes,
     curves,
     dot,
     figure,
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
 AROUND = 121
+SEPARATRIX = regime_colour(Regime.SEPARATRIX)
 
 
 def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
@@ -52,9 +53,8 @@ def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
     traces += _family(go, motion, size, family)
     circles = separatrix(motion.exact["inertia"], size)
     if circles:
-        colour = regime_colour(Regime.SEPARATRIX)
-        traces.append(line(go, curves(circles), "separatrix", colour, 5))
-    traces += [*_own(go, motion), *_axes(go, size)]
+        traces.append(line(go, curves(circles), "separatrix", SEPARATRIX, 5))
+    traces += [*_own(go, motion), *body_axes(go, 1.15 * size)]
     labels = [f"M{k} (kg m²/s)" for k in "₁₂₃"]
     title = f"Momentum sphere, |M| = {size:.4g} kg m²/s"
     return figure(traces, title, labels, 1.15 * size)
@@ -76,10 +76,3 @@ def _own(go: Any, motion: TorqueFreeMotion) -> Iterator[Any]:
         points = moments(motion) * polhode(motion, 2 * AROUND - 1)
         yield line(go, points, "this motion", colour, 8)
     yield dot(go, momentum(motion), "t = 0", colour)
-
-
-def _axes(go: Any, size: float) -> Iterator[Any]:
-    for k, colour in enumerate(AXIS_COLOURS):
-        tip = 1.15 * size * np.eye(3)[k]
-        name = f"axis {k + 1}"
-        yield line(go, np.stack([0 * tip, tip]), name, colour, 5, showlegend=False)

@@ -4,10 +4,10 @@ import json
 import re
 import subprocess
 import sys
-from html.parser import HTMLParser
 from types import SimpleNamespace
 
 import pytest
+from html_cards import well_formed
 from validation_reports import whole
 
 from derivations import lie_algebra
@@ -26,38 +26,6 @@ REPORT = whole()
 LEDGER = json.loads(ledger_text())
 FACTS = claims()
 RULED = {verdict.equation.number: verdict for verdict in verdicts(LEDGER)}
-VOID = {"br"}
-
-
-class Balanced(HTMLParser):
-    """Every element that is opened is closed, in order."""
-
-    def __init__(self):
-        super().__init__()
-        self.open, self.seen, self.text = [], set(), []
-
-    def handle_starttag(self, tag, attrs):
-        self.seen.add(tag)
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        self.text.append(data)
-
-
-def well_formed(text):
-    reader = Balanced()
-    reader.feed(text)
-    reader.close()
-    assert reader.open == []
-    assert "script" not in reader.seen
-    assert not re.search(r"[: ](black|white)[;\" ]|#000|#fff", text)
-    shown = "".join(reader.text)
-    assert shown.count(r"\(") == shown.count(r"\)")
-    return shown
 
 
 @pytest.mark.parametrize("name", FACTS)

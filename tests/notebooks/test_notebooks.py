@@ -6,7 +6,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-for package in ("jupytext", "nbclient", "nbformat", "ipykernel", "matplotlib", "plotly"):
+NEEDED = ("jupytext", "nbclient", "nbformat", "ipykernel", "matplotlib", "plotly", "scipy")
+for package in (*NEEDED, "erfa", "ppigrf"):
     pytest.importorskip(package, reason=f"{package} is not installed: extra `lab` or `dev`")
 
 SCRIPT = importlib.util.spec_from_file_location("notebooks_build", ROOT / "notebooks/build.py")

@@ -15,7 +15,8 @@ from rigidsym.paper import verdicts
 from rigidsym.solution import ledger_data, ledger_text
 
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra docs)")
-NEEDED = ("sphinx", "myst_nb", "furo", "sphinx_copybutton", "latex2mathml", "ziamath", "plotly")
+NEEDED = ("sphinx", "myst_nb", "furo", "sphinx_copybutton", "latex2mathml", "ziamath", "plotly",
+          "matplotlib", "scipy", "erfa", "ppigrf")  # fmt: skip
 MISSING = [name for name in NEEDED if importlib.util.find_spec(name) is None]
 pytestmark = pytest.mark.skipif(bool(MISSING), reason=f"needs {', '.join(MISSING)} (extra docs)")
 ROOT = Path(__file__).parents[2]
@@ -36,6 +37,10 @@ def executed():
     for number, data in outputs.items():
         output = nbformat.v4.new_output("execute_result", data, execution_count=number)
         sample.cells[number].outputs = [output]
+    cards = {"text/html": r"<p>a card: \(a &lt; b\)</p>"}
+    tables = {"text/markdown": "| of | is |\n| --- | --- |\n| $c_1$ | 2 |"}
+    for data in (cards, tables):
+        sample.cells[3].outputs.append(nbformat.v4.new_output("display_data", data))
     return sample
 
 
@@ -63,7 +68,8 @@ def test_all_pages_are_there(html):
     expected = {"index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite",
                 "use", "proofs", "digits", "code", "accuracy", "validation", "contributing",
                 "reference/api", "reference/command", "reference/formats", "reference/kernel",
-                "reference/api/rigidsym"}  # fmt: skip
+                "manoeuvres", "reference/api/rigidsym", "reference/api/rigidsym.manoeuvre",
+                "reference/api/rigidsym.export"}  # fmt: skip
     assert {f"{name}.html" for name in expected} <= set(pages(html))
 
 
@@ -86,9 +92,15 @@ def test_local_links_lead_somewhere(html):
 def test_formulas_are_mathematics_and_none_is_left_over(html):
     every = pages(html)
     assert every["errata.html"].count("<math ") >= len(verdicts(ledger_data(ledger_text())))
-    assert every["guide/01_sample.html"].count("<math ") == 3
+    assert every["guide/01_sample.html"].count("<math ") == 5
     words = re.sub(r"<script.*?</script>|<[^>]*>", "", every["errata.html"], flags=re.DOTALL)
     assert not re.search(r"\\(?:frac|Omega|mathrm)|\$\$", words)
+
+
+def test_formulas_and_tables_that_cells_give_are_shown(html):
+    text = pages(html)["guide/01_sample.html"]
+    assert re.search(r"<p>a card: <math ", text)
+    assert re.search(r"<td><p><math |<td><math ", text)
 
 
 def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
@@ -103,6 +115,21 @@ def test_rules_and_suppositions_are_those_of_the_code(html):
     assert all(f">{name}</span>" in text for name in RULES)
     facts = ledger_data(ledger_text())["facts"]
     assert all(f["id"] in text for f in facts if f["rule"] == "assumption")
+
+
+def test_the_formats_of_manoeuvres_are_described(html):
+    text = pages(html)["reference/formats.html"]
+    assert all(f'id="{name}"' in text for name in ("rigidsym-plan-1", "rigidsym-track-1"))
+    assert "natural_frequency" in text
+
+
+def test_the_reference_has_what_plans_and_examines(html):
+    every = pages(html)
+    for name in ("rigidsym.plan", "rigidsym.principal_axes", "rigidsym.manoeuvre.Plan",
+                 "rigidsym.manoeuvre.flight.fly", "rigidsym.export.aem",
+                 "rigidsym.validate.examine"):  # fmt: skip
+        page = every[f"reference/api/{name.rpartition('.')[0]}.html"]
+        assert f'id="{name}"' in page, name
 
 
 def test_links_into_the_repository_lead_to_pages_that_show_it(html):

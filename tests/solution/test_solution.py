@@ -120,7 +120,7 @@ ALLOWED = {
     "paper": {"paper", "display"},
     "export": {"export", "motion", "errors"},
     "manoeuvre": {"manoeuvre", "motion", "engines", "pictures", "solution", "quaternions"}
-    | {"errors", "files", "inputs", "toml_file"},
+    | {"display", "errors", "export", "files", "inputs", "toml_file"},
     "pictures": {"pictures", "motion", "precise", "solution", "errors", "inputs", "quaternions"},
     "solution": {"solution", "errors"},
     "precise": {"precise", "solution", "errors", "inputs"},

@@ -7,6 +7,10 @@ from typing import Any
 
 PACKAGES = {
     "rigidsym": "What most programmes need",
+    "rigidsym.manoeuvre": "Manoeuvres",
+    "rigidsym.manoeuvre.flight": "Flights",
+    "rigidsym.export": "For other programs",
+    "rigidsym.pictures": "Pictures",
     "rigidsym.precise": "Any number of digits",
     "rigidsym.kernel": "The kernel",
     "rigidsym.independent": "The second checker",
@@ -22,11 +26,13 @@ PACKAGES = {
 FIRST = (
     "TorqueFreeMotion",
     "propagate",
+    "plan",
     "generate",
     "PreciseMotion",
     "Ledger",
     "replay",
     "validate",
+    "examine",
 )
 
 

@@ -5,11 +5,12 @@ Every field has to be explained here, and everything explained has to occur: els
 
 import json
 import tempfile
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from generate import manoeuvres
+from generate.form import Format
 from generate.outline import paths, sample
 from generate.text import code, fenced, prose, table
 from rigidsym import comparison, states
@@ -37,24 +38,9 @@ the tool when the page was built; where `// and so on` stands, entries were left
 STRATUM = "paper"
 
 
-@dataclass(frozen=True, slots=True)
-class Format:
-    """A kind of file: who writes it, what its fields mean, and how to make a sample.
-
-    `named` are the paths whose keys are data; `masked` are those that differ from run to run.
-    """
-
-    title: str
-    written: str
-    make: Callable[[], Any]
-    fields: Mapping[str, str]
-    named: frozenset[str] = field(default_factory=frozenset)
-    masked: Mapping[str, Any] = field(default_factory=dict)
-
-
 def page() -> str:
-    """Case files and tables, then a section for each schema."""
-    return "\n".join([_HEAD, _case(), _tables(), *map(_section, FORMATS)])
+    """Files in TOML and tables, then a section for each schema."""
+    return "\n".join([_HEAD, _case(), manoeuvres.files(), _tables(), *map(_section, FORMATS)])
 
 
 def _section(form: Format) -> str:
@@ -340,6 +326,7 @@ FORMATS = (
         masked={f"{part}[].{name}": 0.001
                 for part in ("by_digits", "by_distance") for name in ("seconds", "seconds_more")},
     ),
+    *manoeuvres.FORMATS,
     Format(
         VALIDATION,
         "`rigidsym validate --json`, and as `validation.json` with `-o DIR`",

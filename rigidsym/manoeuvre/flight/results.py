@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from fractions import Fraction
-from math import degrees, radians
+from math import radians
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +18,7 @@ from rigidsym.manoeuvre.flight import pictures
 from rigidsym.manoeuvre.flight.control import Transfer
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
+from rigidsym.manoeuvre.flight.words import checks, rows
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 
 SCHEMA = "rigidsym.track/1"
@@ -51,10 +52,7 @@ class Tracked:
             "tracking_error": run.tracking(),
             "target": run.holding(radians(self.flight.run.settled)),
             **run.effort(),
-            "disturbance_peak": {
-                name: float(np.max(np.linalg.norm(torque, axis=1)))
-                for name, torque in run.disturbances.items()
-            },
+            "disturbance_peak": run.disturbance_peak(),
             "checks": {
                 "momentum_defect": run.momentum_defect(),
                 "energy_defect": run.energy_defect(),
@@ -75,24 +73,12 @@ class Tracked:
 
     def rows(self) -> list[tuple[str, str]]:
         """What a reader wants to know first."""
-        found = self.summary()
-        error, target = found["tracking_error"], found["target"]
-        rows = [
-            ("natural motion", f"{found['transfer']['duration']:g} s"),
-            ("tracking error, greatest and rms", f"{_deg(error['max'])}, {_deg(error['rms'])}"),
-            ("error at arrival", _deg(error["last"])),
-            ("settled at the target", _settled(target, self.flight.run.settled)),
-            ("error at the end", _deg(target["final_error"])),
-            ("torque peaks", _three(found["torque_peak"], "N m")),
-            ("torque integrals", _three(found["torque_integral"], "N m s")),
-            ("wheels' momentum peaks", _three(found["wheel_momentum_peak"], "N m s")),
-        ]
-        for name, peak in found["disturbance_peak"].items():
-            rows.append((f"{name.replace('_', ' ')}, peak", f"{peak:.2e} N m"))
-        checks = found["checks"]
-        rows.append(("momentum unexplained", f"{checks['momentum_defect']:.1e} N m s"))
-        rows.append(("energy unexplained", f"{checks['energy_defect']:.1e} J"))
-        return rows
+        return [*rows(self.run, self.flight.run.settled), *checks(self.run)]
+
+    def _repr_html_(self) -> str:
+        from rigidsym.display.flights import tracked_html
+
+        return tracked_html(self, rows(self.run, self.flight.run.settled))
 
     def to_npz(self) -> bytes:
         """float64 arrays, a row for each sample; names as those of `Run`."""
@@ -134,19 +120,3 @@ def _plain(value: Any) -> Any:
     if isinstance(value, datetime):
         return value.isoformat()
     return float(value) if isinstance(value, Fraction) else value
-
-
-def _deg(angle: float | None) -> str:
-    return "not flown" if angle is None else f"{degrees(angle):.3f} deg"
-
-
-def _settled(target: Mapping[str, Any], within: float) -> str:
-    if target["final_error"] is None:
-        return "not flown"
-    if target["settled_at"] is None:
-        return f"not within {within:g} deg at the end"
-    return f"from {target['settled_at']:.1f} s on, within {within:g} deg"
-
-
-def _three(values: list[float], unit: str) -> str:
-    return f"{', '.join(f'{value:.2e}' for value in values)} {unit}"

@@ -88,3 +88,16 @@ class Run:
             "torque_integral": np.trapezoid(size, self.t, axis=0).tolist(),
             "wheel_momentum_peak": np.max(np.abs(self.wheel_momentum), axis=0).tolist(),
         }
+
+    def disturbance_peak(self) -> dict[str, float]:
+        """The greatest size of each disturbing torque, N m."""
+        return {
+            name: float(np.max(np.linalg.norm(torque, axis=1)))
+            for name, torque in self.disturbances.items()
+        }
+
+    def _repr_html_(self) -> str:
+        from rigidsym.display.flights import run_html
+        from rigidsym.manoeuvre.flight.words import rows
+
+        return run_html(self, rows(self))
