@@ -68,11 +68,17 @@ def _turn(rng, inertia, kind):
 
 def brute(problem: Problem, rng, starts: int = STARTS, refined: int = REFINED) -> float:
     """The least momentum that random rates lead to: all are evaluated, the best are refined."""
+    found = arriving(problem, rng, 1.05 * least(problem), starts, refined)
+    return float(np.min(problem.momenta(found), initial=np.inf))
+
+
+def arriving(problem: Problem, rng, bound: float, starts: int, refined: int) -> np.ndarray:
+    """Rates (N, 3) that arrive, from random ones with momenta up to a bound, some many times."""
     direction = rng.normal(size=(starts, 3))
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-    size = 1.05 * least(problem) * rng.random(starts) ** (1 / 3)
+    size = bound * rng.random(starts) ** (1 / 3)
     rates = size[:, None] * direction / problem.inertia
     misses = np.linalg.norm(problem.misses(rates), axis=1)
     best = rates[np.argsort(misses)[:refined]]
     rates, misses = refine(problem, best, rounds=25)
-    return float(np.min(problem.momenta(rates)[misses < 1e-9], initial=np.inf))
+    return rates[misses < 1e-9]

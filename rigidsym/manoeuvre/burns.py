@@ -44,11 +44,14 @@ class Burns:
 
     def allowed(self, rates: np.ndarray, duration: float) -> np.ndarray:
         """Which motions (N,) keep to the limits."""
-        room = duration * (1 + _ROUNDING)
-        within = self.sizes(rates, duration).max(axis=1) <= self.max_burst * room
+        return self.excess(rates, duration) <= 1 + _ROUNDING
+
+    def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
+        """What motions (N,) need over what the limits allow."""
+        needed = self.sizes(rates, duration).max(axis=1) / (self.max_burst * duration)
         if np.isfinite(self.max_rate):
-            within &= peaks(self.problem, rates) <= self.max_rate * room
-        return within
+            needed = np.maximum(needed, peaks(self.problem, rates) / (self.max_rate * duration))
+        return needed
 
     def most(self, duration: float) -> float:
         """A momentum beyond which no motion keeps to the limits."""

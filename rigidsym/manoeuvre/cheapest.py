@@ -4,7 +4,6 @@ import numpy as np
 
 from rigidsym.manoeuvre import rings
 from rigidsym.manoeuvre.burns import Burns
-from rigidsym.manoeuvre.directions import is_symmetry
 from rigidsym.manoeuvre.families import families, least
 
 _GROWTH = 1.5
@@ -23,7 +22,7 @@ def cheapest(bursts: Burns, duration: float, count: int) -> np.ndarray:
     bound = min(least(bursts.problem) + spins, most)
     while True:
         known = families(bursts.problem, bound)
-        if spins and is_symmetry(bursts.problem):
+        if rings.matter(bursts):
             known = rings.cheapest(bursts, known, duration)
         allowed = known[bursts.allowed(known, duration)]
         costs = bursts.sizes(allowed, duration).sum(axis=1)

@@ -6,7 +6,7 @@ m A m = 0 with A = R J R^T - J, J the inverse moments (fact manoeuvre.cone).  A 
 manoeuvre.trace), so that this is a cone, and its directions are two closed curves on the sphere,
 one opposite the other.  They are cut into arcs at the points where transit times jump or have no
 bound: the axis of the turn, which is on the cone (fact manoeuvre.axis), and the two planes of the
-separatrix (fact separatrix_planes.planes).
+separatrix (fact separatrix_planes.planes); and where they pass close by the other principal axes.
 """
 
 from collections.abc import Callable
@@ -20,6 +20,8 @@ from rigidsym.manoeuvre.problem import Problem
 _SYMMETRY = 1e-13
 # Curves this flat come close to two planes, and turn sharply where these cross.
 _FLAT = 0.05
+# Of a principal axis from a curve, which goes round all of a polhode within such a distance.
+_CLOSE = 0.05
 _SAME = 1e-12
 
 
@@ -52,7 +54,10 @@ def arcs(problem: Problem) -> Arcs:
     if is_symmetry(problem):
         return _meridian(problem, float(np.arctan2(across, along)))
     planes = [along * sign * np.eye(3)[high] + across * np.eye(3)[low] for sign in (1, -1)]
-    return _cone(form / np.abs(form).max(), problem.axis, np.eye(3)[middle], planes)
+    form = form / np.abs(form).max()
+    ends = np.eye(3)[[low, high]]
+    close = np.abs(np.diag(form))[[low, high]] < _CLOSE * np.linalg.norm(ends @ form, axis=1)
+    return _cone(form, [problem.axis, *ends[close]], np.eye(3)[middle], planes)
 
 
 def is_symmetry(problem: Problem) -> bool:
@@ -76,7 +81,10 @@ def _form(problem: Problem) -> np.ndarray:
 
 
 def _meridian(problem: Problem, split: float) -> Arcs:
-    """From the axis of the largest moment to that of the smallest, which crosses every polhode."""
+    """Through the axes of the largest and the smallest moment, across every polhode.
+
+    On both sides of both: about the axis of a symmetric body turns need not be half turns.
+    """
     low, _, high = problem.axes
 
     def direction(angle: np.ndarray, arc: np.ndarray) -> np.ndarray:
@@ -84,11 +92,14 @@ def _meridian(problem: Problem, split: float) -> Arcs:
         found[:, high], found[:, low] = np.cos(angle), np.sin(angle)
         return found
 
-    cuts = np.unique([0.0, split, np.pi / 2])
+    quarter = np.array([0.0, split, np.pi / 2])
+    cuts = np.unique([-quarter, quarter, np.pi - quarter])
     return Arcs(np.stack([cuts[:-1], cuts[1:]], axis=-1), direction)
 
 
-def _cone(form: np.ndarray, axis: np.ndarray, middle: np.ndarray, planes: list[np.ndarray]) -> Arcs:
+def _cone(
+    form: np.ndarray, axes: list[np.ndarray], middle: np.ndarray, planes: list[np.ndarray]
+) -> Arcs:
     """The directions m with m form m = 0, by their angle about the axis of the cone."""
     values, frame = np.linalg.eigh(form)
     if values[1] < 0:
@@ -96,7 +107,7 @@ def _cone(form: np.ndarray, axis: np.ndarray, middle: np.ndarray, planes: list[n
     # One eigenvalue below zero, the cone's axis, and two that are not.
     opening = np.maximum(values[1:], 0.0) / -values[0]
     frame = np.roll(frame, -1, axis=1)
-    marks = [axis, *(m for plane in planes for m in _on_plane(form, middle, plane))]
+    marks = [*axes, *(m for plane in planes for m in _on_plane(form, middle, plane))]
     local = np.array([sign * mark @ frame for mark in marks for sign in (1, -1)])
     ends, sides = [], []
     for side in (1, -1):

@@ -4,12 +4,15 @@ import numpy as np
 
 from rigidsym.manoeuvre.directions import is_symmetry
 from rigidsym.manoeuvre.problem import Problem
-from rigidsym.manoeuvre.refine import refine
+from rigidsym.manoeuvre.refine import FINE, newton, refine, smallness
 from rigidsym.manoeuvre.search import starts
 
-_ARRIVED = 1e-9
+# Motions arrive that miss by less, rad, or that miss by little and have next to nowhere to go.
+_ARRIVED, _NEARLY = 1e-12, 1e-9
 _SAME = 1e-6
-_MOST_SPINS = 100
+_ROUNDING = 1e-9
+# As many as a plan may ask for: there may be no other motions.
+_MOST_SPINS = 1000
 
 
 def least(problem: Problem) -> float:
@@ -21,7 +24,7 @@ def least(problem: Problem) -> float:
     sorted_body.most_momentum).
     """
     shortest = problem.angle * np.sqrt(problem.axis @ (problem.inertia * problem.axis))
-    arrive = _distinct(problem, *refine(problem, _spins(problem, 0.0)))
+    arrive = _distinct(problem, *_refined(problem, _spins(problem, 0.0)))
     return float(min([shortest, *problem.momenta(arrive)]))
 
 
@@ -32,8 +35,8 @@ def families(problem: Problem, bound: float) -> np.ndarray:
     Raises InputError where a needle has too many.
     """
     near = np.concatenate([_spins(problem, bound), starts(problem, bound)])
-    found = _distinct(problem, *refine(problem, near))
-    return found[problem.momenta(found) <= bound * (1 + _ARRIVED)]
+    found = _distinct(problem, *_refined(problem, near))
+    return found[problem.momenta(found) <= bound * (1 + _ROUNDING)]
 
 
 def _spins(problem: Problem, bound: float) -> np.ndarray:
@@ -47,15 +50,40 @@ def _spins(problem: Problem, bound: float) -> np.ndarray:
     return (turns[:, None, None] * axes).reshape(-1, 3)
 
 
+def _refined(problem: Problem, near: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """See `refine`; what then nearly arrives is refined further."""
+    rates, angles = refine(problem, near)
+    nearly = (angles > _ARRIVED * smallness(rates)) & (angles < _NEARLY)
+    if nearly.any():
+        rates[nearly], angles[nearly] = refine(problem, rates[nearly], difference=FINE)
+    return rates, angles
+
+
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Those that arrive, each once, by momentum; of motions of a ring, the first."""
-    rates = rates[angles < _ARRIVED]
-    order = np.argsort(problem.momenta(rates), kind="stable")
-    rates = rates[order]
+    """Those that arrive, each once, by momentum; of motions of a ring, one."""
+    # Of those that are the same the one that arrives best stays.
+    order = np.argsort(angles, kind="stable")
+    rates = rates[order][_arrive(problem, rates[order], angles[order])]
     compared = problem.momenta(rates)[:, None] if is_symmetry(problem) else rates
     kept: list[int] = []
     for k, value in enumerate(compared):
         apart = np.linalg.norm(compared[kept] - value, axis=-1)
         if np.all(apart > _SAME * (1 + np.linalg.norm(value))):
             kept.append(k)
-    return rates[kept]
+    found = rates[kept]
+    return found[np.argsort(problem.momenta(found), kind="stable")]
+
+
+def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
+    """Which motions (N,) arrive.
+
+    Close to the separatrix doubles miss by more than rounding, but rates hardly differ from those
+    that arrive; where misses hardly depend on the rates it is the other way round.
+    """
+    arrive = angles <= _ARRIVED * smallness(rates)
+    nearly = np.flatnonzero(~arrive & (angles < _NEARLY))
+    if nearly.size:
+        near = rates[nearly]
+        step = np.linalg.norm(newton(problem, near, problem.misses(near)), axis=1)
+        arrive[nearly] = step < _SAME * smallness(near)
+    return arrive

@@ -8,6 +8,7 @@ from typing import NoReturn
 import numpy as np
 
 from rigidsym.errors import InputError
+from rigidsym.manoeuvre import rings
 from rigidsym.manoeuvre.burns import Burns
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.families import families, least
@@ -57,7 +58,10 @@ def _shortest(bursts: Burns) -> float:
     """The shortest duration, s: motions of larger momentum than those looked at need longer."""
     bound = least(bursts.problem)
     while True:
-        found = float(np.min(bursts.shortest(families(bursts.problem, bound)), initial=np.inf))
+        known = families(bursts.problem, bound)
+        if rings.matter(bursts):
+            known = rings.least(bursts, known, bursts.shortest)
+        found = float(np.min(bursts.shortest(known), initial=np.inf))
         if found <= bound / bursts.most(1.0) * (1 + _ROOM) or bound > _LARGEST:
             return found
         bound = found * bursts.most(1.0) if np.isfinite(found) else _GROWTH * bound + 0.1

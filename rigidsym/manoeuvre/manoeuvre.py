@@ -13,6 +13,8 @@ from rigidsym.files import read_text
 REST = (0, 0, 0)
 _NEEDED = ("inertia", "start", "target")
 _OWN = {*_NEEDED, "duration", "spin", "limits"}
+# What doubles can hold, and the products of three of them too.
+_LARGEST = 10**60
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,12 +77,12 @@ def manoeuvre(
     if length is None and limits == Limits():
         raise InputError("duration", "missing", "give one, or a limit that decides it")
     return Manoeuvre(
-        inputs.certain("inertia", inputs.inertia(inertia)),
+        _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia))),
         inputs.certain("start", inputs.attitude(start, "start")),
         inputs.certain("target", inputs.attitude(target, "target")),
         length,
-        inputs.certain("spin.start", inputs.vector("spin.start", start_spin, 3)),
-        inputs.certain("spin.target", inputs.vector("spin.target", target_spin, 3)),
+        _spin("spin.start", start_spin),
+        _spin("spin.target", target_spin),
         limits,
     )
 
@@ -91,7 +93,21 @@ def _above_zero(field: str, value: Any) -> Fraction | None:
     number = inputs.exact(field, value)
     if number <= 0:
         raise InputError(field, value, "must be above zero")
-    return number
+    return _moderate(field, (number,))[0]
+
+
+def _spin(field: str, values: Any) -> tuple[Fraction, ...]:
+    spin = inputs.certain(field, inputs.vector(field, values, 3))
+    if any(abs(x) > _LARGEST for x in spin):
+        raise InputError(field, inputs.shown(spin), "must not be beyond 1e60")
+    return spin
+
+
+def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
+    """The same numbers above zero; raises InputError for one that is too large or too small."""
+    if any(not 1 <= x * _LARGEST <= _LARGEST**2 for x in values):
+        raise InputError(field, inputs.shown(values), "must be from 1e-60 to 1e60")
+    return values
 
 
 def load(path: str | Path, others: frozenset[str] = frozenset()) -> tuple[Manoeuvre, Mapping]:

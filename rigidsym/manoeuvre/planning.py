@@ -5,6 +5,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from rigidsym import engines, inputs
 from rigidsym.files import write_text
 from rigidsym.manoeuvre.burns import burns
@@ -128,9 +130,11 @@ def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
     chosen = cheapest(bursts, float(duration), count)
     if not len(chosen):
         refuse(bursts, asked)
-    ways = zip(chosen, peaks(posed, chosen) / float(duration), strict=True)
-    found = (Transfer(asked, *verified(posed, asked, x), float(y), engine) for x, y in ways)
-    return Plan(asked, tuple(found))
+    found = [verified(posed, asked, rates) for rates in chosen]
+    turned = np.array([[float(x * duration) for x in rates] for rates, _ in found])
+    highest = (peaks(posed, turned) / float(duration)).tolist()
+    ways = zip(found, highest, strict=True)
+    return Plan(asked, tuple(Transfer(asked, *one, peak, engine) for one, peak in ways))
 
 
 def _row(place: int, one: Transfer) -> tuple[str, ...]:

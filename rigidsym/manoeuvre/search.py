@@ -8,6 +8,8 @@ is a multiple of pi: so these are the zeros of functions of one variable.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
+from functools import reduce
+from operator import add
 
 import numpy as np
 
@@ -27,10 +29,12 @@ _LEAST_STEP = 1e-7
 _JUMP_STEP = 0.05
 # A sine this small that does not change its sign may have a double zero beside it.
 _TANGENT = 0.02
+_CLOSER = 3
 # Times may dip between samples.
 _MARGIN = 1.02
 _FAR = 4.0
-_MOST = 2_000_000
+# Motions and starts, of which more would take longer than a second.
+_MOST, _MOST_STARTS = 150_000, 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,20 +68,33 @@ def starts(problem: Problem, bound: float) -> np.ndarray:
     Raises InputError where a needle turns so often that these are too many.
     """
     curves = arcs(problem)
-    return np.concatenate([np.empty((0, 3)), *_search(problem, curves, bound)])
+    if not len(curves.ends):
+        return np.empty((0, 3))
+    begin, end = (reduce(add, side) for side in zip(*_steps(problem, curves, bound), strict=True))
+    found = _zeros(problem, curves, bound, begin, end)
+    _check(problem, len(found), _MOST_STARTS)
+    return found[np.isfinite(found).all(axis=1)]
 
 
-def _search(problem: Problem, curves: Arcs, bound: float) -> Iterator[np.ndarray]:
+def _check(problem: Problem, count: float, most: int) -> None:
+    """Refuse what would take too long."""
+    if not count <= most:
+        raise InputError("inertia", problem.inertia, "turns too often: the motions are too many")
+
+
+def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Samples, Samples]]:
+    """From where to where steps go that are fine enough."""
     samples, left, right = _first(problem, curves, bound)
     for _ in range(_ROUNDS):
         begin, end = samples[left], samples[right]
         coarse = _is_coarse(begin, end, bound)
-        yield _zeros(begin[~coarse], end[~coarse])
+        yield begin[~coarse], end[~coarse]
         if not coarse.any():
             break
         left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
         middle = sample(problem, curves, bound, begin.arc, (begin.x + end.x) / 2, begin.turns)
         new = len(samples.x) + np.arange(len(middle.x))
+        _check(problem, len(samples.x) + len(new), _MOST)
         samples = samples + middle
         left, right = np.concatenate([left, new]), np.concatenate([new, right])
 
@@ -87,12 +104,11 @@ def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.nd
     count, grid = len(curves.ends), len(_GRID)
     arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
     times, periods = transits(problem, curves.at(arc, x))
-    least = np.fmin.reduce([times[:-1], times[1:]]) if count else times[:0]
+    least = np.fmin(times[:-1], times[1:])
     shortest = np.fmin(periods[:-1], periods[1:])
     whole = np.floor((bound * _MARGIN - least) / shortest) + 1
     whole[(arc[:-1] != arc[1:]) | np.isnan(times[:-1] + times[1:]) | ~(whole > 0)] = 0
-    if whole.sum() > _MOST:
-        raise InputError("inertia", problem.inertia, "turns too often: a needle's motions are many")
+    _check(problem, whole.sum(), _MOST)
     step = np.repeat(np.arange(len(whole)), whole.astype(int))
     turns = np.arange(len(step)) - np.searchsorted(step, step)
     # Neighbouring steps share a sample.
@@ -136,15 +152,37 @@ def _turned(begin: Samples, end: Samples) -> np.ndarray:
     return np.mod(end.half - begin.half + np.pi, 2 * np.pi) - np.pi
 
 
-def _zeros(begin: Samples, end: Samples) -> np.ndarray:
+def _zeros(
+    problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples
+) -> np.ndarray:
     """Rates where the half angle passes a multiple of pi, or comes close to one."""
     step = _turned(begin, end)
     low, high = np.minimum(0, step), np.maximum(0, step)
     whole = np.ceil((begin.half + low) / np.pi) * np.pi - begin.half
-    crossed = whole <= high
-    share = np.divide(whole, step, out=np.full_like(step, 0.5), where=step != 0)
-    between = begin.rates + share[:, None] * (end.rates - begin.rates)
+    crossed = (whole <= high) & (step != 0)
+    wanted = whole[crossed] / step[crossed]
+    at = _crossings(problem, curves, bound, begin[crossed], end[crossed], wanted)
     first, last = np.abs(np.sin(begin.half)), np.abs(np.sin(end.half))
     close = ~crossed & (np.minimum(first, last) < _TANGENT)
     nearer = np.where((first < last)[:, None], begin.rates, end.rates)
-    return np.concatenate([between[crossed], nearer[close]])
+    return np.concatenate([at, nearer[close]])
+
+
+def _crossings(
+    problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples, wanted: np.ndarray
+) -> np.ndarray:
+    """Rates (N, 3) where half angles have changed by a wanted part of their change.
+
+    By regula falsi, as Illinois does it.
+    """
+    step, rates = _turned(begin, end), begin.rates
+    x, far = begin.x, end.x
+    off, far_off = -wanted, 1 - wanted
+    for _ in range(_CLOSER):
+        tried = x + (far - x) * off / np.where(off == far_off, 1.0, off - far_off)
+        found = sample(problem, curves, bound, begin.arc, tried, begin.turns)
+        now = _turned(begin, found) / step - wanted
+        passed = now * off < 0
+        far, far_off = np.where(passed, x, far), np.where(passed, off, far_off / 2)
+        x, off, rates = tried, now, found.rates
+    return rates

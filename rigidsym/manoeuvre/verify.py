@@ -7,7 +7,7 @@ import numpy as np
 from rigidsym import inputs
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.manoeuvre.problem import Problem, between, rotation_vectors, unit
-from rigidsym.manoeuvre.refine import derivatives, polished
+from rigidsym.manoeuvre.refine import FINE, derivatives, polished
 from rigidsym.motion import TorqueFreeMotion
 
 Rates = tuple[Fraction, ...]
@@ -15,7 +15,7 @@ Rates = tuple[Fraction, ...]
 DIGITS = 30
 # Doubles are kept where they miss by less, rad; close to the separatrix they may be too coarse.
 _ENOUGH = 1e-13
-_ROUNDS = 3
+_ROUNDS = 8
 
 
 def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple[Rates, float]:
@@ -27,10 +27,11 @@ def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple
     rates = polished(problem, rates)
     exact = tuple(Fraction(x / float(duration)) for x in rates.tolist())
     missed = miss(manoeuvre, exact)
-    slope = np.linalg.pinv(derivatives(problem, rates[None])[0])
     for _ in range(_ROUNDS):
         if np.linalg.norm(missed) <= _ENOUGH:
             break
+        rates = np.array([[float(x * duration) for x in exact]])
+        slope = np.linalg.pinv(derivatives(problem, rates, FINE)[0])
         step = [Fraction(x) / duration for x in (slope @ missed).tolist()]
         tried = tuple(_decimals(x - dx) for x, dx in zip(exact, step, strict=True))
         found = miss(manoeuvre, tried)

@@ -1,0 +1,61 @@
+"""Cone and transit times, of motions that are there: propagated, not planned."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from random_manoeuvres import BODIES, manoeuvre
+
+from rigidsym import engines
+from rigidsym.manoeuvre.directions import _form, arcs
+from rigidsym.manoeuvre.problem import problem
+from rigidsym.manoeuvre.transit import transits
+from rigidsym.motion import TorqueFreeMotion
+
+ENGINE = engines.engine("numpy")
+START = (Fraction(1), Fraction(0), Fraction(0), Fraction(0))
+
+
+def flown(index):
+    """A random motion, and the problem of where it leads in time 1."""
+    rng = np.random.default_rng([3, index])
+    inertia = manoeuvre(index).inertia
+    moments = np.array([float(x / max(inertia)) for x in inertia])
+    direction = rng.normal(size=3)
+    direction /= np.linalg.norm(direction)
+    size = rng.uniform(1, 30)
+    q, _ = TorqueFreeMotion(moments, size * direction / moments)(1)
+    exact = tuple(map(Fraction, moments)), tuple(map(Fraction, q))
+    return problem(exact[0], START, exact[1], ENGINE), size, direction
+
+
+@pytest.mark.parametrize("index", range(6 * len(BODIES)))
+def test_motions_begin_on_the_cone_and_arrive_after_a_transit_and_whole_periods(index):
+    posed, size, direction = flown(index)
+    form = _form(posed)
+    assert abs(direction @ form @ direction) < 1e-12 * max(np.abs(form).max(), 1e-3)
+    first, period = transits(posed, direction[None])
+    turns = (size - first[0]) / period[0]
+    # Positions on the polhode are known to rounding over how fast the momentum leaves its place.
+    assert turns == pytest.approx(round(turns), abs=1e-5)
+    assert round(turns) >= 0
+
+
+@pytest.mark.parametrize("index", range(3 * len(BODIES)))
+def test_directions_of_arcs_lie_on_the_cone(index):
+    posed, _, _ = flown(index)
+    curves, form = arcs(posed), _form(posed)
+    arc = np.repeat(np.arange(len(curves.ends)), 9)
+    found = curves.at(arc, np.tile(np.linspace(-30, 30, 9), len(curves.ends)))
+    assert len(arc) >= 18
+    assert np.linalg.norm(found, axis=1) == pytest.approx(np.ones(len(arc)))
+    energies = np.einsum("ni,ij,nj->n", found, form, found)
+    assert np.abs(energies).max() < 1e-12 * np.abs(form).max()
+
+
+@pytest.mark.parametrize("axis", [0, 2])
+def test_a_momentum_that_does_not_move_has_no_transit(axis):
+    turn = (Fraction(3), Fraction(1), Fraction(2), Fraction(1))
+    posed = problem((Fraction(1), Fraction(2), Fraction(5, 2)), START, turn, ENGINE)
+    first, period = transits(posed, np.eye(3)[[axis]])
+    assert np.isnan(first[0]) or not np.isfinite(period[0])
