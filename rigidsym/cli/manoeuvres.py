@@ -1,4 +1,4 @@
-"""The commands `plan`, `track` and `figures`."""
+"""The commands `plan`, `track`, `figures` and `compare`."""
 
 from collections.abc import Generator
 from contextlib import contextmanager
@@ -28,6 +28,17 @@ def add(command: Command) -> None:
     figures.add_argument(
         "-o", "--output", metavar="DIR", default="figures", type=as_path, help="for the pictures"
     )
+
+    compare = command("compare", _compare, "natural motions, quaternion feedback, optimal control")
+    compare.add_argument(
+        "--manoeuvres", metavar="N", type=as_count, default=20, help="random; 20 take some minutes"
+    )
+    compare.add_argument("--seed", metavar="S", type=as_count, default=1, help="of the manoeuvres")
+    compare.add_argument("--workers", metavar="W", type=as_count, help="processes; all cores")
+    compare.add_argument(
+        "-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown and a picture"
+    )
+    compare.add_argument("--json", action="store_true", help="to stdout alone")
 
 
 def _plan(options: Any) -> int:
@@ -77,6 +88,26 @@ def _figures(options: Any) -> int:
         found = figures(progress("figures"))
         written = found.write(options.output)
     table("rigidsym figures", ("figure", "this shows"), found.rows())
+    say_written(written)
+    return 0
+
+
+def _compare(options: Any) -> int:
+    with _app():
+        from rigidsym.manoeuvre.comparison import compare
+    from rigidsym.files import probe
+
+    if options.output:
+        probe(options.output)
+    found = compare(
+        options.manoeuvres, options.seed, workers=options.workers, progress=progress("compare")
+    )
+    written = found.write(options.output) if options.output else []
+    if options.json:
+        print(found.to_json(), end="")
+    else:
+        for title, columns, rows in found.tables():
+            table(title, columns, rows)
     say_written(written)
     return 0
 

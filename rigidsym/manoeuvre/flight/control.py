@@ -1,7 +1,7 @@
 """The attitude to follow at each time, and the torque that brings the spacecraft there."""
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -9,6 +9,28 @@ from rigidsym.manoeuvre.flight.rotation import cross, matrix, relative
 from rigidsym.manoeuvre.flight.settings import Controller
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.motion import TorqueFreeMotion
+
+
+class Motion(Protocol):
+    """Attitude and body rates at a time (4,), (3,), or at N of them, (N, 4), (N, 3)."""
+
+    def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+        """At t, s."""
+        ...
+
+
+class Track(Protocol):
+    """What can be followed to the target."""
+
+    @property
+    def duration(self) -> float:
+        """From the start to the target, s."""
+        ...
+
+    @property
+    def motion(self) -> Motion:
+        """Where to be, and how fast to turn, until then."""
+        ...
 
 
 class Transfer(Protocol):
@@ -33,13 +55,13 @@ class Reference:
     omega: np.ndarray
 
 
-def natural(transfer: Transfer, t: np.ndarray) -> Reference:
+def natural(transfer: Track, t: np.ndarray) -> Reference:
     """The natural motion at times (N,), on beyond the end of the manoeuvre."""
     return Reference(*transfer.motion(t))
 
 
-def reference(manoeuvre: Manoeuvre, transfer: Transfer, t: np.ndarray) -> Reference:
-    """The natural motion until the target is reached, the target from then on.
+def reference(manoeuvre: Manoeuvre, transfer: Track, t: np.ndarray) -> Reference:
+    """The natural motion, or another track, until the target is reached; then the target.
 
     A target that spins goes on as a free body does.  The attitudes are continuous in the double
     cover: of the two quaternions of the target it is the one at which the motion arrives.

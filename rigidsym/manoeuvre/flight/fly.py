@@ -50,10 +50,12 @@ class _Ramp:
 def fly(
     manoeuvre: Manoeuvre,
     flight: Flight,
-    transfer: control.Transfer,
+    transfer: control.Track,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Run:
     """Follow a transfer's natural motion from t = 0 and hold the target once it is reached.
+
+    Any other track can be followed in its place.
 
     At each period of `flight.run` the controller reads the true state and says which torque it
     wants; until the next one the wheels go there along a straight line, as far as they can.  So

@@ -1,0 +1,105 @@
+"""Random manoeuvres from rest to rest: every other one with the paper's body."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import ceil
+from typing import Any
+
+import numpy as np
+
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre, manoeuvre
+from rigidsym.manoeuvre.problem import between, unit
+
+PAPER = ("0.0109", "0.04", "0.0506")
+"kg m^2, of the paper's Figure 3."
+LARGEST_MOMENTS = 0.02, 0.06
+"Of random bodies, kg m^2: nano-spacecraft as well."
+IMPULSE = 1e-3
+"""N m s: what decides durations.  In a duration the whole angle can be turned about the axis of the
+largest moment at constant rate with this momentum.  A burst of it takes a wheel of the paper 1 s
+at its limit; the paper's controller asks for 60 percent of the limit, 2 zeta omega_n times it."""
+ROUNDED, SHORTEST = 10, 60
+"s: durations are whole multiples of the first, and not below the second, 18 times the loop's."
+_DIGITS = 6
+
+
+@dataclass(frozen=True)
+class Case:
+    """The manoeuvre of an index; body: "paper" or "random"."""
+
+    index: int
+    body: str
+    manoeuvre: Manoeuvre
+
+    @cached_property
+    def inertia(self) -> np.ndarray:
+        """Principal moments (3,), kg m^2."""
+        return np.array([float(x) for x in self.manoeuvre.inertia])
+
+    @property
+    def duration(self) -> float:
+        """s."""
+        return float(self.manoeuvre.duration or 0)
+
+    @cached_property
+    def start(self) -> np.ndarray:
+        """Attitude (4,) at t = 0, of length 1."""
+        return unit(self.manoeuvre.start)
+
+    @cached_property
+    def turn(self) -> np.ndarray:
+        """The target's attitude (4,) from the start's axes, by the shorter way round."""
+        return _turn(self.manoeuvre.start, self.manoeuvre.target)
+
+    @cached_property
+    def rotation_vector(self) -> np.ndarray:
+        """The same as axis times angle (3,), rad: the axis is Euler's, the eigenaxis."""
+        return _angle(self.turn) * self.turn[1:] / np.linalg.norm(self.turn[1:])
+
+    @property
+    def angle(self) -> float:
+        """From start to target, rad."""
+        return _angle(self.turn)
+
+    def to_data(self) -> dict[str, Any]:
+        """For files."""
+        angle = float(np.degrees(self.angle))
+        return {
+            "index": self.index,
+            "body": self.body,
+            "angle": angle,
+            "manoeuvre": self.manoeuvre.to_data(),
+        }
+
+
+def draw(index: int, seed: int) -> Case:
+    """The manoeuvre of an index; attitudes are random in space, with six decimals."""
+    rng = np.random.default_rng([seed, index])
+    body = "random" if index % 2 else "paper"
+    start, target = (_rounded(rng.normal(size=4)) for _ in range(2))
+    inertia = PAPER if body == "paper" else _rounded(_body(rng))
+    largest = max(map(float, inertia))
+    angle = _angle(_turn([Fraction(x) for x in start], [Fraction(x) for x in target]))
+    duration = max(SHORTEST, ROUNDED * ceil(largest * angle / IMPULSE / ROUNDED))
+    return Case(index, body, manoeuvre(inertia, start, target, duration))
+
+
+def _body(rng: np.random.Generator) -> np.ndarray:
+    """Moments (3,) of a positive distribution of mass, kg m^2."""
+    x, y, z = rng.uniform(0.05, 1, size=3)
+    moments = np.array([y + z, z + x, x + y])
+    return moments * rng.uniform(*LARGEST_MOMENTS) / moments.max()
+
+
+def _rounded(values: np.ndarray) -> tuple[str, ...]:
+    return tuple(f"{x:.{_DIGITS}f}" for x in values.tolist())
+
+
+def _turn(start: Any, target: Any) -> np.ndarray:
+    turn = unit(between(start, target))
+    return np.copysign(1.0, turn[0]) * turn
+
+
+def _angle(turn: np.ndarray) -> float:
+    return float(2 * np.arctan2(np.linalg.norm(turn[1:]), turn[0]))

@@ -1,0 +1,93 @@
+"""Random manoeuvres, shared among processes; one result however they are shared."""
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import dataclass, field
+from itertools import islice, product
+from typing import Any
+
+from rigidsym import inputs
+from rigidsym.manoeuvre.comparison import pieces
+from rigidsym.manoeuvre.comparison.cases import draw
+from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
+from rigidsym.manoeuvre.comparison.flights import METHODS
+from rigidsym.manoeuvre.comparison.optima import TASKS
+from rigidsym.manoeuvre.comparison.record import Record
+from rigidsym.manoeuvre.comparison.results import Comparison
+from rigidsym.validate.executors import Place, local
+
+MANOEUVRES, SEED = 20, 1
+MOST_MANOEUVRES, MOST_SEED = 10_000, 2**32
+
+_WAYS = tuple(product(Model, METHODS))
+# A function and its arguments.
+Call = tuple[Any, ...]
+
+
+def compare(
+    manoeuvres: int = MANOEUVRES,
+    seed: int = SEED,
+    *,
+    workers: int | None = None,
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> Comparison:
+    """Ways to turn, compared on random manoeuvres from rest to rest; raises InputError.
+
+    manoeuvres: how many; the first ones of a larger number are those of a smaller one.  seed: of
+    the bodies and attitudes.  workers: processes, one for each core by default.  progress: called
+    with the pieces of work done and all of them.
+    """
+    count = inputs.whole("manoeuvres", manoeuvres, MOST_MANOEUVRES)
+    chosen = inputs.whole("seed", seed, MOST_SEED)
+    total = count * (len(TASKS) + len(_WAYS) + 1)
+    with local(workers) as place:
+        work = _Work(place, total, progress)
+        return Comparison(chosen, tuple(_records(work, chosen, range(count))))
+
+
+def _records(work: "_Work", seed: int, indices: Sequence[int]) -> list[Record]:
+    """Optimal control first: its motions are flown."""
+    tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
+    solved = dict(
+        zip(tasks, work.done([(pieces.solved, seed, *one) for one in tasks]), strict=True)
+    )
+    calls = [
+        (pieces.flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
+        for k, (model, method) in ways
+    ]
+    flown = dict(zip(ways, work.done(calls), strict=True))
+    ideals = work.done([(pieces.ideals, seed, k) for k in indices])
+    return [
+        Record(
+            draw(k, seed),
+            {model.value: {way: flown[k, (model, way)] for way in METHODS} for model in Model},
+            ideals[k],
+            {task.name: solved[k, task][0] for task in TASKS},
+        )
+        for k in indices
+    ]
+
+
+@dataclass(slots=True)
+class _Work:
+    """Pieces of work in one place, some of them ahead; how many are done of all."""
+
+    place: Place
+    total: int
+    progress: Callable[[int, int], None]
+    finished: int = field(default=0)
+
+    def done(self, calls: Sequence[Call]) -> list[Any]:
+        """What calls give, in their order."""
+        left, pending = iter(enumerate(calls)), {}
+        found: dict[int, Any] = {}
+        while len(found) < len(calls):
+            for k, (function, *arguments) in islice(left, self.place.ahead - len(pending)):
+                future: Future = self.place.submit(function, *arguments)
+                pending[future] = k
+            ended, _ = wait(pending, return_when=FIRST_COMPLETED)
+            for future in ended:
+                found[pending.pop(future)] = future.result()
+                self.finished += 1
+                self.progress(self.finished, self.total)
+        return [found[k] for k in range(len(calls))]

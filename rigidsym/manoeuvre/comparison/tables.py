@@ -1,0 +1,84 @@
+"""Tables of a comparison, for terminals and pages; spreads: median [quartiles] least..most."""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
+
+_FLOWN = (
+    "way",
+    "torque integral, 1e-3 N m s",
+    "over natural's",
+    "torque peak, 1e-4 N m",
+    "error at duration, deg",
+    "after hold, deg",
+    "cheaper / dearer",
+    "saturated",
+)
+_OPTIMAL = ("task", "optimiser", "guess", "iterations", "converged", "best", "quickest")
+
+
+def brief(summary: Mapping[str, Any]) -> list[Table]:
+    """For terminals, from `statistics.summary`: medians where a spread says little more."""
+    parts = [flown(model, methods, _median) for model, methods in summary["flown"].items()]
+    return [*parts, ideal(summary["ideal"]), optimal(summary["optimal"])]
+
+
+def flown(model: str, methods: Mapping[str, Any], told: Callable[..., str]) -> Table:
+    """Ways flown with the same actuators; `told` shows spreads of peaks and errors."""
+    rows = [
+        (
+            method,
+            spread(one["torque_integral"], 1e-3),
+            spread(one["over_natural"]),
+            told(one["torque_peak"], 1e-4),
+            told(one["error_at_duration"]),
+            told(one["error_after_hold"]),
+            f"{one['cheaper_than_natural']} / {one['dearer_than_natural']}",
+            str(one["saturated"]),
+        )
+        for method, one in methods.items()
+    ]
+    return f"flown with {model}", _FLOWN, rows
+
+
+def ideal(models: Mapping[str, Any]) -> Table:
+    """Ideal bursts over the least fuel."""
+    rows = [
+        (model, way, spread(one, digits=4))
+        for model, ways in models.items()
+        for way, one in ways.items()
+    ]
+    return (
+        "ideal bursts, over the least fuel of unlimited torques",
+        ("actuators", "way", "ratio"),
+        rows,
+    )
+
+
+def optimal(tasks: Mapping[str, Any]) -> Table:
+    """What guesses are worth to the optimiser."""
+    rows = [
+        (task, setting, guess, *_attempts(one))
+        for task, solved in tasks.items()
+        for setting, guesses in solved["attempts"].items()
+        for guess, one in guesses.items()
+    ]
+    return "optimal control", _OPTIMAL, rows
+
+
+def _attempts(one: Mapping[str, Any]) -> tuple[str, ...]:
+    iterations = spread(one["iterations"]) if one["iterations"] else "none"
+    return iterations, *(str(one[name]) for name in ("converged", "best", "fewest"))
+
+
+def _median(one: Mapping[str, float], unit: float = 1.0) -> str:
+    return f"{one['median'] / unit:.3g}"
+
+
+def spread(one: Mapping[str, float], unit: float = 1.0, digits: int = 3) -> str:
+    """Median [quartiles] least..most."""
+    low, q1, median, q3, high = (
+        f"{one[name] / unit:.{digits}g}" for name in ("min", "q1", "median", "q3", "max")
+    )
+    return f"{median} [{q1}, {q3}] {low}..{high}"

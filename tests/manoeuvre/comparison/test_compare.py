@@ -1,0 +1,155 @@
+"""`rigidsym compare`: what it prints, leaves behind and refuses, and that it is always the same."""
+
+import json
+import subprocess
+import sys
+from fractions import Fraction
+
+import pytest
+
+from rigidsym.cli import main
+from rigidsym.errors import InputError
+from rigidsym.manoeuvre import solve
+from rigidsym.manoeuvre.comparison import compare, flights, optima
+from rigidsym.manoeuvre.comparison.cases import draw
+from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
+from rigidsym.manoeuvre.comparison.comparing import _Work
+from rigidsym.manoeuvre.comparison.optima import Attempt, Solved
+from rigidsym.manoeuvre.comparison.statistics import spread
+from rigidsym.validate.executors import local
+
+# Control at long periods makes flights quick.
+COMMAND = """
+import sys
+from fractions import Fraction
+from rigidsym.cli import main
+from rigidsym.manoeuvre.comparison import flights
+flights.PERIOD = Fraction(1)
+sys.exit(main(["compare", "--manoeuvres", "1", "--workers", "1", "-o", sys.argv[1]]))
+"""
+
+
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory):
+    """What one manoeuvre leaves and prints."""
+    directory = tmp_path_factory.mktemp("compared")
+    command = [sys.executable, "-W", "error", "-c", COMMAND, str(directory)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return directory, done.stdout
+
+
+@pytest.fixture(scope="module")
+def data(compared):
+    return json.loads((compared[0] / "comparison.json").read_text())
+
+
+def test_files_and_tables(compared, data):
+    directory, printed = compared
+    names = {f"comparison.{suffix}" for suffix in ("json", "md", "svg", "png")}
+    assert {path.name for path in directory.iterdir()} == names
+    assert data["schema"] == "rigidsym.comparison/1"
+    assert data["command"] == "rigidsym compare --manoeuvres 1 --seed 1"
+    for title in ("flown with wheels", "flown with thrusters", "ideal bursts", "optimal control"):
+        assert title in printed
+    text = (directory / "comparison.md").read_text()
+    assert "| natural | " in text
+    assert "near the guess" in text
+
+
+def test_what_holds_of_any_manoeuvre(data):
+    (one,) = data["manoeuvres"]
+    for task, solved in one["optimal"].items():
+        assert solved["miss"] < 1e-3, task
+        for attempts in solved["attempts"].values():
+            assert all(x["converged"] and x["iterations"] < 500 for x in attempts.values())
+    # No way of turning is cheaper than the cheapest, but for the width of a burst.
+    for model, ways in one["ideal"].items():
+        least = one["optimal"][f"{model}, fuel, unlimited"]["best"]
+        assert least <= one["optimal"][f"{model}, fuel"]["best"]
+        assert all(x > least * (1 - 1e-3) for x in ways.values())
+    for model in ("wheels", "thrusters"):
+        flown = one["flown"][model]
+        assert flown["step"]["saturated"]
+        assert flown["step"]["torque_integral"] > 2 * flown["natural"]["torque_integral"]
+        assert flown["natural"]["error_after_hold"] < 0.1
+    # To thrusters natural motions are free, to wheels turns at constant rates.
+    natural, eigenaxis = ([one["ideal"][m][w] for m in Model] for w in ("natural", "eigenaxis"))
+    assert natural[0] < eigenaxis[0]
+    assert natural[1] > eigenaxis[1]
+
+
+def test_the_same_each_time(data, monkeypatch):
+    monkeypatch.setattr(flights, "PERIOD", Fraction(1))
+    (one,) = data["manoeuvres"]
+    case = draw(0, 1)
+    transfer = solve(case.manoeuvre).best
+    task = Task(Model.THRUSTERS, Cost.ENERGY)
+    solved, impulses = optima.solved(case, task, optima.guesses(case, transfer))
+    assert json.loads(json.dumps(solved.to_data())) == one["optimal"][task.name]
+    ways = flights.Ways(case, Model.THRUSTERS, transfer, impulses)
+    flown = flights.flown("natural", ways).to_data()
+    assert flown == one["flown"]["thrusters"]["natural"]
+
+
+def test_attempts_that_end_elsewhere_are_not_the_best():
+    best, other, lost = Attempt(1.0, 10, True), Attempt(1.1, 5, True), Attempt(0.5, 500, False)
+    solved = Solved(1.0, 0.0, {"default": {"a": best, "b": other, "c": lost}})
+    assert [solved.is_best(x) for x in (best, other, lost)] == [True, False, False]
+
+
+def test_a_task_that_is_not_solved_is_told():
+    case = draw(0, 1)
+    with pytest.raises(InputError, match="manoeuvre = 0: wheels, energy: no optimum was found"):
+        optima.solved(case, Task(Model.WHEELS, Cost.ENERGY), {})
+
+
+def test_pieces_of_work_keep_their_order_and_tell_how_many_are_done():
+    told = []
+    with local(1) as place:
+        work = _Work(place, 3, lambda done, total: told.append((done, total)))
+        assert work.done([(pow, 2, k) for k in range(3)]) == [1, 2, 4]
+    assert told == [(1, 3), (2, 3), (3, 3)]
+
+
+def test_spreads():
+    assert spread([3, 1, 2]) == {"min": 1, "q1": 1.5, "median": 2, "q3": 2.5, "max": 3}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"manoeuvres": 0}, "manoeuvres = 0: must be a whole number"),
+        ({"manoeuvres": 2.5}, "manoeuvres = 2.5: must be a whole number"),
+        ({"seed": -1}, "seed = -1: must be a whole number"),
+    ],
+)
+def test_bad_numbers_are_refused(arguments, message):
+    with pytest.raises(InputError) as refused:
+        compare(**arguments)
+    assert str(refused.value).startswith(message)
+
+
+@pytest.mark.parametrize("option", ["--manoeuvres=0", "--seed=x", "--workers=-1"])
+def test_bad_options_are_refused_in_one_line(option, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["compare", option])
+    assert stopped.value.code == 2
+    error = capsys.readouterr().err
+    assert "must be a whole number" in error
+    assert error.count("\n") == 1
+
+
+@pytest.mark.parametrize(("package", "extra"), [("casadi", "optimal"), ("erfa", "app")])
+def test_missing_packages_are_named_in_one_line(package, extra, tmp_path):
+    code = (
+        f"import sys\nsys.modules[{package!r}] = None\nfrom rigidsym.cli import main\n"
+        "sys.exit(main(['compare']))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path
+    )
+    assert done.returncode == 2
+    assert done.stderr.count("\n") == 1
+    assert f"packages = {package}: " in done.stderr
+    assert f"pip install 'rigidsym[{extra}]'" in done.stderr
