@@ -4,8 +4,8 @@ import copy
 import json
 from dataclasses import replace
 
+from rigidsym.executors import local
 from rigidsym.validate.campaign import Progress, campaign, run
-from rigidsym.validate.executors import local
 from rigidsym.validate.report import Failure
 from rigidsym.validate.validation import reported
 

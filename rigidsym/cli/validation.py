@@ -62,7 +62,8 @@ def _validate(options: Any) -> int:
 
 
 def _campaign(whole: Any, done: Any, options: Any) -> int:
-    from rigidsym.validate import checkpoint, executors, session, tables, validation
+    from rigidsym import executors
+    from rigidsym.validate import checkpoint, session, tables, validation
     from rigidsym.validate.record import record
 
     place = (

@@ -72,8 +72,9 @@ def manoeuvre(
     max_impulse: Any = None,
 ) -> Manoeuvre:
     """A manoeuvre from numbers as users give them; raises InputError for the first bad one."""
-    limits = Limits(_above_zero("max_rate", max_rate), _above_zero("max_impulse", max_impulse))
-    length = _above_zero("duration", duration)
+    given = {"max_rate": max_rate, "max_impulse": max_impulse, "duration": duration}
+    exact = {name: None if x is None else above_zero(name, x) for name, x in given.items()}
+    length, limits = exact["duration"], Limits(exact["max_rate"], exact["max_impulse"])
     if length is None and limits == Limits():
         raise InputError("duration", "missing", "give one, or a limit that decides it")
     return Manoeuvre(
@@ -87,9 +88,8 @@ def manoeuvre(
     )
 
 
-def _above_zero(field: str, value: Any) -> Fraction | None:
-    if value is None:
-        return None
+def above_zero(field: str, value: Any) -> Fraction:
+    """An exact number above zero, and neither too large nor too small for what follows."""
     number = inputs.exact(field, value)
     if number <= 0:
         raise InputError(field, value, "must be above zero")

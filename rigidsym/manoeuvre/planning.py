@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from rigidsym import engines, inputs
+from rigidsym.errors import PrecisionError
 from rigidsym.files import write_text
 from rigidsym.manoeuvre.burns import burns
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
-from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, manoeuvre
+from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
 from rigidsym.manoeuvre.peak import peaks
 from rigidsym.manoeuvre.problem import problem
 from rigidsym.manoeuvre.transfer import Transfer
@@ -20,7 +21,8 @@ from rigidsym.manoeuvre.verify import verified
 
 SCHEMA = "rigidsym.plan/1"
 MOST_FAMILIES = 1000
-
+ARRIVED = 1e-12
+"The largest angle by which a transfer may miss, rad."
 
 COLUMNS = (
     "",
@@ -43,6 +45,21 @@ class Plan:
     def best(self) -> Transfer:
         """The cheapest transfer within the limits."""
         return self.transfers[0]
+
+    def at(self, duration: Any) -> "Plan":
+        """The same manoeuvre in another duration, s.
+
+        Without limits and spins it is a matter of scale: rates go with 1 / duration, and each
+        motion misses by the angle it did (facts faster.kinematics, faster.euler).  Else it is
+        planned anew.  Raises InputError as `plan` does.
+        """
+        old, engine = self.manoeuvre, self.best.engine
+        wanted = above_zero("duration", duration)
+        asked = replace(old, duration=wanted)
+        if asked != Manoeuvre(old.inertia, old.start, old.target, wanted):
+            return solve(asked, len(self.transfers), engine)
+        ratio = (old.duration or wanted) / wanted
+        return Plan(asked, tuple(one.faster(asked, ratio) for one in self.transfers))
 
     @property
     def title(self) -> str:
@@ -131,6 +148,10 @@ def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
     if not len(chosen):
         refuse(bursts, asked)
     found = [verified(posed, asked, rates) for rates in chosen]
+    # What misses by more at thirty digits is beside a double zero, and does not arrive.
+    found = [(rates, residual) for rates, residual in found if residual <= ARRIVED]
+    if not found:
+        raise PrecisionError(f"target: no motion was brought to within {ARRIVED} rad of it")
     turned = np.array([[float(x * duration) for x in rates] for rates, _ in found])
     highest = (peaks(posed, turned) / float(duration)).tolist()
     ways = zip(found, highest, strict=True)

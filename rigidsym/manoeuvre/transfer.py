@@ -1,7 +1,7 @@
 """One natural motion from start to target, and the bursts that begin and end it."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -36,6 +36,13 @@ class Transfer:
         """The motion, from t = 0 at `start`."""
         start = self.manoeuvre.start
         return TorqueFreeMotion(self.manoeuvre.inertia, self.rates, start, engine=self.engine)
+
+    def faster(self, manoeuvre: Manoeuvre, ratio: Fraction) -> "Transfer":
+        """The same motion `ratio` times as fast, for a manoeuvre that is shorter by it."""
+        rates = tuple(ratio * x for x in self.rates)
+        return replace(
+            self, manoeuvre=manoeuvre, rates=rates, peak_rate=float(ratio) * self.peak_rate
+        )
 
     @property
     def duration(self) -> float:

@@ -7,10 +7,10 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager
 from typing import Any
 
-from rigidsym import engines
+from rigidsym import engines, executors
 from rigidsym.errors import InputError
 from rigidsym.validate import campaign as campaigns
-from rigidsym.validate import checkpoint, executors
+from rigidsym.validate import checkpoint
 from rigidsym.validate.campaign import Campaign, Progress
 from rigidsym.validate.environment import environment
 from rigidsym.validate.finding import look

@@ -14,6 +14,7 @@ from rigidsym.manoeuvre import plan, solve
 
 BODY = (0.0109, 0.04, 0.0506)
 START = (1, 0, 0, 0)
+TARGET = (0.5, 0.5, 0.5, 0.5)
 AXES = np.eye(3)
 KINDS = len(BODIES) * len(TARGETS)
 
@@ -146,3 +147,24 @@ def test_more_families_than_a_sphere_has_in_a_few_turns():
     found = plan((1, 1, 1), START, turn(AXES[0], 1), 1, families=250).transfers
     assert len(found) == 250
     assert max(one.residual for one in found) <= 1e-12
+
+
+def test_another_duration_is_a_matter_of_scale():
+    found = plan(BODY, START, TARGET, 180, families=4)
+    faster = found.at("60")
+    again = plan(BODY, START, TARGET, 60, families=4)
+    for one, other in zip(faster.transfers, again.transfers, strict=True):
+        np.testing.assert_allclose(one.omega0, other.omega0, rtol=1e-9)
+        assert one.cost == pytest.approx(other.cost, rel=1e-12)
+        assert one.peak_rate == pytest.approx(other.peak_rate, rel=1e-9)
+        q, _ = one.motion.precise(60, 30)
+        assert float(min(max(abs(q - s * np.array(TARGET))) for s in (1, -1))) < 1e-15
+
+
+def test_another_duration_with_limits_is_planned():
+    found = plan(BODY, START, TARGET, 180, max_rate=0.05)
+    assert found.at(90).best.cost == pytest.approx(2 * found.best.cost, rel=1e-9)
+    with pytest.raises(InputError, match=r"max_rate = 0\.05: no natural motion of 10 s"):
+        found.at(10)
+    with pytest.raises(InputError, match="duration = 0: must"):
+        found.at(0)

@@ -120,7 +120,7 @@ ALLOWED = {
     "paper": {"paper", "display"},
     "export": {"export", "motion", "errors"},
     "manoeuvre": {"manoeuvre", "motion", "engines", "pictures", "solution", "quaternions"}
-    | {"display", "errors", "export", "files", "inputs", "toml_file"},
+    | {"display", "errors", "executors", "export", "files", "inputs", "toml_file"},
     "pictures": {"pictures", "motion", "precise", "solution", "errors", "inputs", "quaternions"},
     "solution": {"solution", "errors"},
     "precise": {"precise", "solution", "errors", "inputs"},
@@ -128,7 +128,7 @@ ALLOWED = {
     "generated": set(),
     "engines": {"engines", "generated", "solution", "errors", "inputs", "files"},
     "validate": {"validate", "codegen", "engines", "motion", "precise", "solution", "generated"}
-    | {"cases", "display", "errors", "files", "inputs", "plot"},
+    | {"cases", "display", "errors", "executors", "files", "inputs", "plot"},
     "independent": {"independent"},
 }
 

@@ -12,12 +12,11 @@ from multiprocessing import active_children
 
 import pytest
 
-from rigidsym import InputError, files
+from rigidsym import InputError, executors, files
 from rigidsym.cases import load_case
 from rigidsym.validate import (
     case_file,
     checkpoint,
-    executors,
     measure,
     session,
     validate,

@@ -17,13 +17,13 @@ from rigidsym import comparison, states
 from rigidsym.cases import _KEYS, PAPER, parse_case
 from rigidsym.codegen import generate
 from rigidsym.derive import derive
+from rigidsym.executors import local
 from rigidsym.kernel import ledger as ledgers
 from rigidsym.paper import Verdict, verdicts
 from rigidsym.paper.verdicts import Ruling
 from rigidsym.solution import ledger_data, ledger_text
 from rigidsym.validate import campaign, checkpoint, validate
 from rigidsym.validate.campaign import Progress
-from rigidsym.validate.executors import local
 from rigidsym.validate.faults import noticing
 from rigidsym.validate.faults import report as faults
 from rigidsym.validate.faults.tables import FAULTS

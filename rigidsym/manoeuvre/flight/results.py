@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from rigidsym.export import Track, aem
 from rigidsym.files import write_bytes, write_text
 from rigidsym.manoeuvre import drawing
 from rigidsym.manoeuvre.flight import pictures
@@ -22,6 +23,7 @@ from rigidsym.manoeuvre.flight.words import checks, rows
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 
 SCHEMA = "rigidsym.track/1"
+_UTC_BEGINS = 1972
 _PICTURES = {
     "attitude": pictures.attitude,
     "torques": pictures.torques,
@@ -102,9 +104,23 @@ class Tracked:
         np.savez(buffer, **arrays)
         return buffer.getvalue()
 
+    def to_aem(self) -> str:
+        """What was flown as a CCSDS attitude ephemeris message, in UTC from the orbit's epoch.
+
+        Raises InputError for epochs before 1972, when seconds of UTC had other lengths.
+        """
+        run, epoch = self.run, self.flight.orbit.epoch.replace(tzinfo=None).isoformat()
+        track = Track(run.t, run.q, run.omega)
+        return aem(track, epoch, object_name="UNKNOWN", object_id="UNKNOWN", originator="RIGIDSYM")
+
     def write(self, directory: Path) -> list[Path]:
-        """run.npz, summary.json and the pictures; raises InputError where that fails."""
+        """run.npz, summary.json, pictures and, from 1972 on, attitude.aem.
+
+        Raises InputError where that fails.
+        """
         written = [write_bytes(directory / "run.npz", self.to_npz())]
+        if self.flight.orbit.epoch.year >= _UTC_BEGINS:
+            written.append(write_text(directory / "attitude.aem", self.to_aem()))
         for name, draw in _PICTURES.items():
             for suffix, data in drawing.rendered(draw(self.run)).items():
                 written.append(write_bytes(directory / f"{name}.{suffix}", data))

@@ -6,8 +6,8 @@ from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 
 from rigidsym.engines.threads import processors
+from rigidsym.executors import processes, undisturbed
 from rigidsym.validate.contestants import check_target
-from rigidsym.validate.executors import processes, undisturbed
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.noticing import CRASHED, Notice, notices, references
 from rigidsym.validate.faults.report import FaultReport, Outcome

@@ -27,7 +27,7 @@ def found():
 def test_the_files(found, tmp_path):
     names = {path.name for path in found.write(tmp_path)}
     pictures = {f"{p}.{s}" for p in ("attitude", "torques", "disturbances") for s in ("svg", "png")}
-    assert names == pictures | {"run.npz", "summary.json"}
+    assert names == pictures | {"run.npz", "summary.json", "attitude.aem"}
     assert all((tmp_path / name).stat().st_size > 500 for name in names)
 
 
@@ -50,6 +50,16 @@ def test_the_states(found):
         f"disturbance_{name}" for name in ("drag", "gravity_gradient", "radiation", "dipole")
     }
     assert all(len(states[name]) == 401 for name in states)
+
+
+def test_the_message(found):
+    """Line by line: q1 q2 q3 qc at the times that were flown, from the orbit's epoch on."""
+    lines = found.to_aem().splitlines()
+    assert "START_TIME = 2013-07-17T12:00:00.000" in lines
+    rows = [line.split() for line in lines if line.startswith("2013-")]
+    assert len(rows) == len(found.run.t)
+    read = np.array([row[1:5] for row in rows], dtype=float)
+    np.testing.assert_allclose(read, np.roll(found.run.q, -1, axis=1), rtol=0, atol=1e-15)
 
 
 def test_the_summary(found):
