@@ -287,6 +287,11 @@ def test_what_does_not_go_together_is_refused(arguments, message, capsys):
     assert said.count("\n") == 1
 
 
+def heeding():
+    """Jobs that a shell puts behind it ignore interrupts, and what they start does, too."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def test_an_interrupted_validation_says_how_to_go_on(tmp_path):
     """By the signals that a terminal and a batch system send."""
     command = [sys.executable, "-m", "rigidsym", "validate", "c", "--cases", "1_000_000"]
@@ -295,13 +300,18 @@ def test_an_interrupted_validation_says_how_to_go_on(tmp_path):
         kept = tmp_path / "campaign.json"
         before = kept.stat().st_mtime_ns if kept.exists() else None
         run = [*arguments, "-o", str(tmp_path)]
-        with subprocess.Popen(run, stderr=subprocess.PIPE, text=True) as process:
+        with subprocess.Popen(
+            run, stderr=subprocess.PIPE, text=True, preexec_fn=heeding
+        ) as process:
             # It is written when the campaign begins.
             while not kept.exists() or kept.stat().st_mtime_ns == before:
                 assert process.poll() is None
                 time.sleep(0.05)
             process.send_signal(stop)
-            said = process.communicate(timeout=60)[1]
+            try:
+                said = process.communicate(timeout=60)[1]
+            finally:
+                process.kill()
         line = r"rigidsym validate: interrupted: \d+ of \d+ cases are kept, --resume goes on .*\n"
         assert re.fullmatch(line, said)
         assert process.returncode == 130
