@@ -122,8 +122,15 @@ def sequence(field: str, values: Any) -> Sequence[Any]:
     return list(values)
 
 
-def inertia(values: Any, allow_nonphysical: bool = False) -> "tuple[Fraction | Uncertain, ...]":
-    """Three principal moments of a body that can exist, or of any positive ones if so allowed."""
+_WAY_OUT = " (allow_nonphysical=True or --allow-nonphysical lets it pass)"
+
+
+def inertia(
+    values: Any, allow_nonphysical: bool = False, way_out: str = _WAY_OUT
+) -> "tuple[Fraction | Uncertain, ...]":
+    """Three principal moments of a body that can exist, or of any positive ones if so allowed.
+
+    way_out: what the message says of how to have it allowed."""
     given = sequence("inertia", values)
     moments = vector("inertia", given, 3)
     least, most = ([_end(moment, side) for moment in moments] for side in (-1, 1))
@@ -133,11 +140,8 @@ def inertia(values: Any, allow_nonphysical: bool = False) -> "tuple[Fraction | U
     high = max(range(3), key=least.__getitem__)
     others = sum(most) - most[high]
     if not allow_nonphysical and others < least[high] * (1 - _ROUNDING):
-        rule = (
-            "no body has a principal moment larger than the sum of the other two "
-            "(allow_nonphysical=True or --allow-nonphysical lets it pass)"
-        )
-        raise InputError("inertia", shown(moments), rule)
+        rule = "no body has a principal moment larger than the sum of the other two"
+        raise InputError("inertia", shown(moments), rule + way_out)
     return moments
 
 

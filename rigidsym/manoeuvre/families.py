@@ -32,7 +32,7 @@ def families(problem: Problem, bound: float) -> np.ndarray:
     """All rates (N, 3) that arrive with a momentum up to `bound`, by momentum.
 
     Of a ring of motions of equal cost, which a turn that is a symmetry of the body has, it is one.
-    Raises InputError where a needle has too many.
+    Raises TooManyError where there are more than can be looked at.
     """
     near = np.concatenate([_spins(problem, bound), starts(problem, bound)])
     found = _distinct(problem, *_refined(problem, near))

@@ -1,5 +1,6 @@
 """Limits that decide a duration, or cannot be kept in one."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from decimal import ROUND_UP, Context, Decimal
 from fractions import Fraction
@@ -14,7 +15,7 @@ from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.families import families, least
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 
-_NEVER = "found no natural motion that keeps to it, at any duration; the spins alone take more"
+_NEVER = "found no natural motion that keeps to it, at any duration, up to some twenty turns"
 # Durations are longer by this part than the limits say, so that rounding does not break them.
 _ROOM = 1e-12
 _GROWTH = 1.5
@@ -24,34 +25,41 @@ _LARGEST = 30.0
 _SHOWN = Context(prec=6, rounding=ROUND_UP)
 
 
-def shortest(bursts: Burns) -> Fraction:
+def shortest(bursts: Burns, asked: Manoeuvre) -> Fraction:
     """The shortest duration in s that the limits allow; raises InputError where none does."""
     found = _shortest(bursts)
     if found == 0:
         rule = "start equals target, which takes no time: give one"
         raise InputError("duration", "missing", rule)
     if not np.isfinite(found):
-        raise InputError("max_impulse", "as given", _NEVER)
+        _refuse(bursts, asked, lambda one: np.isfinite(_shortest(one)), _NEVER)
     return Fraction(found * (1 + _ROOM))
 
 
 def refuse(bursts: Burns, asked: Manoeuvre) -> NoReturn:
     """Raise InputError: which limit binds in the duration, and which duration would do."""
     duration = float(asked.duration or 0)
-    given = {
-        "max_rate": (asked.limits.max_rate, replace(bursts, max_burst=np.inf)),
-        "max_impulse": (asked.limits.max_impulse, replace(bursts, max_rate=np.inf)),
-    }
-    there = {name: value for name, (value, _) in given.items() if value is not None}
-    binding = [name for name in there if not len(cheapest(given[name][1], duration, 1))] or [*there]
     found = _shortest(bursts)
     rule = _NEVER
     if np.isfinite(found):
         enough = _SHOWN.create_decimal(Decimal(found))
         rule = f"no natural motion of {duration:g} s keeps to it; {enough.normalize():f} s would do"
-    raise InputError(
-        " and ".join(binding), ", ".join(f"{float(there[x]):g}" for x in binding), rule
-    )
+    _refuse(bursts, asked, lambda one: len(cheapest(one, duration, 1)) > 0, rule)
+
+
+def _refuse(
+    bursts: Burns, asked: Manoeuvre, can_be_kept: Callable[[Burns], bool], rule: str
+) -> NoReturn:
+    """Raise InputError about the limits that cannot be kept even alone, or about both."""
+    limits = asked.limits
+    alone = {
+        "max_rate": (limits.max_rate, replace(bursts, max_burst=np.inf)),
+        "max_impulse": (limits.max_impulse, replace(bursts, max_rate=np.inf)),
+    }
+    there = {name: (value, one) for name, (value, one) in alone.items() if value is not None}
+    binding = [name for name, (_, one) in there.items() if not can_be_kept(one)] or [*there]
+    values = ", ".join(f"{float(there[name][0]):g}" for name in binding)
+    raise InputError(" and ".join(binding), values, rule)
 
 
 def _shortest(bursts: Burns) -> float:

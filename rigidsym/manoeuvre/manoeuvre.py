@@ -78,7 +78,7 @@ def manoeuvre(
     if length is None and limits == Limits():
         raise InputError("duration", "missing", "give one, or a limit that decides it")
     return Manoeuvre(
-        _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia))),
+        _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia, way_out=""))),
         inputs.certain("start", inputs.attitude(start, "start")),
         inputs.certain("target", inputs.attitude(target, "target")),
         length,

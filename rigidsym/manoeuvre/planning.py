@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 
 from rigidsym import engines, inputs
-from rigidsym.errors import PrecisionError
+from rigidsym.errors import InputError, PrecisionError
 from rigidsym.files import write_text
 from rigidsym.manoeuvre.burns import burns
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
 from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
 from rigidsym.manoeuvre.peak import peaks
-from rigidsym.manoeuvre.problem import problem
+from rigidsym.manoeuvre.problem import between, problem
+from rigidsym.manoeuvre.search import TooManyError
 from rigidsym.manoeuvre.transfer import Transfer
 from rigidsym.manoeuvre.verify import verified
 
@@ -36,10 +37,14 @@ COLUMNS = (
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """Transfers for one manoeuvre, the cheapest first."""
+    """Transfers for one manoeuvre, the cheapest first.
+
+    families: how many were wanted, of which the limits may leave fewer.
+    """
 
     manoeuvre: Manoeuvre
     transfers: tuple[Transfer, ...]
+    families: int
 
     @property
     def best(self) -> Transfer:
@@ -57,33 +62,52 @@ class Plan:
         wanted = above_zero("duration", duration)
         asked = replace(old, duration=wanted)
         if asked != Manoeuvre(old.inertia, old.start, old.target, wanted):
-            return solve(asked, len(self.transfers), engine)
+            return solve(asked, self.families, engine)
         ratio = (old.duration or wanted) / wanted
-        return Plan(asked, tuple(one.faster(asked, ratio) for one in self.transfers))
+        faster = tuple(one.faster(asked, ratio) for one in self.transfers)
+        return Plan(asked, faster, self.families)
+
+    @property
+    def trivial(self) -> bool:
+        """Whether start equals target, at rest: there is nothing to do."""
+        asked = self.manoeuvre
+        turned = between(asked.start, asked.target)[1:]
+        return not any((*turned, *asked.start_spin, *asked.target_spin))
 
     @property
     def title(self) -> str:
-        """What is planned, in one line; says so where there is nothing to do."""
-        nothing = self.best.cost == 0
-        done = ": start equals target, nothing to do" if nothing else ""
-        return f"rigidsym plan: {self.best.duration:.12g} s{done}"
+        """What is planned, in one line; says so where it costs nothing, and what limits leave."""
+        said = [f"rigidsym plan: {self.best.duration:.12g} s"]
+        if self.trivial:
+            said.append("start equals target, nothing to do")
+        elif self.best.cost == 0:
+            said.append("the body arrives by itself")
+        if len(self.transfers) < self.families:
+            said.append(f"{len(self.transfers)} of {self.families}, no others are within reach")
+        return "; ".join(said)
 
     def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
         """Columns and rows for reading."""
         return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
 
     def write(self, directory: Path) -> list[Path]:
-        """Write plan.json, and each transfer as a case file for `rigidsym propagate`."""
-        paths = [write_text(directory / "plan.json", self.to_json())]
-        for k, one in enumerate(self.transfers, 1):
-            paths.append(write_text(directory / f"transfer-{k}.toml", one.to_case()))
-        return paths
+        """Write plan.json, and each transfer as a case file for `rigidsym propagate`.
+
+        Case files of a plan that was there before go.
+        """
+        texts = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
+        paths = [write_text(directory / name, text) for name, text in texts.items()]
+        for path in directory.glob("transfer-*.toml"):
+            if path.name not in texts:
+                path.unlink()
+        return [write_text(directory / "plan.json", self.to_json()), *paths]
 
     def to_json(self) -> str:
         """The plan as JSON, schema rigidsym.plan/1."""
         data = {
             "schema": SCHEMA,
             "manoeuvre": self.manoeuvre.to_data(),
+            "families": self.families,
             "transfers": [transfer.to_data() for transfer in self.transfers],
         }
         return json.dumps(data, indent=1) + "\n"
@@ -117,8 +141,10 @@ def plan(
     `TorqueFreeMotion`.
 
     Every transfer misses the target by at most 1e-12 rad, by the derived solution at thirty
-    digits.  Raises InputError for bad input, and for limits that cannot be kept, with the limit
-    that binds and a duration that would do.  Source: section V of the paper.
+    digits.  Raises InputError for bad input, for limits that cannot be kept, with the limit that
+    binds and a duration that would do, and where spins turn the body so often in the duration,
+    some fifty times, that there are more motions than can be looked at.  Source: section V of the
+    paper.
 
     >>> found = plan((0.0109, 0.04, 0.0506), (1, 0, 0, 0), (0.5, 0.5, 0.5, 0.5), 180)
     >>> found.best.omega0.round(6), round(found.best.cost, 6)
@@ -140,9 +166,16 @@ def plan(
 def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
     """See `plan`."""
     count = inputs.whole("families", families, MOST_FAMILIES)
+    try:
+        return _solve(asked, count, engine)
+    except TooManyError:
+        raise InputError(*_too_many(asked, count)) from None
+
+
+def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
     posed = problem(asked.inertia, asked.start, asked.target, engines.engine(engine))
     bursts = burns(posed, asked)
-    duration = shortest(bursts) if asked.duration is None else asked.duration
+    duration = shortest(bursts, asked) if asked.duration is None else asked.duration
     asked = replace(asked, duration=duration)
     chosen = cheapest(bursts, float(duration), count)
     if not len(chosen):
@@ -155,7 +188,20 @@ def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
     turned = np.array([[float(x * duration) for x in rates] for rates, _ in found])
     highest = (peaks(posed, turned) / float(duration)).tolist()
     ways = zip(found, highest, strict=True)
-    return Plan(asked, tuple(Transfer(asked, *one, peak, engine) for one, peak in ways))
+    return Plan(asked, tuple(Transfer(asked, *one, peak, engine) for one, peak in ways), count)
+
+
+def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
+    """Field, value and rule where there are more motions than can be looked at."""
+    spins = {"spin.start": asked.start_spin, "spin.target": asked.target_spin}
+    fastest = max(spins, key=lambda name: max(map(abs, spins[name])))
+    if any(spins[fastest]):
+        rule = "turns the body so often that the motions are too many: take a shorter duration"
+        return fastest, inputs.shown(spins[fastest]), rule
+    if count > 1:
+        return "families", str(count), "there are too many motions to look at: ask for fewer"
+    rule = "a needle turns so often that the motions are too many to look at"
+    return "inertia", inputs.shown(asked.inertia), rule
 
 
 def _row(place: int, one: Transfer) -> tuple[str, ...]:

@@ -13,7 +13,6 @@ from operator import add
 
 import numpy as np
 
-from rigidsym.errors import InputError
 from rigidsym.manoeuvre.directions import Arcs, arcs
 from rigidsym.manoeuvre.problem import Problem
 from rigidsym.manoeuvre.transit import transits
@@ -35,6 +34,10 @@ _MARGIN = 1.02
 _FAR = 4.0
 # Motions and starts, of which more would take longer than a second.
 _MOST, _MOST_STARTS = 150_000, 10_000
+
+
+class TooManyError(ArithmeticError):
+    """There are more motions than can be looked at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,21 +68,21 @@ class Samples:
 def starts(problem: Problem, bound: float) -> np.ndarray:
     """Rates (N, 3) close to all that arrive with a momentum up to `bound`.
 
-    Raises InputError where a needle turns so often that these are too many.
+    Raises TooManyError where motions of that momentum turn so often that these are too many.
     """
     curves = arcs(problem)
     if not len(curves.ends):
         return np.empty((0, 3))
     begin, end = (reduce(add, side) for side in zip(*_steps(problem, curves, bound), strict=True))
     found = _zeros(problem, curves, bound, begin, end)
-    _check(problem, len(found), _MOST_STARTS)
+    _check(len(found), _MOST_STARTS)
     return found[np.isfinite(found).all(axis=1)]
 
 
-def _check(problem: Problem, count: float, most: int) -> None:
+def _check(count: float, most: int) -> None:
     """Refuse what would take too long."""
     if not count <= most:
-        raise InputError("inertia", problem.inertia, "turns too often: the motions are too many")
+        raise TooManyError
 
 
 def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Samples, Samples]]:
@@ -94,7 +97,7 @@ def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Sampl
         left, right, begin, end = left[coarse], right[coarse], begin[coarse], end[coarse]
         middle = sample(problem, curves, bound, begin.arc, (begin.x + end.x) / 2, begin.turns)
         new = len(samples.x) + np.arange(len(middle.x))
-        _check(problem, len(samples.x) + len(new), _MOST)
+        _check(len(samples.x) + len(new), _MOST)
         samples = samples + middle
         left, right = np.concatenate([left, new]), np.concatenate([new, right])
 
@@ -108,7 +111,7 @@ def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.nd
     shortest = np.fmin(periods[:-1], periods[1:])
     whole = np.floor((bound * _MARGIN - least) / shortest) + 1
     whole[(arc[:-1] != arc[1:]) | np.isnan(times[:-1] + times[1:]) | ~(whole > 0)] = 0
-    _check(problem, whole.sum(), _MOST)
+    _check(whole.sum(), _MOST)
     step = np.repeat(np.arange(len(whole)), whole.astype(int))
     turns = np.arange(len(step)) - np.searchsorted(step, step)
     # Neighbouring steps share a sample.

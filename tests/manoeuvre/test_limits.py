@@ -59,13 +59,24 @@ def test_all_families_keep_to_the_limits():
     rate = sorted(one.peak_rate for one in unlimited.transfers)[5]
     limited = plan(BODIES[0], START, TURNS[0], 60, families=20, max_rate=rate * 1.0001)
     kept = [one for one in unlimited.transfers if one.peak_rate <= rate * 1.0001]
-    assert len(limited.transfers) >= len(kept) == 6
+    assert len(limited.transfers) == len(kept) == 6
+    assert max(one.peak_rate for one in limited.transfers) <= rate * 1.0001 * (1 + 1e-9)
+    assert "6 of 20" in limited.title
     assert [x.cost for x in limited.transfers[:3]] == pytest.approx([x.cost for x in kept[:3]])
 
 
 def test_spins_beyond_a_limit_have_no_duration():
     with pytest.raises(InputError, match="found no natural motion that keeps to it"):
         plan(BODIES[0], START, TURNS[0], max_impulse=1e-6, start_spin=(0.1, 0.05, 0.02))
+
+
+def test_limits_that_only_together_cannot_be_kept_are_both_named():
+    turn = (np.cos(np.pi / 3), 0, 0, np.sin(np.pi / 3))
+    spins = {"start_spin": (0, 0, 0.1), "target_spin": (0, 0, 0.1)}
+    for one in ({"max_impulse": 1e-3}, {"max_rate": 0.05}):
+        assert plan(BODIES[0], START, turn, **one, **spins).best.residual <= 1e-12
+    with pytest.raises(InputError, match=r"^max_rate and max_impulse = 0\.05, 0\.001: found no"):
+        plan(BODIES[0], START, turn, max_impulse=1e-3, max_rate=0.05, **spins)
 
 
 def test_what_takes_no_time_is_refused_without_a_duration():

@@ -168,3 +168,38 @@ def test_another_duration_with_limits_is_planned():
         found.at(10)
     with pytest.raises(InputError, match="duration = 0: must"):
         found.at(0)
+
+
+def test_what_costs_nothing_says_why():
+    assert plan(BODY, START, (-1, 0, 0, 0), 10).title.endswith("start equals target, nothing to do")
+    spin = (0, 0, np.pi)
+    half = plan((1, 2, 3), START, (0, 0, 0, 1), 1, start_spin=spin, target_spin=spin)
+    assert half.best.cost < 1e-12
+    assert "nothing to do" not in half.title
+
+
+def test_case_files_of_an_earlier_plan_go(tmp_path):
+    for families in (3, 1):
+        plan(BODY, START, TARGET, 180, families=families).write(tmp_path)
+    assert {path.name for path in tmp_path.iterdir()} == {"plan.json", "transfer-1.toml"}
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (
+            {"duration": 10_800, "start_spin": ("0.2",) * 3},
+            r"^spin\.start = .0\.2, 0\.2",
+        ),
+        ({"duration": 1, "inertia": ("1e-6", 1, 1)}, r"^inertia = \[0\.000001, 1, 1\]: a needle"),
+    ],
+)
+def test_too_many_motions_are_refused_by_the_users_own_numbers(given, message):
+    asked = {"inertia": BODY, "start": START, "target": (0.8, 0.3, 0.3, 0.2)} | given
+    with pytest.raises(InputError, match=message):
+        plan(**asked)
+
+
+def test_a_body_that_cannot_exist_is_refused_without_a_way_out():
+    with pytest.raises(InputError, match=r"the sum of the other two$"):
+        plan((1, 1, 3), START, TARGET, 1)

@@ -77,6 +77,7 @@ FORMATS = (
             "manoeuvre": _ASKED,
             "manoeuvre.duration": "s, the one that was found where none was given",
             "manoeuvre.limits": _LIMITS,
+            "families": "how many transfers were wanted; limits may leave fewer",
             "transfers": "the cheapest first",
             "transfers[].omega0": "body rates after the first burst, rad/s, as doubles",
             "transfers[].rates": "the same exactly",
