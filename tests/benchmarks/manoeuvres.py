@@ -7,7 +7,7 @@ about the middle axis nearly, small, nearly symmetries), from rest to rest, by t
 --brute: a search from 15 000 random rates, up to 1.05 of a momentum with which some motion arrives,
 of which the best 1000 are refined, must find none cheaper.  --shooting N: N of the problems also by
 SciPy's DOP853 at 1e-13, side by side: the same search with its motions integrated, all at once, and
-plain shooting by least squares from a turn about the axis of the whole turn, which finds some motion.
+plain shooting by least squares from a turn about the axis of the whole turn: it finds some motion.
 """
 
 import argparse
