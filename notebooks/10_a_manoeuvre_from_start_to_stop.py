@@ -488,7 +488,7 @@ calm = replace(
 quiet = replace(flight, disturbances=calm, run=replace(flight.run, length=Fraction(119)))
 still = fly(plan.manoeuvre, quiet, best)
 coast = still.t > 35
-gyroscopic = -np.cross(still.natural.omega, inertia * still.natural.omega)
+gyroscopic = -np.cross(still.track.omega, inertia * still.track.omega)
 
 figure, panel = plt.subplots(figsize=(8.4, 3.2), layout="constrained")
 for k, colour in enumerate((BLUE, RED, GREEN)):

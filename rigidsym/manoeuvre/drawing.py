@@ -1,4 +1,7 @@
-"""Line pictures by matplotlib, the same bytes on each run: SVG and PNG."""
+"""Line pictures by matplotlib, the same bytes on each run: SVG and PNG.
+
+Functions that make figures are decorated by `defaults()`: the user's matplotlibrc has no part.
+"""
 
 import io
 from typing import TYPE_CHECKING, Any
@@ -7,6 +10,7 @@ import numpy as np
 
 from rigidsym.manoeuvre.packages import require
 from rigidsym.pictures import flat
+from rigidsym.pictures.flat import defaults
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -20,6 +24,7 @@ FLOWN: dict[str, Any] = {"linewidth": 2.0}
 WANTED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
 
 
+@defaults()
 def blank(height: float = 4.2) -> tuple["Figure", Any]:
     """A figure that shows itself in a notebook, and its axes over time."""
     figure = flat.blank("drawing", 8.0, height)
@@ -60,11 +65,9 @@ def mark(axes: Any, t: float, text: str) -> None:
 
 def rendered(figure: "Figure") -> dict[str, bytes]:
     """The file contents by suffix, without dates or names that change from run to run."""
-    from matplotlib import rc_context
-
     found = {}
     kinds = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None}}
-    with rc_context({"svg.hashsalt": "rigidsym"}):
+    with defaults({"svg.hashsalt": "rigidsym"}):
         for suffix, metadata in kinds.items():
             buffer = io.BytesIO()
             figure.savefig(buffer, format=suffix, dpi=150, metadata=metadata)

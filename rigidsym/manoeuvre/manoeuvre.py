@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +44,13 @@ class Manoeuvre:
     start_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
     target_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
     limits: Limits = Limits()
+
+    @property
+    def trivial(self) -> bool:
+        """Whether start equals target, of either sign and any length, at rest: nothing to do."""
+        pairs = combinations(zip(self.start, self.target, strict=True), 2)
+        turned = any(p * s != q * r for (p, q), (r, s) in pairs)
+        return not (turned or any(self.start_spin) or any(self.target_spin))
 
     def to_data(self) -> dict[str, Any]:
         """The tables of a manoeuvre file, numbers as strings that mean them exactly."""

@@ -15,7 +15,7 @@ from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
 from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
 from rigidsym.manoeuvre.peak import peaks
-from rigidsym.manoeuvre.problem import between, problem
+from rigidsym.manoeuvre.problem import problem
 from rigidsym.manoeuvre.search import TooManyError
 from rigidsym.manoeuvre.transfer import Transfer
 from rigidsym.manoeuvre.verify import verified
@@ -68,17 +68,10 @@ class Plan:
         return Plan(asked, faster, self.families)
 
     @property
-    def trivial(self) -> bool:
-        """Whether start equals target, at rest: there is nothing to do."""
-        asked = self.manoeuvre
-        turned = between(asked.start, asked.target)[1:]
-        return not any((*turned, *asked.start_spin, *asked.target_spin))
-
-    @property
     def title(self) -> str:
         """What is planned, in one line; says so where it costs nothing, and what limits leave."""
         said = [f"rigidsym plan: {self.best.duration:.12g} s"]
-        if self.trivial:
+        if self.manoeuvre.trivial:
             said.append("start equals target, nothing to do")
         elif self.best.cost == 0:
             said.append("the body arrives by itself")

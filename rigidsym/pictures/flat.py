@@ -1,12 +1,31 @@
 """Figures of matplotlib, apart from pyplot and its state, that show themselves in notebooks."""
 
 import io
-from typing import TYPE_CHECKING
+from collections.abc import Generator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
 
 from rigidsym.pictures.packages import package
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+@contextmanager
+def defaults(settings: Mapping[Any, Any] | None = None) -> Generator[None]:
+    """Draw with matplotlib's own settings and these, whatever the user's matplotlibrc says.
+
+    Artists take some of them when they are made and others when they are drawn: figures are made
+    and saved in here.
+    """
+    import matplotlib
+
+    # The backend has no part in what is drawn here, and once set it stays.
+    own: dict[Any, Any] = {
+        key: x for key, x in matplotlib.rcParamsDefault.items() if key != "backend"
+    }
+    with matplotlib.rc_context({**own, **(settings or {})}):
+        yield
 
 
 def blank(user: str, width: float, height: float) -> "Figure":
@@ -18,7 +37,9 @@ def blank(user: str, width: float, height: float) -> "Figure":
 
         def _repr_png_(self) -> bytes:
             buffer = io.BytesIO()
-            self.savefig(buffer, format="png", dpi=130)
+            with defaults():
+                self.savefig(buffer, format="png", dpi=130)
             return buffer.getvalue()
 
-    return Picture(figsize=(width, height), layout="constrained")
+    with defaults():
+        return Picture(figsize=(width, height), layout="constrained")

@@ -1,6 +1,7 @@
 """`rigidsym track` and `rigidsym figures`: what they print, leave behind and refuse."""
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -60,6 +61,18 @@ def test_a_target_that_is_missed_is_told(short, capsys):
     short.write_text(SHORT.replace("length = 50", "length = 21"))
     assert main(["track", str(short)]) == 1
     assert "not within 0.1 deg at the end" in capsys.readouterr().out
+
+
+def test_a_start_that_is_the_target_is_told(short, capsys):
+    short.write_text(SHORT.replace("[0.9, 0.1, -0.2, 0.3]", "[-2, 0, 0, 0]"))
+    assert main(["track", str(short)]) == 0
+    printed = capsys.readouterr().out
+    assert re.search(r"start equals target\W+nothing to do", printed)
+
+
+def test_a_start_that_is_not_the_target_is_not(short, capsys):
+    assert main(["track", str(short)]) == 0
+    assert "nothing to do" not in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -135,3 +148,41 @@ def test_the_figures_are_the_same_each_time(figures, tmp_path, capsys):
     assert main(["figures", "-o", str(tmp_path)]) == 0
     for path in tmp_path.iterdir():
         assert path.read_bytes() == (figures[0] / path.name).read_bytes(), path.name
+
+
+# Settings that change lines, texts, backgrounds, sizes and ids.
+SETTINGS = """
+axes.facecolor: black
+axes.linewidth: 5
+font.size: 20
+figure.facecolor: red
+lines.markersize: 20
+savefig.facecolor: yellow
+svg.fonttype: none
+svg.hashsalt: another
+"""
+
+
+def flown(short, directory, **environment):
+    """The files of `rigidsym plan` and `rigidsym track` in an environment, by name."""
+    for command in ("plan", "track"):
+        words = [command, str(short), "-o", str(directory)]
+        subprocess.run(
+            [sys.executable, "-W", "error", "-m", "rigidsym", *words],
+            env={**os.environ, **environment},
+            capture_output=True,
+            check=True,
+        )
+    return {path.name: path.read_bytes() for path in directory.iterdir()}
+
+
+def test_files_are_the_same_in_all_environments(short, tmp_path):
+    """Whatever the order of sets, the number of threads and the user's settings of matplotlib."""
+    settings = tmp_path / "matplotlibrc"
+    settings.write_text(SETTINGS)
+    own = {"MATPLOTLIBRC": str(settings), "PYTHONHASHSEED": "7", "OMP_NUM_THREADS": "2"}
+    one = flown(short, tmp_path / "one", PYTHONHASHSEED="0", OMP_NUM_THREADS="1")
+    other = flown(short, tmp_path / "other", **own)
+    assert {"plan.json", "run.npz", "attitude.svg", "attitude.png", "torques.svg"} <= set(one)
+    assert one.keys() == other.keys()
+    assert [name for name in one if one[name] != other[name]] == []

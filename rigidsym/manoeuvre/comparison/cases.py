@@ -1,15 +1,15 @@
 """Random manoeuvres from rest to rest: every other one with the paper's body."""
 
 from dataclasses import dataclass
-from fractions import Fraction
 from functools import cached_property
 from math import ceil
 from typing import Any
 
 import numpy as np
 
+from rigidsym.engines import engine
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre, manoeuvre
-from rigidsym.manoeuvre.problem import between, unit
+from rigidsym.manoeuvre.problem import Problem, problem, unit
 
 PAPER = ("0.0109", "0.04", "0.0506")
 "kg m^2, of the paper's Figure 3."
@@ -50,17 +50,17 @@ class Case:
     @cached_property
     def turn(self) -> np.ndarray:
         """The target's attitude (4,) from the start's axes, by the shorter way round."""
-        return _turn(self.manoeuvre.start, self.manoeuvre.target)
+        return _posed(self.manoeuvre).turn
 
     @cached_property
     def rotation_vector(self) -> np.ndarray:
         """The same as axis times angle (3,), rad: the axis is Euler's, the eigenaxis."""
-        return _angle(self.turn) * self.turn[1:] / np.linalg.norm(self.turn[1:])
+        return self.angle * self.turn[1:] / np.linalg.norm(self.turn[1:])
 
     @property
     def angle(self) -> float:
         """From start to target, rad."""
-        return _angle(self.turn)
+        return _posed(self.manoeuvre).angle
 
     def to_data(self) -> dict[str, Any]:
         """For files."""
@@ -80,7 +80,7 @@ def draw(index: int, seed: int) -> Case:
     start, target = (_rounded(rng.normal(size=4)) for _ in range(2))
     inertia = PAPER if body == "paper" else _rounded(_body(rng))
     largest = max(map(float, inertia))
-    angle = _angle(_turn([Fraction(x) for x in start], [Fraction(x) for x in target]))
+    angle = _posed(manoeuvre(inertia, start, target, SHORTEST)).angle
     duration = max(SHORTEST, ROUNDED * ceil(largest * angle / IMPULSE / ROUNDED))
     return Case(index, body, manoeuvre(inertia, start, target, duration))
 
@@ -96,10 +96,6 @@ def _rounded(values: np.ndarray) -> tuple[str, ...]:
     return tuple(f"{x:.{_DIGITS}f}" for x in values.tolist())
 
 
-def _turn(start: Any, target: Any) -> np.ndarray:
-    turn = unit(between(start, target))
-    return np.copysign(1.0, turn[0]) * turn
-
-
-def _angle(turn: np.ndarray) -> float:
-    return float(2 * np.arctan2(np.linalg.norm(turn[1:]), turn[0]))
+def _posed(asked: Manoeuvre) -> Problem:
+    """The turn of a manoeuvre and its angle; no motions, so that any engine will do."""
+    return problem(asked.inertia, asked.start, asked.target, engine("numpy"))

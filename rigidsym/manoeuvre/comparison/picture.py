@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 _SHOWN = Task(Model.THRUSTERS, Cost.FUEL)
 
 
+@drawing.defaults()
 def picture(records: Sequence[Record]) -> "Figure":
     """A dot for each manoeuvre, a bar at the median: costs by method, iterations by guess."""
     from matplotlib.figure import Figure

@@ -30,7 +30,7 @@ class Figures:
     def numbers(self) -> dict[str, Any]:
         """What is seen in the pictures, measured; SI units, angles in degrees."""
         run, motion = self.tracked.run, self.tracked.transfer.motion
-        steps = np.max(np.abs(np.diff(run.natural.q, axis=0)))
+        steps = np.max(np.abs(np.diff(run.track.q, axis=0)))
         peaks = np.min(run.torque, axis=0), np.max(run.torque, axis=0)
         found = self.tracked.summary()
         return {
@@ -63,7 +63,7 @@ class Figures:
     def _gyroscopic(self) -> np.ndarray:
         """omega x I omega (N, 3) of the natural motion during the coast, N m."""
         run = self.tracked.run
-        omega = run.natural.omega[self._coast()]
+        omega = run.track.omega[self._coast()]
         return np.cross(omega, run.inertia * omega)
 
     def rows(self) -> list[tuple[str, str]]:
@@ -104,6 +104,7 @@ def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> 
     return Figures(tracked, euler_angles(tracked.transfer.motion, tracked.run.t))
 
 
+@drawing.defaults()
 def _euler(t: np.ndarray, angles: EulerAngles) -> "Figure":
     """Angles in degrees; jumps are joined by the line, as they are in the paper's picture."""
     figure, axes = drawing.blank()

@@ -33,20 +33,6 @@ class Track(Protocol):
         ...
 
 
-class Transfer(Protocol):
-    """What is flown of a planned transfer."""
-
-    @property
-    def duration(self) -> float:
-        """From the start to the target, s."""
-        ...
-
-    @property
-    def motion(self) -> TorqueFreeMotion:
-        """The natural motion from the start, with the rates after the first burst."""
-        ...
-
-
 @dataclass(frozen=True, slots=True)
 class Reference:
     """Attitudes q (N, 4) and body rates omega (N, 3) along the times of a flight."""
@@ -55,23 +41,23 @@ class Reference:
     omega: np.ndarray
 
 
-def natural(transfer: Track, t: np.ndarray) -> Reference:
-    """The natural motion at times (N,), on beyond the end of the manoeuvre."""
-    return Reference(*transfer.motion(t))
+def along(track: Track, t: np.ndarray) -> Reference:
+    """The track at times (N,), on beyond the end of the manoeuvre."""
+    return Reference(*track.motion(t))
 
 
-def reference(manoeuvre: Manoeuvre, transfer: Track, t: np.ndarray) -> Reference:
-    """The natural motion, or another track, until the target is reached; then the target.
+def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
+    """The track until the target is reached; then the target.
 
     A target that spins goes on as a free body does.  The attitudes are continuous in the double
-    cover: of the two quaternions of the target it is the one at which the motion arrives.
+    cover: of the two quaternions of the target it is the one at which the track arrives.
     """
-    arrived = transfer.motion(transfer.duration)[0]
+    arrived = track.motion(track.duration)[0]
     target = np.array([float(x) for x in manoeuvre.target])
     held = target if arrived @ target >= 0 else -target
     after = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.target_spin, held.tolist())
-    late = t >= transfer.duration
-    ahead, then = transfer.motion(t[~late]), after(t[late] - transfer.duration)
+    late = t >= track.duration
+    ahead, then = track.motion(t[~late]), after(t[late] - track.duration)
     return Reference(*(np.concatenate(pair) for pair in zip(ahead, then, strict=True)))
 
 

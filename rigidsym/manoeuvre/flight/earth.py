@@ -56,7 +56,8 @@ def sunlit(position: Sequence[float], sun: Sequence[float]) -> float:
     away = [s - p for s, p in zip(sun, position, strict=True)]
     distance, radius = math.hypot(*away), math.hypot(*position)
     cosine = -sum(p * s for p, s in zip(position, away, strict=True)) / (distance * radius)
-    a, b = math.asin(SUN_RADIUS / distance), math.asin(RADIUS / radius)
+    # Close to the surface the position may be rounded to below it.
+    a, b = math.asin(SUN_RADIUS / distance), math.asin(min(1.0, RADIUS / radius))
     c = _arccos(cosine)
     if c >= a + b:
         return 1.0

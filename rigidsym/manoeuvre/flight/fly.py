@@ -50,12 +50,10 @@ class _Ramp:
 def fly(
     manoeuvre: Manoeuvre,
     flight: Flight,
-    transfer: control.Track,
+    track: control.Track,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Run:
-    """Follow a transfer's natural motion from t = 0 and hold the target once it is reached.
-
-    Any other track can be followed in its place.
+    """Follow a track, such as a transfer, from t = 0 and hold the target once it is reached.
 
     At each period of `flight.run` the controller reads the true state and says which torque it
     wants; until the next one the wheels go there along a straight line, as far as they can.  So
@@ -64,28 +62,31 @@ def fly(
     what the wheels store, and I the spacecraft with its wheels locked.  They are integrated anew
     from each sample by SciPy's DOP853, together with the impulse of the disturbances (inertial
     axes) and the work of all torques, which the checks of a `Run` need.  `progress` is called with
-    the samples done and all of them.  Raises InputError for what control makes too wild to follow.
+    the samples done and all of them.  Raises InputError for torques too wild to follow, and names
+    the greatest.
     """
     inertia = np.array([float(x) for x in manoeuvre.inertia])
     t = _times(flight)
-    wanted = control.reference(manoeuvre, transfer, t)
+    wanted = control.reference(manoeuvre, track, t)
     environment = Environment(flight, inertia)
     samples = [_first(manoeuvre, flight)]
     for k, span in enumerate(pairwise(t.tolist())):
         ramp = _steered(flight, inertia, samples[-1], (wanted.q[k], wanted.omega[k]), span)
         equations = _equations(inertia, ramp, environment)
         state = _advance(equations, samples[-1].state, span, flight.run.tolerance)
+        if state is None:
+            raise _too_fast(_causes(flight, environment, ramp, wanted.omega[k]), span[0])
         samples.append(_Sample(state, ramp.then, ramp.at(span[1])[1]))
         progress(k + 1, len(t) - 1)
     states = np.array([sample.state for sample in samples])
     return Run(
         inertia=inertia,
-        arrival=float(transfer.duration),
+        arrival=float(track.duration),
         t=t,
         q=states[:, _Q],
         omega=states[:, _OMEGA],
         reference=wanted,
-        natural=control.natural(transfer, t),
+        track=control.along(track, t),
         torque=np.array([sample.torque for sample in samples]),
         wheel_momentum=np.array([sample.momentum for sample in samples]),
         disturbances=environment.each(t, states[:, _Q]),
@@ -156,8 +157,8 @@ def _advance(
     state: np.ndarray,
     span: tuple[float, float],
     tolerance: float,
-) -> np.ndarray:
-    """The state at the end of a span, its quaternion of unit length."""
+) -> np.ndarray | None:
+    """The state at the end of a span, its quaternion of unit length; None where it is lost."""
     try:
         with np.errstate(over="raise", invalid="raise"):
             found = solve_ivp(
@@ -170,10 +171,40 @@ def _advance(
                 first_step=span[1] - span[0],
             )
     except ArithmeticError:
-        found = None
-    if found is None or not found.success:
-        rule = "torques turn the spacecraft too fast to be followed: lower gains or limits"
-        raise InputError("run", f"beyond {span[0]} s", rule)
+        return None
+    if not found.success:
+        return None
     after = found.y[:, -1]
     after[_Q] /= np.linalg.norm(after[_Q])
     return after
+
+
+@np.errstate(all="ignore")
+def _causes(
+    flight: Flight, environment: Environment, ramp: _Ramp, turning: np.ndarray
+) -> dict[str, float]:
+    """Sizes of the torques of a span at its beginning, N m, by what they come from.
+
+    Control counts with what the wheels ramp to; the wheels' first momentum with the gyroscopic
+    torque that it makes at the rates (3,) that are wanted, since those flown come of all torques.
+    """
+    q = ramp.now.state[_Q]
+    each = environment.each(np.array([ramp.begin]), q[None])
+    stored = float(np.linalg.norm(flight.wheels.momentum))
+    found = {
+        "control (lower gains or limits)": max(map(_size, (ramp.now.torque, ramp.then))),
+        "wheels.momentum": stored * _size(turning),
+        **{name.replace("_", " "): _size(torque) for name, torque in each.items()},
+    }
+    return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}
+
+
+def _size(torque: np.ndarray) -> float:
+    return float(np.linalg.norm(torque))
+
+
+def _too_fast(causes: dict[str, float], begin: float) -> InputError:
+    name = max(causes, key=causes.__getitem__)
+    told = f"the greatest, {causes[name]:.1e} N m, is that of {name}"
+    rule = f"torques turn the spacecraft too fast to be followed; {told}"
+    return InputError("run", f"beyond {begin} s", rule)

@@ -21,6 +21,7 @@ _SOURCES = {
 }
 
 
+@drawing.defaults()
 def attitude(run: Run) -> "Figure":
     """The natural motion's quaternion, thin and dashed, and the one flown, thick."""
     figure, axes = drawing.blank()
@@ -28,12 +29,13 @@ def attitude(run: Run) -> "Figure":
     names = tuple(f"$q_{k}$ flown" for k in range(4))
     drawing.lines(axes, run.t, run.q, names, colours, **drawing.FLOWN)
     names = tuple(f"$q_{k}$ natural" for k in range(4))
-    drawing.lines(axes, run.t, run.natural.q, names, colours, **drawing.WANTED)
+    drawing.lines(axes, run.t, run.track.q, names, colours, **drawing.WANTED)
     axes.set_ylabel("attitude, body to inertial")
     axes.set_ylim(-1.05, 1.05)
     return _finished(figure, axes, run)
 
 
+@drawing.defaults()
 def torques(run: Run) -> "Figure":
     """What the wheels exert on the body, by axis."""
     figure, axes = drawing.blank()
@@ -46,6 +48,7 @@ def torques(run: Run) -> "Figure":
     return _finished(figure, axes, run)
 
 
+@drawing.defaults()
 def disturbances(run: Run) -> "Figure":
     """Size of each disturbing torque."""
     figure, axes = drawing.blank()

@@ -20,8 +20,18 @@ from rigidsym.manoeuvre.flight.settings import (
 MOST_SAMPLES = 1_000_000
 LONGEST = 100_000
 "s: some seventeen orbits, over which the circular one stays what it is."
-# Beyond it the field of the Earth and its atmosphere are not what the models say.
-HIGHEST = 100_000.0
+SHORTEST = Fraction(1, 10**9)
+"s, of a flight and of a period of control: beyond any wheels."
+LOWEST, HIGHEST = 100.0, 100_000.0
+"""km: below, the air lets no circular orbit last; above, the field of the Earth and its atmosphere
+are not what the models say."""
+LEAST_RATE, MOST_RATE = 1e-12, 1e12
+"N m/s: with the first, a day makes 1e-7 N m, as little as what disturbs; the second is no limit."
+# Far beyond what flies: more is a slip of units.
+MOST_MOMENTUM = 1e6
+MOST_DIPOLE = 1e6
+MOST_DRAG = 100.0
+MOST_METRES = 1e3
 
 Reader = Callable[[str, Any], Any]
 
@@ -67,18 +77,30 @@ def _altitude(field: str, value: Any) -> float:
     altitude = _number(field, value)
     if altitude <= 0:
         raise InputError(field, value, "must be above the surface, km")
+    if altitude < LOWEST:
+        rule = f"must be at least {LOWEST:.0f} km: no circular orbit lasts below"
+        raise InputError(field, value, rule)
     if altitude > HIGHEST:
         raise InputError(field, value, f"must be at most {HIGHEST:.0f} km")
     return altitude
 
 
-def _triple(field: str, value: Any) -> tuple[float, ...]:
-    numbers = inputs.certain(field, inputs.vector(field, value, 3))
-    return tuple(inputs.doubles(field, numbers))
+def _triple(most: float, unit: str) -> Reader:
+    """A reader of three numbers, none of them larger than `most` either way."""
+
+    def reader(field: str, value: Any) -> tuple[float, ...]:
+        exact = inputs.certain(field, inputs.vector(field, value, 3))
+        numbers = tuple(inputs.doubles(field, exact))
+        for k, number in enumerate(numbers):
+            if abs(number) > most:
+                raise InputError(f"{field}[{k}]", number, f"must be at most {most:g} {unit}")
+        return numbers
+
+    return reader
 
 
 def _size(field: str, value: Any) -> tuple[float, ...]:
-    edges = _triple(field, value)
+    edges = _LENGTHS(field, value)
     for k, edge in enumerate(edges):
         if edge <= 0:
             raise InputError(f"{field}[{k}]", edge, "must be above zero")
@@ -94,13 +116,18 @@ def _switch(field: str, value: Any) -> bool:
 def _instant(field: str, value: Any) -> datetime:
     if not isinstance(value, datetime):
         raise InputError(field, repr(value), "must be a date and time, 2013-07-17T12:00:00Z")
-    return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
+    try:
+        return value.replace(tzinfo=UTC) if value.tzinfo is None else value.astimezone(UTC)
+    except OverflowError:
+        raise InputError(field, value.isoformat(), "must be in the years 1 to 9999, UTC") from None
 
 
 def _seconds(field: str, value: Any) -> Fraction:
     number = inputs.exact(field, value)
     if not 0 < number <= LONGEST:
         raise InputError(field, value, f"must be above zero, and at most {LONGEST} s")
+    if number < SHORTEST:
+        raise InputError(field, value, f"must be at least {float(SHORTEST):g} s")
     return number
 
 
@@ -127,6 +154,7 @@ def _check_samples(run: Timing) -> None:
 _ANY = float("inf")
 _ABOVE = _between(0, _ANY, "must be above zero", open_below=True)
 _NOT_NEGATIVE = _between(0, _ANY, "must not be negative")
+_LENGTHS = _triple(MOST_METRES, "m")
 _SHARE = _between(0, 1, "must be a share, from 0 to 1")
 _TURN = _between(-360, 360, "must be an angle in degrees, from -360 to 360")
 
@@ -145,9 +173,16 @@ _READERS: dict[str, tuple[type, dict[str, Reader]]] = {
         Wheels,
         {
             "max_torque": _ABOVE,
-            "max_torque_rate": _ABOVE,
-            "max_momentum": _ABOVE,
-            "momentum": _triple,
+            "max_torque_rate": _between(
+                LEAST_RATE, MOST_RATE, f"must be from {LEAST_RATE:g} to {MOST_RATE:g} N m/s"
+            ),
+            "max_momentum": _between(
+                0,
+                MOST_MOMENTUM,
+                f"must be above zero, and at most {MOST_MOMENTUM:g} N m s",
+                open_below=True,
+            ),
+            "momentum": _triple(MOST_MOMENTUM, "N m s"),
         },
     ),
     "controller": (
@@ -162,11 +197,11 @@ _READERS: dict[str, tuple[type, dict[str, Reader]]] = {
         Spacecraft,
         {
             "size": _size,
-            "offset": _triple,
-            "drag_coefficient": _NOT_NEGATIVE,
+            "offset": _LENGTHS,
+            "drag_coefficient": _between(0, MOST_DRAG, f"must be from 0 to {MOST_DRAG:g}"),
             "specular": _SHARE,
             "diffuse": _SHARE,
-            "dipole": _triple,
+            "dipole": _triple(MOST_DIPOLE, "A m^2"),
         },
     ),
     "disturbances": (Disturbances, dict.fromkeys(Disturbances.__slots__, _switch)),

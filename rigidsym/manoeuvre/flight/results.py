@@ -8,27 +8,45 @@ from datetime import datetime
 from fractions import Fraction
 from math import radians
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
+from rigidsym.errors import InputError
 from rigidsym.export import Track, aem
-from rigidsym.files import write_bytes, write_text
+from rigidsym.files import write_bytes
 from rigidsym.manoeuvre import drawing
 from rigidsym.manoeuvre.flight import pictures
-from rigidsym.manoeuvre.flight.control import Transfer
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
 from rigidsym.manoeuvre.flight.words import checks, rows
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.motion import TorqueFreeMotion
 
 SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972
+_MESSAGE = "attitude.aem"
+_FRAME = "GCRF"
+"The geocentric celestial frame, in which the sky is, by its name in CCSDS's registry (SANA)."
 _PICTURES = {
     "attitude": pictures.attitude,
     "torques": pictures.torques,
     "disturbances": pictures.disturbances,
 }
+
+
+class Natural(Protocol):
+    """A track that is a natural motion."""
+
+    @property
+    def duration(self) -> float:
+        """From the start to the target, s."""
+        ...
+
+    @property
+    def motion(self) -> TorqueFreeMotion:
+        """From the start, with the rates after the first burst."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +55,7 @@ class Tracked:
 
     manoeuvre: Manoeuvre
     flight: Flight
-    transfer: Transfer
+    transfer: Natural
     run: Run
 
     def summary(self) -> dict[str, Any]:
@@ -47,7 +65,7 @@ class Tracked:
             "schema": SCHEMA,
             "transfer": {
                 "duration": run.arrival,
-                "omega0": run.natural.omega[0].tolist(),
+                "omega0": run.track.omega[0].tolist(),
                 "omega1": self.transfer.motion(run.arrival)[1].tolist(),
                 "regime": str(self.transfer.motion.regime),
             },
@@ -75,12 +93,17 @@ class Tracked:
 
     def rows(self) -> list[tuple[str, str]]:
         """What a reader wants to know first."""
-        return [*rows(self.run, self.flight.run.settled), *checks(self.run)]
+        return [*self._told(), *checks(self.run)]
+
+    def _told(self) -> list[tuple[str, str]]:
+        told = rows(self.run, self.flight.run.settled)
+        nothing = ("start equals target", "nothing to do: the target is held")
+        return [nothing, *told] if self.manoeuvre.trivial else told
 
     def _repr_html_(self) -> str:
         from rigidsym.display.flights import tracked_html
 
-        return tracked_html(self, rows(self.run, self.flight.run.settled))
+        return tracked_html(self, self._told())
 
     def to_npz(self) -> bytes:
         """float64 arrays, a row for each sample; names as those of `Run`."""
@@ -91,8 +114,8 @@ class Tracked:
             "omega": run.omega,
             "reference_q": run.reference.q,
             "reference_omega": run.reference.omega,
-            "natural_q": run.natural.q,
-            "natural_omega": run.natural.omega,
+            "natural_q": run.track.q,
+            "natural_omega": run.track.omega,
             "error": run.error,
             "torque": run.torque,
             "wheel_momentum": run.wheel_momentum,
@@ -107,24 +130,50 @@ class Tracked:
     def to_aem(self) -> str:
         """What was flown as a CCSDS attitude ephemeris message, in UTC from the orbit's epoch.
 
-        Raises InputError for epochs before 1972, when seconds of UTC had other lengths.
+        Raises InputError for epochs before 1972, when seconds of UTC had other lengths, and for
+        flights beyond the year 9999.
         """
         run, epoch = self.run, self.flight.orbit.epoch.replace(tzinfo=None).isoformat()
         track = Track(run.t, run.q, run.omega)
-        return aem(track, epoch, object_name="UNKNOWN", object_id="UNKNOWN", originator="RIGIDSYM")
+        return aem(
+            track,
+            epoch,
+            object_name="UNKNOWN",
+            object_id="UNKNOWN",
+            originator="RIGIDSYM",
+            ref_frame_a=_FRAME,
+        )
 
-    def write(self, directory: Path) -> list[Path]:
-        """run.npz, summary.json, pictures and, from 1972 on, attitude.aem.
+    def contents(self) -> dict[str, bytes]:
+        """By file name: run.npz, from 1972 on attitude.aem, pictures, summary.json.
 
-        Raises InputError where that fails.
+        Raises InputError as `to_aem` does.
         """
-        written = [write_bytes(directory / "run.npz", self.to_npz())]
+        found = {"run.npz": self.to_npz()}
         if self.flight.orbit.epoch.year >= _UTC_BEGINS:
-            written.append(write_text(directory / "attitude.aem", self.to_aem()))
+            found[_MESSAGE] = self.to_aem().encode()
         for name, draw in _PICTURES.items():
             for suffix, data in drawing.rendered(draw(self.run)).items():
-                written.append(write_bytes(directory / f"{name}.{suffix}", data))
-        return [*written, write_text(directory / "summary.json", self.to_json())]
+                found[f"{name}.{suffix}"] = data
+        return found | {"summary.json": self.to_json().encode()}
+
+    def write(self, directory: Path) -> list[Path]:
+        """Write `contents`, all of them made before the first; raises InputError.
+
+        An attitude.aem of an earlier flight is removed where this one has none: beside the other
+        files it would be taken for this flight's.
+        """
+        contents = self.contents()
+        if _MESSAGE not in contents:
+            _remove(directory / _MESSAGE)
+        return [write_bytes(directory / name, data) for name, data in contents.items()]
+
+
+def _remove(path: Path) -> None:
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError("output", path, f"cannot be removed: {error.strerror}") from None
 
 
 def _plain(value: Any) -> Any:

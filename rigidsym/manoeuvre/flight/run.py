@@ -16,7 +16,7 @@ class Run:
     inertia: np.ndarray
     "Principal moments (3,)."
     arrival: float
-    "When the target takes the natural motion's place as what is followed, s."
+    "When the target takes the track's place as what is followed, s."
     t: np.ndarray
     "(N,)."
     q: np.ndarray
@@ -24,9 +24,9 @@ class Run:
     omega: np.ndarray
     "Body rates flown (N, 3)."
     reference: Reference
-    "What was to be followed: natural motion, then target."
-    natural: Reference
-    "The natural motion all along."
+    "What was to be followed: the track, then the target."
+    track: Reference
+    "The track all along, on beyond its arrival: that of a transfer is its natural motion."
     torque: np.ndarray
     "Of the wheels on the body (N, 3); straight lines between the samples."
     wheel_momentum: np.ndarray
@@ -58,7 +58,7 @@ class Run:
         return float(np.max(np.abs(energy - energy[0] - self.work)))
 
     def tracking(self) -> dict[str, float]:
-        """Greatest, mean square and last angle of error until arrival, rad."""
+        """Greatest, root mean square and last angle of error until arrival, rad."""
         error = self.error[self.t < self.arrival]
         rms = float(np.sqrt(np.mean(error**2)))
         return {"max": float(np.max(error)), "rms": rms, "last": float(error[-1])}

@@ -34,7 +34,7 @@ class Wheels:
     max_torque: float = 1e-3
     "N m (paper)."
     max_torque_rate: float = 1e-2
-    "N m/s (paper)."
+    "N m/s (paper); files may have from 1e-12 to 1e12."
     max_momentum: float | None = None
     "N m s that a wheel can store; None: no limit (the paper gives none)."
     momentum: Triple = (0.0, 0.0, 0.0)

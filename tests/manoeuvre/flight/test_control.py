@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from manoeuvre_flights import known
 
-from rigidsym.manoeuvre.flight.control import command, natural, reference
+from rigidsym.manoeuvre.flight.control import along, command, reference
 from rigidsym.manoeuvre.flight.rotation import angle, cross, matrix, relative
 from rigidsym.manoeuvre.flight.settings import Controller
 
@@ -58,7 +58,7 @@ def test_the_target_follows_without_a_jump():
     wanted = reference(asked, transfer, t)
     assert np.max(np.abs(np.diff(wanted.q, axis=0))) < 2e-3
     assert np.all(wanted.omega[t >= 300] == 0)
-    np.testing.assert_array_equal(wanted.q[t < 300], natural(transfer, t).q[t < 300])
+    np.testing.assert_array_equal(wanted.q[t < 300], along(transfer, t).q[t < 300])
 
 
 @pytest.mark.parametrize("sign", [1, -1])

@@ -42,7 +42,7 @@ def test_with_feedforward_wheels_that_turn_are_not_felt():
 
 def test_the_momentum_changes_by_the_disturbances_alone(paper_like):
     run = paper_like
-    size = np.linalg.norm(run.inertia * run.natural.omega[0])
+    size = np.linalg.norm(run.inertia * run.track.omega[0])
     assert np.linalg.norm(run.impulse[-1]) > 1e-3 * size
     assert run.momentum_defect() < 1e-10 * size
     assert run.energy_defect() < 1e-10 * size * 0.02
@@ -174,5 +174,22 @@ def test_what_cannot_be_followed_is_refused():
     asked, transfer = known()
     wheels = {"max_torque": 1e300, "max_torque_rate": 1e305}
     settings = short(5, wheels=wheels, controller={"natural_frequency": 1e150})
-    with pytest.raises(InputError, match=r"run = beyond \S+ s: torques turn the spacecraft too"):
+    with pytest.raises(InputError, match=r"run = beyond \S+ s: torques .* control \(lower gains"):
         fly(asked, settings, transfer)
+
+
+@pytest.mark.parametrize(
+    ("settings", "name"),
+    [
+        ({"orbit": {"altitude": 50.0}}, "drag"),
+        ({"spacecraft": {"drag_coefficient": 1e300}}, "drag"),
+        ({"spacecraft": {"dipole": (1e308, 0.0, 0.0)}}, "dipole"),
+        ({"wheels": {"momentum": (1e200, 0.0, 0.0)}}, "wheels.momentum"),
+    ],
+)
+def test_what_turns_the_spacecraft_too_fast_is_named(settings, name):
+    asked, transfer = known()
+    with pytest.raises(InputError) as refused:
+        fly(asked, short(5, **settings), transfer)
+    assert str(refused.value).startswith("run = beyond ")
+    assert str(refused.value).endswith(f" N m, is that of {name}")

@@ -3,14 +3,18 @@
 import io
 import json
 import zipfile
+from dataclasses import replace
+from datetime import UTC, datetime
 
 import numpy as np
 import pytest
-from manoeuvre_flights import NOTHING, known, short
+from manoeuvre_flights import INERTIA, NOTHING, known, short
 
+from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
 from rigidsym.manoeuvre.flight.results import Tracked
 from rigidsym.manoeuvre.flight.rotation import angle
+from rigidsym.manoeuvre.manoeuvre import manoeuvre
 
 
 def tracked(length=40, **parts):
@@ -56,6 +60,7 @@ def test_the_message(found):
     """Line by line: q1 q2 q3 qc at the times that were flown, from the orbit's epoch on."""
     lines = found.to_aem().splitlines()
     assert "START_TIME = 2013-07-17T12:00:00.000" in lines
+    assert "REF_FRAME_A = GCRF" in lines
     rows = [line.split() for line in lines if line.startswith("2013-")]
     assert len(rows) == len(found.run.t)
     read = np.array([row[1:5] for row in rows], dtype=float)
@@ -95,3 +100,37 @@ def test_a_flight_without_disturbances(tmp_path):
     flown = tracked(5, disturbances=NOTHING)
     assert flown.write(tmp_path)
     assert json.loads(flown.to_json())["disturbance_peak"] == {}
+
+
+def at(found, *date):
+    """The same flight at another epoch."""
+    orbit = replace(found.flight.orbit, epoch=datetime(*date, tzinfo=UTC))
+    return replace(found, flight=replace(found.flight, orbit=orbit))
+
+
+def test_what_cannot_be_written_leaves_nothing(found, tmp_path):
+    with pytest.raises(InputError, match="1972 to 9999"):
+        at(found, 9999, 12, 31, 23, 59, 59).write(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_no_message_of_another_flight_is_left(found, tmp_path):
+    found.write(tmp_path)
+    written = at(found, 1971, 12, 31).write(tmp_path)
+    assert set(tmp_path.iterdir()) == set(written)
+    assert tmp_path / "attitude.aem" not in written
+
+
+@pytest.mark.parametrize(
+    ("target", "spin", "trivial"),
+    [
+        ((-2, 0, 0, 0), (0, 0, 0), True),
+        ((1, 0, 0, "1e-9"), (0, 0, 0), False),
+        ((1, 0, 0, 0), (0, "1e-9", 0), False),
+    ],
+)
+def test_nothing_to_do_is_told(found, target, spin, trivial):
+    asked = manoeuvre(INERTIA, (1, 0, 0, 0), target, 10, target_spin=spin)
+    flown = replace(found, manoeuvre=asked)
+    assert flown.manoeuvre.trivial == trivial
+    assert ("start equals target" in dict(flown.rows())) == trivial

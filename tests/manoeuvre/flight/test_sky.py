@@ -73,6 +73,13 @@ def test_a_ring_of_the_sun_is_seen_from_afar():
     assert sunlit([-far, 0.0, 0.0], SUN) == pytest.approx(share)
 
 
+@pytest.mark.parametrize(("side", "share"), [(1, 1.0), (-1, 0.0)])
+def test_on_the_surface_there_is_day_and_night(side, share):
+    """Also where rounding puts the position below it."""
+    position = [side * np.nextafter(RADIUS, 0), 0.0, 0.0]
+    assert sunlit(position, SUN) == share
+
+
 def test_the_sun_of_the_almanac():
     """Meeus, Astronomical Algorithms, example 25.b, but for seven years of precession."""
     (found,) = sky.sun_position(datetime(1992, 10, 13, tzinfo=UTC), np.array([0.0]))

@@ -3,6 +3,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from rigidsym.manoeuvre.flight.reading import (
+    LEAST_RATE,
+    LONGEST,
+    MOST_MOMENTUM,
+    MOST_RATE,
+    SHORTEST,
+)
 from rigidsym.manoeuvre.flight.settings import Wheels
 from rigidsym.manoeuvre.flight.wheels import next_torque
 
@@ -40,3 +47,13 @@ def test_a_wheel_can_be_filled():
         torque = then
     np.testing.assert_allclose(momentum, 2e-4, rtol=0.01)
     np.testing.assert_allclose(torque, 0, atol=1e-7)
+
+
+@pytest.mark.parametrize("period", [float(SHORTEST), LONGEST])
+@pytest.mark.parametrize("most", [5e-324, 1.0, MOST_MOMENTUM])
+@pytest.mark.parametrize("rate", [LEAST_RATE, MOST_RATE])
+def test_what_files_may_ask_for_can_be_computed(rate, most, period):
+    wheels = Wheels(max_torque_rate=rate, max_momentum=most)
+    with np.errstate(over="raise", invalid="raise", divide="raise"):
+        told = next_torque(wheels, np.zeros(3), np.zeros(3), np.array([1.0, 0, -1.0]), period)
+    assert np.all(np.abs(told) <= wheels.max_torque)
