@@ -28,7 +28,7 @@ pytestmark = [
 ]
 ROOT = Path(__file__).parents[2]
 # What is opened of the notebooks that are there; a sample is opened in any case.
-STEMS = ("04_no_sign_functions", "05_edges", "10_a_manoeuvre_from_start_to_stop")
+STEMS = ("05_edges", "10_a_manoeuvre_from_start_to_stop")
 SAMPLE = "sample"
 SETTINGS = {
     # The question whether news are wanted would lie over the page.
