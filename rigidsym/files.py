@@ -50,6 +50,14 @@ def write_bytes(path: Path, data: bytes) -> Path:
     return path
 
 
+def remove(path: Path) -> None:
+    """Take away a file that may be there; raises InputError where that fails."""
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise InputError("output", path, f"cannot be removed: {error.strerror}") from None
+
+
 def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)

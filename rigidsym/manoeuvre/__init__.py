@@ -3,7 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rigidsym.manoeuvre.packages import require
+from rigidsym.packages import require
 
 if TYPE_CHECKING:
     from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre

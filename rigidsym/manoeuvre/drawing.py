@@ -8,17 +8,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.manoeuvre.packages import require
+from rigidsym.packages import require
 from rigidsym.pictures import flat
 from rigidsym.pictures.flat import defaults
+from rigidsym.pictures.plot import AXES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 require("drawing", "matplotlib")
 
-# Okabe and Ito's colours, told apart by all readers: the axes 1, 2, 3, and a scalar part.
-AXES = ("#0072b2", "#d55e00", "#009e73")
+# Of a scalar part, beside the colours of the axes 1, 2, 3.
 SCALAR = "#555555"
 FLOWN: dict[str, Any] = {"linewidth": 2.0}
 WANTED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from rigidsym.manoeuvre.problem import Problem
+from rigidsym.manoeuvre.problem import IDENTITY, Problem
 from rigidsym.manoeuvre.transit import phases
 
 
@@ -25,7 +25,7 @@ def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
     times = np.concatenate([times, np.ones((len(rates), 1))], axis=1)
     times = np.where((times > 0) & (times < 1), times, 1.0)
     _, later = problem.engine.propagate(
-        problem.inertia, rates[:, None] * times[..., None], (1.0, 0.0, 0.0, 0.0), np.ones(1)
+        problem.inertia, rates[:, None] * times[..., None], IDENTITY, np.ones(1)
     )
     reached = np.linalg.norm(later[..., 0, :], axis=-1) / times
     return np.maximum(np.linalg.norm(rates, axis=1), reached.max(axis=1))

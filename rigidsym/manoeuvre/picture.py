@@ -8,21 +8,17 @@ import numpy as np
 from rigidsym.engines import engine
 from rigidsym.manoeuvre.directions import Arcs, arcs, is_symmetry
 from rigidsym.manoeuvre.problem import Problem, problem
-from rigidsym.pictures.geometry import great_circles, moments, momentum, polhode, separatrix
+from rigidsym.pictures.geometry import moments, momentum, polhode, separatrix
 from rigidsym.pictures.scene import (
     GREY,
-    GRID,
-    ball,
     body_axes,
     curves,
     dot,
     figure,
     line,
     plotly,
-    sketch,
-    skin,
 )
-from rigidsym.pictures.sphere import SEPARATRIX
+from rigidsym.pictures.sphere import SEPARATRIX, globe
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -47,8 +43,7 @@ def directions_of(plan: "Plan") -> "Figure":
     go = plotly("directions_of")
     asked = plan.manoeuvre
     posed = problem(asked.inertia, asked.start, asked.target, engine("numpy"))
-    traces = [skin(go, 0.985 * ball(19, 37), GREY, 0.18)]
-    traces.append(sketch(go, curves(great_circles(1.0)), "sphere", GRID, 1, showlegend=False))
+    traces = globe(go, 1.0)
     circles = separatrix(asked.inertia, 1.0)
     if circles:
         traces.append(line(go, curves(circles), "separatrix", SEPARATRIX, 2))

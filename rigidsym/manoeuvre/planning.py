@@ -9,7 +9,7 @@ import numpy as np
 
 from rigidsym import engines, inputs
 from rigidsym.errors import InputError, PrecisionError
-from rigidsym.files import write_text
+from rigidsym.files import remove, write_text
 from rigidsym.manoeuvre.burns import burns
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
@@ -92,7 +92,7 @@ class Plan:
         paths = [write_text(directory / name, text) for name, text in texts.items()]
         for path in directory.glob("transfer-*.toml"):
             if path.name not in texts:
-                path.unlink()
+                remove(path)
         return [write_text(directory / "plan.json", self.to_json()), *paths]
 
     def to_json(self) -> str:

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from rigidsym.packages import package
 from rigidsym.pictures.geometry import rounded
-from rigidsym.pictures.packages import package
 
 GREY, GRID, FAINT = "#808080", "#a6a6a6", "rgba(128,128,128,0.25)"
 AXIS_COLOURS = ("#1f83c4", "#e0682a", "#139a6f")

@@ -48,8 +48,7 @@ def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
     size = float(np.linalg.norm(momentum(motion)))
     if not size:
         raise InputError("omega0", "zero", "a body at rest has no momentum sphere")
-    traces = [skin(go, 0.985 * size * ball(19, 37), GREY, 0.18)]
-    traces.append(sketch(go, curves(great_circles(size)), "sphere", GRID, 1, showlegend=False))
+    traces = globe(go, size)
     traces += _family(go, motion, size, family)
     circles = separatrix(motion.exact["inertia"], size)
     if circles:
@@ -58,6 +57,12 @@ def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
     labels = [f"M{k} (kg m²/s)" for k in "₁₂₃"]
     title = f"Momentum sphere, |M| = {size:.4g} kg m²/s"
     return figure(traces, title, labels, 1.15 * size)
+
+
+def globe(go: Any, radius: float) -> list[Any]:
+    """A sphere with its great circles, which what is drawn on it stands out from."""
+    circles = sketch(go, curves(great_circles(radius)), "sphere", GRID, 1, showlegend=False)
+    return [skin(go, 0.985 * radius * ball(19, 37), GREY, 0.18), circles]
 
 
 def _family(go: Any, motion: TorqueFreeMotion, size: float, count: int) -> Iterator[Any]:

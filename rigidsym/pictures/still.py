@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.pictures.packages import package
+from rigidsym.packages import package
 
 SIZE, DPI = (6.6, 5.4), 90
 GREY = "#808080"

@@ -12,9 +12,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from rigidsym.errors import InputError
 from rigidsym.export import Track, aem
-from rigidsym.files import write_bytes
+from rigidsym.files import remove, write_bytes
 from rigidsym.manoeuvre import drawing
 from rigidsym.manoeuvre.flight import pictures
 from rigidsym.manoeuvre.flight.run import Run
@@ -165,15 +164,8 @@ class Tracked:
         """
         contents = self.contents()
         if _MESSAGE not in contents:
-            _remove(directory / _MESSAGE)
+            remove(directory / _MESSAGE)
         return [write_bytes(directory / name, data) for name, data in contents.items()]
-
-
-def _remove(path: Path) -> None:
-    try:
-        path.unlink(missing_ok=True)
-    except OSError as error:
-        raise InputError("output", path, f"cannot be removed: {error.strerror}") from None
 
 
 def _plain(value: Any) -> Any:
