@@ -9,7 +9,7 @@ from typing import Any
 
 from rigidsym import inputs, toml_file
 from rigidsym.display.motions import case_html
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, written
 from rigidsym.files import read_text
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
 
@@ -66,6 +66,6 @@ def _grid(table: Mapping[str, Any]) -> tuple[Fraction, ...]:
     whole = isinstance(count, int) and not isinstance(count, bool)
     if not whole or not 1 <= count <= inputs.MOST_TIMES:
         rule = f"must be a whole number, at least 1 and at most {inputs.MOST_TIMES}"
-        raise InputError("times.count", repr(count), rule)
+        raise InputError("times.count", written(count, repr), rule)
     step = (stop - start) / max(count - 1, 1)
     return tuple(start + k * step for k in range(count))

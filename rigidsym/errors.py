@@ -1,15 +1,30 @@
 """What users get to see when something cannot be done: always one line."""
 
+from collections.abc import Callable
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
+from numbers import Rational
 from typing import Any
 
 _LONGEST = 120
+_SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
+
+
+def written(value: Any, write: Callable[[Any], str] = str) -> str:
+    """A value as text, by a dozen digits where Python would not write a number that long."""
+    try:
+        return write(value)
+    except ValueError:  # int to str stops at 4300 digits
+        if not isinstance(value, Rational):
+            return f"{type(value).__name__} with a number of more than 4300 digits"
+        parts = (Decimal(int(part)) for part in (value.numerator, value.denominator))
+        return str(_SHORT.normalize(_SHORT.divide(*parts)))
 
 
 class InputError(ValueError):
     """One line: the field, the value it has, and the rule that the value breaks."""
 
     def __init__(self, field: str, value: Any, rule: str) -> None:
-        shown = str(value).replace("\n", "\\n")
+        shown = written(value).replace("\n", "\\n")
         if len(shown) > _LONGEST:
             shown = f"{shown[:_LONGEST]}..."
         super().__init__(f"{field} = {shown}: {rule}")

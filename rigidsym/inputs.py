@@ -9,12 +9,12 @@ import operator
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from numbers import Rational, Real
 from typing import Any
 
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, written
 
 _HEX = re.compile(r"[+-]?0[xX]")
 # Room for the rounding of c1 + c2 when all three are doubles.
@@ -22,6 +22,8 @@ _ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
 _SHORT = 30
+# Python reads and writes whole numbers of so many digits.
+_INT_DIGITS = 4300
 MOST_DIGITS = 100_000
 MOST_TIMES = 10_000_000
 
@@ -52,10 +54,12 @@ def number(field: str, value: Any) -> "Fraction | Uncertain":
     if len(parts) == 1:
         return exact(field, value)
     if len(parts) != 2:
-        raise InputError(field, repr(value), "must be one number and, after +/-, its radius")
+        raise InputError(
+            field, written(value, repr), "must be one number and, after +/-, its radius"
+        )
     middle, radius = (exact(field, part) for part in (parts[0] or "0", parts[1]))
     if radius < 0:
-        raise InputError(field, repr(value), "must not have a negative radius")
+        raise InputError(field, written(value, repr), "must not have a negative radius")
     return Uncertain(middle, radius) if radius else middle
 
 
@@ -85,7 +89,7 @@ def exact(field: str, value: Any) -> Fraction:
         if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
             raise InputError(field, value, "must be finite")
         return Fraction(*value.as_integer_ratio())  # type: ignore[union-attr]
-    raise InputError(field, repr(value), "must be a number")
+    raise InputError(field, written(value, repr), "must be a number")
 
 
 def _exact_mpf(field: str, value: Any) -> Fraction:
@@ -97,14 +101,20 @@ def _exact_mpf(field: str, value: Any) -> Fraction:
 
 def _exact_text(field: str, text: str) -> Fraction:
     exponent = re.search(r"[eE]([+-]?\d+)\s*$", text)
-    if exponent and not _HEX.match(text) and abs(int(exponent[1])) > _LARGEST_EXPONENT:
-        raise InputError(field, repr(text), f"exponents go up to {_LARGEST_EXPONENT}")
+    if exponent and not _HEX.match(text) and abs(Decimal(exponent[1])) > _LARGEST_EXPONENT:
+        raise InputError(field, written(text, repr), f"exponents go up to {_LARGEST_EXPONENT}")
     try:
         if _HEX.match(text.strip()):
             return Fraction(float.fromhex(text))
-        return Fraction(text)
-    except (ValueError, OverflowError, ZeroDivisionError):
-        raise InputError(field, repr(text), "must be a finite decimal number") from None
+        return Fraction(text) if len(text) <= _INT_DIGITS else _long_text(text)
+    except (InvalidOperation, ValueError, OverflowError, ZeroDivisionError):
+        raise InputError(field, written(text, repr), "must be a finite decimal number") from None
+
+
+def _long_text(text: str) -> Fraction:
+    """The same without int(), which reads no more than 4300 digits."""
+    top, slash, bottom = text.partition("/")
+    return Fraction(Decimal(top)) / (Fraction(Decimal(bottom)) if slash else 1)
 
 
 def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain, ...]":
@@ -118,7 +128,7 @@ def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain,
 def sequence(field: str, values: Any) -> Sequence[Any]:
     """The items of a list, tuple or one-dimensional array; raises InputError for anything else."""
     if isinstance(values, str) or not isinstance(values, Iterable):
-        raise InputError(field, repr(values), "must be a list of numbers")
+        raise InputError(field, written(values, repr), "must be a list of numbers")
     return list(values)
 
 
@@ -180,7 +190,7 @@ def whole(field: str, value: Any, most: int) -> int:
         count = 0
     if not 1 <= count <= most:
         raise InputError(
-            field, repr(value), f"must be a whole number, at least 1 and at most {most}"
+            field, written(value, repr), f"must be a whole number, at least 1 and at most {most}"
         )
     return count
 
@@ -222,4 +232,7 @@ def exact_text(value: Fraction) -> str:
     if Fraction(short) == value:
         return short
     nearest = float(value) if abs(value) < 2**1023 else 0.0
-    return nearest.hex() if Fraction(nearest) == value else str(value)
+    if Fraction(nearest) == value:
+        return nearest.hex()
+    # Decimals, because Python writes no whole number of more than 4300 digits.
+    return f"{Decimal(value.numerator)}/{Decimal(value.denominator)}"

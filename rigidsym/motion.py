@@ -9,15 +9,17 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import numpy as np
 
 from rigidsym import engines, inputs
-from rigidsym.errors import InputError
+from rigidsym.errors import InputError, written
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from rigidsym.precise import PreciseMotion
+    from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.solution.polhode import Regime
 
 IDENTITY = (1, 0, 0, 0)
+_OF_THIS_PROCESS = ("_plan", "_engine", "_precise", "_boxed")
 
 
 class TorqueFreeMotion:
@@ -90,7 +92,7 @@ class TorqueFreeMotion:
     def __getstate__(self) -> dict[str, Any]:
         """Without what belongs to this process."""
         kept = self.__dict__.items()
-        return {name: value for name, value in kept if name not in ("_plan", "_engine", "_precise")}
+        return {name: value for name, value in kept if name not in _OF_THIS_PROCESS}
 
     @cached_property
     def exact(self) -> dict[str, tuple[Fraction, ...]]:
@@ -153,17 +155,30 @@ class TorqueFreeMotion:
         """Like a call, as object arrays of Arb's balls (`flint.arb`) that contain the true values.
 
         Radii are at most 10^-digits max(1, |value|) where the inputs are exact, and what the
-        inputs leave uncertain where they are not (carlson, the default then, leaves least);
-        uncertain inputs that reach across a boundary between regimes raise InputError, which
-        names it.  Else as `precise`.
+        inputs leave uncertain where they are not.  Uncertain inputs also have the method `flow`,
+        which carries the equations of motion over their box whatever the regimes in it; by
+        default it meets carlson's formulas, where these hold for the whole box.  When even the
+        flow has lost the attitude, its balls are [-1, 1], and rates keep to energy and momentum.
+        The other methods raise InputError for boxes across a boundary between regimes, which
+        they name.  Else as `precise`.
         """
         times, single = inputs.times(t)
-        if method is None:
-            wide = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
-            method = "carlson" if wide else "theta"
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
-        states = self._by(method, **self._given).enclosures(times, *limits)
-        return _objects(states, single)
+        return _objects(self._enclosing(method)(times, *limits), single)
+
+    def _enclosing(self, method: str | None) -> Callable[..., Iterable[Any]]:
+        uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
+        if method == "flow" and not uncertain:
+            raise InputError("method", method, "is for uncertain inputs, and these are exact")
+        if uncertain and method in (None, "flow"):
+            return self._boxed.flows if method else self._boxed.enclosures
+        return self._by(method or "theta", **self._given).enclosures
+
+    @cached_property
+    def _boxed(self) -> "BoxedMotion":
+        from rigidsym.precise.boxed import BoxedMotion
+
+        return BoxedMotion(*self._given.values())
 
     def rotation(self, t: Any) -> Any:
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
@@ -260,7 +275,7 @@ def _array(name: str, value: Any) -> np.ndarray:
             raise TypeError(given.dtype)
         array = given.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
-        raise InputError(name, repr(value), "must be an array of numbers") from None
+        raise InputError(name, written(value, repr), "must be an array of numbers") from None
     # The extremes tell, without another array of that size; NaN comes through both.
     if array.size and not np.isfinite([np.min(array), np.max(array)]).all():
         _refuse(name, array, np.argwhere(~np.isfinite(array))[0], "must be finite")

@@ -47,6 +47,9 @@ def argument(sn: arb, cn: arb, dn: arb) -> arb:
 class Functions(ABC):
     """The functions of formulas, by one method; what was evaluated last is kept."""
 
+    # Up to here a state takes some tenths of a second.
+    quick_bits = 2**13
+
     def __init__(self) -> None:
         self._last: dict[Any, Any] = {}
 

@@ -15,7 +15,7 @@ from typing import Any
 from flint import arb, ctx, fmpq
 from mpmath import mp
 
-from rigidsym.inputs import Uncertain
+from rigidsym.inputs import Uncertain, is_uncertain
 
 _lock = RLock()
 BITS_PER_DIGIT = log2(10)
@@ -52,6 +52,17 @@ def ball(value: Any) -> arb:
     if isinstance(value, Fraction):
         return arb(fmpq(value.numerator, value.denominator))
     return arb(value)
+
+
+def difference(x: Any, y: Any) -> arb:
+    """x - y; exactly zero where exact numbers agree."""
+    return ball(x) - ball(y) if is_uncertain(x, y) else ball(x - y)
+
+
+def dyadic(value: Any) -> Fraction:
+    """The rational that the middle of a ball is."""
+    mantissa, exponent = map(int, value.mid().man_exp())
+    return mantissa * Fraction(2) ** exponent
 
 
 def power(x: Any, exponent: int) -> Any:

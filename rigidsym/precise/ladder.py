@@ -2,68 +2,74 @@
 
 from bisect import bisect
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from time import perf_counter
 
 from flint import arb
 
 from rigidsym.errors import PrecisionError
 from rigidsym.precise.balls import bits_of, working
-from rigidsym.precise.evaluation import Evaluation
 
 GUARD_BITS = 40
 MOST_ROUNDS = 24
 # Where time is limited precision rises from here, so that something is known when it is over.
 FIRST_BITS = 256
 # Uncertain inputs that say nothing at this precision, or at that of the digits, never do.
-MOST_BITS = 2**14
+MOST_BITS = 2**12
+
+
+# Of so many bits and, where there is a limit, before the clock says so much; else TimeoutError.
+Numbers = Callable[[int, float | None], list[arb]]
+
+
+class TooUncertainError(PrecisionError):
+    """The formulas say nothing at any precision."""
 
 
 class Ladder:
     """Working precisions that rise until balls are small enough."""
 
     def __init__(
-        self,
-        evaluation: Callable[[int], Evaluation],
-        digits: int,
-        enough: Callable[[arb, int], bool],
-        max_seconds: float | None,
+        self, digits: int, enough: Callable[[arb, int], bool], max_seconds: float | None
     ) -> None:
-        self.evaluation, self.digits, self.enough = evaluation, digits, enough
+        self.digits, self.enough = digits, enough
         self.end = None if max_seconds is None else perf_counter() + max_seconds
         whole = bits_of(digits) + GUARD_BITS
         self.bits = whole if self.end is None else min(whole, FIRST_BITS)
 
-    def read(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
+    def read(self, numbers: Numbers, what: str) -> list[arb]:
         """The numbers, at the first precision at which all have enough digits."""
         found = [arb.nan()]
-        for _ in range(MOST_ROUNDS):
-            if self._is_over():
-                break
-            with working(self.bits):
-                found = numbers(self.evaluation(self.bits))
-                missing = max(self._missing(value) for value in found)
-            if not missing:
-                return found
-            needed = self.bits + missing + GUARD_BITS // 2
-            self.bits = needed if self.end is None else min(needed, 4 * self.bits)
+        with suppress(TimeoutError):
+            for _ in range(MOST_ROUNDS):
+                self.check()
+                found = numbers(self.bits, self.end)
+                with working(self.bits):
+                    missing = max(self._missing(value) for value in found)
+                if not missing:
+                    return found
+                needed = self.bits + missing + GUARD_BITS // 2
+                self.bits = needed if self.end is None else min(needed, 4 * self.bits)
         raise PrecisionError(f"{what}: {self._reached(found)} of {self.digits} digits were reached")
 
-    def read_uncertain(self, numbers: Callable[[Evaluation], list[arb]], what: str) -> list[arb]:
+    def read_uncertain(self, numbers: Numbers, what: str) -> list[arb]:
         """The numbers, when twice the precision does not make the balls smaller any more."""
         widest, most = None, max(MOST_BITS, 2 * self.bits)
-        while self.bits <= most and not self._is_over():
-            with working(self.bits):
-                found = numbers(self.evaluation(self.bits))
-            if all(value.is_finite() for value in found):
-                radius = max(float(value.rad()) for value in found)
-                if widest is not None and radius >= widest / 2:
-                    self.bits //= 2  # for the next time: this was enough
-                    return found
-                widest = radius
-            self.bits *= 2
-        if widest is not None:
-            raise PrecisionError(f"{what}: a radius of {widest:.2g} was reached")
-        raise PrecisionError(f"{what}: the inputs are too uncertain to say anything")
+        with suppress(TimeoutError):
+            while self.bits <= most:
+                self.check()
+                found = numbers(self.bits, self.end)
+                if all(value.is_finite() for value in found):
+                    radius = max(float(value.rad()) for value in found)
+                    if widest is not None and radius >= widest / 2:
+                        self.bits //= 2  # for the next time: this was enough
+                        return found
+                    widest = radius
+                self.bits *= 2
+            if widest is None:
+                raise TooUncertainError(f"{what}: the inputs are too uncertain to say anything")
+        known = "nothing was reached" if widest is None else f"a radius of {widest:.2g} was reached"
+        raise PrecisionError(f"{what}: {known}")
 
     def _reached(self, found: Sequence[arb]) -> int:
         """How many digits all numbers have."""
@@ -74,8 +80,10 @@ class Ladder:
         with working(self.bits):
             return max(bisect(range(self.digits + 1), 0, key=is_beyond) - 1, 0)
 
-    def _is_over(self) -> bool:
-        return self.end is not None and perf_counter() >= self.end
+    def check(self) -> None:
+        """TimeoutError where the time is over."""
+        if self.end is not None and perf_counter() >= self.end:
+            raise TimeoutError
 
     def _missing(self, value: arb) -> int:
         """About how many bits more a number needs: 0 where it is good, as many again for none."""

@@ -5,17 +5,19 @@ exactly; all that follows is done with Arb's balls, at a working precision that 
 balls are small enough.
 """
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
 from flint import arb
 from mpmath import mp
 
-from rigidsym.inputs import is_uncertain
+from rigidsym import inputs
+from rigidsym.errors import written
+from rigidsym.precise import apart
 from rigidsym.precise.balls import bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
 from rigidsym.precise.evaluation import Evaluation, State
@@ -29,6 +31,8 @@ from rigidsym.solution.polhode import Polhode
 # How many precisions a motion keeps its constants for.
 KEPT = 4
 METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
+# A time, or names of constants.
+Asked = Fraction | tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -47,7 +51,7 @@ class PreciseMotion:
 
     @property
     def _is_uncertain(self) -> bool:
-        return is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
+        return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
     def states(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -56,16 +60,24 @@ class PreciseMotion:
 
         Raises PrecisionError where `max_seconds` for them all are over.
         """
-        for numbers in self._numbers(times, digits, has_digits, max_seconds):
-            settled = [_settled(value) for value in numbers]
+        ladder = Ladder(digits, has_digits, max_seconds)
+        for time in times:
+            settled = [_settled(value) for value in chain(*self.read(ladder, time))]
             yield settled[:4], settled[4:]
 
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
         """(q, omega) at each time as balls, of radius at most 10^-digits max(1, |value|)."""
-        for numbers in self._numbers(times, digits, is_within, max_seconds):
-            yield numbers[:4], numbers[4:]
+        ladder = Ladder(digits, is_within, max_seconds)
+        for time in times:
+            yield self.read(ladder, time)
+
+    def read(self, ladder: Ladder, time: Fraction) -> State:
+        """(q, omega) at one time as balls, as good as a ladder wants them."""
+        read = ladder.read_uncertain if self._is_uncertain else ladder.read
+        found = read(partial(self.numbers, time), f"t = {written(time)}")
+        return found[:4], found[4:]
 
     def start(self, digits: int) -> list[float]:
         """The attitude at t = 0, normalised and rounded to doubles."""
@@ -74,21 +86,26 @@ class PreciseMotion:
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
         """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
-        ladder = Ladder(self._at, digits, has_digits, None)
-        numbers = ladder.read(lambda e: [e.constant(name) for name in names], "constants")
-        return dict(zip(names, map(_settled, numbers), strict=True))
+        ladder = Ladder(digits, has_digits, None)
+        found = ladder.read(partial(self.numbers, tuple(names)), "constants")
+        return dict(zip(names, map(_settled, found), strict=True))
 
-    def _numbers(
-        self,
-        times: Sequence[Fraction],
-        digits: int,
-        enough: Callable[[arb, int], bool],
-        max_seconds: float | None,
-    ) -> Iterator[list[arb]]:
-        ladder = Ladder(self._at, digits, enough, max_seconds)
-        read = ladder.read_uncertain if self._is_uncertain else ladder.read
-        for time in times:
-            yield read(lambda e, t=time: [*chain(*e.state(t))], f"t = {time}")
+    def numbers(self, asked: Asked, bits: int, end: float | None) -> list[arb]:
+        """What is asked, from balls of so many bits; TimeoutError where the clock passes `end`.
+
+        What may take long is computed by a process that can be ended.
+        """
+        if bits <= METHODS[self.method].quick_bits:
+            return self.numbers_here(asked, bits)
+        return apart.numbers(self, asked, bits, end)
+
+    def numbers_here(self, asked: Asked, bits: int) -> list[arb]:
+        """The seven numbers of the state at a time, or constants by their names."""
+        with working(bits):
+            evaluation = self._at(bits)
+            if isinstance(asked, tuple):
+                return [evaluation.constant(name) for name in asked]
+            return [*chain(*evaluation.state(asked))]
 
     def _at(self, bits: int) -> Evaluation:
         """The formulas at the working precision, whose bits these are; the last few are kept."""

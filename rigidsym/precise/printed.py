@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Any
 
 from rigidsym import inputs
+from rigidsym.precise.balls import dyadic
 
 _EXACT = Context(prec=MAX_PREC, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _UP = Context(prec=3, Emax=MAX_EMAX, Emin=MIN_EMIN, rounding=ROUND_CEILING)
@@ -16,7 +17,7 @@ def printed_ball(value: Any) -> dict[str, str]:
 
     What the middle loses is added to the radius; the middle of a ball of radius 0 is exact.
     """
-    middle, radius = _dyadic(value.mid()), _dyadic(value.rad())
+    middle, radius = dyadic(value), dyadic(value.rad())
     # A dyadic number with denominator 2^k has k decimals.
     last = _up(radius).adjusted() - _ROOM if radius else 1 - middle.denominator.bit_length()
     units = round(middle / Fraction(10) ** last)
@@ -34,8 +35,3 @@ def _pair(mid: str, middle: Fraction, radius: Fraction) -> dict[str, str]:
 
 def _up(value: Fraction) -> Decimal:
     return _UP.divide(Decimal(value.numerator), Decimal(value.denominator))
-
-
-def _dyadic(value: Any) -> Fraction:
-    mantissa, exponent = map(int, value.man_exp())
-    return mantissa * Fraction(2) ** exponent

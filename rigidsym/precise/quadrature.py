@@ -8,6 +8,8 @@ from rigidsym.precise.carlson import Carlson
 class Quadrature(Carlson):
     """The method `quadrature`; sn, cn and dn are those of Carlson's."""
 
+    quick_bits = 2**10
+
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
         """The integral of sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
         s, c, _ = self._kept(self.first_half, u, mc)

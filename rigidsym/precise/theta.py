@@ -11,6 +11,8 @@ from rigidsym.precise.carlson import Carlson
 class Theta(Carlson):
     """The method `theta`: the theta form, and sn, cn, dn as quotients of thetas (DLMF 22.2)."""
 
+    quick_bits = 2**14
+
     def table(self) -> dict[str, Any]:
         """The functions of the theta form besides those of the other methods."""
         return {

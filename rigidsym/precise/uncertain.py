@@ -10,7 +10,7 @@ from flint import arb
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.inputs import Uncertain
-from rigidsym.precise.balls import ball, working
+from rigidsym.precise.balls import ball, difference, working
 from rigidsym.solution.polhode import Polhode, Regime, classify
 
 BITS = 4096
@@ -33,7 +33,7 @@ def _deciding(
     """What has to be exactly zero, or to keep its sign."""
     w = list(map(ball, omega))
     pairs = [*combinations(range(3), 2)]
-    gaps = {(j, k): _difference(inertia[j], inertia[k]) for j, k in pairs}
+    gaps = {(j, k): difference(inertia[j], inertia[k]) for j, k in pairs}
     yield from ((f"inertia[{j}] - inertia[{k}]", gap) for (j, k), gap in gaps.items())
     if polhode.regime.steady:
         products = ((j, k, gap * w[j] * w[k]) for (j, k), gap in gaps.items())
@@ -58,14 +58,9 @@ def _resting(polhode: Polhode, w: Sequence[arb]) -> Iterator[tuple[str, arb]]:
 def _excess(inertia: Sequence[Any], w: Sequence[arb], axes: Sequence[int]) -> arb:
     a, b, d = axes
     return (
-        ball(inertia[a]) * _difference(inertia[a], inertia[b]) * w[a] * w[a]
-        + ball(inertia[d]) * _difference(inertia[d], inertia[b]) * w[d] * w[d]
+        ball(inertia[a]) * difference(inertia[a], inertia[b]) * w[a] * w[a]
+        + ball(inertia[d]) * difference(inertia[d], inertia[b]) * w[d] * w[d]
     )
-
-
-def _difference(x: Any, y: Any) -> arb:
-    """Exactly zero where exact numbers agree."""
-    return ball(x) - ball(y) if inputs.is_uncertain(x, y) else ball(x - y)
 
 
 def _surest(*values: arb) -> arb:

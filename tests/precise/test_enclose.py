@@ -278,7 +278,8 @@ def test_precisions_are_left_alone_after_errors_too(prec):
         with pytest.raises(PrecisionError):
             motion.enclose(3, 100_000, max_seconds=1e-9)
         with pytest.raises(InputError):
-            TorqueFreeMotion(PAPER[0], ("0 +/- 1", 0, 0)).enclose(1)
+            TorqueFreeMotion(PAPER[0], ("0 +/- 1", 0, 0)).enclose(1, method="theta")
+        TorqueFreeMotion(PAPER[0], ("0 +/- 1", 0, 0)).enclose(1)
         motion.precise(3, 40)
         assert settings() == before
         assert is_within(ball_before, 14)
@@ -412,9 +413,12 @@ def test_balls_of_flint_are_uncertain_numbers():
     ],
 )
 def test_a_boundary_within_the_inputs_is_named(inertia, omega, message):
+    motion = TorqueFreeMotion(inertia, omega)
     with pytest.raises(InputError, match=message) as error:
-        TorqueFreeMotion(inertia, omega).enclose(100, 10)
+        motion.enclose(100, 10, method="carlson")
     assert "\n" not in str(error.value)
+    with pytest.raises(InputError, match=message):
+        _ = motion.regime
 
 
 def test_hopelessly_uncertain_inputs_say_so():

@@ -1,0 +1,87 @@
+"""States of all motions whose inputs lie in a box, by what its regime says and by the flow."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from rigidsym.errors import InputError, PrecisionError, written
+from rigidsym.precise.balls import is_within, working
+from rigidsym.precise.evaluation import State
+from rigidsym.precise.flowing import Flowing
+from rigidsym.precise.ladder import Ladder, TooUncertainError
+from rigidsym.precise.motion import PreciseMotion
+
+# Of the methods that know the regime, carlson leaves the smallest balls.
+BY_REGIME = "carlson"
+
+
+@dataclass(frozen=True)
+class BoxedMotion:
+    """Motions: inertia (3), body rates (3), attitude (4), some of these numbers uncertain."""
+
+    inertia: tuple[Any, ...]
+    omega0: tuple[Any, ...]
+    attitude0: tuple[Any, ...]
+
+    def enclosures(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """(q, omega) at each time as balls, where the two ways meet.
+
+        Raises PrecisionError where `max_seconds` for all times are over.
+        """
+        ladder = Ladder(digits, is_within, max_seconds)
+        for time in times:
+            flow = self._by_flow(ladder, time)
+            formulas = self._by_formulas(ladder, time)
+            yield _meeting(flow, formulas) if formulas else flow
+
+    def flows(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """The same by the flow alone."""
+        ladder = Ladder(digits, is_within, max_seconds)
+        for time in times:
+            yield self._by_flow(ladder, time)
+
+    def _by_flow(self, ladder: Ladder, time: Fraction) -> State:
+        try:
+            return self._flowing(ladder.digits).state(time, ladder.check)
+        except TimeoutError:
+            raise PrecisionError(f"t = {written(time)}: the time was over") from None
+
+    def _by_formulas(self, ladder: Ladder, time: Fraction) -> State | None:
+        """None where they do not hold for all of the box, or say nothing."""
+        try:
+            return self._formulas.read(ladder, time) if self._formulas else None
+        except TooUncertainError:
+            return None
+
+    @cached_property
+    def _formulas(self) -> PreciseMotion | None:
+        motion = PreciseMotion(self.inertia, self.omega0, self.attitude0, BY_REGIME)
+        try:
+            _ = motion.polhode
+        except InputError:
+            return None
+        return motion
+
+    def _flowing(self, digits: int) -> Flowing:
+        """The flow at a precision for so many digits, with the steps it has made."""
+        if digits not in self._kept:
+            self._kept.clear()
+            self._kept[digits] = Flowing(self.inertia, self.omega0, self.attitude0, digits)
+        return self._kept[digits]
+
+    @cached_property
+    def _kept(self) -> dict[int, Flowing]:
+        return {}
+
+
+def _meeting(one: State, other: State) -> State:
+    pairs = (zip(x, y, strict=True) for x, y in zip(one, other, strict=True))
+    with working(max(value.bits() for part in (*one, *other) for value in part) + 32):
+        q, omega = ([x.intersection(y) for x, y in pair] for pair in pairs)
+        return q, omega

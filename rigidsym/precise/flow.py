@@ -1,0 +1,150 @@
+"""The flow of the equations of motion over a box, and its derivative: Taylor series with remainder.
+
+The unknowns are y = (w, p), rates and the turn since t = 0 as a quaternion:
+
+    w_i' = k_i w_j w_k,  (i, j, k) = (1, 2, 3) and round;     p' = p (0, w)/2,
+
+so y' = A(y) y/2 with A linear in y, and the derivative V of y by its start and by the k_i obeys
+V' = A(y) V + (0 | w_j w_k).  Coefficients computed over a box hold those of every motion that
+starts in it.  The remainder is Lagrange's: the coefficient of order N over all that these motions
+ever reach, times step^N; that of V, by the chain rule, also times V itself.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, arb_mat
+
+from rigidsym.precise.balls import power
+
+RATES, SIZE, COLUMNS = 3, 7, 10
+LONGEST = 8
+# Of p (0, w): for each component sign, component of p, component of w.
+_PRODUCT = (
+    ((-1, 1, 0), (-1, 2, 1), (-1, 3, 2)),
+    ((1, 0, 0), (1, 2, 2), (-1, 3, 1)),
+    ((1, 0, 1), (1, 3, 0), (-1, 1, 2)),
+    ((1, 0, 2), (1, 1, 1), (-1, 2, 0)),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """Series of N terms, for factors (3) and starts in a box (7, 1) that never leave a tube."""
+
+    factors: Sequence[arb]
+    starts: arb_mat
+    tube: arb_mat
+    terms: int
+    cut: arb
+
+    @classmethod
+    def within(cls, factors: Sequence[arb], starts: arb_mat, tube: arb_mat, terms: int) -> "Flow":
+        """With the largest of the first coefficients that are cut off."""
+        series, columns = _derivatives(factors, tube, terms + 1)
+        rows = [sum(map(abs, row), arb(0)) for row in columns[-1].tolist()]
+        return cls(factors, starts, tube, terms, max_of([*rows, *series[-1].entries()]))
+
+    def step(self, bits: int) -> arb:
+        """A time after which about so many bits are right."""
+        return (arb(2) ** -bits / self.cut).root(self.terms).min(LONGEST)
+
+    def moved(self, factors: Sequence[arb], y: arb_mat, step: arb) -> arb_mat:
+        """y (7, 1) after a step of time, of all starts in the box y and of all such factors."""
+        return _summed(_series(factors, y, self.terms)[0], step, self._remainder(y, step))
+
+    def derivative(self, y: arb_mat, step: arb) -> arb_mat:
+        """(7, 10): how that changes with y and with the factors, at all starts in the box y."""
+        columns = _derivatives(self.factors, y, self.terms)[1]
+        return _summed(columns, step, self._remainder(y, step))
+
+    def _remainder(self, y: arb_mat, step: arb) -> arb:
+        """The bound of what is cut off; infinite for starts outside of the box.
+
+        |dw/dw_0| <= e, |dw/dk| <= w^2 h e, |dp/dp_0| = 1, |dp/dw_0| <= p h e/2 and |dp/dk| <=
+        p w^2 h^2 e/2 after a time h, where e = exp(2 k w h): their rates say so, by Gronwall.
+        """
+        if not self.starts.contains(y):
+            return arb.pos_inf()
+        w, p = norm(self.tube.entries()[:RATES]), norm(self.tube.entries()[RATES:])
+        growth = (2 * max_of(self.factors) * w * abs(step)).exp()
+        slopes = (1 + abs(step)) ** 2 * (1 + w * w) * (1 + p) * growth
+        return self.cut * slopes * abs(step) ** self.terms
+
+
+def _derivatives(
+    factors: Sequence[arb], y: arb_mat, terms: int
+) -> tuple[list[arb_mat], list[arb_mat]]:
+    """The coefficients of y, and those of V."""
+    series, slopes = _series(factors, y, terms)
+    columns = [arb_mat(SIZE, COLUMNS, [int(i == j) for i in range(SIZE) for j in range(COLUMNS)])]
+    for n in range(terms - 1):
+        products = (slopes[i] * columns[n - i] for i in range(n + 1))
+        columns.append(sum(products, _by_factors(series, n)) * (1 / arb(n + 1)))
+    return series, columns
+
+
+def _series(factors: Sequence[arb], y: arb_mat, terms: int) -> tuple[list[arb_mat], list[arb_mat]]:
+    """The coefficients of y, and A of each of them."""
+    series, slopes = [y], [_slope(factors, y)]
+    for n in range(terms - 1):
+        products = (slopes[i] * series[n - i] for i in range(n + 1))
+        series.append(sum(products, arb_mat(SIZE, 1)) * (1 / arb(2 * n + 2)))
+        slopes.append(_slope(factors, series[-1]))
+    return series, slopes
+
+
+def _slope(factors: Sequence[arb], y: arb_mat) -> arb_mat:
+    """A(y) (7, 7)."""
+    w, p = y.entries()[:RATES], y.entries()[RATES:]
+    slope = [[arb(0)] * SIZE for _ in range(SIZE)]
+    for i, factor in enumerate(factors):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        slope[i][j], slope[i][k] = factor * w[k], factor * w[j]
+    for row, products in zip(slope[RATES:], _PRODUCT, strict=True):
+        for sign, i, j in products:
+            row[j], row[RATES + i] = sign * p[i] / 2, sign * w[j] / 2
+    return arb_mat(slope)
+
+
+def multiplied(q: Sequence[arb]) -> arb_mat:
+    """The matrix (7, 7) that leaves the rates and makes q p of a turn p."""
+    matrix = [[arb(int(i == j)) for j in range(SIZE)] for i in range(SIZE)]
+    for part, row, products in zip(q, matrix[RATES:], _PRODUCT, strict=True):
+        row[RATES:] = [part, *[arb(0)] * 3]
+        for sign, i, j in products:
+            row[RATES + 1 + j] = sign * q[i]
+    return arb_mat(matrix)
+
+
+def _by_factors(series: Sequence[arb_mat], n: int) -> arb_mat:
+    """The n-th coefficients of w_j w_k, in the columns of the factors."""
+    direct = arb_mat(SIZE, COLUMNS)
+    for i in range(RATES):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        direct[i, SIZE + i] = sum(
+            (series[m][j, 0] * series[n - m][k, 0] for m in range(n + 1)), arb(0)
+        )
+    return direct
+
+
+def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
+    """The polynomial in the step, and the remainder around every entry."""
+    value = terms[-1]
+    for term in reversed(terms[:-1]):
+        value = value * step + term
+    around = arb(0, remainder.abs_upper())
+    return value + arb_mat(value.nrows(), value.ncols(), [around] * len(value.entries()))
+
+
+def norm(values: Sequence[arb]) -> arb:
+    """An upper bound of Euclid's norm."""
+    return sum((power(x, 2) for x in values), arb(0)).upper().sqrt().upper()
+
+
+def max_of(values: Sequence[arb]) -> arb:
+    """An upper bound of their sizes."""
+    first, *others = (abs(x).upper() for x in values)
+    for other in others:
+        first = first.max(other)
+    return first

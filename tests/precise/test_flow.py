@@ -1,0 +1,249 @@
+"""Uncertain inputs of any regime: what the flow says holds every motion of the box, and tightly."""
+
+from fractions import Fraction
+from itertools import permutations
+from random import Random
+
+import pytest
+from flint import arb, arb_mat, ctx
+
+from rigidsym import InputError, TorqueFreeMotion
+from rigidsym.errors import PrecisionError
+from rigidsym.inputs import Uncertain
+from rigidsym.precise import flow, flowing
+from rigidsym.precise.balls import ball, working
+from rigidsym.precise.shells import shells
+
+BODY = ("0.0109", "0.04", "0.0506")
+ATTITUDE = (1, 2, -3, "0.5")
+# Boxes that no regime holds, or hardly.
+BOXES = {
+    "tilted spin": (BODY, ("0 +/- 1e-9", 0, "0.5"), ATTITUDE),
+    "tilted spin about the middle": (BODY, ("0 +/- 1e-9", "0.5", "1e-10 +/- 1e-9"), ATTITUDE),
+    "nearly a sphere": (("1 +/- 1e-9", 1, 1), (1, "0.5", "0.3"), ATTITUDE),
+    "nearly symmetric": (("1 +/- 1e-4", 1, "1.5"), (1, 2, 3), ATTITUDE),
+    "across the separatrix": ((4, 5, 9), (3, 1, "1 +/- 1e-6"), ATTITUDE),
+    "across it, all uncertain": (
+        ("4 +/- 1e-5", "5 +/- 1e-5", "9 +/- 1e-5"),
+        ("-3 +/- 1e-5", "1 +/- 1e-5", "1 +/- 1e-5"),
+        ("1 +/- 1e-5", "2 +/- 1e-5", -3, "0.5"),
+    ),
+    "about rest": (BODY, ("0 +/- 1e-3", "0 +/- 1e-3", 0), ATTITUDE),
+    "axes not in order": (("1.001 +/- 0.01", 1, "1.5"), ("0.1 +/- 0.01", 1, "0.2"), ATTITUDE),
+    "wide": (("1 +/- 0.2", "1 +/- 0.2", "1 +/- 0.2"), ("0.5 +/- 0.5", "0 +/- 1", 1), ATTITUDE),
+    "regular": (
+        ("0.0109 +/- 1e-6", "0.04", "0.0506"),
+        ("0.05", "0.03 +/- 1e-5", "-0.02"),
+        ATTITUDE,
+    ),
+    "needle": (("1e-9", "1e3 +/- 1e-3", "1e3"), ("1 +/- 1e-6", "1e-3", "1e-3"), ATTITUDE),
+}
+
+
+def points(motion, count, seed=3):
+    """Corners of the box, its middle, and points inside."""
+    random = Random(seed)
+    ways = (lambda: random.choice((-1, 1)), lambda: random.uniform(-1, 1), lambda: 0)
+    for k in range(count):
+        shift = ways[k % 2 if k else 2]
+        yield [
+            [x.middle + Fraction(shift()) * x.radius if isinstance(x, Uncertain) else x for x in v]
+            for v in (motion.inertia, motion.omega0, motion.attitude0)
+        ]
+
+
+def numbers(state):
+    return [*state[0], *state[1]]
+
+
+def sharp(point, time):
+    motion = TorqueFreeMotion(*point, allow_nonphysical=True)
+    return numbers(motion.enclose(time, 40, method="landen"))
+
+
+def holds(found, motion, time, count):
+    return all(
+        value.contains(true)
+        for point in points(motion, count)
+        for value, true in zip(found, sharp(point, time), strict=True)
+    )
+
+
+@pytest.mark.parametrize("box", BOXES)
+@pytest.mark.parametrize("order", [*permutations(range(3))][::2])
+def test_every_point_of_a_box_is_held(box, order):
+    inertia, omega, attitude = BOXES[box]
+    given = [inertia[k] for k in order], [omega[k] for k in order], attitude
+    motion = TorqueFreeMotion(*given, allow_nonphysical=True)
+    for time in ("0.7", -6, "1e9"):
+        assert holds(numbers(motion.enclose(time, 15)), motion, time, 12), time
+
+
+@pytest.mark.slow
+def test_random_boxes_of_every_width_hold_their_points():
+    random = Random(8)
+    for _ in range(300):
+        radius = 10 ** random.uniform(-12, 0)
+
+        def number(low, high, radius=radius):
+            exact = random.random() < 0.3
+            middle = (
+                random.choice((0, 1, random.uniform(low, high)))
+                if low < 0
+                else random.choice((1, random.uniform(low, high)))
+            )
+            spread = 0 if exact else radius * random.random()
+            return Uncertain(Fraction(middle), Fraction(spread)) if spread else middle
+
+        inertia = [number(0.7, 1.3) for _ in range(3)]
+        if min(x.middle - x.radius if isinstance(x, Uncertain) else x for x in inertia) < 0.1:
+            continue
+        texts = [
+            [
+                f"{float(x.middle)!r} +/- {float(x.radius)!r}" if isinstance(x, Uncertain) else x
+                for x in v
+            ]
+            for v in (inertia, [number(-1, 1) for _ in range(3)])
+        ]
+        motion = TorqueFreeMotion(*texts, ATTITUDE, allow_nonphysical=True)
+        time = random.choice((-1, 1)) * 10 ** random.uniform(-1, 1.5)
+        assert holds(numbers(motion.enclose(time, 15)), motion, time, 10), (texts, time)
+
+
+@pytest.mark.parametrize(
+    ("box", "time"),
+    [
+        ("tilted spin", 1),
+        ("tilted spin", 10),
+        ("tilted spin", 100),
+        ("nearly a sphere", 10),
+        ("nearly symmetric", 4),
+        ("across the separatrix", 3),
+    ],
+)
+def test_balls_are_hardly_wider_than_what_the_inputs_leave_open(box, time):
+    """Against the largest distances of exact motions in corners of the box from its middle."""
+    motion = TorqueFreeMotion(*BOXES[box])
+    found = numbers(motion.enclose(time, 15))
+    middle, *others = (sharp(point, time) for point in points(motion, 12))
+    with working(200):
+        true = [max(float(abs(x[k] - middle[k])) for x in others) for k in range(7)]
+    for part in (slice(4), slice(4, 7)):
+        assert max(float(x.rad()) for x in found[part]) < 1.05 * max(true[part])
+
+
+def test_it_is_never_wider_than_the_formulas_where_these_hold():
+    motion = TorqueFreeMotion(*BOXES["regular"])
+    for time in (3, -150, 700):
+        found, formulas = (
+            numbers(motion.enclose(time, 15, method=method)) for method in (None, "carlson")
+        )
+        for one, other in zip(found, formulas, strict=True):
+            assert one.rad() <= 1.01 * other.rad()
+            assert one.overlaps(other)
+
+
+def test_rates_of_a_tilted_spin_stay_certain_for_ever():
+    q, omega = TorqueFreeMotion(*BOXES["tilted spin"]).enclose("1e12", 15)
+    assert max(float(x.rad()) for x in omega) < 2e-9
+    assert all(x.contains(0) and x.rad() <= 1.01 for x in q)
+
+
+@pytest.mark.parametrize("box", ["across the separatrix", "wide", "needle", "about rest"])
+def test_shells_hold_the_rates_of_all_times(box):
+    motion = TorqueFreeMotion(*BOXES[box], allow_nonphysical=True)
+    with working(80):
+        factors = [
+            (ball(motion.inertia[k - 2]) - ball(motion.inertia[k - 1])) / ball(motion.inertia[k])
+            for k in range(3)
+        ]
+        limits = shells(list(map(ball, motion.inertia)), factors, list(map(ball, motion.omega0)))
+    for point in points(motion, 6):
+        exact = TorqueFreeMotion(*point, allow_nonphysical=True)
+        for time in (1, 17, -333, "1e6"):
+            state = exact.enclose(time, 30)[1]
+            assert all(limit.contains(x) for limit, x in zip(limits, state, strict=True))
+
+
+def test_what_is_cut_off_is_less_than_the_remainder():
+    """With few terms the balls of one step still hold what many terms give."""
+    with working(200):
+        factors = [arb("-0.3"), arb("0.7"), arb("-0.5")]
+        start = arb_mat(7, 1, [arb(x) for x in ("0.3", "-0.5", "0.6", "1", "0", "0", "0")])
+        tube = arb_mat(7, 1, [arb(0, 1)] * 3 + [arb(0, 3)] * 4)
+        fine = flow.Flow.within(factors, tube, tube, 120)
+        for terms, step in ((3, "0.1"), (5, "-0.5"), (8, "0.9")):
+            rough = flow.Flow.within(factors, tube, tube, terms)
+            for method, given in (("moved", (factors, start)), ("derivative", (start,))):
+                few, many = (getattr(x, method)(*given, arb(step)) for x in (rough, fine))
+                assert few.contains(many)
+                assert not many.contains(few)
+
+
+def test_the_derivative_is_what_differences_tend_to():
+    with working(200):
+        factors = [arb("-0.3"), arb("0.7"), arb("-0.5")]
+        start = [arb(x) for x in ("0.3", "-0.5", "0.6", "0.5", "0.5", "-0.5", "0.5")]
+        tube = arb_mat(7, 1, [arb(0, 1)] * 3 + [arb(0, 3)] * 4)
+        series, step, small = flow.Flow.within(factors, tube, tube, 100), arb("0.5"), arb(2) ** -90
+        whole = series.moved(factors, arb_mat(7, 1, start), step)
+        slopes = series.derivative(arb_mat(7, 1, start), step)
+        for j in range(10):
+            moved = [x + small * (i == j) for i, x in enumerate([*start, *factors])]
+            other = series.moved(moved[7:], arb_mat(7, 1, moved[:7]), step)
+            for i in range(7):
+                assert abs((other[i, 0] - whole[i, 0]) / small - slopes[i, j]) < arb(2) ** -80
+
+
+def test_starts_outside_of_the_box_says_nothing():
+    series = flow.Flow.within([arb(1)] * 3, *[arb_mat(7, 1, [arb(0, 1)] * 7)] * 2, 20)
+    assert (
+        not series.moved([arb(1)] * 3, arb_mat(7, 1, [arb(2)] * 7), arb("0.1"))[0, 0]
+        .rad()
+        .is_finite()
+    )
+
+
+def test_a_time_does_not_hang_on_others():
+    motion = TorqueFreeMotion(*BOXES["regular"])
+    alone = numbers(motion.enclose(50, 15, method="flow"))
+    q, omega = TorqueFreeMotion(*BOXES["regular"]).enclose([3, 90, -20, 50], 15, method="flow")
+    for one, other in zip(alone, (*q[3], *omega[3]), strict=True):
+        assert (one.mid(), one.rad()) == (other.mid(), other.rad())
+
+
+def test_the_start_is_itself():
+    motion = TorqueFreeMotion(*BOXES["tilted spin"])
+    q, omega = motion.enclose(0, 15)
+    assert omega[0].contains(arb("0.99e-9"))
+    assert omega[1].is_zero()
+    assert all(
+        abs(float(x.mid()) ** 2 - float(y) ** 2 / 14.25) < 1e-15
+        for x, y in zip(q, ATTITUDE, strict=True)
+    )
+
+
+def test_time_limits_hold_and_precision_is_left_alone():
+    before = ctx.prec
+    motion = TorqueFreeMotion(*BOXES["nearly symmetric"])
+    with pytest.raises(PrecisionError, match="t = 100: the time was over"):
+        motion.enclose(100, 15, max_seconds=0.01)
+    assert ctx.prec == before
+
+
+def test_flow_is_for_uncertain_inputs():
+    with pytest.raises(InputError, match="method = flow: is for uncertain inputs"):
+        TorqueFreeMotion(BODY, (1, 2, 3)).enclose(1, method="flow")
+    with pytest.raises(InputError, match="method = 'flow': must be one of: theta, carlson"):
+        TorqueFreeMotion(BODY, (1, 2, 3)).precise(1, method="flow")
+
+
+def test_moments_that_may_be_zero_are_refused():
+    with pytest.raises(InputError, match=r"inertia\[0\] = 1 \+/- 1: .* must be positive"):
+        TorqueFreeMotion(("1 +/- 1", 1, 1), (1, 2, 3))
+
+
+def test_late_times_are_bounded_without_steps(monkeypatch):
+    monkeypatch.setattr(flowing, "MOST_STEPS", 3)
+    motion = TorqueFreeMotion(*BOXES["across the separatrix"])
+    assert holds(numbers(motion.enclose(50, 15)), motion, 50, 3)
