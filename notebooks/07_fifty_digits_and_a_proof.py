@@ -277,8 +277,9 @@ assert angle < 2e-15
 # ## A satellite that is not known exactly
 #
 # Real moments of inertia come with a tolerance. `enclose` takes it, and returns balls that contain
-# every state that *any* body within the tolerance can have. The promise stays rigorous; the price
-# is width, since a formula that uses an input many times counts its uncertainty many times.
+# every state that *any* body within the tolerance can have. The promise stays rigorous, and costs
+# hardly any width: besides the formulas, the equations of motion themselves are carried over the
+# box of inputs, with the derivative of the state by each of them.
 
 # %%
 tolerance = "1e-6"
@@ -304,16 +305,18 @@ inside = zip(uncertain.enclose(times)[0].flat, heavier.precise(times)[0].flat, s
 assert all(ball.contains(flint.arb(str(x))) for ball, x in inside)
 
 # %% [markdown]
-# And where the tolerance reaches across a separatrix, so that not even the kind of motion is
-# certain, the answer is a refusal that says how much better the input would have to be:
+# And where the tolerance reaches across a separatrix, not even the kind of motion is certain.
+# `regime` then refuses, and says how much better the input would have to be; `enclose` goes on
+# with the equations of motion, which know no regime:
 
 # %%
 vague = rigidsym.TorqueFreeMotion(("1 +/- 0.01", 2, "2.25"), ("0.75", "0.5", "1.001"))
 try:
-    vague.enclose(100)
+    vague.regime
 except rigidsym.InputError as error:
     print(error)
     refused = error
+print("rates after 3 s:", *vague.enclose(3)[1])
 assert refused.field == "inertia"
 
 # %% [markdown]

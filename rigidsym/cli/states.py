@@ -26,7 +26,11 @@ def add(command: Command) -> None:
     propagate.add_argument("case", metavar="CASE.toml", help="a case file, or `paper`")
     propagate.add_argument("--digits", metavar="D", type=as_count, help="significant, all certain")
     propagate.add_argument("--enclose", action="store_true", help="balls: middles and radii")
-    propagate.add_argument("--method", metavar="M", help="theta, carlson, landen or quadrature")
+    propagate.add_argument(
+        "--method",
+        metavar="M",
+        help="theta, carlson, landen or quadrature; flow, for uncertain inputs",
+    )
     propagate.add_argument("--max-seconds", metavar="S", type=as_seconds, help="for all the digits")
     propagate.add_argument(
         "--format",

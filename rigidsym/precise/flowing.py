@@ -59,6 +59,7 @@ class Flowing:
 
     def state(self, time: Fraction, check: Callable[[], None]) -> State:
         """(q, omega) as balls at one time; `check` is called before each step."""
+        check()
         if time == 0:
             return self.begin
         with working(self.bits):

@@ -441,9 +441,39 @@ def test_a_time_that_is_over_exits_1(text, case, capsys):
 
 def test_inputs_that_say_nothing_exit_1(case, capsys):
     case.write_text(UNCERTAIN.replace("1e-6", "1e-3"))
-    assert main(["propagate", str(case), "--enclose"]) == 1
+    assert main(["propagate", str(case), "--enclose", "--method", "carlson"]) == 1
     (error,) = capsys.readouterr().err.splitlines()
     assert "too uncertain" in error
+    assert main(["propagate", str(case), "--enclose"]) == 0
+
+
+@pytest.mark.parametrize("method", [(), ("--method", "flow")])
+def test_boxes_across_a_boundary_are_enclosed(method, case, capsys):
+    """A spin with an uncertain tilt: no method that knows the regime takes it."""
+    spin = CASE.replace("[0.05, 0.03, -0.02]", '["{}", 0, "0.5"]')
+    assert spin != CASE
+    case.write_text(spin.format("0 +/- 1e-9"))
+    found = balls(case, capsys, *method)
+    for tilt in ("-1e-9", "0", "1e-9"):
+        case.write_text(spin.format(tilt))
+        for row, inner in zip(found, balls(case, capsys), strict=True):
+            assert all(abs(a - b) <= rad for (a, rad), (b, _) in zip(row, inner, strict=True))
+    assert max(rad for row in found for _, rad in row) < Fraction(1, 10**8)
+    case.write_text(spin.format("0 +/- 1e-9"))
+    assert main(["propagate", str(case), "--enclose", "--method", "theta"]) == 2
+    (error,) = capsys.readouterr().err.splitlines()
+    assert "the torque by omega0[0] and omega0[2] may be zero" in error
+
+
+def test_times_beyond_what_python_writes(case, capsys):
+    case.write_text(CASE.replace("180.0", '"1e5000"'))
+    assert main(["propagate", str(case), "--digits", "20", "--format", "json"]) == 0
+    last = json.loads(capsys.readouterr().out)["states"][-1]
+    assert last["t"].replace("0", "") == "1.E+5"
+    assert len(balls(case, capsys)) == 3
+    assert main(["propagate", str(case)]) == 2
+    (error,) = capsys.readouterr().err.splitlines()
+    assert error.endswith("is beyond the range of binary64")
 
 
 def test_methods_prints_tables_and_writes_files(case, tmp_path, monkeypatch, capsys):
@@ -673,8 +703,8 @@ def test_uncertain_cases_are_enclosed_by_the_method_that_is_narrowest(tmp_path, 
         'inertia = ["0.0109 +/- 1e-9", "0.04", "0.0506"]\n'
         'omega0 = ["0.05", "0.03", "-0.02"]\ntimes = [10]\n'
     )
-    printed = []
-    for method in ([], ["--method", "carlson"], ["--method", "theta"]):
-        assert main(["propagate", str(case), "--enclose", *method]) == 0
-        printed.append(capsys.readouterr().out)
-    assert printed[0] == printed[1] != printed[2]
+    ways = ([], ["--method", "flow"], ["--method", "carlson"], ["--method", "theta"])
+    radii = [[rad for _, rad in balls(case, capsys, *method)[0][1:]] for method in ways]
+    for default, *others in zip(*radii, strict=True):
+        assert all(default <= Fraction(101, 100) * other for other in others)
+    assert 100 * max(radii[0]) < min(max(radii[2]), max(radii[3]))

@@ -1,0 +1,237 @@
+"""Long evaluations end when they have to, and huge numbers are numbers."""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from fractions import Fraction
+from threading import Thread
+from typing import Any
+
+import pytest
+from flint import arb, ctx
+
+from rigidsym import InputError, TorqueFreeMotion, inputs
+from rigidsym.errors import PrecisionError
+from rigidsym.precise import METHODS, apart
+from rigidsym.precise.balls import working
+from rigidsym.precise.motion import PreciseMotion
+
+PAPER = (("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))
+MANY = 40_000  # a state takes some ten seconds
+
+
+def is_same(value, back):
+    """The same middle; the radius may be rounded up."""
+    with working(40_000):
+        wider = back.rad() - value.rad()
+        return bool(back.mid() == value.mid() and 0 <= wider <= value.rad() * 1e-8)
+
+
+@pytest.fixture(autouse=True)
+def _no_process_is_left():
+    yield
+    apart.stop()
+
+
+def given():
+    return tuple(tuple(map(Fraction, x)) for x in (*PAPER, (1, 0, 0, 0)))
+
+
+def test_time_limits_hold_within_one_evaluation():
+    motion = TorqueFreeMotion(*PAPER)
+    motion.precise(7, 10)
+    start = time.perf_counter()
+    with pytest.raises(PrecisionError, match=rf"t = 7: \d+ of {MANY} digits were reached") as error:
+        motion.precise(7, MANY, max_seconds=1)
+    assert time.perf_counter() - start < 1.5
+    assert int(str(error.value).split()[3]) > 50
+    few = motion.precise(7, 40)
+    assert all(
+        a == b
+        for x, y in zip(few, motion.precise(7, 40), strict=True)
+        for a, b in zip(x, y, strict=True)
+    )
+
+
+INTERRUPTED = """
+import time
+from rigidsym import TorqueFreeMotion
+motion = TorqueFreeMotion(("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))
+motion.precise(7, 6000)
+print("ready", flush=True)
+try:
+    motion.precise(7, 60_000)
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+    print(motion.precise(7, 20)[0][0], flush=True)
+    print(motion.enclose(7, 6000)[0][0].rad() < 1e-300, flush=True)
+"""
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
+def test_interrupts_are_heard_and_leave_all_in_order():
+    with subprocess.Popen(
+        [sys.executable, "-c", INTERRUPTED],
+        stdout=subprocess.PIPE,
+        text=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    ) as process:
+        told: Any = process.stdout
+        assert told.readline() == "ready\n"
+        time.sleep(0.5)
+        start = time.perf_counter()
+        process.send_signal(signal.SIGINT)
+        assert told.readline() == "interrupted\n"
+        assert time.perf_counter() - start < 0.5
+        rest = told.read().split()
+        assert rest == [str(TorqueFreeMotion(*PAPER).precise(7, 20)[0][0]), "True"]
+    assert process.returncode == 0
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_other_process_says_the_same(method):
+    motion = PreciseMotion(*given(), method)
+    for asked in (Fraction(1, 3), ("m", "m_1")):
+        here, there = motion.numbers_here(asked, 300), apart.numbers(motion, asked, 300, None)
+        assert all(map(is_same, here, there))
+
+
+def test_digits_beyond_the_quick_ones_come_from_elsewhere(monkeypatch):
+    motion = TorqueFreeMotion(*PAPER)
+    expected = motion.enclose("1/3", 300)
+    monkeypatch.setattr(METHODS["theta"], "quick_bits", 100)
+    again = TorqueFreeMotion(*PAPER).enclose("1/3", 300)
+    assert apart._server
+    for a, b in zip((*expected[0], *expected[1]), (*again[0], *again[1]), strict=True):
+        assert a.overlaps(b)
+    TorqueFreeMotion(*PAPER).precise(1, 15)
+    motion.enclose(1, 15)
+
+
+def test_few_digits_need_no_process():
+    TorqueFreeMotion(*PAPER).precise(3, 4000)
+    assert apart._server is None
+
+
+def test_errors_over_there_are_errors_here():
+    motion = PreciseMotion(*given(), "theta")
+    with pytest.raises(KeyError):
+        apart.numbers(motion, ("no such constant",), 100, None)
+
+
+def test_a_process_that_dies_is_an_error_once():
+    motion = PreciseMotion(*given(), "theta")
+    apart.numbers(motion, Fraction(1), 100, None)
+    assert apart._server
+    apart._server.process.kill()
+    apart._server.process.wait()
+    with pytest.raises((ChildProcessError, OSError)):
+        apart.numbers(motion, Fraction(1), 100, None)
+    assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
+
+
+def test_threads_wait_for_their_turn():
+    motion, found = PreciseMotion(*given(), "theta"), []
+    times = [Fraction(k) for k in range(6)]
+    threads = [
+        Thread(target=lambda t=t: found.append((t, apart.numbers(motion, t, 200, None))))
+        for t in times
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    with working(200):
+        for at, values in found:
+            assert all(
+                a.overlaps(b) for a, b in zip(values, motion.numbers_here(at, 200), strict=True)
+            )
+    assert len(found) == 6
+
+
+@pytest.mark.parametrize("value", [arb.nan(), arb(0), arb(-3) / 7, arb(2, 1e-9), arb(2) ** 5000])
+def test_balls_travel_as_they_are(value):
+    before = ctx.prec
+    back = apart._ball(pickle.loads(pickle.dumps(apart._parts(value))))
+    assert value.is_nan() == back.is_nan()
+    assert value.is_nan() or is_same(value, back)
+    assert ctx.prec == before
+
+
+HUGE = ("1e5000", "-1e-10000", 10**4400, Fraction(10**5000 + 1, 3**9000))
+
+
+@pytest.mark.parametrize("index", range(len(HUGE)))
+def test_times_beyond_what_python_writes(index):
+    motion, t = TorqueFreeMotion(*PAPER), HUGE[index]
+    q, _ = motion.precise(t, 20)
+    balls, _ = motion.enclose(t, 30)
+    for value, x in zip(balls, q, strict=True):
+        assert value.overlaps(arb(str(x)) + arb(0, 1e-14))
+    with pytest.raises(PrecisionError, match=r"t = \S{1,30}: 0 of 20 digits"):
+        motion.precise(t, 20, max_seconds=1e-9)
+
+
+@pytest.mark.parametrize("number", ["1e4400", "1e-5000", "1e10000", "1e-10000"])
+def test_motions_of_huge_and_tiny_numbers(number):
+    """In every place, written and evaluated."""
+    for given in (
+        ((number,) * 3, (1, 2, 3)),
+        ((f"1{number[1:]}", f"2{number[1:]}", f"2.5{number[1:]}"), (1, 2, 3)),
+        (PAPER[0], (number,) * 3),
+        (PAPER[0], PAPER[1], (number, 0, 0, 1)),
+        (PAPER[0], PAPER[1], (number, number, 0, 0)),
+    ):
+        motion = TorqueFreeMotion(*given)
+        assert all(len(text) < 400 for text in (repr(motion), motion._repr_latex_()))
+        assert "Torque-free motion" in motion._repr_html_()
+        assert str(motion.regime)
+        scale = max(map(abs, motion.exact["omega0"]))
+        q, _ = motion.precise(1 / scale, 20)
+        assert abs(sum(x * x for x in q) - 1) < 1e-14
+        assert all(x.is_finite() for x in motion.enclose(1 / scale, 20)[1])
+
+
+def test_a_radius_beyond_what_doubles_hold():
+    q, omega = TorqueFreeMotion(PAPER[0], ("1 +/- 1e-5000", 1, 0)).enclose(1, 20)
+    assert all(0 <= x.rad() < 1e-15 for x in (*q, *omega))
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: TorqueFreeMotion((-(10**5000), 1, 1), PAPER[1]), r"inertia\[0\] = -1E\+5000: "),
+        (lambda: TorqueFreeMotion((Fraction(-1, 3**9999), 1, 1), (1, 2, 3)), r"= -\d\.\d+E-4771: "),
+        (
+            lambda: TorqueFreeMotion([10**5000], PAPER[1]),
+            "list with a number of more than 4300 dig",
+        ),
+        (lambda: TorqueFreeMotion(*PAPER).precise(1, 10**5000), r"digits = 1E\+5000: "),
+        (lambda: TorqueFreeMotion(*PAPER)(10**5000), r"t = 1E\+5000: must be an array"),
+        (lambda: TorqueFreeMotion(*PAPER)([10**5000]), "t = list with a number"),
+        (lambda: inputs.exact("x", "1e" + "9" * 5000), "x = '1e9+.*: exponents go up to 10000"),
+        (lambda: inputs.exact("x", "1" * 5000 + "?"), "x = '1+.*: must be a finite decimal number"),
+    ],
+)
+def test_wrong_numbers_beyond_what_python_writes_are_one_line(make, message):
+    with pytest.raises(InputError, match=message) as error:
+        make()
+    assert len(str(error.value)) < 300
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["1" * 5000, "0." + "3" * 5000, "1" * 5000 + "/" + "7" * 5000, "-1." + "2" * 5000 + "e-9"],
+)
+def test_long_texts_are_read_and_written_exactly(text):
+    value = inputs.exact("x", text)
+    assert inputs.exact("x", inputs.exact_text(value)) == value
+
+
+def test_the_limit_of_python_is_left_alone():
+    before = sys.get_int_max_str_digits()
+    repr(TorqueFreeMotion(("1e10000",) * 3, (1, 2, 3)))
+    assert sys.get_int_max_str_digits() == before
