@@ -9,12 +9,14 @@ from typing import Any
 from rigidsym.errors import InputError, PrecisionError, written
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
-from rigidsym.precise.flowing import Flowing
+from rigidsym.precise.flowing import Flowing, bits_for
 from rigidsym.precise.ladder import Ladder, TooUncertainError
 from rigidsym.precise.motion import PreciseMotion
 
 # Of the methods that know the regime, carlson leaves the smallest balls.
 BY_REGIME = "carlson"
+# The work of a step of the flow grows with the square of the bits, and more.
+FINE = 256
 
 
 @dataclass(frozen=True)
@@ -30,12 +32,17 @@ class BoxedMotion:
     ) -> Iterator[State]:
         """(q, omega) at each time as balls, where the two ways meet.
 
+        The flow is left out where it would be slow and the formulas leave little to be desired.
+
         Raises PrecisionError where `max_seconds` for all times are over.
         """
         ladder = Ladder(digits, is_within, max_seconds)
         for time in times:
-            flow = self._by_flow(ladder, time)
             formulas = self._by_formulas(ladder, time)
+            if formulas and self._bits(digits) > FINE:
+                yield formulas
+                continue
+            flow = self._by_flow(ladder, time)
             yield _meeting(flow, formulas) if formulas else flow
 
     def flows(
@@ -48,7 +55,7 @@ class BoxedMotion:
 
     def _by_flow(self, ladder: Ladder, time: Fraction) -> State:
         try:
-            return self._flowing(ladder.digits).state(time, ladder.check)
+            return self._flowing(ladder).state(time, ladder.check)
         except TimeoutError:
             raise PrecisionError(f"t = {written(time)}: the time was over") from None
 
@@ -68,12 +75,17 @@ class BoxedMotion:
             return None
         return motion
 
-    def _flowing(self, digits: int) -> Flowing:
+    def _flowing(self, ladder: Ladder) -> Flowing:
         """The flow at a precision for so many digits, with the steps it has made."""
-        if digits not in self._kept:
+        bits = self._bits(ladder.digits)
+        if bits not in self._kept:
             self._kept.clear()
-            self._kept[digits] = Flowing(self.inertia, self.omega0, self.attitude0, digits)
-        return self._kept[digits]
+            given = self.inertia, self.omega0, self.attitude0
+            self._kept[bits] = Flowing(*given, bits, ladder.check)
+        return self._kept[bits]
+
+    def _bits(self, digits: int) -> int:
+        return bits_for((self.inertia, self.omega0, self.attitude0), digits)
 
     @cached_property
     def _kept(self) -> dict[int, Flowing]:

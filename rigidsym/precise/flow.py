@@ -10,7 +10,7 @@ starts in it.  The remainder is Lagrange's: the coefficient of order N over all 
 ever reach, times step^N; that of V, by the chain rule, also times V itself.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from flint import arb, arb_mat
@@ -30,20 +30,31 @@ _PRODUCT = (
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """Series of N terms, for factors (3) and starts in a box (7, 1) that never leave a tube."""
+    """Series of N terms, for factors (3) and starts in a box (7, 1) that never leave a tube.
+
+    `tick` is called at every term.
+    """
 
     factors: Sequence[arb]
     starts: arb_mat
     tube: arb_mat
     terms: int
+    tick: Callable[[], None]
     cut: arb
 
     @classmethod
-    def within(cls, factors: Sequence[arb], starts: arb_mat, tube: arb_mat, terms: int) -> "Flow":
+    def within(
+        cls,
+        factors: Sequence[arb],
+        starts: arb_mat,
+        tube: arb_mat,
+        terms: int,
+        tick: Callable[[], None] = lambda: None,
+    ) -> "Flow":
         """With the largest of the first coefficients that are cut off."""
-        series, columns = _derivatives(factors, tube, terms + 1)
+        series, columns = _derivatives(factors, tube, terms + 1, tick)
         rows = [sum(map(abs, row), arb(0)) for row in columns[-1].tolist()]
-        return cls(factors, starts, tube, terms, max_of([*rows, *series[-1].entries()]))
+        return cls(factors, starts, tube, terms, tick, max_of([*rows, *series[-1].entries()]))
 
     def step(self, bits: int) -> arb:
         """A time after which about so many bits are right."""
@@ -51,11 +62,13 @@ class Flow:
 
     def moved(self, factors: Sequence[arb], y: arb_mat, step: arb) -> arb_mat:
         """y (7, 1) after a step of time, of all starts in the box y and of all such factors."""
-        return _summed(_series(factors, y, self.terms)[0], step, self._remainder(y, step))
+        return _summed(
+            _series(factors, y, self.terms, self.tick)[0], step, self._remainder(y, step)
+        )
 
     def derivative(self, y: arb_mat, step: arb) -> arb_mat:
         """(7, 10): how that changes with y and with the factors, at all starts in the box y."""
-        columns = _derivatives(self.factors, y, self.terms)[1]
+        columns = _derivatives(self.factors, y, self.terms, self.tick)[1]
         return _summed(columns, step, self._remainder(y, step))
 
     def _remainder(self, y: arb_mat, step: arb) -> arb:
@@ -73,21 +86,25 @@ class Flow:
 
 
 def _derivatives(
-    factors: Sequence[arb], y: arb_mat, terms: int
+    factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
     """The coefficients of y, and those of V."""
-    series, slopes = _series(factors, y, terms)
+    series, slopes = _series(factors, y, terms, tick)
     columns = [arb_mat(SIZE, COLUMNS, [int(i == j) for i in range(SIZE) for j in range(COLUMNS)])]
     for n in range(terms - 1):
+        tick()
         products = (slopes[i] * columns[n - i] for i in range(n + 1))
         columns.append(sum(products, _by_factors(series, n)) * (1 / arb(n + 1)))
     return series, columns
 
 
-def _series(factors: Sequence[arb], y: arb_mat, terms: int) -> tuple[list[arb_mat], list[arb_mat]]:
+def _series(
+    factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
+) -> tuple[list[arb_mat], list[arb_mat]]:
     """The coefficients of y, and A of each of them."""
     series, slopes = [y], [_slope(factors, y)]
     for n in range(terms - 1):
+        tick()
         products = (slopes[i] * series[n - i] for i in range(n + 1))
         series.append(sum(products, arb_mat(SIZE, 1)) * (1 / arb(2 * n + 2)))
         slopes.append(_slope(factors, series[-1]))

@@ -30,7 +30,8 @@ ROUNDING, WIDEST_TURN = 2.0**-20, 3
 class Flowing:
     """States of all motions that start in a box, at a precision that its radii merit.
 
-    Steps are counted from t = 0, so that what is said of a time does not hang on other times.
+    `check` is what `state` has, too, for the work of getting ready.  Steps are counted from t = 0,
+    so that what is said of a time does not hang on other times.
     """
 
     def __init__(
@@ -38,9 +39,10 @@ class Flowing:
         inertia: Sequence[Any],
         omega0: Sequence[Any],
         attitude0: Sequence[Any],
-        digits: int,
+        bits: int,
+        check: Callable[[], None],
     ) -> None:
-        self.bits = _bits((inertia, omega0, attitude0), digits)
+        self.bits, self._check = bits, check
         with working(self.bits):
             self.begin = _unit(list(map(ball, attitude0))), list(map(ball, omega0))
             moments, factors = list(map(ball, inertia)), [_factor(inertia, k) for k in range(RATES)]
@@ -51,26 +53,28 @@ class Flowing:
             starts = arb_mat(SIZE, 1, [*wider, *[arb(0, 1 + ROUNDING)] * 4])
             reached = [*shells(moments, factors, wider), *[arb(0, WIDEST_TURN)] * 4]
             terms = ceil(self.bits * TERMS_PER_BIT)
-            flow = Flow.within(factors, starts, arb_mat(SIZE, 1, reached), terms)
+            tube = arb_mat(SIZE, 1, reached)
+            flow = Flow.within(factors, starts, tube, terms, lambda: self._check())
             self.bodies = _bodies(flow, inertia, omega0, limits, self.scale)
             self.step = dyadic(flow.step(self.bits).lower())
             first = start([ball(_middle(x) / self.scale) for x in omega0])
         self._clouds: dict[int, list[Cloud]] = {side: [first] for side in (-1, 1)}
 
     def state(self, time: Fraction, check: Callable[[], None]) -> State:
-        """(q, omega) as balls at one time; `check` is called before each step."""
+        """(q, omega) as balls at one time; what `check` raises ends the work, any time."""
+        self._check = check
         check()
         if time == 0:
             return self.begin
         with working(self.bits):
-            cloud = self._cloud(time * self.scale, check)
+            cloud = self._cloud(time * self.scale)
             if cloud is None:
                 return [arb(0, 1)] * 4, self.shells
             y = cloud.seen_by(multiplied(self.begin[0])).states(self.bodies).entries()
             rates = zip(y[:RATES], self.shells, strict=True)
             return y[RATES:], [(w * ball(self.scale)).intersection(limit) for w, limit in rates]
 
-    def _cloud(self, time: Fraction, check: Callable[[], None]) -> Cloud | None:
+    def _cloud(self, time: Fraction) -> Cloud | None:
         """The set at a time, in units of the scale; None where it is lost."""
         side = 1 if time > 0 else -1
         whole = int(abs(time) / self.step)
@@ -78,12 +82,10 @@ class Flowing:
             return None
         clouds = self._clouds[side]
         while len(clouds) <= whole:
-            check()
             following = self._moved(clouds[-1], side * self.step)
             if following is None:
                 return None
             clouds.append(following)
-        check()
         return self._moved(clouds[whole], time - side * whole * self.step)
 
     def _moved(self, cloud: Cloud, time: Fraction) -> Cloud | None:
@@ -115,7 +117,7 @@ def _bodies(
     return Bodies(flow, [_factor(middles, k) for k in range(RATES)], box, slopes, limits)
 
 
-def _bits(given: Sequence[Sequence[Any]], digits: int) -> int:
+def bits_for(given: Sequence[Sequence[Any]], digits: int) -> int:
     """Bits that hold the finest radius, or the digits where it is finer still."""
     fineness = [0]
     for values in given:

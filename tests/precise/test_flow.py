@@ -3,6 +3,7 @@
 from fractions import Fraction
 from itertools import permutations
 from random import Random
+from time import perf_counter
 
 import pytest
 from flint import arb, arb_mat, ctx
@@ -232,6 +233,22 @@ def test_time_limits_hold_and_precision_is_left_alone():
     with pytest.raises(PrecisionError, match="t = 100: the time was over"):
         motion.enclose(100, 15, max_seconds=0.01)
     assert ctx.prec == before
+
+
+def test_time_limits_hold_within_a_step():
+    """A step of so many bits takes minutes."""
+    motion = TorqueFreeMotion(BODY, ("0 +/- 1e-1000", 0, "0.5"))
+    start = perf_counter()
+    with pytest.raises(PrecisionError, match="t = 3: the time was over"):
+        motion.enclose(3, 1000, max_seconds=0.5)
+    assert perf_counter() - start < 1
+
+
+def test_radii_far_below_the_formulas_rounding_are_left_to_the_formulas():
+    motion = TorqueFreeMotion(BODY, ("0.05 +/- 1e-300", "0.03", "-0.02"))
+    q, omega = motion.enclose(3, 300)
+    assert max(float(x.rad() * arb(10) ** 300) for x in (*q, *omega)) < 1e4
+    assert not motion._boxed._kept
 
 
 def test_flow_is_for_uncertain_inputs():
