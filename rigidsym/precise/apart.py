@@ -34,25 +34,31 @@ Parts = tuple[tuple[int, int], tuple[int, int]] | None
 
 
 def numbers(motion: "PreciseMotion", asked: Any, bits: int, end: float | None) -> list[arb]:
-    """`motion.numbers_here(asked, bits)`; TimeoutError where the clock comes to `end` first."""
-    if not _can_start():
-        return motion.numbers_here(asked, bits)
+    """`motion.numbers_here(asked, bits)`; TimeoutError where the clock comes to `end` first.
+
+    It is computed here where no other process can be started.
+    """
     while not _turn.acquire(timeout=GLANCE):
         _check(end)
     try:
-        return [_ball(parts) for parts in _ask((motion, asked, bits), end)]
+        server = _started()
+        if server is None:
+            return motion.numbers_here(asked, bits)
+        return [_ball(parts) for parts in _answered(server, (motion, asked, bits), end)]
     finally:
         _turn.release()
 
 
-def _can_start() -> bool:
-    """A program that is frozen into one file would start itself again."""
-    return bool(sys.executable) and not getattr(sys, "frozen", False)
-
-
-def _ask(request: Any, end: float | None) -> list[Parts]:
+def _started() -> "_Server | None":
     global _server
-    server = _server = _server or _Server()
+    # A program that is frozen into one file would start itself again.
+    if sys.executable and not getattr(sys, "frozen", False):
+        with suppress(OSError):
+            _server = _server or _Server()
+    return _server
+
+
+def _answered(server: "_Server", request: Any, end: float | None) -> list[Parts]:
     try:
         reply = server.ask(request, end)
     except BaseException:
@@ -117,12 +123,13 @@ def stop() -> None:
 
 
 def _forget() -> None:
-    """A child of fork has no server: that of its parent is not its own."""
-    global _server, _turn
-    _server, _turn = None, Lock()
+    """A child of fork has no server: that of its parent is not its own, nor its to clean up."""
+    global _server, _turn, _inherited
+    _server, _turn, _inherited = None, Lock(), _server
 
 
 _server: _Server | None = None
+_inherited: _Server | None = None
 _turn = Lock()
 atexit.register(stop)
 if hasattr(os, "register_at_fork"):

@@ -1,11 +1,13 @@
 """Long evaluations end when they have to, and huge numbers are numbers."""
 
+import multiprocessing
 import os
 import pickle
 import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ProcessPoolExecutor
 from fractions import Fraction
 from threading import Thread
 from typing import Any
@@ -131,6 +133,29 @@ def test_a_process_that_dies_is_an_error_once():
     with pytest.raises((ChildProcessError, OSError)):
         apart.numbers(motion, Fraction(1), 100, None)
     assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
+
+
+def test_where_no_process_can_be_started_the_same_is_computed_here(monkeypatch):
+    motion = PreciseMotion(*given(), "theta")
+    monkeypatch.setattr(sys, "executable", "/no/such/python")
+    assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
+    monkeypatch.setattr(sys, "executable", "")
+    assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
+    assert apart._server is None
+
+
+def in_child(digits):
+    motion = PreciseMotion(*given(), "theta")
+    return [str(x) for x in apart.numbers(motion, Fraction(1), digits, None)]
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+@pytest.mark.filterwarnings("ignore:This process:DeprecationWarning")
+def test_children_of_fork_start_their_own():
+    expected = in_child(100)
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("fork")) as pool:
+        assert list(pool.map(in_child, [100, 100, 100])) == [expected] * 3
+    assert in_child(100) == expected
 
 
 def test_threads_wait_for_their_turn():
