@@ -6,7 +6,10 @@ orthogonal again at every step (Lohner, in: Computational Ordinary Differential 
 Nedialkov, Jackson, Corliss, Applied Mathematics and Computation 105, 1999).  Each step is the
 theorem of the mean: with J the derivatives over the whole set, k the factors of Euler's equations,
 
-    flow(y, k) lies in flow(middle, middle of k) + J_y (y - middle) + J_k (k - middle of k).
+    flow(y, k) lies in flow(middle, middle of k) + J_y (y - middle) + J_k (k - middle of k),
+
+along the straight line in states and moments from the middle to a motion of the box: its points
+start in the box around the set and the middle, with moments of the box, where the series hold.
 """
 
 from collections.abc import Sequence
