@@ -15,7 +15,7 @@ from rigidsym.algebra.su2 import (
     exponential,
     from_quaternion,
 )
-from rigidsym.kernel import Ring
+from rigidsym.kernel import Element, Ring
 
 MOMENTUM = Part(witness={"K": "1"}, units=("K",), reading={"K": "|M|, kg m^2 rad/s"})
 ANGLES = (
@@ -97,7 +97,7 @@ def _start(book: Book) -> None:
     book.claim("moving_body.start", equal(gap @ R, commutator(R, M)), ["9", "22"])
 
 
-def _off_diagonal(ring: Ring) -> list[tuple[object, object]]:
+def _off_diagonal(ring: Ring) -> list[tuple[Element, Element]]:
     """(28): c2 Omega2 + i c3 Omega3 = i K e^(-i phi3) sin phi2, and its companion."""
     M2, M3, radius = names(ring, "M2 M3 K*sin_phi2")
     up = Complex(ring.element(0), radius) * phase(ring)

@@ -9,10 +9,10 @@ times a factor common to both, exp(-(v - i rho b)^2 K_1/(pi K_1')).  Its modulus
 phase is linear in time and goes into Lambda: zeta grows by G beta, Z_u by G u_1, and e falls by G,
 where G = pi/(2 K_1 K_1'), so that e = 1 - E_1'/K_1' (Legendre's relation, DLMF 19.7.1).  The proof
 of the theta form leaves zeta and e free, so this is a model of it; what the functions are is
-supposed anew.
+assumed anew.
 """
 
-from derivations.theta_form import CLASSICAL, COMPONENTS, FORM, FREE, SUPPOSED
+from derivations.theta_form import ASSUMED, CLASSICAL, COMPONENTS, FORM, FREE
 from rigidsym.algebra import Book, Part, join
 
 READING = Part(
@@ -54,8 +54,8 @@ def derive(book: Book) -> None:
     carried = ("solution", "N_of_W", *COMPONENTS)
     book.carry("hyperbolic_form", [f"theta_form.{name}" for name in carried])
     book.open(join("hyperbolic_functions", *FORM, FREE, READING, DERIVATIVES))
-    for name, equations in SUPPOSED.items():
-        book.suppose(f"hyperbolic_functions.{name}", equations, REFERENCES[name], POINTS)
-    supposed = [f"hyperbolic_functions.{name}" for name in SUPPOSED]
-    book.model("hyperbolic_functions", "hyperbolic_form", supposed)
+    for name, equations in ASSUMED.items():
+        book.assume(f"hyperbolic_functions.{name}", equations, REFERENCES[name], POINTS)
+    assumed = [f"hyperbolic_functions.{name}" for name in ASSUMED]
+    book.model("hyperbolic_functions", "hyperbolic_form", assumed)
     book.carry("hyperbolic_functions", [f"hyperbolic_form.{name}" for name in carried])

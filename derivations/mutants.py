@@ -10,8 +10,5 @@ from rigidsym.algebra.mutants import tally
 
 
 def derive(book: Book) -> None:
-    """Count the mutants of everything decided so far."""
-    book.ledger.published["mutants"] = [
-        f"{fact}: {', '.join(f'{count} {fate}' for fate, count in fates.items())}"
-        for fact, fates in tally(book.ledger).items()
-    ]
+    """Count the mutants of everything decided so far, by fact and by fate."""
+    book.ledger.published["mutants"] = tally(book.ledger)

@@ -54,7 +54,7 @@ FREE = Part(
         "quarter": "elliptic_k(m)",
     },
 )
-SUPPOSED = (
+ASSUMED = (
     ("half_period", ("s_later", "c_later", "d_later"), "DLMF 22.4(iii)"),
     ("integral", ("J_later",), "DLMF 19.2.7, whose integrand has the period pi"),
     ("descent", ("quarter",), "DLMF 19.8.12"),
@@ -76,11 +76,11 @@ def derive(book: Book) -> None:
     book.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
     book.claim("period.Lambda", {"psi_mean": "2*Lambda"}, ["34"])
     book.open(join("period_functions", *motion, FREE))
-    for name, quantities, reference in SUPPOSED:
+    for name, quantities, reference in ASSUMED:
         equations = {quantity: LATER.definitions[quantity] for quantity in quantities}
-        book.suppose(f"period_functions.{name}", equations, reference, POINTS)
-    supposed = [f"period_functions.{name}" for name, *_ in SUPPOSED]
-    book.model("period_functions", "period", supposed)
+        book.assume(f"period_functions.{name}", equations, reference, POINTS)
+    assumed = [f"period_functions.{name}" for name, *_ in ASSUMED]
+    book.model("period_functions", "period", assumed)
     book.carry("period_functions", [f"period.{name}" for name in ("duration", "rates", "psi")])
     book.carry("period_functions", ["period.Lambda"])
     _solid_angle(book)

@@ -24,7 +24,7 @@ PRINTED = {
 def derive(book: Book) -> None:
     """Search, and list what is found."""
     book.ledger.published["repairs"] = [
-        f"{fact}: {repair}"
+        {"fact": fact, "lhs": lhs, "rhs": rhs}
         for fact, place in PRINTED.items()
-        for repair in repairs(book.ledger, fact, place)
+        for lhs, rhs in repairs(book.ledger, fact, place)
     ]

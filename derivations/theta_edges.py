@@ -1,4 +1,4 @@
-"""The edges of the theta forms, elementary and without suppositions: k_1 = 1 and k_1 = 0.
+"""The edges of the theta forms, elementary and without assumptions: k_1 = 1 and k_1 = 0.
 
 On the separatrix the thetas of the complementary nome, divided by 2 q^(1/4), are
 
@@ -18,7 +18,7 @@ from derivations.descended_form import MOTION
 from derivations.theta_form import CLASSICAL, COMPONENTS, FORM, NORM, PHASE, TURNING
 from rigidsym.algebra import Book, Part, join
 
-# What elementary values have to satisfy is shown, not supposed.
+# What elementary values have to satisfy is shown, not assumed.
 SHOWN = (
     "root_k**2 - k_1",
     "C_b**2 - (1 + k_1)**2*B_d**2 - 4*k_1*B_a**2",

@@ -12,7 +12,7 @@ have closed forms of their own.
 
 What is classical in it stands in `theta_form` as definitions (sn and Z of a shifted argument, by
 their addition theorems, and theta_1 as sn times theta_4) and as the rate of theta_4.  In
-`theta_functions` these are functions by themselves, and the classical identities are suppositions,
+`theta_functions` these are functions by themselves, and the classical identities are assumptions,
 each with its reference, which balls agree with at structured points.  By them it is a model of the
 form, so the attitude solves (3) there too, at their grade.
 """
@@ -89,7 +89,7 @@ QUOTIENT = {
 SLOPE = {"T4_re": "Z_re*T4_re - Z_im*T4_im", "T4_im": "Z_re*T4_im + Z_im*T4_re"}
 # Watson's identities make the sum of the squares a product of two real thetas.
 NORM = {"W": "T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2"}
-# That T1 and W, defined here, are the functions that their readings name, is supposed below.
+# That T1 and W, defined here, are the functions that their readings name, is assumed below.
 CLASSICAL = Part(
     definitions={**QUOTIENT, **NORM},
     rates={**{name: f"mu*({form})" for name, form in SLOPE.items()}, "R": "mu*Z_re*R"},
@@ -144,7 +144,7 @@ REFERENCES = {
     "slope": "DLMF 22.16.30 with 22.16.27",
     "norm": "Watson's identities, DLMF 20.7.13 and 20.7.14",
 }
-SUPPOSED = {"quotient": QUOTIENT, "slope": DERIVATIVE, "norm": NORM}
+ASSUMED = {"quotient": QUOTIENT, "slope": DERIVATIVE, "norm": NORM}
 FORM = (*MOTION, SHIFT, VALUES, TURNING, PHASE)
 # Both circulations, moduli small and near one, momenta near the circulation axis and far from it.
 POINTS = [
@@ -225,11 +225,11 @@ def _assemble(book: Book) -> None:
 
 
 def _functions(book: Book) -> None:
-    """Classical identities between the functions, supposed and enclosed; then the form holds."""
+    """Classical identities between the functions, assumed and enclosed; then the form holds."""
     book.open(join("theta_functions", *FORM, FREE))
-    for name, equations in SUPPOSED.items():
-        book.suppose(f"theta_functions.{name}", equations, REFERENCES[name], POINTS)
-    book.model("theta_functions", "theta_form", [f"theta_functions.{name}" for name in SUPPOSED])
+    for name, equations in ASSUMED.items():
+        book.assume(f"theta_functions.{name}", equations, REFERENCES[name], POINTS)
+    book.model("theta_functions", "theta_form", [f"theta_functions.{name}" for name in ASSUMED])
     carried = ("solution", "N_of_W", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
     book.carry("theta_functions", [f"theta_form.{name}" for name in carried])
 

@@ -3,7 +3,7 @@
     Pi(n; theta + k pi | m) = 2 k Pi(n | m) + Pi(n; theta | m),        n < 1,  m < 1,  k whole
 
 (19) needs it, since theta = am grows without end.  The integrand at theta + k pi is that at theta,
-so both sides grow alike; that they agree at one theta is the supposition that balls confirm.
+so both sides grow alike; that they agree at one theta is the assumption that balls confirm.
 """
 
 from rigidsym.algebra import Book, Part, join
@@ -46,4 +46,4 @@ def derive(book: Book) -> None:
     book.claim("windings.slope", {"D(Pi_later - 2*k*Pi_c - Pi)": "0"}, ["19", "20", "21"])
     book.sign("windings.path", {"1 - n*sine**2": "cosine**2 + (1 - n)*sine**2"}, ["19"])
     reference = "DLMF 19.2.7, whose integrand has the period pi"
-    book.suppose("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)
+    book.assume("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)

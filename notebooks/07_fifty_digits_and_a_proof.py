@@ -340,17 +340,18 @@ assert set(grades) == {Grade.PROVED, Grade.ENCLOSED}
 
 # %% [markdown]
 # Which of them stand behind the digits above? The ledger *publishes* programmes, lists of facts in
-# the order of evaluation; the numbers come from these and from nothing else. An entry such as
-# `theta_form:T4_re:18` with colons is a *reading*: it says which standard function a symbol stands
-# for.
+# the order of evaluation; the numbers come from these and from nothing else. An entry is a
+# proved fact or a *reading*, which says what standard function a symbol stands for, as that of
+# `T4_re` in the context `theta_form` does.
 
 # %%
-used = [*ledger.published["plan"], *ledger.published["theta"], *ledger.published["theta_state"]]
-facts = [entry for entry in used if ":" not in entry]
-readings = [entry for entry in used if ":" in entry]
+programmes = ledger.published["programmes"]
+used = [*programmes["plan"], *programmes["theta"], *programmes["theta_state"]]
+facts = [entry["fact"] for entry in used if "fact" in entry]
+readings = [entry for entry in used if "reading" in entry]
 print(f"{len(facts)} formulas, {len(readings)} readings")
 assert all(ledger.facts[name].grade == Grade.PROVED for name in facts)
-assert {entry.split(":")[0] for entry in readings} <= set(ledger.contexts)
+assert {entry["context"] for entry in readings} <= set(ledger.contexts)
 
 # %% [markdown]
 # Four of them, and the fact that crowns them: the quaternion built from theta functions is of unit

@@ -12,7 +12,7 @@ def prove(ledger: Ledger, fact: Fact) -> Fact:
     """Admit an identity with the cofactors of its normal form, as a book does."""
     book = Book()
     book.ledger = ledger
-    return book._decide(fact)
+    return book.decide(fact)
 
 
 def written(data: Any) -> str:
@@ -26,3 +26,68 @@ def unchecked(contexts: Iterable[Context], facts: Iterable[Fact]) -> str:
         contexts={context.name: context for context in contexts},
         facts={fact.id: fact for fact in facts},
     ).to_text()
+
+
+# No names of contexts and quantities: D is d/dt, and the rest are other letters or none.
+NO_NAMES = [
+    *(
+        "",
+        " ",
+        "x ",
+        "x y",
+        "x-y",
+        "1x",
+        "x#",
+        "x\n",
+        "\x1b[2Kx",
+        "x\u200b",
+        "\u202ex",
+        "\U0001d431",
+    ),
+    *("\u0445", "\uff58", "\ufb01", "x\u0301", "if", "True", "lambda", "D", "\u00b2", "x\u0661"),
+]
+# What the grammar of `rigidsym.kernel.language` refuses, though Python, or one of two readers, may
+# take it for x, a number or a name; x is a name wherever these are read.
+NOT_EXPRESSIONS = [
+    *("x # **2 + 5", "x #", "\U0001d431", "\uff58", "\u0445", "x\u0661", "\u0661", "1_000", "0x10"),
+    *("0b1", "0o7", "00", "01", "1.", "1e1", "1j", "1x", "x**True", "x**-1", "x**+1", "x**1_0"),
+    *("x**x", "x**(2)", "x**2**3", "x**1.0", "+x", "x + +x", "x//1", "x***2", "x* *2", "x/ /2"),
+    *(
+        " x",
+        "x ",
+        "\tx",
+        "x\t+ x",
+        "(x\n+ x)",
+        "x\\\n+ x",
+        "x\r",
+        "x\x0c",
+        "x\x00",
+        "x\u00a0",
+        "x;",
+    ),
+    *("D(x,)", "D(x, x)", "D()", "(D)(x)", "(D(x)", "D(x))", "D(*x)", "D(x=x)", "D(x)(x)", "x(x)"),
+    *("(x, x)", "(x,)", "x, x", "()", "", " ", "x y", "1 0", "x 1", "(x)(x)", "x(", "True", "if"),
+    *("lambda", "None", "not x", "x if x else x", "x and x", "x is x", "[x]", "{x}", "x.x", "x[0]"),
+    *("'x'", "x!", "x == x", "x := x", "(x := x)", "x @ x", "x % x", "x ^ x", "x | x", "~x", "$x"),
+    *("(" * 51 + "x" + ")" * 51, "-" * 51 + "x", "-(" * 26 + "x" + ")" * 26, "9" * 1001),
+    "x" + " + x" * 5000,
+]
+# What both readers take, up to the limits.
+EXPRESSIONS = [
+    *(
+        "x",
+        "x + x",
+        "x+x",
+        "x  -  x",
+        "(x)",
+        "((x))",
+        "-x",
+        "--x",
+        "- x",
+        "x - -x",
+        "x*-x",
+        "-x**2",
+    ),
+    *("D(x)", "D (x)", "D( x )", "x**64", "x ** 2", "0", "10", "2/3", "x*x*x"),
+    *("(" * 50 + "x" + ")" * 50, "-" * 50 + "x", "9" * 1000, "x" + " + x" * 4999),
+]

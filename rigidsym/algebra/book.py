@@ -5,16 +5,22 @@ Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel de
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TypeAlias
 
 from rigidsym.algebra.enclosures import encloses
 from rigidsym.algebra.normal_form import divide
 from rigidsym.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.kernel.rules import differences
+from rigidsym.kernel.statement import weakest
 
-Equations = Mapping[str, str] | Iterable[tuple[Any, Any]]
+# What the kernel reads, or what `text` makes into that.
+Side: TypeAlias = str | int | Element
+Equations: TypeAlias = Mapping[str, str] | Iterable[tuple[Side, Side]]
+Point: TypeAlias = Mapping[str, str]
 # A context's name, and what its witness has that its parent's has not.
-Case = tuple[str, Mapping[str, str]]
+Case: TypeAlias = tuple[str, Point]
+# {"fact": id}, or {"context": name, "reading": name, "source": equations of the paper}.
+Entry: TypeAlias = Mapping[str, str | list[str]]
 
 
 class Book:
@@ -29,21 +35,21 @@ class Book:
 
     def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
         """Prove equations componentwise.  The context is the part of the id before the dot."""
-        return self._decide(_fact(fact_id, "equal", equations, "identity", source))
+        return self.decide(_fact(fact_id, "equal", equations, "identity", source))
 
     def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
         """Prove name = sqrt(radicand), by its square and the sign of the name."""
-        return self._decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
+        return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
 
     def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
         """Prove that quantities are nonnegative, by forms of theirs that show it."""
-        return self._decide(_fact(fact_id, "nonnegative", forms, "identity", source))
+        return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
 
     def refute(
         self,
         fact_id: str,
         equations: Equations,
-        point: Mapping[str, str],
+        point: Point,
         source: Iterable[str] = (),
     ) -> Fact:
         """Show that equations do not always hold; `point` overrides the context's witness."""
@@ -56,7 +62,9 @@ class Book:
         name = f"{context}.models_{source}"
         return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
 
-    def suppose(self, fact_id: str, equations: Equations, reference: str, points: Any) -> Fact:
+    def assume(
+        self, fact_id: str, equations: Equations, reference: str, points: Iterable[Point]
+    ) -> Fact:
         """State somebody else's result, graded ENCLOSED where balls agree with it at the points."""
         fact = _fact(fact_id, "equal", equations, "assumption", [reference])
         certificate = {"reference": reference, "points": list(points)}
@@ -66,10 +74,8 @@ class Book:
     def split(self, context: str, name: str, *cases: Case) -> None:
         """Open the cases name = 0, > 0 and, if given, < 0 of a context, with their witnesses."""
         whole = self.ledger.contexts[context]
-        for (case, witness), sign in zip(cases, ("", name, f"-{name}"), strict=len(cases) != 2):
-            more = {"units": (*whole.units, name), "nonnegative": (*whole.nonnegative, sign)}
-            more = more if sign else {"relations": (*whole.relations, name)}
-            self.open(replace(whole, name=case, witness={**whole.witness, **witness}, **more))
+        for (case, witness), part in zip(cases, whole.cases(name)[: len(cases)], strict=True):
+            self.open(replace(part, name=case, witness={**whole.witness, **witness}))
 
     def partition(self, context: str, name: str, *cases: str) -> Fact:
         """Every point of a context is in exactly one case of `split`, or of its own cases."""
@@ -88,18 +94,23 @@ class Book:
             here = replace(there, id=name, context=context, rule="transfer", certificate={})
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
-    def publish(self, programme: str, entries: Iterable[str]) -> None:
-        """Offer proved facts, and readings as `context:name:equation`, to the number wing."""
-        ledger, listed = self.ledger, list(entries)
+    def publish(self, programme: str, entries: Iterable[Entry]) -> None:
+        """Offer proved facts and readings of names to the number wing, in order of evaluation."""
+        listed = list(entries)
         for entry in listed:
-            context, name, *_ = [*entry.split(":"), ""]
-            fact = ledger.facts.get(entry)
-            proved = fact and fact.grade == Grade.PROVED and fact.kind in ("equal", "root")
-            if not proved and name not in getattr(ledger.contexts.get(context), "reading", ()):
+            if not (self._is_reading(entry) if "reading" in entry else self._is_formula(entry)):
                 raise KernelError(f"{programme}: {entry} is neither a proved fact nor a reading")
-        ledger.published[programme] = listed
+        self.ledger.published.setdefault("programmes", {})[programme] = listed
 
-    def _decide(self, fact: Fact) -> Fact:
+    def _is_reading(self, entry: Entry) -> bool:
+        context = self.ledger.contexts.get(str(entry["context"]))
+        return context is not None and entry["reading"] in context.reading
+
+    def _is_formula(self, entry: Entry) -> bool:
+        fact = self.ledger.facts.get(str(entry["fact"]))
+        return fact is not None and fact.grade == Grade.PROVED and fact.kind in ("equal", "root")
+
+    def decide(self, fact: Fact) -> Fact:
         """Admit an identity with the cofactors of its normal form; KernelError if it is none."""
         ring = self.ledger.rings[fact.context]
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
@@ -109,8 +120,8 @@ class Book:
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
     def _conclude(self, fact: Fact, *premises: str) -> Fact:
-        grades = [fact.grade, *(self.ledger.facts[premise].grade for premise in premises)]
-        grade = min(grades, key=list(Grade).index)
+        grades = [self.ledger.facts[premise].grade for premise in premises]
+        grade = weakest([fact.grade, *grades])
         return self.ledger.add(replace(fact, premises=premises, grade=grade))
 
 
@@ -121,7 +132,17 @@ def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iter
     return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
 
 
-def text(side: Any) -> str:
+def facts(context: str, names: str) -> list[Entry]:
+    """Entries for facts of one context: `facts("regular", "H E_a")`."""
+    return [{"fact": f"{context}.{name}"} for name in names.split()]
+
+
+def readings(context: str, names: str, *source: str) -> list[Entry]:
+    """Entries for the readings of names: standard functions, used where these equations do."""
+    return [{"context": context, "reading": name, "source": list(source)} for name in names.split()]
+
+
+def text(side: Side) -> str:
     """What the kernel reads back as this: a text itself, a number, or an element of a ring."""
     if not isinstance(side, Element):
         return str(side)
@@ -130,7 +151,7 @@ def text(side: Any) -> str:
     return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
 
 
-def equal(lhs: Iterable[Any], rhs: Iterable[Any]) -> list[tuple[Any, Any]]:
+def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
     """Componentwise equations between two vectors or matrices."""
     return list(zip(lhs, rhs, strict=True))
 

@@ -1,25 +1,24 @@
 """Whether balls agree with a fact: the evidence for classical identities, by Arb.
 
 A name stands for the number that a point gives it, or for its definition, or for its reading.
-Readings are then texts of the kernel's syntax with the functions of `FUNCTIONS` in them.  Jacobi's
-functions are found by inverting Legendre's F, never from theta functions: the identities that
-relate the two are what is to be checked.  A fact is agreed with where the ball of lhs - rhs
+Readings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
+Jacobi's functions are found by inverting Legendre's F, never from theta functions: the identities
+that relate the two are what is to be checked.  A fact is agreed with where the ball of lhs - rhs
 contains zero and is small, at every point.
 """
 
-import ast
-from collections.abc import Callable, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from operator import add, mul, sub, truediv
-from typing import Any
 
 from flint import acb, arb, ctx, fmpq
 
-from rigidsym.kernel import Context, Fact, KernelError
+from rigidsym.kernel import Context, Fact, KernelError, Ring
+from rigidsym.kernel.language import Tree, is_name, parse
 
 BITS = 192
 SMALL = arb(2) ** -128
-_BINARY: dict[type, Any] = {ast.Add: add, ast.Sub: sub, ast.Mult: mul, ast.Div: truediv}
+_ARITHMETIC: Mapping[Tree, Callable[[acb, acb], acb]]
+_ARITHMETIC = {"+": add, "-": sub, "*": mul, "/": truediv}
 STEPS = 32
 
 
@@ -46,58 +45,77 @@ class Evaluation:
         self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1)}
         for name, number in point.items():
             if name not in context.generators or _is_formula(context.reading.get(name, "?")):
-                raise KernelError(f"a point gives {name}, which is not free")
-            fraction = Fraction(number)
-            self.known[name] = acb(fmpq(fraction.numerator, fraction.denominator))
+                raise KernelError(f"a point gives {name!a}, which is not free")
+            rational = Ring((), {}).read(number).numerator.coeff(1)
+            self.known[name] = acb(fmpq(int(rational.numerator), int(rational.denominator)))
 
     def check(self) -> None:
         """Refuse a point at which a hypothesis about names met so far is broken."""
-        for text in (*self.context.relations, *self.context.units):
-            names = {node.id for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Name)}
-            broken = text in self.context.units
-            if names <= self.known.keys() and self.value(text).contains(0) == broken:
-                raise KernelError(f"the point is not one of the context: {text}")
+        for holds, texts in (
+            (lambda value: value.contains(0), self.context.relations),
+            (lambda value: not value.contains(0), self.context.units),
+            (lambda value: not value.real < 0, self.context.nonnegative),
+        ):
+            for text in texts:
+                if {*_names(parse(text))} <= self.known.keys() and not holds(self.value(text)):
+                    raise KernelError(f"the point is not one of the context: {text}")
 
     def value(self, text: str) -> acb:
         """The ball of a text; KernelError where it is no expression, or refers to itself."""
         try:
-            return self._of(ast.parse(text, mode="eval").body)
-        except (SyntaxError, RecursionError, TypeError, ValueError) as error:
+            return self._of(parse(text))
+        except (RecursionError, TypeError, ValueError) as error:
             raise KernelError(f"{text!r} has no value: {error}") from None
 
-    def _of(self, node: ast.expr) -> acb:
-        match node:
-            case ast.Constant(value=int(number)) if not isinstance(number, bool):
-                return acb(number)
-            case ast.Name(id=name) if name in self.known or name in self.texts:
-                return self._named(name)
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
+    def _of(self, tree: Tree) -> acb:
+        match tree:
+            case int():
+                return acb(tree)
+            case str():
+                return self._named(tree)
+            case ("-", operand):
                 return -self._of(operand)
-            case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
+            case (base, "**", int(exponent)):
                 return self._of(base) ** exponent
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
-                return _BINARY[type(op)](self._of(left), self._of(right))
-            case ast.Call(ast.Name(name), arguments, keywords=[]) if name in FUNCTIONS:
+            case (str(name), "(", *arguments):
+                if name not in FUNCTIONS:
+                    raise KernelError(f"{name} is no function")
                 return FUNCTIONS[name](*map(self._of, arguments))
-        raise KernelError(f"{ast.unparse(node)!r} has no value")
+        total = self._of(tree[0])
+        for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+            total = _ARITHMETIC[operator](total, self._of(operand))
+        return total
 
     def _named(self, name: str) -> acb:
         if name not in self.known:
+            if name not in self.texts:
+                raise KernelError(f"{name!r} has no value")
             value = self.value(self.texts[name])
             if name in self.context.generators and not value.imag.contains(0):
-                raise KernelError(f"{name} is not real")  # signs and even powers suppose that
+                raise KernelError(f"{name} is not real")  # signs and even powers rest on that
             self.known[name] = value
         return self.known[name]
+
+
+def _names(tree: Tree) -> Iterator[str]:
+    """The names in an expression, those of functions and D left out."""
+    match tree:
+        case str() if is_name(tree):
+            yield tree
+        case (_, "(", *arguments):
+            yield from _names(tuple(arguments))
+        case tuple():
+            for part in tree:
+                yield from _names(part)
 
 
 def _is_formula(reading: str) -> bool:
     """Whether a reading says what the number is, rather than what it is called."""
     try:
-        nodes = [*ast.walk(ast.parse(reading, mode="eval"))]
-    except SyntaxError:
+        parse(reading)
+    except KernelError:
         return False
-    parts = (ast.Expression, ast.Constant, ast.Name, ast.BinOp, ast.UnaryOp, ast.Call)
-    return all(isinstance(node, (*parts, ast.operator, ast.unaryop, ast.Load)) for node in nodes)
+    return True
 
 
 def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:

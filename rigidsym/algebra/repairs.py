@@ -20,8 +20,8 @@ MOST = 3
 _SIDES = ("lhs", "rhs")
 
 
-def repairs(ledger: Ledger, fact_id: str, place: str) -> list[str]:
-    """The shortest proved repairs of a refuted fact, as equations; at most `MOST`, none the same.
+def repairs(ledger: Ledger, fact_id: str, place: str) -> list[tuple[str, str]]:
+    """The shortest proved repairs of a refuted fact, lhs and rhs; at most `MOST`, none the same.
 
     `place` is what the paper prints: a side of the statement, or a definition of its context.
     """
@@ -30,7 +30,7 @@ def repairs(ledger: Ledger, fact_id: str, place: str) -> list[str]:
     printed = fact.rhs[0] if place == "rhs" else fact.lhs[0]
     printed = context.definitions.get(place, printed)
     instants = [Instant(context, point) for point in _points(ledger, context)]
-    found: dict[str, str] = {}
+    found: dict[str, tuple[str, str]] = {}
     for text in sorted({*_edited(printed, context, ring)}, key=lambda text: (len(text), text)):
         lhs, rhs = _statement(fact, place, text)
         changed = {} if place in _SIDES else {place: text}
@@ -67,9 +67,8 @@ def _statement(fact: Fact, place: str, text: str) -> tuple[str, str]:
     return {"lhs": (text, rhs), "rhs": (lhs, text)}.get(place, (lhs, rhs))
 
 
-def _equation(fact: Fact, place: str, text: str) -> str:
-    sides = (place, text) if place not in _SIDES else _statement(fact, place, text)
-    return " = ".join(sides)
+def _equation(fact: Fact, place: str, text: str) -> tuple[str, str]:
+    return (place, text) if place not in _SIDES else _statement(fact, place, text)
 
 
 def _ring(context: Context, ring: Ring, changed: Mapping[str, str]) -> Ring | None:

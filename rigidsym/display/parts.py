@@ -12,10 +12,7 @@ GOOD, FAIR, BAD, OPEN = "#0a9e73", "#d29a00", "#e0552b", "#7f8c9b"
 TINTS = {
     "PROVED": GOOD,
     "ENCLOSED": FAIR,
-    "SAMPLED": FAIR,
     "ASSUMED": BAD,
-    "UNDECIDED": OPEN,
-    "REFUTED": BAD,
     "holds": GOOD,
     "holds if": GOOD,
     "misprint": BAD,

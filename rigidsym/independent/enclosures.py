@@ -43,8 +43,8 @@ class Values(Language[acb]):
         constants = {"pi": acb.pi(), "I": acb(0, 1)}
         known = {*given.generators, *self._unread}
         self._values = {name: constants[name] for name in constants.keys() - known}
-        if taken := point.keys() & (self._values.keys() | given.definitions.keys()):
-            raise Refused(f"a point gives {min(taken)}, which has its value already")
+        if taken := point.keys() - {*given.generators}:
+            raise Refused(f"a point gives {min(taken)!a}, which is no generator")
         if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
             raise Refused(f"a point gives {forced[0]}, which its reading gives")
         self._values |= {name: acb(arb(rational(text))) for name, text in point.items()}
@@ -59,7 +59,7 @@ class Values(Language[acb]):
         ):
             for text in texts:
                 if self._values.keys() >= {*NAME.findall(text)} and not holds(self.read(text)):
-                    raise Refused(f"the point does not satisfy what is supposed of {text}")
+                    raise Refused(f"the point does not satisfy what is assumed of {text}")
 
     def number(self, number: int) -> acb:
         """A natural number."""

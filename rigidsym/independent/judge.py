@@ -4,11 +4,12 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from typing import Any
 
+from rigidsym.independent.language import is_name
 from rigidsym.independent.records import Claim, Hypotheses, Refused, fill, load
-from rigidsym.independent.rules import RULES
+from rigidsym.independent.rules import RULES, Accepted
 from rigidsym.independent.theory import Theory
 
-WORST_TO_BEST = ["REFUTED", "UNDECIDED", "ASSUMED", "SAMPLED", "ENCLOSED", "PROVED"]
+WORST_TO_BEST = ["ASSUMED", "ENCLOSED", "PROVED"]
 
 
 def check(text: str) -> int:
@@ -25,12 +26,8 @@ def check(text: str) -> int:
     return len(judge.facts)
 
 
-class Judge:
-    """What has been accepted so far; a fact may rest on nothing else."""
-
-    def __init__(self) -> None:
-        self.theories: dict[str, Theory] = {}
-        self.facts: dict[str, Claim] = {}
+class Judge(Accepted):
+    """Who accepts contexts and facts, one after the other."""
 
     def open(self, given: Hypotheses) -> None:
         """Accept a context of a new name."""
@@ -40,10 +37,12 @@ class Judge:
 
     def accept(self, fact: Claim) -> None:
         """Accept a fact of a new id whose rule holds, at the grade of its weakest support."""
+        if not all(map(is_name, fact.id.split("."))):
+            raise Refused("this id is not made of names")
         if fact.id in self.facts or not {*fact.premises} <= self.facts.keys():
             raise Refused("this id is taken, or a premise is not a fact so far")
         if fact.context not in self.theories or fact.rule not in RULES:
-            raise Refused(f"no context {fact.context!r} or no rule {fact.rule!r}")
+            raise Refused(f"no context {fact.context!a} or no rule {fact.rule!a}")
         kinds, premises, rule = RULES[fact.rule]
         if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
             raise Refused(f"rule {fact.rule} does not make this of {len(fact.premises)} premises")
@@ -59,6 +58,8 @@ def _blaming(kind: str, entry: Any = None, key: str = "") -> Generator[None]:
     try:
         yield
     except (ValueError, ArithmeticError, RecursionError, MemoryError) as error:
-        culprit = f"{kind} {entry.get(key)}" if isinstance(entry, dict) else kind
+        name = entry.get(key) if isinstance(entry, dict) else ""
+        printable = name if str(name).isascii() and str(name).isprintable() else ascii(name)
+        culprit = f"{kind} {printable}" if name != "" else kind
         reason = str(error) or type(error).__name__
         raise Refused(" ".join(f"{culprit}: {reason}".split())) from None

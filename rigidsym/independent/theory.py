@@ -2,7 +2,7 @@
 
 from flint import fmpq
 
-from rigidsym.independent.language import NAME
+from rigidsym.independent.language import is_name
 from rigidsym.independent.records import Hypotheses, Refused
 from rigidsym.independent.ring import Ring
 from rigidsym.independent.signs import Signs
@@ -50,7 +50,7 @@ class Theory:
 def _check_names(given: Hypotheses) -> None:
     """Each name is a name and means one thing, and only generators have rates of their own."""
     names = [*given.generators, *given.definitions]
-    if len({*names}) < len(names) or not all(map(NAME.fullmatch, names)):
+    if len({*names}) < len(names) or not all(map(is_name, [given.name, *names])) or "D" in names:
         raise Refused("a name is no name, or means two things")
     if not (given.rates or {}).keys() <= {*given.generators}:
         raise Refused("a rate is given to what is not a generator")

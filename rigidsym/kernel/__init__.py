@@ -2,10 +2,12 @@
 
 It imports `sympy.polys` and the standard library.  What a replayed ledger grades PROVED follows by
 polynomial arithmetic over Q from a context; whether that says what is meant, `reading` must tell.
+To be read in this order: `language`, `ring`, `statement`, `rules`, `ledger`.
 """
 
+from rigidsym.kernel.language import KernelError
 from rigidsym.kernel.ledger import Ledger, replay
-from rigidsym.kernel.ring import Element, KernelError, Ring
+from rigidsym.kernel.ring import Element, Ring
 from rigidsym.kernel.statement import Context, Fact, Grade
 
 __all__ = ["Context", "Element", "Fact", "Grade", "KernelError", "Ledger", "Ring", "replay"]

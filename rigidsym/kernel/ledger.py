@@ -4,70 +4,74 @@
 """
 
 import json
-from collections.abc import Callable
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from rigidsym.kernel.ring import KernelError, Ring
-from rigidsym.kernel.rules import RULES
-from rigidsym.kernel.statement import Context, Fact, Grade
+from rigidsym.kernel.language import KernelError, is_name
+from rigidsym.kernel.ring import Ring
+from rigidsym.kernel.rules import RULES, Admitted, Encloses
+from rigidsym.kernel.statement import Context, Fact, Grade, weakest
 
-SCHEMA = "rigidsym.ledger/1"
+SCHEMA = "rigidsym.ledger/2"
 _LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
 
 
 @dataclass(slots=True)
-class Ledger:
-    """Everything admitted so far; `published` is an index for readers, and proves nothing."""
+class Ledger(Admitted):
+    """Everything admitted so far; `published` is for readers, and proves nothing."""
 
-    encloses: Callable[[Context, Fact, Any], bool] | None = None  # is trusted with grade ENCLOSED
-    contexts: dict[str, Context] = field(default_factory=dict)
-    facts: dict[str, Fact] = field(default_factory=dict)
-    published: dict[str, list[str]] = field(default_factory=dict)
-    rings: dict[str, Ring] = field(default_factory=dict)
+    published: dict[str, Any] = field(default_factory=dict)
 
     def open(self, context: Context) -> Ring:
         """Admit a context; raises KernelError where it is not closed, inhabited or new."""
         if context.name in self.contexts:
             raise KernelError(f"context {context.name} is already there")
-        self.rings[context.name], self.contexts[context.name] = context.open(), context
+        self.rings[context.name] = context.open()
+        self.contexts[context.name] = context
         return self.rings[context.name]
 
     def add(self, fact: Fact) -> Fact:
         """Admit a fact if its rule accepts it with the grade it claims; KernelError otherwise."""
-        unknown = {*fact.premises, fact.context, fact.rule} - {*self.facts, *self.rings, *RULES}
-        if unknown or fact.id in self.facts:
-            raise KernelError(f"fact {fact.id} is there already, or rests on {sorted(unknown)}")
+        if not all(map(is_name, fact.id.split("."))) or fact.id in self.facts:
+            raise KernelError(f"fact {fact.id!a:.80}: this is no name, or there already")
         try:
-            kinds, rule = RULES[fact.rule]
-            if fact.kind not in kinds.split() or not fact.rhs:
-                raise KernelError(f"rule {fact.rule} states {kinds!r}, of something")
-            grades = [rule(self, fact), *(self.facts[premise].grade for premise in fact.premises)]
+            self._check(fact)
         except Exception as error:
             raise KernelError(f"fact {fact.id}: {error}") from None
-        if fact.grade != (earned := min(grades, key=list(Grade).index)):
-            raise KernelError(f"fact {fact.id}: claims {fact.grade}, has earned {earned}")
         self.facts[fact.id] = fact
         return fact
 
+    def _check(self, fact: Fact) -> None:
+        if fact.rule not in RULES or fact.context not in self.contexts:
+            raise KernelError(f"no rule {fact.rule!a}, or no context {fact.context!a}")
+        if missing := {*fact.premises} - self.facts.keys():
+            raise KernelError(f"no premises {sorted(missing)!a}")
+        kinds, premises, rule = RULES[fact.rule]
+        if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
+            raise KernelError(f"rule {fact.rule} does not state this from so many premises")
+        supports = [self.facts[premise].grade for premise in fact.premises]
+        if fact.grade != (earned := weakest([rule(self, fact), *supports])):
+            raise KernelError(f"claims {fact.grade}, has earned {earned}")
+
     def to_text(self) -> str:
         """The ledger as JSON text, the same on every machine."""
-        contexts, facts = (list(map(asdict, x.values())) for x in (self.contexts, self.facts))
+        contexts = [asdict(context) for context in self.contexts.values()]
+        facts = [asdict(fact) for fact in self.facts.values()]
         data = {"schema": SCHEMA, "contexts": contexts, "facts": facts, "published": self.published}
         return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
 
 
-def replay(text: str, encloses: Callable[[Context, Fact, Any], bool] | None = None) -> Ledger:
+def replay(text: str, encloses: Encloses | None = None) -> Ledger:
     """Check a written ledger from nothing; raises KernelError at the first thing not in order."""
     try:
         data, ledger = json.loads(text), Ledger(encloses)
         if data["schema"] != SCHEMA:
             raise KernelError(f"schema: {data['schema']!r}: this kernel reads {SCHEMA!r}")
-        for context in data["contexts"]:
-            ledger.open(Context(**_frozen(context)))
-        for fact in data["facts"]:
-            ledger.add(Fact(**_frozen({**fact, "grade": Grade(fact["grade"])})))
-        ledger.published = data["published"]
+        for entry in data["contexts"]:
+            ledger.open(Context(**_frozen(entry)))
+        for entry in data["facts"]:
+            ledger.add(Fact(**_frozen({**entry, "grade": Grade(entry["grade"])})))
+        ledger.published = dict(data["published"])
     except Exception as error:
         known = isinstance(error, KernelError)
         raise error if known else KernelError(f"not a ledger: {error!r}") from None

@@ -1,30 +1,25 @@
-"""Elements of a differential ring: a polynomial over a product of declared units.
+"""Elements of a differential ring: a polynomial over a product of declared units; D is d/dt."""
 
-Text is Python's, cut down to names, integers, ``+ - * /``, integer powers and ``D(...)``, d/dt;
-no division happens that the hypotheses do not cover.
-"""
-
-import ast
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import prod
+from math import comb, prod
 from operator import add, mul, sub, truediv
-from typing import Any
+from typing import Any, TypeAlias
 
 from sympy.polys.domains import QQ
 from sympy.polys.orderings import lex
-from sympy.polys.rings import PolyRing
+from sympy.polys.rings import PolyElement, PolyRing
 
-_BINARY: dict[type, Any] = {ast.Add: add, ast.Sub: sub, ast.Mult: mul, ast.Div: truediv}
+from rigidsym.kernel.language import KernelError, Tree, parse
+
+Divided: TypeAlias = tuple[list[PolyElement], PolyElement]  # cofactors and remainder
+Number: TypeAlias = Any  # a rational number, of the class that SymPy computes with here
+_ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": truediv}
 
 
-def at(polynomial: Any, point: list[Any]) -> Any:
+def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
     """The value at a rational point, given in the order of the ring's generators."""
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.terms())
-
-
-class KernelError(ValueError):
-    """The kernel refuses: a text, context, fact or certificate breaks one of its rules."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,35 +27,36 @@ class Element:
     """numerator / product of units**powers, in one `Ring`."""
 
     ring: "Ring"
-    numerator: Any
+    numerator: PolyElement
     powers: tuple[int, ...]
 
-    def over(self, powers: tuple[int, ...]) -> Any:
+    def over(self, powers: tuple[int, ...]) -> PolyElement:
         """The numerator this element has when written over a larger denominator."""
         scaled = self.numerator
         for unit, gap in zip(self.ring.units, map(sub, powers, self.powers), strict=True):
             scaled = scaled * unit**gap if gap else scaled
         return scaled
 
-    def __add__(self, other: Any) -> "Element":
+    def __add__(self, other: "Element | PolyElement | int") -> "Element":
         other = self.ring.element(other)
         powers = tuple(map(max, self.powers, other.powers))
         return Element(self.ring, self.over(powers) + other.over(powers), powers)
 
-    def __mul__(self, other: Any) -> "Element":
+    def __mul__(self, other: "Element | PolyElement | int") -> "Element":
         other = self.ring.element(other)
         powers = tuple(map(add, self.powers, other.powers))
         return Element(self.ring, self.numerator * other.numerator, powers)
 
-    def __sub__(self, other: Any) -> "Element":
+    def __sub__(self, other: "Element | PolyElement | int") -> "Element":
         return self + self.ring.element(other) * -1
 
-    def __truediv__(self, other: Any) -> "Element":
+    def __truediv__(self, other: "Element | PolyElement | int") -> "Element":
         return self * self.ring.inverse(self.ring.element(other))
 
     def __pow__(self, exponent: int) -> "Element":
-        if not 0 < exponent <= 64 or len(self.numerator) ** min(exponent, 9) > 10**6:
-            raise KernelError(f"power {exponent} of {len(self.numerator)} terms: not from 1 to 64")
+        terms = max(len(self.numerator), 1)
+        if not 1 <= exponent <= 64 or comb(terms + exponent - 1, exponent) > 100_000:
+            raise KernelError(f"power {exponent} of {terms} terms: too large, or not from 1 to 64")
         powers = tuple(exponent * power for power in self.powers)
         return Element(self.ring, self.numerator**exponent, powers)
 
@@ -76,13 +72,13 @@ class Ring:
 
     def __init__(self, generators: tuple[str, ...], definitions: Mapping[str, str]) -> None:
         self.poly = PolyRing(generators[::-1], QQ, lex)
-        self.definitions = definitions
-        self.units: tuple[Any, ...] = ()
-        self.relations: tuple[Any, ...] = ()
+        self.unread = dict(definitions)
+        self.units: tuple[PolyElement, ...] = ()
+        self.relations: tuple[PolyElement, ...] = ()
         self.rates: dict[str, Element | None] | None = None
         self.names = {str(generator): self.element(generator) for generator in self.poly.gens}
 
-    def element(self, value: Any) -> Element:
+    def element(self, value: Element | PolyElement | Number | int) -> Element:
         """Coerce a number, a polynomial, or an element made before all units were declared."""
         ready = isinstance(value, Element)
         numerator, powers = (value.numerator, value.powers) if ready else (self.poly(value), ())
@@ -90,16 +86,25 @@ class Ring:
 
     def inverse(self, element: Element) -> Element:
         """1/element; refused unless its numerator is a number times a product of units."""
-        for form in (lambda polynomial: polynomial, lambda polynomial: self.reduce(polynomial)[1]):
-            rest, powers = form(element.numerator), [0] * len(self.units)
-            for k, unit in enumerate(self.units):
-                while rest and not unit.is_ground and not (divided := rest.div(unit))[1]:
-                    rest, powers[k] = divided[0], powers[k] + 1
-            if rest and rest.is_ground:
-                return Element(self, self.element(1 / rest.LC).over(element.powers), tuple(powers))
-        raise KernelError(f"1/({element.numerator!s:.120}): not a product of the declared units")
+        powers, rest = self._factors(element.numerator)
+        if not rest.is_ground:
+            powers, rest = self._factors(self.reduce(element.numerator)[1])
+        if not rest or not rest.is_ground:
+            raise KernelError(f"1/({element.numerator!s:.99}): no product of the declared units")
+        return Element(self, self.element(1 / rest.LC).over(element.powers), powers)
 
-    def reduce(self, polynomial: Any, *given: Any) -> tuple[list[Any], Any]:
+    def _factors(self, polynomial: PolyElement) -> tuple[tuple[int, ...], PolyElement]:
+        """The powers of units that divide a polynomial, and what is left."""
+        powers = [0] * len(self.units)
+        for k, unit in enumerate(self.units):
+            while not polynomial.is_ground and not unit.is_ground:
+                quotient, rest = polynomial.div(unit)
+                if rest:
+                    break
+                polynomial, powers[k] = quotient, powers[k] + 1
+        return tuple(powers), polynomial
+
+    def reduce(self, polynomial: PolyElement, *given: PolyElement) -> Divided:
         """Cofactors and remainder of division by the relations; remainder 0 proves membership."""
         divisors = [*given, *self.relations]
         if not divisors or not polynomial:
@@ -108,44 +113,46 @@ class Ring:
 
     def rate(self, element: Element) -> Element:
         """D(p / prod u**k) = (D(p) - p sum k D(u)/u) / prod u**k"""
-        total = self._rate(element.numerator)
-        for unit, power in zip(self.units, element.powers, strict=True):
-            if power:
-                total -= self._rate(unit) * element.numerator * power / self.element(unit)
-        return total * Element(self, self.poly(1), element.powers)
-
-    def _rate(self, polynomial: Any) -> Element:
         if self.rates is None:
-            raise KernelError(f"D({polynomial}): this context has no time derivative")
+            raise KernelError(f"D({element.numerator}): this context has no time derivative")
         total = self.element(0)
         for name, rate in self.rates.items():
-            slope = polynomial.diff(self.names[name].numerator)
-            if slope and rate is None:
-                raise KernelError(f"D({name}) is not known in this context")
-            total += self.element(slope) * rate if slope else 0
-        return total
+            if slope := element.numerator.diff(self.names[name].numerator):
+                if rate is None:
+                    raise KernelError(f"D({name}) is not known in this context")
+                total += self.element(slope) * rate
+        for unit, power in zip(map(self.element, self.units), element.powers, strict=True):
+            if power:
+                total -= self.rate(unit) * element.numerator * power / unit
+        return total * Element(self, self.poly(1), element.powers)
+
+    def name(self, name: str) -> Element:
+        """A generator, or what a definition abbreviates; inside itself it means nothing."""
+        if name not in self.names:
+            if name not in self.unread:
+                raise KernelError(f"{name!r} has no meaning here")
+            self.names[name] = self.read(self.unread.pop(name))
+        return self.element(self.names[name])
 
     def read(self, text: str) -> Element:
-        """Parse text into an element: names known, divisions covered, and no null byte."""
-        try:
-            return self._read(ast.parse("?" if "\0" in text else text, mode="eval").body)
-        except (SyntaxError, RecursionError, MemoryError, TypeError, UnicodeError) as error:
-            raise KernelError(f"{text!r}: not an expression ({error})") from None
+        """What an expression means: names are known, divisions are covered by the units."""
+        return self._value(parse(text))
 
-    def _read(self, node: ast.expr) -> Element:
-        match node:
-            case ast.Constant(value=int(number)) if not isinstance(number, bool):
-                return self.element(number)
-            case ast.Name(id=name) if name in self.names or name in self.definitions:
-                if name not in self.names:
-                    self.names[name] = self.read(self.definitions[name])
-                return self.element(self.names[name])
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return self._read(operand) * -1
-            case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
-                return self._read(base) ** exponent
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in _BINARY:
-                return _BINARY[type(op)](self._read(left), self._read(right))
-            case ast.Call(func=ast.Name(id="D"), args=[argument], keywords=[]):
-                return self.rate(self._read(argument))
-        raise KernelError(f"{ast.unparse(node)!r} is neither a known name nor an operation")
+    def _value(self, tree: Tree) -> Element:
+        match tree:
+            case int():
+                return self.element(tree)
+            case str():
+                return self.name(tree)
+            case ("-", operand):
+                return self._value(operand) * -1
+            case ("D", "(", argument):
+                return self.rate(self._value(argument))
+            case (function, "(", *_):
+                raise KernelError(f"{function}(...) has no meaning here, or not of so many")
+            case (base, "**", int(exponent)):
+                return self._value(base) ** exponent
+        total = self._value(tree[0])
+        for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+            total = _ARITHMETIC[operator](total, self._value(operand))
+        return total

@@ -3,19 +3,30 @@
 It returns the grade that the rule itself gives, or raises; whoever proposes a fact may be lying.
 """
 
-import ast
-from collections.abc import Callable, Iterable
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
-from rigidsym.kernel.ring import KernelError, Ring, at
+from sympy.polys.rings import PolyElement
+
+from rigidsym.kernel.language import KernelError, is_name, parse
+from rigidsym.kernel.ring import Ring, at
 from rigidsym.kernel.statement import Context, Fact, Grade
 
-if TYPE_CHECKING:
-    from rigidsym.kernel.ledger import Ledger
+# Whether balls agree with a fact of a context at points; it is trusted with grade ENCLOSED.
+Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
 
 
-def identity(ledger: "Ledger", fact: Fact) -> Grade:
+@dataclass(slots=True)
+class Admitted:
+    """What has been admitted so far: all that a rule may look at."""
+
+    encloses: Encloses | None = None
+    contexts: dict[str, Context] = field(default_factory=dict)
+    facts: dict[str, Fact] = field(default_factory=dict)
+    rings: dict[str, Ring] = field(default_factory=dict)
+
+
+def identity(admitted: Admitted, fact: Fact) -> Grade:
     """
     numerator(lhs_k - rhs_k) = sum_j cofactor_kj * relation_j     for every component k
     -----------------------------------------------------------------------------------
@@ -24,138 +35,150 @@ def identity(ledger: "Ledger", fact: Fact) -> Grade:
     If lhs >= 0 is visible, and with lhs**2 for lhs:    Gamma |- lhs = sqrt(rhs)
     If rhs >= 0 is visible:                             Gamma |- lhs = rhs >= 0
     """
-    ring, signs = ledger.rings[fact.context], {"root": fact.lhs, "nonnegative": fact.rhs}
-    _check_signs(signs.get(fact.kind, ()), ledger.contexts[fact.context])
-    for rest, cofactors in zip(differences(ring, fact), fact.certificate["cofactors"], strict=True):
-        for cofactor, relation in zip(cofactors, ring.relations, strict=True):
-            rest -= ring.read(cofactor).over((0,) * len(ring.units)) * relation
-        if rest:
+    ring = admitted.rings[fact.context]
+    visible = {"equal": (), "root": fact.lhs, "nonnegative": fact.rhs}
+    _check_signs(visible[fact.kind], admitted.contexts[fact.context])
+    for difference, row in zip(differences(ring, fact), fact.certificate["cofactors"], strict=True):
+        for cofactor, relation in zip(map(ring.read, row), ring.relations, strict=True):
+            difference -= cofactor.over((0,) * len(ring.units)) * relation
+        if difference:
             raise KernelError("the cofactors do not give lhs - rhs")
     return Grade.PROVED
 
 
-def counterexample(ledger: "Ledger", fact: Fact) -> Grade:
+def counterexample(admitted: Admitted, fact: Fact) -> Grade:
     """
     a rational point of Gamma at which lhs differs from rhs
     -------------------------------------------------------
     Gamma |- lhs != rhs at some point
     """
-    ring = ledger.rings[fact.context]
-    point = ledger.contexts[fact.context].check_point(ring, fact.certificate["point"])
+    ring = admitted.rings[fact.context]
+    point = admitted.contexts[fact.context].check_point(ring, fact.certificate["point"])
     if not any(at(difference, point) for difference in differences(ring, fact)):
         raise KernelError("both sides agree at this point")
     return Grade.PROVED
 
 
-def model(ledger: "Ledger", fact: Fact) -> Grade:
+def model(admitted: Admitted, fact: Fact) -> Grade:
     """
     every name of Gamma is a name of Delta, where, by the premises, the relations of Gamma vanish,
     its units are units, its signs are visible, its definitions hold and D reads the same
     ----------------------------------------------------------------------------------------------
     Delta |- model of Gamma
     """
-    target, given = ledger.rings[fact.context], []
-    for premise in (ledger.facts[name] for name in fact.premises):
+    (gamma,) = (admitted.contexts[name] for name in fact.lhs + fact.rhs)
+    delta, ring = admitted.contexts[fact.context], admitted.rings[fact.context]
+    given: list[PolyElement] = []
+    for premise in (admitted.facts[name] for name in fact.premises):
         if (premise.kind, premise.context) != ("equal", fact.context):
             raise KernelError(f"{premise.id} is not an equation of {fact.context}")
-        given += filter(None, differences(target, premise))
-    (source,) = (ledger.contexts[name] for name in fact.lhs + fact.rhs)
-    zeros = _zeros(source) - _zeros(ledger.contexts[fact.context])
-    if any(target.reduce(target.read(text).numerator, *given)[1] for text in zeros):
-        raise KernelError(f"a relation, definition or rate of {source.name} does not hold")
-    for unit in source.units:
-        target.inverse(target.read(unit))
-    _check_signs(source.nonnegative, ledger.contexts[fact.context])
+        given += filter(None, differences(ring, premise))
+    for generator in gamma.generators:
+        ring.name(generator)
+    for zero in [text for text in _zeros(gamma) if text not in _zeros(delta)]:
+        if ring.reduce(ring.read(zero).numerator, *given)[1]:
+            raise KernelError(f"{zero} = 0 of {gamma.name} does not hold")
+    for unit in gamma.units:
+        ring.inverse(ring.read(unit))
+    _check_signs(gamma.nonnegative, delta)
     return Grade.PROVED
 
 
-def transfer(ledger: "Ledger", fact: Fact) -> Grade:
+def transfer(admitted: Admitted, fact: Fact) -> Grade:
     """
     Gamma |- statement        Delta |- model of Gamma
     -------------------------------------------------
     Delta |- statement
     """
-    there, bridge = (ledger.facts[premise] for premise in fact.premises)
-    due = ("model", (there.context,), fact.context, fact.kind, fact.lhs, fact.rhs)
-    if (bridge.kind, bridge.rhs, bridge.context, there.kind, there.lhs, there.rhs) != due:
-        raise KernelError("the premises are not the same statement and a model of its context")
+    there, bridge = (admitted.facts[premise] for premise in fact.premises)
+    if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, (there.context,)):
+        raise KernelError(f"{bridge.id} does not make this context a model of {there.context}")
+    if (fact.kind, fact.lhs, fact.rhs) != (there.kind, there.lhs, there.rhs):
+        raise KernelError(f"this is not the statement of {there.id}")
     return Grade.PROVED
 
 
-def partition(ledger: "Ledger", fact: Fact) -> Grade:
+def partition(admitted: Admitted, fact: Fact) -> Grade:
     """
     Gamma, x = 0        Gamma, x > 0        Gamma, -x > 0 (not where x >= 0 is visible)
     -----------------------------------------------------------------------------------
     Gamma |- exactly one of these contexts, or of those that premises split them into
     """
-    whole, (x,), cases = ledger.contexts[fact.context], fact.lhs, fact.certificate["cases"]
-    _check_signs((x,) if len(cases) == 2 else (), whole)
-    for name, sign in zip(cases, ("", x, f"-{x}"), strict=len(cases) != 2):
-        more = {"units": (*whole.units, x), "nonnegative": (*whole.nonnegative, sign)}
-        more = more if sign else {"relations": (*whole.relations, x)}
-        part = ledger.contexts[name]
-        if part != replace(whole, name=name, witness=part.witness, **more) or not x.isidentifier():
+    whole, (x,) = admitted.contexts[fact.context], fact.lhs
+    cases, due = fact.certificate["cases"], whole.cases(x)
+    if len(cases) == 2:
+        _check_signs([x], whole)
+        due = due[:2]
+    for name, case in zip(cases, due, strict=True):
+        found = admitted.contexts[name]
+        if found != replace(case, name=name, witness=found.witness) or not is_name(x):
             raise KernelError(f"{name} is not this case of {whole.name}")
-    given = (ledger.facts[name] for name in fact.premises)
-    finer = {premise.context: premise.rhs for premise in given if premise.kind == "partition"}
+    finer: dict[str, tuple[str, ...]] = {}
+    for premise in (admitted.facts[name] for name in fact.premises):
+        if premise.kind != "partition" or premise.context not in {*cases} - finer.keys():
+            raise KernelError(f"{premise.id} is not the only partition of a case")
+        finer[premise.context] = premise.rhs
     if fact.rhs != tuple(leaf for case in cases for leaf in finer.get(case, (case,))):
         raise KernelError("these are not the cases")
     return Grade.PROVED
 
 
-def assumption(ledger: "Ledger", fact: Fact) -> Grade:
+def assumption(admitted: Admitted, fact: Fact) -> Grade:
     """
     a reference that states it, and points where balls, if there are points, do not exclude it
     ------------------------------------------------------------------------------------------
     Gamma, read as its `reading` says |- statement        (grade ASSUMED, with points ENCLOSED)
     """
-    context, points = ledger.contexts[fact.context], fact.certificate.get("points", ())
-    differences(ledger.rings[fact.context], fact)
-    agreed = not points or (ledger.encloses and ledger.encloses(context, fact, points))
-    if not fact.certificate.get("reference") or not agreed:
-        raise KernelError("an assumption needs a reference, and balls that agree at the points")
+    context, reference = admitted.contexts[fact.context], fact.certificate.get("reference")
+    if not isinstance(reference, str) or not reference:
+        raise KernelError("an assumption needs a reference")
+    differences(admitted.rings[fact.context], fact)
+    encloses, points = admitted.encloses, fact.certificate.get("points")
+    if points and not (encloses and encloses(context, fact, points)):
+        raise KernelError("balls have to agree at the points")
     return Grade.ENCLOSED if points else Grade.ASSUMED
 
 
-RULES: dict[str, tuple[str, Callable[["Ledger", Fact], Grade]]] = {
-    "identity": ("equal root nonnegative", identity),
-    "counterexample": ("unequal", counterexample),
-    "model": ("model", model),
-    "transfer": ("equal root nonnegative", transfer),
-    "partition": ("partition", partition),
-    "assumption": ("equal", assumption),
+# The kinds of statement that a rule makes, from how many premises, and the rule.
+RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grade]]] = {
+    "identity": ({"equal", "root", "nonnegative"}, {0}, identity),
+    "counterexample": ({"unequal"}, {0}, counterexample),
+    "model": ({"model"}, range(1000), model),
+    "transfer": ({"equal", "root", "nonnegative"}, {2}, transfer),
+    "partition": ({"partition"}, range(4), partition),
+    "assumption": ({"equal"}, {0}, assumption),
 }
 
 
-def differences(ring: Ring, fact: Fact) -> list[Any]:
+def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
     """The numerators of lhs - rhs (of lhs**2 - rhs for a root): zero where the statement holds."""
     power = 2 if fact.kind == "root" else 1
     sides = zip(fact.lhs, fact.rhs, strict=True)
     return [(ring.read(lhs) ** power - ring.read(rhs)).numerator for lhs, rhs in sides]
 
 
-def _zeros(context: Context) -> set[str]:
-    """What a context says is zero, as texts."""
-    rates = {**dict.fromkeys(context.generators, "0"), **(context.rates or {})}
-    moving = rates.items() if context.rates is not None else ()
-    zeros = [*context.relations, *(f"0*{name}" for name in context.generators)]
-    zeros += [f"{name} - ({text})" for name, text in context.definitions.items()]
-    return {*zeros, *(f"D({name}) - ({text})" for name, text in moving if text != "?")}
+def _zeros(context: Context) -> list[str]:
+    """What a context says is zero, as texts: relations, definitions and rates that are known."""
+    zeros = [f"{name} - ({text})" for name, text in context.definitions.items()]
+    if context.rates is not None:
+        rates = {**dict.fromkeys(context.generators, "0"), **context.rates}
+        zeros += [f"D({name}) - ({text})" for name, text in rates.items() if text != "?"]
+    return [*context.relations, *zeros]
 
 
 def _check_signs(texts: Iterable[str], context: Context) -> None:
     """Refuse what is not made of nonnegative things by + * /, and of anything by even powers."""
-    waiting, done = [*texts], {*context.nonnegative}
+    waiting, seen = [*map(parse, texts)], {*map(parse, context.nonnegative)}
     while waiting:
-        if (text := waiting.pop()) in done or text.isdecimal():
+        if (tree := waiting.pop()) in seen or isinstance(tree, int):
             continue
-        done.add(text)
-        match ast.parse(text, mode="eval").body:
-            case ast.Name(id=name) if name in context.definitions:
-                waiting.append(context.definitions[name])
-            case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
-                waiting += [ast.unparse(base)] * (exponent % 2)
-            case ast.BinOp(left=left, op=ast.Add() | ast.Mult() | ast.Div(), right=right):
-                waiting += [ast.unparse(left), ast.unparse(right)]
+        seen.add(tree)
+        match tree:
+            case str() if tree in context.definitions:
+                waiting.append(parse(context.definitions[tree]))
+            case (base, "**", int(exponent)):
+                waiting += [base] if exponent % 2 else []
+            case (*front, "+" | "*" | "/", last):
+                waiting += [tuple(front) if len(front) > 1 else front[0], last]
             case _:
-                raise KernelError(f"{text} >= 0 is not visible in {context.name}")
+                raise KernelError(f"{tree} >= 0 is not visible in {context.name}")

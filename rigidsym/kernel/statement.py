@@ -1,15 +1,16 @@
-"""What is supposed and what is stated: contexts, written as differential rings, and facts.
+"""What is assumed and what is stated: contexts, written as differential rings, and facts.
 
 A context is refused when its relations are not closed under d/dt (they could hold at one instant
 only) or its rational witness does not satisfy it (it might be empty, and prove everything).
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import Any
 
-from rigidsym.kernel.ring import KernelError, Ring, at
+from rigidsym.kernel.language import KernelError, is_name
+from rigidsym.kernel.ring import Number, Ring, at
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,24 +33,26 @@ class Context:
 
     def open(self) -> Ring:
         """The ring of this context; raises KernelError unless it is closed and inhabited."""
-        names = (*self.generators, *self.definitions)
-        proper = {name for name in names if name.isascii() and name.isidentifier()}
-        if len(proper) < len(names) or not {*(self.rates or ())} <= {*self.generators}:
-            raise KernelError(f"context {self.name}: a name is no name, or means two things")
+        names = [*self.generators, *self.definitions]
+        if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
+            raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
+        if not {*(self.rates or ())} <= {*self.generators}:
+            raise KernelError(f"context {self.name}: a rate of what is no generator")
         ring = Ring(self.generators, self.definitions)
         for unit in self.units:
             ring.units += (ring.read(unit).numerator,)
         ring.relations = tuple(ring.read(relation).numerator for relation in self.relations)
         if self.rates is not None:
             ring.rates = {n: None if t == "?" else ring.read(t) for n, t in self.rates.items()}
-        ring.names |= {name: ring.read(name) for name in self.definitions}
+        for name in self.definitions:
+            ring.name(name)
         self.check_point(ring, self.witness)
-        for relation in ring.relations if ring.rates is not None else ():
+        for relation in ring.relations if self.rates is not None else ():
             if ring.reduce(ring.rate(ring.element(relation)).numerator)[1]:
                 raise KernelError(f"context {self.name}: {relation} = 0 is not closed under d/dt")
         return ring
 
-    def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Any]:
+    def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
         """The rational point, if it gives every generator and satisfies all hypotheses."""
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
@@ -57,23 +60,34 @@ class Context:
         point = [number(values[str(name)]).numerator.coeff(1) for name in ring.poly.gens]
         broken = [f"{unit} = 0" for unit in ring.units if not at(unit, point)]
         broken += [f"{relation} != 0" for relation in ring.relations if at(relation, point)]
-        for name, sign in ((name, ring.read(name)) for name in self.nonnegative):
+        for text in self.nonnegative:
+            sign = ring.read(text)
             if at(sign.over(tuple(2 * power for power in sign.powers)), point) < 0:  # p/u as p*u
-                broken.append(f"{name} < 0")
+                broken.append(f"{text} < 0")
         if broken:
             raise KernelError(f"context {self.name}: {broken[0]} at {dict(values)}")
         return point
 
+    def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
+        """This context where a name is zero, positive, negative; the witness is left as it is."""
+        zero = replace(self, relations=(*self.relations, name))
+        nonzero = replace(self, units=(*self.units, name))
+        positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
+        negative = replace(nonzero, nonnegative=(*self.nonnegative, f"-{name}"))
+        return zero, positive, negative
+
 
 class Grade(StrEnum):
-    """How a statement is known, from worst to best; a conclusion has its weakest premise's."""
+    """How a statement is known, from worst to best."""
 
-    REFUTED = "REFUTED"
-    UNDECIDED = "UNDECIDED"
     ASSUMED = "ASSUMED"
-    SAMPLED = "SAMPLED"
     ENCLOSED = "ENCLOSED"
     PROVED = "PROVED"
+
+
+def weakest(grades: Iterable[Grade]) -> Grade:
+    """The worst grade: a conclusion is as good as its weakest premise."""
+    return min(grades, key=list(Grade).index)
 
 
 @dataclass(frozen=True, slots=True)

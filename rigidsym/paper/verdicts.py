@@ -90,31 +90,24 @@ def verdicts(ledger: Mapping[str, Any]) -> list[Verdict]:
     contexts = {context["name"]: context for context in ledger["contexts"]}
     ruled = [_verdict(equation, facts, contexts) for equation in EQUATIONS]
     published = ledger.get("published", {})
-    counts = _mutants(published.get("mutants", ()))
-    lines = published.get("repairs", ())
+    mutants, found = published.get("mutants", {}), published.get("repairs", [])
     return [
-        replace(v, mutants=_total(counts, v.equation), repairs=_repairs(lines, v)) for v in ruled
+        replace(
+            verdict, mutants=_total(mutants, verdict.equation), repairs=_repairs(found, verdict)
+        )
+        for verdict in ruled
     ]
 
 
-def _repairs(lines: Iterable[str], verdict: Verdict) -> tuple[str, ...]:
-    """What a search found for a misprint, from lines like "amplitude.printed: left = right"."""
-    found = [line.split(": ") for line in lines if verdict.ruling == Ruling.MISPRINT]
-    return tuple(text for fact, text in found if fact in verdict.equation.refuted_by)
+def _repairs(found: Iterable[Mapping[str, str]], verdict: Verdict) -> tuple[str, ...]:
+    """The equations that a search found for a misprint."""
+    misprints = verdict.equation.refuted_by if verdict.ruling == Ruling.MISPRINT else ()
+    return tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["fact"] in misprints)
 
 
-def _mutants(lines: Iterable[str]) -> dict[str, Counter[str]]:
-    """The fate of each fact's mutants, from lines like "body.lax: 10 refuted, 2 equivalent"."""
-    counts = {}
-    for line in lines:
-        fact, fates = line.split(": ")
-        pairs = (fate.split() for fate in fates.split(", "))
-        counts[fact] = Counter({fate: int(count) for count, fate in pairs})
-    return counts
-
-
-def _total(counts: Mapping[str, Counter[str]], equation: Equation) -> dict[str, int]:
-    total = sum((counts.get(name, Counter()) for name in equation.proved_by), Counter())
+def _total(mutants: Mapping[str, Mapping[str, int]], equation: Equation) -> dict[str, int]:
+    """The fates of the mutants of all that proves an equation, each with its count."""
+    total = sum((Counter(mutants.get(name, {})) for name in equation.proved_by), Counter())
     return dict(sorted(total.items()))
 
 
@@ -133,10 +126,10 @@ def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str
         return Verdict(equation, Ruling.OPEN)
     conditions = _conditions(equation, facts, contexts)
     points = {name: facts[name]["certificate"]["point"] for name in refuting}
-    return Verdict(equation, _ruling(equation, conditions), conditions, points)
+    return Verdict(equation, ruling_of(equation, conditions), conditions, points)
 
 
-def _ruling(equation: Equation, conditions: Sequence[str]) -> Ruling:
+def ruling_of(equation: Equation, conditions: Sequence[str]) -> Ruling:
     """Refuted and repaired is a misprint; readings that disagree are ambiguous."""
     if equation.refuted_by and equation.repair:
         return Ruling.MISPRINT

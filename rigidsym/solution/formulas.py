@@ -6,7 +6,6 @@ that are not backed by a proved fact, or that use a name before it is known, are
 
 import hashlib
 import json
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -143,7 +142,7 @@ def ledger_data(text: str) -> dict[str, Any]:
             if any(not isinstance(entry[key], str) for entry in data[part]):
                 raise LedgerError(f"ledger: {part} have no {key}")
     except (KeyError, TypeError, json.JSONDecodeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/1: {error!r}") from None
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
     return data
 
 
@@ -159,38 +158,45 @@ def load(text: str) -> Solution:
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
+        published = data["published"]["programmes"]
         programmes = {
-            name: tuple(_formula(entry, facts, contexts) for entry in data["published"][name])
+            name: tuple(_formula(entry, facts, contexts) for entry in published[name])
             for name in INPUTS
-            if name in data["published"]
+            if name in published
         }
     except (KeyError, TypeError, AttributeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/1: {error!r}") from None
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
     for name in INPUTS:
         if name not in programmes:
             raise LedgerError(f"ledger: it does not publish the programme {name}")
         _check_order(name, programmes[name])
-        _check_together(name, data["published"][name], facts)
+        _check_together(name, published[name], facts)
     return Solution(programmes, _digest(programmes))
 
 
-def _formula(entry: str, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Formula:
-    if ":" in entry:
-        context, name, *source = entry.split(":")
-        reading = contexts[context]["reading"][name]
-        expression = _by_complement(parse(reading))
-        if READINGS.get(f"{context}:{name}", READINGS.get(name)) != reading:
-            raise LedgerError(f"ledger: {entry}: its reading is not the one that numbers know")
-        return Formula(name, expression, f"reading {context}.{name}", tuple(source))
-    fact = facts[entry]
+def _formula(
+    entry: Mapping[str, Any], facts: Mapping[str, Any], contexts: Mapping[str, Any]
+) -> Formula:
+    if "reading" in entry:
+        return _by_reading(entry["reading"], contexts[entry["context"]], tuple(entry["source"]))
+    fact = facts[entry["fact"]]
     proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
     if not proved or len(fact["lhs"]) != 1:
-        raise LedgerError(f"ledger: {entry} is published but is not one proved formula")
+        raise LedgerError(f"ledger: {fact['id']} is published but is not one proved formula")
     (name,), (text,) = fact["lhs"], fact["rhs"]
     expression = parse(text)
     if fact["kind"] == "root":
         expression = Call("sqrt", (expression,))
-    return Formula(name, expression, entry, tuple(fact["source"]))
+    return Formula(name, expression, fact["id"], tuple(fact["source"]))
+
+
+def _by_reading(name: str, context: Mapping[str, Any], source: tuple[str, ...]) -> Formula:
+    """The standard function that a context reads a name as."""
+    reading, place = context["reading"][name], f"{context['name']}:{name}"
+    expression = _by_complement(parse(reading))
+    if READINGS.get(place, READINGS.get(name)) != reading:
+        raise LedgerError(f"ledger: {place}: its reading is not the one that numbers know")
+    return Formula(name, expression, f"reading {context['name']}.{name}", source)
 
 
 def _by_complement(expression: Expression) -> Expression:
@@ -209,9 +215,14 @@ def _check_order(programme: str, formulas: tuple[Formula, ...]) -> None:
         known.add(formula.name)
 
 
-def _check_together(programme: str, entries: Sequence[str], facts: Mapping[str, Any]) -> None:
+def _check_together(
+    programme: str, entries: Sequence[Mapping[str, Any]], facts: Mapping[str, Any]
+) -> None:
     """All formulas hold at once: one context is a model of every other they come from."""
-    contexts = {re.split("[.:]", entry)[0] for entry in entries}
+    contexts = {
+        entry["context"] if "reading" in entry else facts[entry["fact"]]["context"]
+        for entry in entries
+    }
     if not any(contexts <= _modelled(context, facts) for context in contexts):
         raise LedgerError(f"ledger: {programme}: no context is a model of all: {sorted(contexts)}")
 

@@ -176,7 +176,7 @@ def test_a_definition_comes_before_a_reading():
 @pytest.mark.parametrize("name", ["y", "z", "pi", "unknown"])
 def test_a_point_gives_free_generators_only(name):
     named = {"reading": {"x": "a length, m", "y": "2*x"}, "definitions": {"z": "y + 1"}}
-    with pytest.raises(KernelError, match=f"a point gives {name}, which is not free"):
+    with pytest.raises(KernelError, match=f"a point gives '{name}', which is not free"):
         ball("x", {"x": "3", name: "0"}, **named)
 
 
@@ -203,7 +203,7 @@ def test_calls_are_strict(text):
 
 
 @pytest.mark.parametrize(
-    ("number", "value"), [("-3/7", "-3/7"), (-2, "-2"), (0.375, "3/8"), ("1e-2", "1/100")]
+    ("number", "value"), [("-3/7", "-3/7"), ("-2", "-2"), ("3/8", "3/8"), ("1/10**2", "1/100")]
 )
 def test_numbers_of_a_point_are_exact(number, value):
     assert (ball("x", {"x": number}) * Fraction(value).denominator).contains(
@@ -212,9 +212,9 @@ def test_numbers_of_a_point_are_exact(number, value):
     assert agrees("x", value, {"x": number})
 
 
-@pytest.mark.parametrize("number", ["one", None, float("nan"), float("inf"), "1/0"])
-def test_what_is_no_number_is_an_error(number):
-    with pytest.raises((ValueError, TypeError, ArithmeticError)):
+@pytest.mark.parametrize("number", ["one", None, -2, 0.375, "0.375", "1e-2", "1_0", "1/0", ""])
+def test_what_is_no_number_of_the_language_is_refused(number):
+    with pytest.raises(KernelError):
         ball("x", {"x": number})
 
 
@@ -279,13 +279,13 @@ def test_a_supposition_is_graded_by_its_points_and_replays_with_the_same_balls()
     points = [{"u": "3/2"}]
     right = "2*s*jacobi_cn(u, 1/2)"
     with pytest.raises(KernelError):
-        book.suppose("c.function", {"s": right}, "nobody", points)
+        book.assume("c.function", {"s": right}, "nobody", points)
     with pytest.raises(KernelError, match="agree"):
-        book.suppose("c.wrong", {"s": "u"}, "nobody", points)
+        book.assume("c.wrong", {"s": "u"}, "nobody", points)
     with pytest.raises(KernelError, match="reference"):
-        book.suppose("c.orphan", {"s": "s"}, "", points)
-    assert book.suppose("c.bare", {"s": "u"}, "somebody", []).grade == Grade.ASSUMED
-    assert book.suppose("c.same", {"s**2": "s*s"}, "anybody", points).grade == Grade.ENCLOSED
+        book.assume("c.orphan", {"s": "s"}, "", points)
+    assert book.assume("c.bare", {"s": "u"}, "somebody", []).grade == Grade.ASSUMED
+    assert book.assume("c.same", {"s**2": "s*s"}, "anybody", points).grade == Grade.ENCLOSED
     sealed = book.ledger.to_text()
     assert replay(sealed, encloses).to_text() == sealed
     with pytest.raises(KernelError):

@@ -1,6 +1,7 @@
 import pytest
 
 from rigidsym.algebra import Book, Part, half_angle, jacobi, join, sign
+from rigidsym.algebra.book import facts, readings
 from rigidsym.kernel import Grade, KernelError
 
 A = Part(
@@ -97,13 +98,23 @@ def test_carry_keeps_the_statement_and_its_weakest_grade():
     assert carried.grade == Grade.PROVED
 
 
-@pytest.mark.parametrize("entry", ["c.nothing", "c:d:1", "nowhere:x:1", "c.refuted"])
+@pytest.mark.parametrize(
+    "entry",
+    [
+        *facts("c", "nothing refuted"),
+        *readings("c", "d", "1"),
+        *readings("nowhere", "x", "1"),
+    ],
+    ids=str,
+)
 def test_only_proved_facts_and_readings_are_published(entry):
     book = Book()
     book.open(join("c", Part({"x": "1"}, reading={"x": "sin(1)"})))
     book.claim("c.one", {"x - x": "0"})
     book.refute("c.refuted", {"x": "2"}, {})
-    book.publish("good", ["c.one", "c:x:1"])
-    assert book.ledger.published == {"good": ["c.one", "c:x:1"]}
+    good = [*facts("c", "one"), *readings("c", "x", "1")]
+    assert good == [{"fact": "c.one"}, {"context": "c", "reading": "x", "source": ["1"]}]
+    book.publish("good", good)
+    assert book.ledger.published == {"programmes": {"good": good}}
     with pytest.raises(KernelError, match="neither"):
         book.publish("bad", [entry])

@@ -14,10 +14,11 @@ CIRCLE = Part(
 
 
 def mended(statement, place="rhs", definitions=None, point=None):
+    """The repairs that are found, as equations."""
     book = Book()
     book.open(join("c", CIRCLE, Part(definitions=definitions or {})))
     book.refute("c.wrong", statement, point or {})
-    return repairs(book.ledger, "c.wrong", place)
+    return [f"{lhs} = {rhs}" for lhs, rhs in repairs(book.ledger, "c.wrong", place)]
 
 
 @pytest.mark.parametrize(
@@ -54,7 +55,7 @@ def test_nothing_is_reported_twice_or_without_proof():
     book.open(join("c", CIRCLE))
     book.refute("c.wrong", {"D(s)**2": "w**2*(1 + s**2)"}, {})
     found = repairs(book.ledger, "c.wrong", "rhs")
-    sides = [text.split(" = ")[1] for text in found]
+    sides = [rhs for _, rhs in found]
     ring = book.ledger.rings["c"]
     assert sides
     assert len({str(ring.reduce(ring.read(text).numerator)[1]) for text in sides}) == len(sides)

@@ -125,7 +125,7 @@ TAMPERED = [
     ("facts/6/grade", "PROVED", "fact hoped2"),
     ("facts/6/premises/0", "rate", "fact hoped2"),
     ("facts/+", 0, "fact rate"),
-    ("schema", "rigidsym.ledger/2", "ledger"),
+    ("schema", "rigidsym.ledger/1", "ledger"),
     ("published", GONE, "ledger"),
     ("extra", [], "ledger"),
 ]
@@ -137,7 +137,7 @@ HARMLESS = [
     ("facts/6/id", "renamed"),
     ("facts/2/certificate/point/w", "1/7"),
     ("facts/6", GONE),
-    ("published", {"rates": ["rate"]}),
+    ("published", {"programmes": {"rates": [{"fact": "rate"}]}}),
 ]
 
 # Things that the kernel lets pass, or may: they prove nothing false, but are not in order.
@@ -183,7 +183,7 @@ def test_refuses_what_has_the_wrong_shape(path, value, culprit):
         SMALL[:-200],
         SMALL + SMALL,
         written(json.loads(SMALL)).replace("\n ", "\n  "),
-        SMALL.replace('"schema"', '"schema": "rigidsym.ledger/1",\n "schema"'),
+        SMALL.replace('"schema"', '"schema": "rigidsym.ledger/2",\n "schema"'),
         SMALL.replace('"s": "0"', '"s": "0",\n    "s": "0"'),
     ],
     ids=range(9),

@@ -1,14 +1,18 @@
 """Attempts to get something false, or something malformed, past the kernel."""
 
 import json
+import re
 import signal
 from contextlib import contextmanager
 from dataclasses import replace
+from fractions import Fraction
 
 import pytest
-from ledgers import prove, written
+from ledgers import EXPRESSIONS, NO_NAMES, NOT_EXPRESSIONS, prove, written
+from sympy.polys.domains import QQ
 
 from rigidsym.kernel import Context, Fact, Grade, KernelError, Ledger, replay
+from rigidsym.kernel.ring import at
 
 CIRCLE = Context(
     name="circle",
@@ -144,7 +148,7 @@ TAMPERED_FACTS = [
     ("apart", "certificate", {"point": {"w": "2", "s": "3/0", "c": "4/5"}}),
     ("apart", "kind", "equal"),
     ("hoped", "grade", "PROVED"),
-    ("hoped", "grade", "SAMPLED"),
+    ("hoped", "grade", "ENCLOSED"),
     ("hoped", "certificate", {}),
     ("hoped", "certificate", {"reference": "a book", "points": [{}]}),
     ("hoped", "rule", "identity"),
@@ -260,7 +264,7 @@ def test_every_section_must_be_there(honest, key):
 
 def test_another_schema_is_refused(honest):
     with pytest.raises(KernelError, match="schema"):
-        replay(honest.replace("rigidsym.ledger/1", "rigidsym.ledger/2"))
+        replay(honest.replace("rigidsym.ledger/2", "rigidsym.ledger/1"))
 
 
 TEXTS = ["lhs", "rhs", "premises"], ["generators", "units", "relations", "nonnegative"]
@@ -312,6 +316,60 @@ def test_what_is_not_an_expression_is_refused(text):
     ledger.open(line(rates={}))
     with pytest.raises(KernelError):
         prove(ledger, equation("e", "line", text, text))
+
+
+@pytest.mark.parametrize("text", NOT_EXPRESSIONS, ids=lambda text: ascii(text[:16]))
+def test_a_text_is_read_by_the_grammar_alone(text):
+    """Python's parser drops comments, folds letters and takes 1_000; readers of a ledger do not."""
+    ring = Ledger().open(line(rates={}))
+    with pytest.raises(KernelError, match=r"not an expression|not a text|no meaning"):
+        ring.read(text)
+
+
+@pytest.mark.parametrize("text", [t for t in EXPRESSIONS if len(t) < 2000], ids=lambda t: t[:16])
+def test_python_reads_an_expression_in_the_same_way(text):
+    ring = Ledger().open(line(rates={"x": "3*x"}))
+    whole = re.sub(r"\b(\d+)\b", r"Fraction(\1)", text)
+    value = eval(whole, {"D": lambda x: 3 * x, "x": Fraction(7, 2), "Fraction": Fraction})
+    assert at(ring.read(text).numerator, [QQ(7, 2)]) == QQ(value.numerator, value.denominator)
+
+
+@pytest.mark.parametrize(
+    ("field", "name"),
+    [
+        (field, name)
+        for field in ("name", "generators", "definitions")
+        for name in NO_NAMES
+        if (field, name) != ("name", "D")
+    ],
+    ids=ascii,
+)
+def test_what_is_no_name_names_nothing(field, name):
+    fields = {"name": "line", "generators": ("x",), "definitions": {}}
+    fields[field] = {"name": name, "generators": ("x", name), "definitions": {name: "x"}}[field]
+    with pytest.raises(KernelError):
+        Ledger().open(Context(witness=dict.fromkeys(fields["generators"], "1"), **fields))
+
+
+@pytest.mark.parametrize("fact_id", [name for name in NO_NAMES if name != "D"], ids=ascii)
+@pytest.mark.parametrize("prefix", ["", "line."])
+def test_an_id_is_made_of_names(prefix, fact_id):
+    """An id that looks like another, or that moves the cursor, would show as what it is not."""
+    ledger = Ledger()
+    ledger.open(line())
+    with pytest.raises(KernelError) as refusal:
+        prove(ledger, equation(prefix + fact_id, "line", "x", "x"))
+    assert str(refusal.value).isascii()
+    assert str(refusal.value).isprintable()
+
+
+@pytest.mark.parametrize("premises", [("first",), ("first", "first")])
+def test_an_identity_rests_on_no_premise(premises):
+    ledger = Ledger()
+    ledger.open(line())
+    prove(ledger, equation("first", "line", "x", "x"))
+    with pytest.raises(KernelError, match="premises"):
+        prove(ledger, equation("second", "line", "2*x", "x + x", premises=premises))
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,7 @@ from derivations.repairs import PRINTED
 from rigidsym.algebra.enclosures import encloses
 from rigidsym.kernel import replay
 from rigidsym.paper import EQUATIONS, Condition, Equation, Flaw, Reading, Ruling, row, verdicts
-from rigidsym.paper.verdicts import _ruling, needed_units
+from rigidsym.paper.verdicts import needed_units, ruling_of
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
@@ -148,7 +148,7 @@ GIVEN = Condition("c", (), ("z",))
     ],
 )
 def test_rulings(fields, conditions, expected):
-    assert _ruling(Equation("n", "", "", ("x",), **fields), conditions) == expected
+    assert ruling_of(Equation("n", "", "", ("x",), **fields), conditions) == expected
 
 
 def test_what_is_ambiguous_says_what_each_reading_implies():

@@ -75,8 +75,12 @@ def test_every_formula_is_a_proved_fact_or_a_reading():
             assert formula.source
 
 
-def changed(**published):
-    return json.dumps({**LEDGER, "published": {**LEDGER["published"], **published}})
+def changed(**programmes):
+    """The ledger with programmes of these facts."""
+    listed = {name: [{"fact": fact} for fact in ids] for name, ids in programmes.items()}
+    published = LEDGER["published"]
+    programmes = {**published["programmes"], **listed}
+    return json.dumps({**LEDGER, "published": {**published, "programmes": programmes}})
 
 
 def unmodelled(context):
@@ -92,11 +96,15 @@ def unmodelled(context):
         ("[]", "not readable"),
         ('{"facts": []}', "not readable"),
         (changed(state=["no.such"]), "not readable"),
-        ('{"facts": [], "contexts": [], "published": {}}', "does not publish the programme plan"),
+        ('{"facts": [], "contexts": [], "published": {}}', "not readable"),
+        (
+            '{"facts": [], "contexts": [], "published": {"programmes": {}}}',
+            "does not publish the programme plan",
+        ),
         (ledger_text().replace("jacobi_argument(sn, cn, dn)", "2*sn"), "reading is not the one"),
         (
             ledger_text().replace("-gc*dtheta2(gc*beta", "g*dtheta2(gc*beta"),
-            "hyperbolic_form:zeta:34: its reading is not the one",
+            "hyperbolic_form:zeta: its reading is not the one",
         ),
         (unmodelled("regular"), "plan: no context is a model of all"),
         (unmodelled("theta_form"), "hyperbolic: no context is a model of all"),

@@ -171,7 +171,8 @@ def _is_full(verdict: Verdict) -> bool:
 def _ledger() -> Any:
     data = ledger_data(ledger_text())
     shown = ("line32", "line32.by_invariants")
-    published = {k: data["published"][k] for k in ("plan", "repairs", "mutants")}
+    published = {**data["published"]}
+    published["programmes"] = {"plan": published["programmes"]["plan"]}
     return {
         "schema": ledgers.SCHEMA,
         "contexts": [c for c in data["contexts"] if c["name"] == shown[0]],

@@ -37,7 +37,7 @@ def assumptions() -> str:
 def rules() -> str:
     """Each rule of inference as its docstring draws it."""
     parts = []
-    for name, (_, rule) in RULES.items():
+    for name, (_, _, rule) in RULES.items():
         lines = (rule.__doc__ or "").strip("\n").splitlines()
         drawn = "\n".join(line[4:] for line in lines)
         parts.append(f"{code(name)}\n\n{fenced('text', drawn)}")

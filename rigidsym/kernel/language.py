@@ -1,0 +1,100 @@
+"""The language of ledgers: one grammar for all texts that say something.
+
+    expression = term (("+" | "-") term)*
+    term       = factor (("*" | "/") factor)*
+    factor     = "-" factor | power
+    power      = quantity ["**" natural]
+    quantity   = natural | name | name "(" expression ("," expression)* ")" | "(" expression ")"
+    natural    = "0" | a digit from 1 to 9 and at most 999 more digits
+    name       = ASCII letters, digits and "_", no digit first; none of Python's keywords
+
+Spaces may stand between these, nothing else may.  A text has at most 20,000 characters, and at most
+50 brackets and signs are open at a time.  Python reads such a text in the same way.
+"""
+
+import re
+from keyword import iskeyword
+from typing import Any, TypeAlias
+
+LONGEST, DEEPEST = 20_000, 50
+_NAME = r"[A-Za-z_][A-Za-z_0-9]*+"
+_TOKEN = rf"(?:0|[1-9][0-9]{{0,999}}+)(?![A-Za-z_0-9])|{_NAME}|\*\*|[-+*/(),]"
+_TEXT = re.compile(rf"(?:{_TOKEN})(?: *+(?:{_TOKEN}))*+")
+_BINDS = {"+": 1, "-": 1, "*": 2, "/": 2}
+# A number, a name, or tokens: ("-", x), (x, "**", 2), ("f", "(", x, y), (x, "+", y, "-", z).
+Tree: TypeAlias = int | str | tuple[Any, ...]
+
+
+class KernelError(ValueError):
+    """The kernel refuses: a text, context, fact or certificate breaks one of its rules."""
+
+
+def is_name(text: str) -> bool:
+    """Whether a text is a name."""
+    return re.fullmatch(_NAME, text) is not None and not iskeyword(text)
+
+
+def parse(text: str) -> Tree:
+    """The tree of an expression, which is all of a text; KernelError for any other text."""
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise KernelError(f"{text!a:.80}: not a text of at most {LONGEST} characters")
+    if not _TEXT.fullmatch(text):
+        raise KernelError(f"{text!a:.80}: not an expression: made of something else")
+    tokens = ["", *reversed(re.findall(_TOKEN, text))]  # the next one is the last
+    try:
+        tree = _chain(tokens, 0, DEEPEST)
+        _take(tokens, "")
+    except KernelError as error:
+        raise KernelError(f"{text!r:.80}: not an expression: {error}") from None
+    return tree
+
+
+def _chain(tokens: list[str], binding: int, room: int) -> Tree:
+    """Read on, up to an operator that binds no tighter than the one before."""
+    tree = _factor(tokens, room)
+    while (binds := _BINDS.get(tokens[-1], 0)) > binding:
+        begun = tree if isinstance(tree, tuple) and _BINDS.get(tree[1]) == binds else (tree,)
+        tree = (*begun, tokens.pop(), _chain(tokens, binds, room))
+    return tree
+
+
+def _factor(tokens: list[str], room: int) -> Tree:
+    if room < 0:
+        raise KernelError(f"more than {DEEPEST} brackets and signs are open")
+    if tokens[-1] == "-":
+        return tokens.pop(), _factor(tokens, room - 1)
+    base = _quantity(tokens, room)
+    return (base, tokens.pop(), _natural(tokens)) if tokens[-1] == "**" else base
+
+
+def _quantity(tokens: list[str], room: int) -> Tree:
+    if tokens[-1] == "(":
+        _take(tokens, "(")
+        inside = _chain(tokens, 0, room - 1)
+        _take(tokens, ")")
+        return inside
+    if not is_name(tokens[-1]):
+        return _natural(tokens)
+    name = tokens.pop()
+    return (name, "(", *_arguments(tokens, room)) if tokens[-1] == "(" else name
+
+
+def _arguments(tokens: list[str], room: int) -> list[Tree]:
+    found = []
+    while not found or tokens[-1] == ",":
+        _take(tokens, "," if found else "(")
+        found.append(_chain(tokens, 0, room - 1))
+    _take(tokens, ")")
+    return found
+
+
+def _natural(tokens: list[str]) -> int:
+    if not tokens[-1].isdigit():
+        raise KernelError(f"{tokens[-1]!r} stands where a quantity is due")
+    return int(tokens.pop())
+
+
+def _take(tokens: list[str], due: str) -> None:
+    if tokens[-1] != due:
+        raise KernelError(f"{tokens[-1]!r} stands where {due!r} is due")
+    tokens.pop()
