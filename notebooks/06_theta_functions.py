@@ -200,26 +200,26 @@ show(ledger, "theta_form.Lambda", "theta_form.phase")
 #   them: how fast they change, and their quotient. For these, everything is PROVED: the four
 #   components satisfy $\dot q=\frac12q\,(0,\Omega)$.
 # * In `theta_functions` they are $\theta_4$ and $\theta_1$. That these have the needed properties
-#   is classical. Three identities are *supposed*, each with its reference, and Arb's balls have to
+#   is classical. Three identities are *assumed*, each with its reference, and Arb's balls have to
 #   agree with each at the points below. The grade of what follows is ENCLOSED, and never better.
 
 # %%
-supposed = [f for f in ledger.facts.values() if f.rule == "assumption" and "theta_f" in f.id]
+assumed = [f for f in ledger.facts.values() if f.rule == "assumption" and "theta_f" in f.id]
 table(
     {
-        "supposition": f"`{f.id}`",
+        "assumption": f"`{f.id}`",
         "grade": f.grade.value,
         "reference": f.certificate["reference"],
         "points": len(f.certificate["points"]),
     }
-    for f in supposed
+    for f in assumed
 )
 
 # %%
 assert grades(ledger, "theta_form.solution", *components) == {Grade.PROVED}
 assert grades(ledger, "theta_functions.solution") == {Grade.ENCLOSED}
-assert {f.id.split(".")[1] for f in supposed} == {"quotient", "slope", "norm"}
-assert all(len(f.certificate["points"]) == 6 for f in supposed)
+assert {f.id.split(".")[1] for f in assumed} == {"quotient", "slope", "norm"}
+assert all(len(f.certificate["points"]) == 6 for f in assumed)
 
 # %% [markdown]
 # ## The line in the complex plane

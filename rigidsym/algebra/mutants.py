@@ -14,12 +14,11 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import chain, islice, zip_longest
-from typing import Any
 
 from rigidsym.algebra.enclosures import encloses
 from rigidsym.algebra.normal_form import divide
 from rigidsym.kernel import Context, Element, Fact, KernelError, Ledger, Ring
-from rigidsym.kernel.ring import at
+from rigidsym.kernel.ring import Number, at
 
 EACH = 16
 # Long statements are changed near their top: the walk goes by depth.
@@ -61,7 +60,9 @@ def _enclose(context: Context, mutant: Fact) -> str:
     return "equivalent" if agreed else "refuted"
 
 
-def decide(ring: Ring, lhs: str, rhs: str, power: int = 1, point: Any = None) -> str:
+def decide(
+    ring: Ring, lhs: str, rhs: str, power: int = 1, point: list[Number] | None = None
+) -> str:
     """The fate of lhs**power = rhs by its normal form: refuted, refused or equivalent.
 
     Where the sides differ at a point of the context, that refutes them at once.

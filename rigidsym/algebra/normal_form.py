@@ -2,12 +2,14 @@
 
 from functools import lru_cache
 from operator import mul
-from typing import Any
+
+from sympy.polys.rings import PolyElement
 
 from rigidsym.kernel import Ring
+from rigidsym.kernel.ring import Divided
 
 
-def divide(ring: Ring, polynomial: Any) -> tuple[list[Any], Any]:
+def divide(ring: Ring, polynomial: PolyElement) -> Divided:
     """Cofactors and remainder by a context's relations; remainder 0 means that it vanishes there.
 
     Where plain division leaves a remainder, each relation is first reduced by those before it: one
@@ -23,21 +25,23 @@ def divide(ring: Ring, polynomial: Any) -> tuple[list[Any], Any]:
 
 
 @lru_cache(maxsize=128)
-def _reduced(ring: Ring) -> tuple[tuple[Any, ...], list[list[Any]]]:
+def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement]]]:
     """The relations, each reduced by those before it, and the cofactors that give them."""
-    basis: list[Any] = []
-    origins: list[list[Any]] = []
+    basis: list[PolyElement] = []
+    origins: list[list[PolyElement]] = []
     for k, relation in enumerate(ring.relations):
         parts, reduced = relation.div(basis) if basis else ([], relation)
-        unit = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
-        known = _combined(parts, origins, unit)
+        itself = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
+        known = _combined(parts, origins, itself)
         if reduced:
             basis.append(reduced)
-            origins.append([x - y for x, y in zip(unit, known, strict=True)])
+            origins.append([x - y for x, y in zip(itself, known, strict=True)])
     return tuple(basis), origins
 
 
-def _combined(parts: list[Any], rows: list[list[Any]], like: list[Any]) -> list[Any]:
+def _combined(
+    parts: list[PolyElement], rows: list[list[PolyElement]], like: list[PolyElement]
+) -> list[PolyElement]:
     """The sum of part * row, entry by entry; `like` gives the zeros where there is no row."""
     total = [0 * entry for entry in like]
     for part, row in zip(parts, rows, strict=True):

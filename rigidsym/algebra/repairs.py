@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
 
 from rigidsym.algebra.mutants import decide, edits, variants
 from rigidsym.kernel import Context, Fact, KernelError, Ledger, Ring
@@ -155,7 +154,7 @@ class Instant:
 
         The rates are those of the context: what is printed does not occur in them.
         """
-        known: dict[str, Any] = {**self.moving, **changed}
+        known: dict[str, Jet | str] = {**self.moving, **changed}
         try:
             left, right = (self._value(side, known).value for side in (lhs, rhs))
         except (ZeroDivisionError, KernelError):
@@ -164,15 +163,15 @@ class Instant:
             return True
         return left == right
 
-    def _value(self, text: str, known: dict[str, Any]) -> Jet:
+    def _value(self, text: str, known: dict[str, Jet | str]) -> Jet:
         return self._jet(_parsed(text), known)
 
-    def _jet(self, node: ast.expr, known: dict[str, Any]) -> Jet:
+    def _jet(self, node: ast.expr, known: dict[str, Jet | str]) -> Jet:
         match node:
             case ast.Constant(value=int(number)):
                 return Jet(Fraction(number))
             case ast.Name(id=name):
-                found = known.get(name, self.definitions.get(name))
+                found = known[name] if name in known else self.definitions[name]
                 if isinstance(found, str):
                     found = known[name] = self._value(found, known)
                 return found

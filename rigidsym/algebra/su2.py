@@ -6,7 +6,6 @@ elements, so the kernel only ever sees real identities.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from rigidsym.kernel import Element, Ring
 
@@ -27,7 +26,7 @@ class Complex:
     def __neg__(self) -> "Complex":
         return self * -1
 
-    def __mul__(self, other: Any) -> "Complex":
+    def __mul__(self, other: "Complex | Element | int") -> "Complex":
         if not isinstance(other, Complex):
             return Complex(self.real * other, self.imag * other)
         return Complex(
@@ -68,7 +67,7 @@ class Matrix:
     def __sub__(self, other: "Matrix") -> "Matrix":
         return Matrix(*(x - y for x, y in zip(self.entries, other.entries, strict=True)))
 
-    def __mul__(self, scalar: Any) -> "Matrix":
+    def __mul__(self, scalar: Element | int) -> "Matrix":
         return Matrix(*(entry * scalar for entry in self.entries))
 
     def __matmul__(self, other: "Matrix") -> "Matrix":

@@ -47,7 +47,7 @@ class Claim:
     def latex(self) -> str:
         """hypotheses |- statement, the hypotheses by their context's name where they are many."""
         kind = self.fact["kind"]
-        return f"{self._supposed()} {turnstile(kind)} {listed(statements(self.fact))}"
+        return f"{self._assumed()} {turnstile(kind)} {listed(statements(self.fact))}"
 
     def _repr_latex_(self) -> str:
         return f"${self.latex}$"
@@ -61,7 +61,7 @@ class Claim:
         title = head(code(self.id), badge(self.grade), muted(_source(self.fact)))
         return card(title, *lines, *self._remarks(shown), *self._folds())
 
-    def _supposed(self) -> str:
+    def _assumed(self) -> str:
         parts = [*chain(*hypotheses(self.context).values())] if self.context else []
         by_name = not 0 < len(parts) <= FEW or self.fact["kind"] in ("model", "partition")
         return word(self.fact["context"]) if by_name else listed(parts)

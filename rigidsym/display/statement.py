@@ -40,7 +40,7 @@ def turnstile(kind: str) -> str:
 
 
 def hypotheses(context: Mapping[str, Any]) -> dict[str, list[str]]:
-    """What a context supposes, by kind."""
+    """What a context assumes, by kind."""
     rates = context["rates"] or {}
     return {
         "relation": [f"{latex(text)} = 0" for text in context["relations"]],

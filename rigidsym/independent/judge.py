@@ -2,7 +2,6 @@
 
 from collections.abc import Generator
 from contextlib import contextmanager
-from typing import Any
 
 from rigidsym.independent.language import is_name
 from rigidsym.independent.records import Claim, Hypotheses, Refused, fill, load
@@ -53,7 +52,7 @@ class Judge(Accepted):
 
 
 @contextmanager
-def _blaming(kind: str, entry: Any = None, key: str = "") -> Generator[None]:
+def _blaming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
     """Whatever goes wrong inside is a refusal, told in one line that names the culprit."""
     try:
         yield

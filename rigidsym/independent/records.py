@@ -2,7 +2,7 @@
 
 import json
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import Any, TypeVar
 
 SCHEMA = "rigidsym.ledger/2"
 KEYS = ["schema", "contexts", "facts", "published"]
@@ -43,7 +43,10 @@ class Claim:
     certificate: dict[str, Any]
 
 
-def fits(value: Any, kind: Any) -> bool:
+Record = TypeVar("Record", Hypotheses, Claim)
+
+
+def fits(value: object, kind: object) -> bool:
     """Whether a JSON value has the type of a field above."""
     if kind == list[str]:
         return isinstance(value, list) and all(isinstance(item, str) for item in value)
@@ -54,7 +57,7 @@ def fits(value: Any, kind: Any) -> bool:
     return isinstance(value, str if kind is str else dict)
 
 
-def fill(kind: Any, entry: Any) -> Any:
+def fill(kind: type[Record], entry: object) -> Record:
     """The entry as a record: exactly its fields, in order, each of exactly its type."""
     if not isinstance(entry, dict) or [*entry] != [field.name for field in fields(kind)]:
         raise Refused("not the fields that the schema gives it")
@@ -63,7 +66,7 @@ def fill(kind: Any, entry: Any) -> Any:
     return kind(**entry)
 
 
-def load(text: str) -> tuple[list[Any], list[Any]]:
+def load(text: str) -> tuple[list[object], list[object]]:
     """The entries of contexts and facts, still unread, of a file spelled as ledgers are."""
     data = json.loads(text, object_pairs_hook=_once)
     if not isinstance(data, dict) or [*data] != KEYS or data["schema"] != SCHEMA:
@@ -78,7 +81,7 @@ def load(text: str) -> tuple[list[Any], list[Any]]:
     return lists
 
 
-def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+def _once(pairs: list[tuple[str, object]]) -> dict[str, object]:
     if len(table := dict(pairs)) < len(pairs):
         raise Refused("an object gives a key twice")
     return table

@@ -272,7 +272,7 @@ def test_the_precision_is_given_back(text):
         assert flint.ctx.prec == 77
 
 
-def test_a_supposition_is_graded_by_its_points_and_replays_with_the_same_balls():
+def test_an_assumption_is_graded_by_its_points_and_replays_with_the_same_balls():
     book = Book()
     part = Part({"u": "0", "s": "0"}, reading={"s": "jacobi_sn(u, 1/2)"})
     book.open(join("c", part, static=True))

@@ -61,10 +61,10 @@ def test_only_facts_about_classical_functions_are_weaker_than_proved(book):
     assert {fact.grade.value for fact in facts} == {"PROVED", "ENCLOSED"}
 
 
-def test_every_supposition_has_a_reference_and_at_least_five_points(book):
-    supposed = [fact for fact in book.ledger.facts.values() if fact.rule == "assumption"]
-    assert len(supposed) == 11
-    for fact in supposed:
+def test_every_assumption_has_a_reference_and_at_least_five_points(book):
+    assumed = [fact for fact in book.ledger.facts.values() if fact.rule == "assumption"]
+    assert len(assumed) == 11
+    for fact in assumed:
         assert fact.source == (fact.certificate["reference"],)
         assert len(fact.certificate["points"]) >= 5
 

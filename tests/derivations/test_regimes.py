@@ -71,7 +71,7 @@ def value(text, values):
 
 
 def holds(name, values):
-    """Whether a point satisfies all that a context supposes."""
+    """Whether a point satisfies all that a context assumes."""
     context = CONTEXTS[name]
     return (
         all(value(text, values) != 0 for text in context["units"])

@@ -61,7 +61,7 @@ def test_trust_has_the_same_counts():
     assert all(f"**{grade}** ({number} facts)" in text for grade, number in GRADES.items())
     assumptions = Counter(fact["rule"] for fact in LEDGER["facts"])["assumption"]
     assert assumptions == 11
-    assert "Eleven are *suppositions*" in text
+    assert "Eleven are *assumptions*" in text
     assert f"{seal(sealed())} statements" in text
     assert f"from {len(STRATA)} named strata" in text
     assert f"{len(FAULTS)} faults put into" in text

@@ -175,7 +175,7 @@ def test_neither_lets_an_identity_rest_on_premises():
 ROOTED = Context("rooted", ("x", "r"), {"x": "3", "r": "3"}, ("r",), relations=("r - x",))
 FREE = Context("free", ("x", "r"), {"x": "3", "r": "4"}, ("r",))
 BOOK = {"reference": "a book"}
-SUPPOSED = Fact("e", "free", "equal", ("r",), ("x",), "assumption", Grade.ASSUMED, certificate=BOOK)
+ASSUMED = Fact("e", "free", "equal", ("r",), ("x",), "assumption", Grade.ASSUMED, certificate=BOOK)
 BRIDGE = Fact("m", "free", "model", (), ("rooted",), "model", Grade.ASSUMED, ("e",))
 THERE = Fact(
     "s",
@@ -199,13 +199,13 @@ BOTH = [ROOTED, FREE]
 
 
 def test_a_model_by_a_premise_carries_a_sign():
-    accepted(BOTH, [SUPPOSED, BRIDGE, THERE, HERE])
+    accepted(BOTH, [ASSUMED, BRIDGE, THERE, HERE])
 
 
 @pytest.mark.parametrize("grade", [grade for grade in Grade if grade != Grade.ASSUMED])
 def test_neither_a_model_nor_what_it_carries_is_better_than_its_premises(grade):
-    refused(BOTH, [SUPPOSED, replace(BRIDGE, grade=grade)])
-    refused(BOTH, [SUPPOSED, BRIDGE, THERE, replace(HERE, grade=grade)])
+    refused(BOTH, [ASSUMED, replace(BRIDGE, grade=grade)])
+    refused(BOTH, [ASSUMED, BRIDGE, THERE, replace(HERE, grade=grade)])
 
 
 @pytest.mark.parametrize(
@@ -224,7 +224,7 @@ def test_neither_a_model_nor_what_it_carries_is_better_than_its_premises(grade):
     ids=str,
 )
 def test_only_the_statement_itself_is_carried(change):
-    refused(BOTH, [SUPPOSED, BRIDGE, THERE, replace(HERE, **change)])
+    refused(BOTH, [ASSUMED, BRIDGE, THERE, replace(HERE, **change)])
 
 
 @pytest.mark.parametrize(
@@ -232,15 +232,15 @@ def test_only_the_statement_itself_is_carried(change):
     [("r**2", "x**2"), ("r", "-x"), ("r + x", "0"), ("x", "x + 0*r"), ("r*x", "x**2"), ("r", "2")],
 )
 def test_a_premise_that_does_not_suffice(lhs, rhs):
-    refused(BOTH, [replace(SUPPOSED, lhs=(lhs,), rhs=(rhs,)), BRIDGE])
+    refused(BOTH, [replace(ASSUMED, lhs=(lhs,), rhs=(rhs,)), BRIDGE])
 
 
 def test_a_model_needs_the_premise():
-    refused(BOTH, [SUPPOSED, replace(BRIDGE, premises=(), grade=Grade.PROVED)])
+    refused(BOTH, [ASSUMED, replace(BRIDGE, premises=(), grade=Grade.PROVED)])
 
 
 def test_a_premise_from_another_context():
-    other = replace(SUPPOSED, context="other")
+    other = replace(ASSUMED, context="other")
     refused([*BOTH, replace(FREE, name="other")], [other, BRIDGE])
     theirs = Fact("e", "rooted", "equal", ("r",), ("x",), "identity")
     proved = replace(BRIDGE, grade=Grade.PROVED)
@@ -273,27 +273,27 @@ def test_a_premise_that_is_no_equation(premise):
 
 def test_a_premise_makes_no_unit_and_no_sign():
     """r = x says nothing about 1/r, or about the sign of r, where x has neither."""
-    refused([replace(ROOTED, units=("x",)), FREE], [SUPPOSED, BRIDGE])
-    refused([replace(ROOTED, nonnegative=("r",)), FREE], [SUPPOSED, BRIDGE])
+    refused([replace(ROOTED, units=("x",)), FREE], [ASSUMED, BRIDGE])
+    refused([replace(ROOTED, nonnegative=("r",)), FREE], [ASSUMED, BRIDGE])
     accepted(
         [replace(ROOTED, nonnegative=("r",)), replace(FREE, nonnegative=("r",))],
-        [SUPPOSED, BRIDGE],
+        [ASSUMED, BRIDGE],
     )
 
 
 def test_premises_may_give_definitions_and_rates():
     theirs = Context("rooted", ("x",), {"x": "3"}, definitions={"r": "x"}, rates={"x": "x"})
     ours = Context("free", ("x", "r"), {"x": "3", "r": "4"}, rates={"x": "r"})
-    accepted([theirs, ours], [SUPPOSED, BRIDGE])
-    refused([theirs, replace(ours, rates={"x": "-r"})], [SUPPOSED, BRIDGE])
-    refused([theirs, replace(ours, rates={"x": "?"})], [SUPPOSED, BRIDGE])
+    accepted([theirs, ours], [ASSUMED, BRIDGE])
+    refused([theirs, replace(ours, rates={"x": "-r"})], [ASSUMED, BRIDGE])
+    refused([theirs, replace(ours, rates={"x": "?"})], [ASSUMED, BRIDGE])
 
 
 def test_premises_stand_together():
     theirs = Context("rooted", ("x", "y", "z"), dict.fromkeys("xyz", "1"), relations=("x - z",))
     ours = Context("free", ("x", "y", "z"), dict.fromkeys("xyz", "1"))
-    first = replace(SUPPOSED, id="e1", lhs=("x",), rhs=("y",))
-    second = replace(SUPPOSED, id="e2", lhs=("y",), rhs=("z",))
+    first = replace(ASSUMED, id="e1", lhs=("x",), rhs=("y",))
+    second = replace(ASSUMED, id="e2", lhs=("y",), rhs=("z",))
     accepted([theirs, ours], [first, second, replace(BRIDGE, premises=("e1", "e2"))])
     refused([theirs, ours], [first, second, replace(BRIDGE, premises=("e1",))])
 
@@ -492,7 +492,7 @@ def test_a_premise_about_another_context_splits_nothing():
 
 # What is written may be changed afterwards.
 
-HONEST = unchecked([*BOTH, *refined()[0]], [SUPPOSED, BRIDGE, THERE, HERE, *refined()[1:]])
+HONEST = unchecked([*BOTH, *refined()[0]], [ASSUMED, BRIDGE, THERE, HERE, *refined()[1:]])
 
 
 @pytest.mark.parametrize(

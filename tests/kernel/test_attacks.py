@@ -214,7 +214,7 @@ def test_a_tampered_context_is_refused(honest, field, value):
 
 
 @pytest.mark.parametrize("field", ["relations", "units", "nonnegative"])
-def test_a_model_must_declare_what_the_source_supposes(honest, field):
+def test_a_model_must_declare_what_the_source_assumes(honest, field):
     data = json.loads(honest)
     data["contexts"][1][field] = []
     with pytest.raises(KernelError):

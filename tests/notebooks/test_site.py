@@ -110,7 +110,7 @@ def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
     assert (html / "_static" / "plotly.min.js").stat().st_size > 1e6
 
 
-def test_rules_and_suppositions_are_those_of_the_code(html):
+def test_rules_and_assumptions_are_those_of_the_code(html):
     text = pages(html)["reference/kernel.html"]
     assert all(f">{name}</span>" in text for name in RULES)
     facts = ledger_data(ledger_text())["facts"]

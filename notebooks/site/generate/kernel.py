@@ -1,10 +1,10 @@
-"""The page of rules and suppositions: what every proof rests on, from the code and the ledger."""
+"""The page of rules and assumptions: what every proof rests on, from the code and the ledger."""
 
 from generate.text import code, fenced, plain, table
 from rigidsym.kernel.rules import RULES
 from rigidsym.solution import ledger_data, ledger_text
 
-_HEAD = """# Rules and suppositions
+_HEAD = """# Rules and assumptions
 
 What [every fact](../trust.md) rests on.
 
@@ -12,26 +12,26 @@ What [every fact](../trust.md) rests on.
 
 As the docstrings of `rigidsym.kernel.rules` draw them: premises above the line, conclusion below.
 """
-_SUPPOSED = """## The suppositions
+_ASSUMED = """## The assumptions
 
 Classical identities, which no polynomial decides. All that is graded ENCLOSED rests on these.
 """
 
 
 def page() -> str:
-    """The rules, then what is supposed."""
-    return "\n".join([_HEAD, rules(), _SUPPOSED, assumptions()])
+    """The rules, then what is assumed."""
+    return "\n".join([_HEAD, rules(), _ASSUMED, assumptions()])
 
 
 def assumptions() -> str:
-    """The suppositions with their references, and at how many points both sides were enclosed."""
+    """The assumptions with their references, and at how many points both sides were enclosed."""
     rows = [
         (code(fact["id"]), plain(fact["certificate"]["reference"]),
          str(len(fact["certificate"]["points"])))
         for fact in ledger_data(ledger_text())["facts"]
         if fact["rule"] == "assumption"
     ]  # fmt: skip
-    return table(("supposition", "reference", "points"), rows)
+    return table(("assumption", "reference", "points"), rows)
 
 
 def rules() -> str:
