@@ -126,7 +126,7 @@ show(ledger, "separatrix.models_regular", "separatrix.middle_axis", "separatrix.
 # z=\rho\beta+iu_1,$$
 #
 # a cosine and a sine of an angle that moves straight up the imaginary direction. (Where that comes
-# from is [notebook 6](06_theta_functions.ipynb).) No supposition is behind it: the grade is PROVED
+# from is [notebook 6](06_theta_functions.ipynb).) No assumption is behind it: the grade is PROVED
 # from the ground.
 
 # %%
@@ -457,7 +457,7 @@ plt.show()
 # * All bodies and motions fall into fourteen leaves, exactly one for each: a fact with a
 #   certificate.
 # * On the separatrix and for symmetric bodies the regular form stays what it is and becomes
-#   elementary, attitude included; both edges are proved without any supposition.
+#   elementary, attitude included; both edges are proved without any assumption.
 # * Where the rates are constant, one exponential is all.
 # * Decisions are made on exact numbers, so that a motion is on an edge if and only if its inputs
 #   say so.

@@ -2,12 +2,15 @@
 
 import json
 from dataclasses import replace
+from random import Random
 
 import pytest
 from ledgers import EXPRESSIONS, NO_NAMES, NOT_EXPRESSIONS, unchecked, written
 
 from rigidsym.independent import Refused, check
+from rigidsym.independent.language import Forms
 from rigidsym.kernel import Context, Fact, Grade, KernelError, replay
+from rigidsym.kernel.language import parse
 
 
 def accepted(contexts, facts) -> None:
@@ -131,6 +134,48 @@ def test_both_read_an_expression(text):
 @pytest.mark.parametrize("text", NOT_EXPRESSIONS, ids=lambda text: ascii(text[:16]))
 def test_neither_reads_anything_else(text):
     refused([PLAIN], [trivial(text)])
+
+
+TOKENS = ["x", "y", "D", "if", "2", "0", "10", "1_0", *"+-*/(),", "**", " ", "  ", "#", "."]
+
+
+def by_the_kernel(text: str):
+    """The form that the kernel reads, as the other checker writes forms; None if it refuses."""
+    try:
+        return binary(parse(text))
+    except KernelError:
+        return None
+
+
+def binary(tree):
+    match tree:
+        case int() | str():
+            return tree
+        case ("-", operand):
+            return "-", binary(operand)
+        case (base, "**", int(exponent)):
+            return "**", binary(base), exponent
+        case (function, "(", *arguments):
+            return ("call", function, *map(binary, arguments))
+    form = binary(tree[0])
+    for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+        form = (operator, form, binary(operand))
+    return form
+
+
+def by_the_other(text: str):
+    try:
+        return Forms().read(text)
+    except Refused:
+        return None
+
+
+def test_both_read_random_texts_in_the_same_way():
+    random = Random(16)
+    texts = ["".join(random.choices(TOKENS, k=random.randint(1, 7))) for _ in range(30_000)]
+    forms = [by_the_kernel(text) for text in texts]
+    assert sum(form is not None for form in forms) > 1000
+    assert forms == [by_the_other(text) for text in texts]
 
 
 def both_refuse(text: str) -> None:

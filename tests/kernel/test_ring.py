@@ -1,6 +1,7 @@
 """The differential ring against sympy's calculus, and what the kernel is made of."""
 
 import ast
+import re
 import sys
 from pathlib import Path
 
@@ -106,6 +107,15 @@ def test_the_kernel_imports_only_polynomials_and_the_standard_library(path):
         and not f"{module}.".startswith(("sympy.polys.", "rigidsym.kernel."))
     }
     assert not foreign
+
+
+def test_each_module_rests_on_those_that_are_read_before_it():
+    """Imports that are there for types alone count as well: no circles."""
+    order = re.findall(r"`(\w+)`", rigidsym.kernel.__doc__.split("in this order:")[1])
+    assert {*order, "__init__"} == {path.stem for path in FILES}
+    for path in FILES:
+        found = re.findall(r"^ *from rigidsym\.kernel\.(\w+) import", path.read_text("utf-8"), re.M)
+        assert {*found} <= {*order[: [*order, "__init__"].index(path.stem)]}
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
