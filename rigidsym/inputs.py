@@ -7,7 +7,7 @@ mpf mean exactly what they say.  "0.0109 +/- 1e-6" and the balls of python-flint
 import math
 import operator
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
@@ -17,8 +17,8 @@ from typing import Any
 from rigidsym.errors import InputError, written
 
 _HEX = re.compile(r"[+-]?0[xX]")
-# Room for the rounding of c1 + c2 when all three are doubles.
-_ROUNDING = Fraction(1, 2**50)
+# Room for the rounding of moments, as a part of the smallest.
+ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
 _SHORT = 30
@@ -127,12 +127,15 @@ def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain,
 
 def sequence(field: str, values: Any) -> Sequence[Any]:
     """The items of a list, tuple or one-dimensional array; raises InputError for anything else."""
-    if isinstance(values, str) or not isinstance(values, Iterable):
+    unordered = isinstance(values, str | bytes | Set | Mapping)
+    if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", 1) != 1:
         raise InputError(field, written(values, repr), "must be a list of numbers")
     return list(values)
 
 
+_NO_BODY = "no body has a principal moment larger than the sum of the other two"
 _WAY_OUT = " (allow_nonphysical=True or --allow-nonphysical lets it pass)"
+NO_BODY = _NO_BODY + _WAY_OUT
 
 
 def inertia(
@@ -148,11 +151,32 @@ def inertia(
         if moment <= 0:
             raise InputError(f"inertia[{k}]", given[k], "principal moments must be positive")
     high = max(range(3), key=least.__getitem__)
-    others = sum(most) - most[high]
-    if not allow_nonphysical and others < least[high] * (1 - _ROUNDING):
-        rule = "no body has a principal moment larger than the sum of the other two"
-        raise InputError("inertia", shown(moments), rule + way_out)
+    others = [most[k] for k in range(3) if k != high]
+    if not allow_nonphysical and not can_exist(least[high], *others):
+        raise InputError("inertia", shown(moments), _NO_BODY + way_out)
     return moments
+
+
+def can_exist(largest: Fraction, *others: Fraction) -> bool:
+    """Whether a body can have these positive moments, but for rounding: the largest is at most the
+    sum of the others, or that sum as a double, or beyond it by 2^-50 of the smallest.
+
+    Flat bodies are what rounding brings there: the second is for moments added in doubles, however
+    different, the third for three that were each rounded.
+
+    >>> can_exist(Fraction(0.1 + 0.2), Fraction(0.1), Fraction(0.2))
+    True
+    >>> can_exist(Fraction(1 + 2**-52), Fraction(1), Fraction(1e-30))
+    False
+    """
+    total = sum(others, Fraction(0))
+    return largest <= max(_rounded(total), total + ROUNDING * min(others))
+
+
+def _rounded(value: Fraction) -> Fraction:
+    """The nearest number of 53 bits, whatever its exponent, of a positive one."""
+    unit = Fraction(2) ** (value.numerator.bit_length() - value.denominator.bit_length())
+    return Fraction(float(value / unit)) * unit
 
 
 def _end(value: "Fraction | Uncertain", side: int) -> Fraction:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
-from rigidsym import engines, inputs
-from rigidsym.errors import InputError, written
+from rigidsym import batches, engines, inputs
+from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -31,7 +31,8 @@ class TorqueFreeMotion:
     strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
     ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
     source compiled once on this machine (NumPy with a warning where there is no compiler).  Raises
-    InputError.
+    InputError.  A motion is a value: equal to others with the same numbers and engine, hashable,
+    and never changed.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
     >>> q, omega = motion(180.0)
@@ -40,6 +41,12 @@ class TorqueFreeMotion:
     >>> print(motion.regime)
     circulation about the axis of smallest inertia
     """
+
+    engine: str
+    inertia: "tuple[Fraction | inputs.Uncertain, ...]"
+    omega0: "tuple[Fraction | inputs.Uncertain, ...]"
+    attitude0: "tuple[Fraction | inputs.Uncertain, ...]"
+    allow_nonphysical: bool
 
     def __init__(
         self,
@@ -50,10 +57,44 @@ class TorqueFreeMotion:
         engine: str = "numpy",
         allow_nonphysical: bool = False,
     ) -> None:
-        self.engine = engines.checked(engine)
-        self.inertia = inputs.inertia(inertia, allow_nonphysical)
-        self.omega0 = inputs.vector("omega0", omega0, 3)
-        self.attitude0 = inputs.attitude(attitude0)
+        # Past __setattr__, which refuses.
+        vars(self).update(
+            engine=engines.checked(engine),
+            inertia=inputs.inertia(inertia, allow_nonphysical),
+            omega0=inputs.vector("omega0", omega0, 3),
+            attitude0=inputs.attitude(attitude0),
+            allow_nonphysical=allow_nonphysical,
+        )
+
+    def replace(self, **changes: Any) -> "TorqueFreeMotion":
+        """Another motion, with some of the arguments changed; raises as the class does."""
+        names = (*self._given, "engine", "allow_nonphysical")
+        return TorqueFreeMotion(**({name: getattr(self, name) for name in names} | changes))
+
+    def __setattr__(self, name: str, value: Any) -> NoReturn:
+        raise AttributeError(f"{name}: a motion does not change; motion.replace gives another")
+
+    def __delattr__(self, name: str) -> NoReturn:
+        self.__setattr__(name, None)
+
+    def __eq__(self, other: object) -> bool:
+        return (
+            self._value == other._value if isinstance(other, TorqueFreeMotion) else NotImplemented
+        )
+
+    def __hash__(self) -> int:
+        return hash(self._value)
+
+    @property
+    def _value(self) -> tuple[Any, ...]:
+        """What tells motions apart."""
+        return self.engine, self.inertia, self.omega0, self.attitude0
+
+    def __copy__(self) -> "TorqueFreeMotion":
+        return self
+
+    def __deepcopy__(self, memo: Any) -> "TorqueFreeMotion":
+        return self
 
     def __repr__(self) -> str:
         fields = ("inertia", "omega0", "attitude0")
@@ -71,19 +112,23 @@ class TorqueFreeMotion:
         return motion_latex(self)
 
     def __call__(
-        self, t: Any, out: tuple[np.ndarray, np.ndarray] | None = None
+        self, t: Any, out: tuple[np.ndarray, np.ndarray] | None = None, errors: str = "raise"
     ) -> tuple[np.ndarray, np.ndarray]:
         """Attitude and body rates at t (s): (4,), (3,) for a number, (N, 4), (N, 3) for N of them.
 
-        `out`: a pair of C-contiguous float64 arrays of these shapes to fill and return.  Rotation
-        angles are right to 2e-15 rad and rates to 2e-15 of their size for bodies that can exist, as
-        `rigidsym validate` measures.  Raises InputError for times that are not finite, not at most
-        one-dimensional or beyond |omega0 t| = 2^46 rad, and for motions nearer to the separatrix
-        than binary64 can follow; `precise` follows both.
+        `out`: a pair of C-contiguous float64 arrays of these shapes to fill and return, which share
+        no memory with each other or t.  Rotation angles are right to 2e-15 rad and rates to 2e-15
+        of their size for bodies that can exist, as `rigidsym validate` measures.  Raises InputError
+        for times that are not finite, not at most one-dimensional or beyond |omega0 t| = 2^46 rad,
+        and for those after which a motion that binary64 cannot tell from the separatrix, or from
+        spin about the middle axis, may have left it; `precise` follows all.  With errors="nan" such
+        times have states of NaN.
         """
         plan = self._plan
-        times = float(t) if _is_one_double(t) else _times(t)
-        return _refusing(lambda: self._engine.states(plan, times, out), t=times)
+        times = float(t) if _is_one_double(t) else _times(t, errors)
+        return _refusing(
+            lambda: self._engine.states(plan, times, out, errors), t=times, errors=errors
+        )
 
     @cached_property
     def _engine(self) -> engines.Engine:
@@ -209,19 +254,27 @@ def propagate(
     engine: str = "numpy",
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
+    errors: str = "raise",
 ) -> tuple[np.ndarray, np.ndarray]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
     Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  `out` is a
-    pair of arrays of the shapes returned, to fill.  Units, conventions, engines and errors are
-    those of `TorqueFreeMotion`.
+    pair of arrays of the shapes returned, to fill, which share no memory with each other or an
+    input.  errors: "raise" InputError for the first body or time that is refused, named by its
+    index, or "nan" for their states.  Units, conventions and engines are those of
+    `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
-    checked = {name: _array(name, value) for name, value in arrays.items()}
-    _check_bodies(checked["inertia"], allow_nonphysical)
-    run = engines.engine(engine).propagate
-    times = _times(t)
-    return _refusing(lambda: run(*checked.values(), times, out), **checked, t=times)
+    lenient = _is_lenient(errors)
+    given = {name: batches.array(name, value, lenient) for name, value in arrays.items()}
+    bodies = {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
+    run, times = engines.engine(engine).propagate, _times(t, errors)
+    return _refusing(
+        lambda: run(*(given | bodies).values(), times, out, errors),
+        **given,
+        t=times,
+        errors=errors,
+    )
 
 
 def _objects(states: Iterable[Any], single: bool) -> tuple[np.ndarray, np.ndarray]:
@@ -242,23 +295,36 @@ def _refusing(compute: Callable[[], Any], **given: Any) -> Any:
         field, colon, rule = str(error).partition(": ")
         if not colon:
             raise
-        body = getattr(error, "body", None)
-        raise InputError(*_named(field, given, body), rule) from None
+        at = getattr(error, "body", None), getattr(error, "time", None)
+        raise InputError(*_named(field, rule, given, *at)) from None
 
 
-def _named(field: str, given: dict[str, Any], body: int | None) -> tuple[str, Any]:
-    """A field, with the index of the body in a batch, and its value as one line takes it."""
+def _named(
+    field: str, rule: str, given: dict[str, Any], body: int | None, time: int | None
+) -> tuple[str, Any, str]:
+    """A field, with the index of the body in a batch or of the time; its value; and the rule."""
+    value = given.get(field, "as given")
     if field == "t":
-        return field, f"up to {np.max(np.abs(given['t']))}"
-    if field not in given:
-        return field, "as given"
-    value = given[field]
+        where = f" (body {_place(body, given)})" if body is not None and _batch(given) else ""
+        many = time is not None and np.ndim(value)
+        return f"t[{time}]" if many else "t", value[time] if many else value, rule + where
     if body is None or np.ndim(value) < 2:
-        return field, value if np.ndim(value) < 2 else f"an array of shape {np.shape(value)}"
-    shapes = [np.shape(array)[:-1] for name, array in given.items() if name != "t"]
-    index = np.unravel_index(body, np.broadcast_shapes(*shapes))
-    rows = np.broadcast_to(value, (*np.broadcast_shapes(*shapes), np.shape(value)[-1]))
-    return f"{field}[{', '.join(map(str, index))}]", rows[index]
+        return field, value if np.ndim(value) < 2 else f"an array of shape {np.shape(value)}", rule
+    rows = np.broadcast_to(value, (*_batch(given), np.shape(value)[-1]))
+    return f"{field}[{_place(body, given)}]", rows.reshape(-1, rows.shape[-1])[body], rule
+
+
+def _batch(given: dict[str, Any]) -> tuple[int, ...]:
+    """The leading shape of a batch; () for one motion."""
+    return np.broadcast_shapes(*(np.shape(given.get(name, 0))[:-1] for name in engines.SIZES))
+
+
+def _place(body: int, given: dict[str, Any]) -> str:
+    return ", ".join(map(str, np.unravel_index(body, _batch(given))))
+
+
+def _is_lenient(errors: str) -> bool:
+    return _refusing(lambda: engines.is_lenient(errors), errors=errors)
 
 
 def _is_one_double(t: Any) -> bool:
@@ -267,38 +333,8 @@ def _is_one_double(t: Any) -> bool:
     return is_number and abs(t) <= sys.float_info.max
 
 
-def _array(name: str, value: Any) -> np.ndarray:
-    """An array of finite doubles; the first number that is none is named by its index."""
-    try:
-        given = np.asarray(value)
-        if given.dtype.kind in "bmMc" or value is None:
-            raise TypeError(given.dtype)
-        array = given.astype(float, copy=False)
-    except (TypeError, ValueError, OverflowError):
-        raise InputError(name, written(value, repr), "must be an array of numbers") from None
-    # The extremes tell, without another array of that size; NaN comes through both.
-    if array.size and not np.isfinite([np.min(array), np.max(array)]).all():
-        _refuse(name, array, np.argwhere(~np.isfinite(array))[0], "must be finite")
-    return array
-
-
-def _refuse(name: str, array: np.ndarray, place: Any, rule: str) -> NoReturn:
-    index = ", ".join(map(str, place))
-    raise InputError(f"{name}[{index}]" if index else name, array[tuple(place)], rule)
-
-
-def _check_bodies(inertia: np.ndarray, allow_nonphysical: bool) -> None:
-    """Positive moments, and the triangle inequality for bodies that can exist."""
-    for place in np.argwhere(inertia <= 0)[:1]:
-        _refuse("inertia", inertia, place, "principal moments must be positive")
-    if not allow_nonphysical and inertia.ndim and inertia.shape[-1] == 3:
-        scaled = inertia / np.max(inertia, axis=-1, keepdims=True)
-        for place in np.argwhere(np.sum(scaled, axis=-1) < 2)[:1]:
-            inputs.inertia(inertia[tuple(place)].tolist())
-
-
-def _times(t: Any) -> np.ndarray:
-    times = _array("t", t)
+def _times(t: Any, errors: str = "raise") -> np.ndarray:
+    times = batches.array("t", t, _is_lenient(errors))
     if times.ndim > 1:
         raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")
     return times

@@ -222,6 +222,7 @@ def test_bad_input_is_one_line_with_field_value_and_rule(arguments, message):
     [
         (math.nan, "t = nan: must be finite"),
         ([0, math.inf], r"t\[1\] = inf: must be finite"),
+        ([0, 1e300], r"t\[1\] = 1e[+]300: beyond"),
         ([[0.0]], "t = an array of shape .*must be one-dimensional"),
         ("soon", "t = 'soon': must be an array of numbers"),
         (None, "t = None: must be an array of numbers"),
@@ -229,7 +230,7 @@ def test_bad_input_is_one_line_with_field_value_and_rule(arguments, message):
         (np.array(["2020-01-01"], "datetime64[s]"), "t = .*must be an array of numbers"),
         (1j, "t = 1j: must be an array of numbers"),
         (10**400, "t = 1000.*must be an array of numbers"),
-        (1e300, "t = up to 1e[+]300: beyond .omega. t = 2.46 rad"),
+        (1e300, "t = 1e[+]300: beyond .omega. t = 2.46 rad"),
     ],
 )
 def test_bad_times(t, message):
@@ -267,8 +268,9 @@ def test_rates_at_the_ends_of_binary64(scale):
 
 def test_what_binary64_cannot_follow_is_refused_and_precise_follows_it():
     motion = TorqueFreeMotion((1.0, 2.0, 2.5), (1e-200, 1.0, 1e-200))
+    assert motion(1.0)[1].tolist() == [1e-200, 1.0, 1e-200]
     with pytest.raises(InputError, match="nearer to the separatrix than binary64 can follow"):
-        motion(1.0)
+        motion(1000.0)
     _, omega = motion.precise(800, 10)
     assert 1e-50 < abs(omega[0]) < 1e-40  # it has left the middle axis by e^(lambda t)
 
@@ -319,12 +321,6 @@ def test_decimals_are_not_rounded_to_another_body(inertia, omega):
     motion = TorqueFreeMotion(inertia, omega)
     q, _ = motion([0.5, 10.0])
     np.testing.assert_allclose(q, motion.precise([0.5, 10], 20)[0].astype(float), atol=1e-14)
-
-
-def test_decimals_that_round_to_spin_about_the_middle_axis_are_refused():
-    motion = TorqueFreeMotion(("1", "2", "2.5"), ("1e-400", "1", "1e-400"))
-    with pytest.raises(InputError, match="nearer to the separatrix"):
-        motion(1.0)
 
 
 @pytest.mark.parametrize(

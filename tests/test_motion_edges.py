@@ -89,11 +89,15 @@ def test_decimals_that_doubles_cannot_hold(inertia, omega0, message, engine):
         TorqueFreeMotion(inertia, omega0, engine=engine)(1.0)
 
 
-def test_a_batch_names_the_body_it_is_refused_for(engine):
+def test_a_batch_names_the_body_and_the_time_it_is_refused_for(engine):
     rates = np.tile(RATES, (3, 4, 1))
     rates[1, 2] = (1e-130, 1.0, 1e-135)
-    with pytest.raises(InputError, match=r"^omega0\[1, 2\] = \[1.0*e-130 .*nearer to the sep"):
-        propagate((1.0, 2.0, 2.5), rates, [1.0], engine=engine)
+    rule = r"nearer to the separatrix than binary64 can follow beyond \d+\.\d+ s \(body 1, 2\)"
+    with pytest.raises(InputError, match=rf"^t\[1\] = 5000.0: {rule}$"):
+        propagate((1.0, 2.0, 2.5), rates, [1.0, 5e3, 6e3], engine=engine)
+    rates[2, 1] = (1e307, 0.0, 1e-200)
+    with pytest.raises(InputError, match=r"^omega0\[2, 1\] = \[1.*: rates beyond"):
+        propagate((1.0, 2.0, 2.5), rates, [0.0], engine=engine)
 
 
 def test_engines_and_targets_that_do_not_exist():

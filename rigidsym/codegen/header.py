@@ -23,8 +23,9 @@ MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
 _DOMAIN = """\
 Domain: positive principal moments of inertia, none below 2^{thinnest} of another; finite rates and
-attitude; |omega0 t| up to 2^{farthest} rad; not within about 2^{decisive} of spin about the middle
-axis.  What lies outside is refused.  Numbers mean their exact binary64 values.
+attitude; |omega0 t| up to 2^{farthest} rad, and less for motions that binary64 cannot tell from the
+separatrix, or from spin about the middle axis.  What lies outside is refused.  Numbers mean their
+exact binary64 values.
 Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
 kg m^2; t in s.

@@ -4,7 +4,19 @@ Both follow one protocol, and their states at given times agree within the error
 to have.
 """
 
+from rigidsym.engines.arrays import SIZES, is_lenient
 from rigidsym.engines.choice import ENGINES, checked, engine, exactly
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, States
 
-__all__ = ["ENGINES", "Engine", "EngineError", "Outputs", "States", "checked", "engine", "exactly"]
+__all__ = [
+    "ENGINES",
+    "SIZES",
+    "Engine",
+    "EngineError",
+    "Outputs",
+    "States",
+    "checked",
+    "engine",
+    "exactly",
+    "is_lenient",
+]

@@ -9,6 +9,7 @@ from rigidsym.engines.protocol import EngineError, Outputs, States
 
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
 SIZES = {"inertia": 3, "omega0": 3, "attitude0": 4}
+ERRORS = ("raise", "nan")
 
 
 def times(t: Any) -> np.ndarray:
@@ -19,11 +20,24 @@ def times(t: Any) -> np.ndarray:
     return in_one_piece(array)
 
 
+def is_lenient(errors: str) -> bool:
+    """Whether states of NaN stand for what is refused."""
+    if errors not in ERRORS:
+        raise EngineError("errors", "must be 'raise' or 'nan'")
+    return errors == "nan"
+
+
 def count(value: int) -> int:
     """How many samples a grid has."""
     if value < 0:
         raise EngineError("count", f"must not be negative, {value} is")
     return value
+
+
+def named(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, np.ndarray]:
+    """The arrays that say which bodies, by name."""
+    given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
+    return {name: np.asarray(value, float) for name, value in given.items()}
 
 
 def in_one_piece(array: np.ndarray) -> np.ndarray:

@@ -21,8 +21,8 @@ _DOUBLE = ctypes.sizeof(c_double)
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
 # A plan takes as long as this many states.
 _PLAN = 256
-# Codes of torque_free.h that many inputs can be meant by.
-_NOT_FINITE, _TIME = 1, 6
+# Codes of torque_free.h that many inputs can be meant by, and those of times.
+_NOT_FINITE, _SEPARATRIX, _TIME = 1, 5, 6
 
 
 class CEngine:
@@ -38,7 +38,7 @@ class CEngine:
 
     def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Plan:
         """See `Engine`."""
-        given = _named(inertia, omega0, attitude0)
+        given = arrays.named(inertia, omega0, attitude0)
         return self._planned(self._library.plan_init, _vectors(given, ()))
 
     def plan_from_pairs(
@@ -48,7 +48,7 @@ class CEngine:
 
         Scaled as torque_free.h says, rates times `unit` rad/s; excess is K^2 - 2 H c_b.
         """
-        given = _named(inertia, omega0, attitude0) | {"excess": np.asarray(excess, float)}
+        given = arrays.named(inertia, omega0, attitude0) | {"excess": np.asarray(excess, float)}
         return self._planned(self._library.plan_init_pairs, _vectors(given, (2,)), unit)
 
     def exact_plan(
@@ -78,13 +78,24 @@ class CEngine:
         endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
         if code == _NOT_FINITE and endless:
             return EngineError(endless[0], "every number must be finite", body)
-        if code == _TIME and "t" in endless:
-            return EngineError("t", arrays.BAD_TIMES, body)
         field, _, rule = self._library.message(code).decode().rpartition(": ")
         return EngineError(field or "engine", rule, body)
 
-    def states(self, plan: Plan, t: Any, out: Outputs = None) -> States:
+    def _refused_times(self, code: int, plan: Plan, t: np.ndarray) -> EngineError:
+        """What a code means for these times, with the index of the first that it is meant by."""
+        last, flat = self._library.last_time(plan), t.reshape(-1)
+        endless, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
+        if endless.size:
+            return EngineError("t", arrays.BAD_TIMES, time=int(endless[0]))
+        rule = self._library.message(code).decode().partition(": ")[2]
+        if code == _SEPARATRIX:
+            rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
+        return EngineError("t", rule, time=int(late[0]) if late.size else None)
+
+    def states(self, plan: Plan, t: Any, out: Outputs = None, errors: str = "raise") -> States:
         """See `Engine`."""
+        if arrays.is_lenient(errors):
+            return self._lenient(plan, arrays.times(t), out)
         if out is None and isinstance(t, float):
             return self._state(plan, t)
         t = arrays.times(t)
@@ -96,7 +107,15 @@ class CEngine:
             return self._library.states_at(plan, end - begin, *places)
 
         if code := max(in_parts(part, t.size, threads(t.size))):
-            raise self._refused(code, {"t": t})
+            raise self._refused_times(code, plan, t)
+        return q, omega
+
+    def _lenient(self, plan: Plan, t: np.ndarray, out: Outputs) -> States:
+        """States where there are any, else NaN."""
+        q, omega = arrays.outputs(out, t.shape, t)
+        near = np.isfinite(t) & (np.abs(t) <= self._library.last_time(plan))
+        self.states(plan, np.where(near, t, 0.0), (q, omega))
+        q[~near] = omega[~near] = np.nan
         return q, omega
 
     def _state(self, plan: Plan, t: float) -> States:
@@ -104,7 +123,7 @@ class CEngine:
         state: Any = _State()
         place = addressof(state)
         if code := self._state_at(plan, t, place, place + _OMEGA):
-            raise self._refused(code, {"t": np.array(t)})
+            raise self._refused_times(code, plan, np.array(t))
         return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
 
     def grid(
@@ -114,59 +133,76 @@ class CEngine:
         q, omega = arrays.outputs(out, (arrays.count(count),))
         places = q.ctypes.data, omega.ctypes.data
         if code := self._library.states_on_grid(plan, start, step, count, *places):
-            raise self._refused(code, {"t": np.array([start, step])})
+            ends = np.array([start, start + step * (count - 1)])
+            raise self._refused_times(code, plan, ends)
         return q, omega
 
     def propagate(
-        self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None
+        self,
+        inertia: Any,
+        omega0: Any,
+        attitude0: Any,
+        t: Any,
+        out: Outputs = None,
+        errors: str = "raise",
     ) -> States:
         """See `Engine`; errors have the index of the body, counted through all leading axes."""
-        given = _named(inertia, omega0, attitude0)
+        given, lenient = arrays.named(inertia, omega0, attitude0), arrays.is_lenient(errors)
         shape, t = arrays.batch(given), arrays.times(t)
+        states = arrays.outputs(out, (*shape, *t.shape), t, *given.values())
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
-        states = arrays.outputs(out, (*shape, *t.shape), t, *bodies.values())
         count = math.prod(shape)
         parts = threads(count * (t.size + _PLAN))
-        if count < parts:
+        if count < parts and not lenient:
             self._one_by_one(bodies, t, states)
         else:
-            self._bodies(bodies, t, states, parts)
+            self._bodies(bodies, t, states, min(parts, max(1, count)), lenient)
         return states
 
     def _one_by_one(self, bodies: Mapping[str, np.ndarray], t: np.ndarray, states: States) -> None:
         """Few bodies at many times: threads share the times."""
         count = len(bodies["inertia"])
         q, omega = states[0].reshape(count, t.size, 4), states[1].reshape(count, t.size, 3)
-        for k, body in enumerate(zip(*bodies.values(), strict=True)):
-            try:
-                self.states(self.plan(*body), t.reshape(-1), (q[k], omega[k]))
-            except EngineError as error:
-                raise EngineError(error.field, error.rule, k) from None
+        for k in range(count):
+            self._one(k, bodies, t.reshape(-1), (q[k], omega[k]))
+
+    def _one(
+        self, k: int, bodies: Mapping[str, np.ndarray], t: np.ndarray, out: Outputs = None
+    ) -> None:
+        """Body k of a batch by itself; errors have its index."""
+        try:
+            self.states(self.plan(*(array[k] for array in bodies.values())), t, out)
+        except EngineError as error:
+            raise EngineError(error.field, error.rule, k, error.time) from None
 
     def _bodies(
-        self, bodies: Mapping[str, np.ndarray], t: np.ndarray, states: States, parts: int
+        self,
+        bodies: Mapping[str, np.ndarray],
+        t: np.ndarray,
+        states: States,
+        parts: int,
+        lenient: bool,
     ) -> None:
         """Many bodies: threads share the bodies."""
+        count = len(bodies["inertia"])
+        codes = np.empty(count if lenient else 0, np.intc)
         rows = [array.ctypes.data for array in (*bodies.values(), *states)]
         sizes = (3, 3, 4, 4 * t.size, 3 * t.size)
 
-        def part(begin: int, end: int) -> tuple[int, int]:
+        def part(begin: int, end: int) -> int | None:
             failed = ctypes.c_size_t(0)
             *given, q, omega = _offset(rows, begin, sizes)
+            told = codes[begin:].ctypes.data if lenient else None
             times = t.size, t.ctypes.data
-            code = self._library.propagate(end - begin, *given, *times, q, omega, addressof(failed))
-            return code, begin + failed.value
+            code = self._library.propagate(
+                end - begin, *given, *times, q, omega, told, addressof(failed)
+            )
+            return begin + failed.value if code else None
 
-        count = len(bodies["inertia"])
-        for code, body in in_parts(part, count, parts):
-            if code:
-                one = {name: array[body] for name, array in bodies.items()}
-                raise self._refused(code, one | {"t": t}, body)
-
-
-def _named(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, np.ndarray]:
-    given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
-    return {name: np.asarray(value, float) for name, value in given.items()}
+        for body in in_parts(part, count, parts):
+            if body is not None:
+                # Once more, because a plan knows which times are too late.
+                self._one(body, bodies, t)
 
 
 def _vectors(given: Mapping[str, np.ndarray], tail: tuple[int, ...]) -> dict[str, np.ndarray]:

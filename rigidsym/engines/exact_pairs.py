@@ -5,6 +5,7 @@ separatrix, or where moments nearly agree, that is another motion.  So each numb
 doubles, right to 32 digits, and what decides the regime is found from the exact ones.
 """
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -46,20 +47,19 @@ def exact_pairs(
     if not -1074 <= exponent <= 1020:
         raise InputError("omega0", inputs.shown(omega0), "is beyond the range of binary64")
     decides = excess(_distinguished(moments), rates)
-    if len(set(moments)) == 3 and 0 < abs(decides) < torque_free.FAINTEST:
-        rule = "nearer to the separatrix than binary64 can follow"
-        raise InputError("omega0", inputs.shown(omega0), rule)
     pairs = ([pair(value) for value in values] for values in (moments, rates, quaternion))
     return ExactPairs(*pairs, pair(decides), 2.0**exponent)
 
 
 def pair(value: Fraction) -> Pair:
-    """The nearest double and the nearest double to what is left.
+    """The nearest double, but zero for zero alone, and the nearest double to what is left.
 
     >>> pair(Fraction(1, 10))
     (0.1, -5.551115123125783e-18)
     """
     high = float(value)
+    if value and not high:
+        return (math.ulp(0.0) if value > 0 else -math.ulp(0.0)), 0.0
     return high, float(value - Fraction(high))
 
 

@@ -20,7 +20,8 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "state_at": (c_int, (c_void_p, c_double, *_OUT)),
     "states_at": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT)),
     "states_on_grid": (c_int, (c_void_p, c_double, c_double, c_size_t, *_OUT)),
-    "propagate": (c_int, (c_size_t, *_BODY, c_size_t, c_void_p, *_OUT, c_void_p)),
+    "propagate": (c_int, (c_size_t, *_BODY, c_size_t, c_void_p, *_OUT, c_void_p, c_void_p)),
+    "last_time": (c_double, (c_void_p,)),
 }
 
 
@@ -41,6 +42,7 @@ class Library:
     states_at: Callable[..., int]
     states_on_grid: Callable[..., int]
     propagate: Callable[..., int]
+    last_time: Callable[..., float]
 
 
 def load(path: Path, sources: Mapping[str, str]) -> Library:

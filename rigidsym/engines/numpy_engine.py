@@ -1,5 +1,6 @@
 """The engine on the generated NumPy module: works everywhere, one compiler less to trust."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -8,8 +9,11 @@ from typing import Any
 import numpy as np
 
 from rigidsym.engines import arrays
-from rigidsym.engines.protocol import Outputs, States
+from rigidsym.engines.protocol import EngineError, Outputs, States
 from rigidsym.generated import torque_free
+
+# Bodies at a time: a plan takes 4 KB of memory for each while it is made.
+_BODIES = 4096
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,12 +38,14 @@ class NumpyEngine:
 
         return self.module.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
 
-    def states(self, plan: dict[str, Any], t: Any, out: Outputs = None) -> States:
+    def states(
+        self, plan: dict[str, Any], t: Any, out: Outputs = None, errors: str = "raise"
+    ) -> States:
         """See `Engine`."""
         if out is not None:
             times = np.asarray(t, float)
             arrays.outputs(out, (*plan["shape"], *times.shape), times)
-        return self.module.states(plan, t, out)
+        return self.module.states(plan, t, out, errors)
 
     def grid(
         self,
@@ -53,7 +59,36 @@ class NumpyEngine:
         return self.states(plan, start + step * np.arange(arrays.count(count)), out)
 
     def propagate(
-        self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None
+        self,
+        inertia: Any,
+        omega0: Any,
+        attitude0: Any,
+        t: Any,
+        out: Outputs = None,
+        errors: str = "raise",
     ) -> States:
-        """See `Engine`."""
-        return self.states(self.module.plan(inertia, omega0, attitude0), t, out)
+        """See `Engine`; plans are made for a block of bodies at a time."""
+        given = arrays.named(inertia, omega0, attitude0)
+        arrays.is_lenient(errors)
+        shape, t = arrays.batch(given), arrays.times(t)
+        q, omega = arrays.outputs(out, (*shape, *t.shape), t, *given.values())
+        count = math.prod(shape)
+        rows = q.reshape(count, *t.shape, 4), omega.reshape(count, *t.shape, 3)
+        whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
+        for first in range(0, count, _BODIES):
+            some = slice(first, first + _BODIES)
+            index = np.unravel_index(np.arange(count)[some], shape) if shape else ()
+            bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
+            try:
+                plan = self.module.plan(*bodies, errors)
+                self.module.states(plan, t, tuple(x[some] for x in rows), errors)
+            except ValueError as error:
+                raise _of_batch(error, first) from None
+        return q, omega
+
+
+def _of_batch(error: ValueError, first: int) -> EngineError:
+    """What the module says of a block that begins with body `first`."""
+    field, _, rule = str(error).partition(": ")
+    body, time = getattr(error, "body", None), getattr(error, "time", None)
+    return EngineError(field, rule, None if body is None else first + body, time)

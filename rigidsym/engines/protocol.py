@@ -11,19 +11,26 @@ Outputs = States | None
 
 
 class EngineError(ValueError):
-    """What an engine cannot compute, as "field: rule"; `body` is the index of the first body."""
+    """What an engine cannot compute, as "field: rule".
 
-    def __init__(self, field: str, rule: str, body: int | None = None) -> None:
+    `body` and `time` are the indices of the first of each.
+    """
+
+    def __init__(
+        self, field: str, rule: str, body: int | None = None, time: int | None = None
+    ) -> None:
         super().__init__(f"{field}: {rule}")
-        self.field, self.rule, self.body = field, rule, body
+        self.field, self.rule, self.body, self.time = field, rule, body, time
 
 
 class Engine(Protocol):
     """Plans, states at times, states on grids, and batches, all in float64.
 
     Times in s, rates in rad/s, inertia in kg m^2, quaternions scalar first.  With `out`, a pair of
-    C-contiguous arrays of exactly the shapes named, these are filled and returned; what they hold
-    after an error is undefined.  All methods raise ValueError with one line, "field: rule".
+    C-contiguous arrays of exactly the shapes named that share no memory with each other or an
+    input, these are filled and returned; what they hold after an error is undefined.  Plans share
+    no memory with inputs.  All methods raise ValueError with one line, "field: rule"; with
+    errors="nan" bodies and times that are refused have states of NaN instead.
     """
 
     def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
@@ -39,7 +46,7 @@ class Engine(Protocol):
         """Constants of one motion from exact numbers, which are not rounded to float64 first."""
         ...
 
-    def states(self, plan: Any, t: Any, out: Outputs = None) -> States:
+    def states(self, plan: Any, t: Any, out: Outputs = None, errors: str = "raise") -> States:
         """(q, omega): (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
         ...
 
@@ -51,7 +58,13 @@ class Engine(Protocol):
         ...
 
     def propagate(
-        self, inertia: Any, omega0: Any, attitude0: Any, t: Any, out: Outputs = None
+        self,
+        inertia: Any,
+        omega0: Any,
+        attitude0: Any,
+        t: Any,
+        out: Outputs = None,
+        errors: str = "raise",
     ) -> States:
         """(q, omega) of many bodies whose leading shapes broadcast: (..., N, 4) and (..., N, 3)."""
         ...

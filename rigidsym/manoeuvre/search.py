@@ -134,7 +134,8 @@ def sample(
     """The samples there; what arrives much later than `bound` has no half angle."""
     momenta = curves.at(arc, x)
     first, period = transits(problem, momenta)
-    time = first + turns * period
+    # No turns take no time, also on the separatrix, where one takes for ever.
+    time = first + np.multiply(turns, period, out=np.zeros(len(first)), where=turns > 0)
     rates = np.where(time <= _FAR * bound, time, np.nan)[:, None] * momenta / problem.inertia
     arrived = problem.arrivals(np.nan_to_num(rates))
     half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])

@@ -33,6 +33,7 @@ int torque_free_state_at(void) {{ return 6; }}
 int torque_free_states_at(void) {{ return 6; }}
 int torque_free_states_on_grid(void) {{ return 6; }}
 int torque_free_propagate(void) {{ return 2; }}
+double torque_free_last_time(void) {{ return 0; }}
 """
 
 

@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from rigidsym import InputError, TorqueFreeMotion
+from rigidsym import TorqueFreeMotion
 from rigidsym.engines import EngineError, build, threads
 from rigidsym.engines.c_engine import CEngine
 from rigidsym.engines.compiler import CompilerError, find
@@ -93,12 +93,6 @@ def test_exact_numbers_are_not_rounded_first(c, inertia, omega0):
     plan = c.exact_plan(inertia, omega0, attitude0)
     expected = TorqueFreeMotion(inertia, omega0, attitude0).precise(t.tolist(), 20)
     assert_near(c.states(plan, t), expected, [float(x) for x in omega0])
-
-
-def test_an_underflowing_distance_from_the_separatrix_is_refused(c):
-    rates = (Fraction(2), Fraction(1), 1 + Fraction(1, 2**1200))
-    with pytest.raises(InputError, match=r"^omega0 = .*: nearer to the separatrix"):
-        c.exact_plan((Fraction(3), Fraction(4), Fraction(6)), rates, (Fraction(1), *ZEROS))
 
 
 @pytest.mark.parametrize("body", BODIES)
@@ -261,7 +255,7 @@ REFUSED = [
     {"omega0": (1.0, np.inf, 1.0)},
     {"attitude0": (0.0, 0.0, np.nan, 0.0)},
     {"attitude0": (0.0, 0.0, 0.0, 0.0)},
-    {"inertia": (1.0, 2.0, 3.0), "omega0": (1e-300, 1.0, 0.0)},
+    {"inertia": (1.0, 2.0, 3.0), "omega0": (1e300, 1.0, 0.0)},
 ]
 
 
@@ -285,7 +279,7 @@ def test_the_first_body_that_is_refused_is_named(c, change, bodies, many_threads
     with pytest.raises(EngineError) as caught:
         c.propagate(*given, TIMES)
     assert str(caught.value) == str(expected.value)
-    assert caught.value.body == bodies - 2
+    assert caught.value.body == expected.value.body == bodies - 2
 
 
 @pytest.mark.parametrize(

@@ -5,7 +5,8 @@ enum {
     TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
     TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^@thinnest@ of another */
     TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_SEPARATRIX = 5, /* nearer to spin about the middle axis than about 2^@decisive@ */
+    TORQUE_FREE_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
+                                   about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@farthest@ rad, or t is infinite or no number */
     TORQUE_FREE_RATES = 7       /* rates that double precision cannot hold, beyond 2^@fastest@ rad/s */
 };
@@ -14,6 +15,7 @@ enum {
 typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
+    int blurred;         /* whether TORQUE_FREE_SEPARATRIX is what later times are refused for */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
     double farthest;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
@@ -37,11 +39,13 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
                                 const double excess[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0 or TORQUE_FREE_TIME. */
+   attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_TIME
+   or TORQUE_FREE_SEPARATRIX. */
 int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns 0 or TORQUE_FREE_TIME. */
+   not overlap each other or t.  Returns 0, TORQUE_FREE_TIME
+   or TORQUE_FREE_SEPARATRIX. */
 int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
                           double *omega);
 
@@ -51,11 +55,16 @@ int torque_free_states_on_grid(const torque_free_plan *plan, double start, doubl
                                double *q, double *omega);
 
 /* A plan and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
-   attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3].  Where one is refused its
-   number is left in *failed, its code returned, and what comes before it is done. */
+   attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
+   codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
+   NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
+   ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, size_t *failed);
+                          double *omega, int *codes, size_t *failed);
+
+/* The largest |t| (s) that a plan has states for. */
+double torque_free_last_time(const torque_free_plan *plan);
 
 /* sizeof(torque_free_plan), and the digest of the header and the source, for who loads a library. */
 size_t torque_free_plan_size(void);

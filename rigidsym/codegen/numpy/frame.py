@@ -15,6 +15,7 @@ from rigidsym.codegen.numpy.stubs import (
     NEGLIGIBLE,
     START,
     THINNEST,
+    TOLERATED,
     _excess,
     _Pair,
     _steady_plan,
@@ -23,32 +24,48 @@ from rigidsym.codegen.numpy.stubs import (
 # --- frame ---
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 8192
+_LEAST = 2.0**-1074
 
 
 class _RefusedError(ValueError):
-    """What a body is refused for; `body` is its number, counted through the leading axes."""
+    """What a body or a time is refused for, each by its number.
 
-    def __init__(self, message, body):
+    Bodies are counted through the leading axes.
+    """
+
+    def __init__(self, message, body=None, time=None):
         super().__init__(message)
-        self.body = body
+        self.body, self.time = body, time
 
 
-def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0)):
-    """Constants of free motions, for `states`.
+def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
+    """Constants of free motions, for `states`; nothing in them is the caller's memory.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
     axes; attitude0 (..., 4), scalar first, body to inertial, of any length but zero.  The leading
     shapes broadcast.  Raises ValueError for wrong shapes and for numbers that are not finite, not
-    positive where they have to be, of too different size, or too near the separatrix for binary64.
+    positive where they have to be, or of too different size; with errors="nan" bodies of such
+    numbers are kept, and their states are NaN.
     """
-    inertia, omega0, attitude0 = (np.asarray(x, float) for x in (inertia, omega0, attitude0))
-    _check(inertia, omega0, attitude0)
-    shape = _batch(inertia, omega0, attitude0)
-    given = ((inertia, 3), (omega0, 3), (attitude0, 4))
-    rows = (np.broadcast_to(x, (*shape, size)).reshape(-1, size) for x, size in given)
+    given = [np.array(x, float) for x in (inertia, omega0, attitude0)]
+    shape = _batch(*given)
+    sizes = (3, 3, 4)
+    rows = [
+        np.broadcast_to(x, (*shape, size)).reshape(-1, size)
+        for x, size in zip(given, sizes, strict=True)
+    ]
+    refused = np.zeros(len(rows[0]), bool) if _is_lenient(errors) else None
+    _check(*rows, refused)
+    if refused is not None and refused.any():
+        # Any body will do: its states are not given.
+        stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
+        rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
     (c, _), (omega, unit), (q, _) = map(_scaled, rows)
-    made = _plan(_Pair(c, 0 * c), _Pair(omega, 0 * omega), _Pair(q, 0 * q), unit, shape)
-    return made | {"omega0": np.broadcast_to(omega0, (*shape, 3)).reshape(-1, 3)}
+    made = _plan(_Pair(c, 0 * c), _Pair(omega, 0 * omega), _Pair(q, 0 * q), unit, shape, refused)
+    made["omega0"] = rows[1].copy()
+    if refused is not None and refused.any():
+        _blot_out(made, refused)
+    return made
 
 
 def plan_from_pairs(inertia, omega0, attitude0, excess, unit):
@@ -60,24 +77,28 @@ def plan_from_pairs(inertia, omega0, attitude0, excess, unit):
     """
     pairs = (np.asarray(x, float).T[:, None] for x in (inertia, omega0, attitude0))
     known = _Pair(*(np.array([x]) for x in excess))
-    return _plan(*(_Pair(hi, lo) for hi, lo in pairs), np.array([[unit]]), (), known)
+    return _plan(*(_Pair(hi, lo) for hi, lo in pairs), np.array([[unit]]), (), None, known)
 
 
 @np.errstate(all="ignore")
-def _plan(c, given, q, unit, shape, excess=None):
-    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units."""
+def _plan(c, given, q, unit, shape, refused, excess=None):
+    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units.
+
+    refused (B,): where to note bodies that are; None to raise an error instead.
+    """
     length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
     omega = _Pair(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
     axes, excess = _axes(c, omega, excess)
+    axes, omega, excess, reach = _followed(c, axes, omega, given, excess)
     steady = _is_steady(c, omega)
-    _check_distance(c, axes, omega, given, excess)
     made = {
         "shape": shape,
         # Nothing turns at rest, however long it takes.
         "unit": np.where(np.any(omega.hi != 0, axis=-1), unit[:, 0], 0.0),
-        "farthest": np.full(len(unit), FARTHEST),
+        "farthest": reach,
+        "blurred": reach < FARTHEST,
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
@@ -87,11 +108,11 @@ def _plan(c, given, q, unit, shape, excess=None):
         index = np.flatnonzero(steady)
         made["groups"].append(("steady", index, _steady(omega[index], [x[index] for x in q])))
     if not np.all(steady):
-        _add_moving(made, np.flatnonzero(~steady), c, omega, q, excess)
+        _add_moving(made, np.flatnonzero(~steady), c, omega, q, excess, refused)
     return made
 
 
-def _add_moving(made, index, c, omega, q, excess):
+def _add_moving(made, index, c, omega, q, excess, refused):
     """The groups of moving bodies: the circular and the hyperbolic branch."""
     axes = made["axes"][index]
     inertia = [c[index, axes[:, k]] for k in range(3)]
@@ -118,22 +139,31 @@ def _add_moving(made, index, c, omega, q, excess):
             constants = _filled(_called(BRANCHES[name], given), some.size)
             _limit(made, index[some], constants, BRANCHES[name]["fast"])
             amplitudes = [given[f"A_{x}"].hi * given["unit"] for x in "abd"]
-            _check_rates(constants, amplitudes, index[some])
+            _check_rates(constants, amplitudes, index[some], refused)
             made["groups"].append((name, index[some], constants))
 
 
 def _limit(made, index, constants, fast):
     """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
     largest = np.max([np.abs(constants[name]) for name in fast], axis=0)
-    made["farthest"][index] = FARTHEST * 16 / np.maximum(16, largest)
+    limit = FARTHEST * 16 / np.maximum(16, largest)
+    made["farthest"][index] = np.minimum(made["farthest"][index], limit)
 
 
-def _check_rates(constants, amplitudes, bodies):
+def _check_rates(constants, amplitudes, bodies, refused):
     """Refuse what doubles do not hold, rates up to their amplitudes."""
     held = np.all([np.isfinite(x) for x in constants.values()], axis=0)
     for amplitude in amplitudes:
         held = held & (amplitude <= FASTEST)
-    _refuse("omega0", "rates beyond what binary64 can hold", ~held, bodies)
+    _refuse("omega0", "rates beyond what binary64 can hold", bodies[~held], refused)
+
+
+def _blot_out(made, refused):
+    """No numbers for all that states of refused bodies are made from."""
+    made["q0"][refused] = made["omega0"][refused] = np.nan
+    for _, index, constants in made["groups"]:
+        for values in constants.values():
+            values[refused[index]] = np.nan
 
 
 def _called(entry, known):
@@ -166,22 +196,25 @@ def _steady(omega, q):
     return constants
 
 
-def states(plan, t, out=None):
+def states(plan, t, out=None, errors="raise"):
     """(q, omega) at the times t in s: (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and
     (..., N, 3) for t (N,).  q is continuous in the double cover from attitude0 on.
 
-    out: arrays (q, omega) of these shapes to write into, which are returned.  Memory beyond them
-    does not grow with N.
+    out: arrays (q, omega) of these shapes to write into, which are returned; they share no memory
+    with each other, t or the plan.  Memory beyond them does not grow with N.  Raises ValueError for
+    times that are not finite or too late; with errors="nan" their states are NaN.
     """
+    lenient = _is_lenient(errors)
     if out is None and type(t) is float and plan["shape"] == ():
-        return _single(plan, t)
+        return _single(plan, t, lenient)
     times = np.asarray(t, float)
     if times.ndim > 1:
         raise ValueError("t: times must be one finite number or a one-dimensional array of them")
-    shape = (*plan["shape"], *times.shape)
-    q, omega = _results(out, shape)
+    q, omega = _results(out, (*plan["shape"], *times.shape), times, plan)
     flat = times.reshape(-1)
-    _check_times(plan, flat)
+    late = not _are_near(plan, flat)
+    if late and not lenient:
+        _refuse_times(plan, flat)
     bodies = (len(plan["unit"]), flat.size)
     rows = q.reshape(*bodies, 4), omega.reshape(*bodies, 3)
     for name, index, constants in plan["groups"]:
@@ -190,15 +223,25 @@ def states(plan, t, out=None):
     if zero.size:
         rows[0][:, zero] = plan["q0"][:, None]
         rows[1][:, zero] = plan["omega0"][:, None]
+    if late:
+        _erase(plan, flat, *rows)
     return q, omega
 
 
-def _single(plan, t):
+def _is_lenient(errors):
+    if errors not in ("raise", "nan"):
+        raise ValueError("errors: must be 'raise' or 'nan'")
+    return errors == "nan"
+
+
+def _single(plan, t, lenient):
     """The state of one body at one time, by Python's floats."""
     unit, farthest, axes, branch, rates, shape = plan.get("single") or _prepared(plan)
     inner = unit * t
     if not -farthest <= inner <= farthest:
-        _check_times(plan, np.array([t]))
+        if lenient:
+            return np.full(4, np.nan), np.full(3, np.nan)
+        _refuse_times(plan, np.array([t]))
     if t == 0:
         return plan["q0"][0].copy(), plan["omega0"][0].copy()
     values = branch["state"](*branch["angles"](inner, *rates), *shape)
@@ -221,35 +264,62 @@ def _prepared(plan):
     return plan["single"]
 
 
-def _results(out, shape):
+def _results(out, shape, t, plan):
     wanted = ((*shape, 4), (*shape, 3))
     if out is None:
         return tuple(map(np.empty, wanted))
     if len(out) != 2 or any(not _fits(x, s) for x, s in zip(out, wanted, strict=True)):
         rule = f"must be C-contiguous float64 arrays of shapes {wanted[0]} and {wanted[1]}"
         raise ValueError(f"out: {rule}")
+    read = [t, *(plan[name] for name in ("q0", "omega0", "unit", "farthest", "axes"))]
+    read += [x for _, index, constants in plan["groups"] for x in (index, *constants.values())]
+    if np.may_share_memory(*out) or any(np.may_share_memory(x, y) for x in out for y in read):
+        raise ValueError("out: q and omega must not overlap each other or the inputs")
     return out
 
 
 def _fits(array, shape):
     is_array = isinstance(array, np.ndarray) and array.dtype == float and array.shape == shape
-    return is_array and array.flags.c_contiguous and array.flags.writeable
+    return is_array and array.flags.carray
 
 
-def _check_times(plan, t):
-    if t.size and plan["unit"].size:
-        with np.errstate(over="ignore"):
-            # No array as long as t is made for this.
-            latest = max(-np.min(t), np.max(t))
-            inner = plan["unit"] * latest
-        if not np.isfinite(latest):
-            raise ValueError(
-                "t: times must be one finite number or a one-dimensional array of them"
-            )
-        if not np.all(inner <= plan["farthest"]):
-            raise ValueError("t: beyond |omega| t = 2^46 rad the angle is lost in binary64")
+def _are_near(plan, t):
+    """Whether all times are finite and near enough for all bodies."""
+    if not (t.size and plan["unit"].size):
+        return True
+    # No array as long as t is made for this.
+    latest = max(-np.min(t), np.max(t))
+    with np.errstate(over="ignore"):
+        return bool(np.isfinite(latest) and np.all(plan["unit"] * latest <= plan["farthest"]))
 
 
+def _refuse_times(plan, t):
+    """Raise an error for the first time that is not finite or, for the first such body, too far."""
+    for number in np.flatnonzero(~np.isfinite(t))[:1]:
+        rule = "times must be one finite number or a one-dimensional array of them"
+        raise _RefusedError(f"t: {rule}", None, int(number))
+    with np.errstate(over="ignore"):
+        body = np.flatnonzero(plan["unit"] * np.max(np.abs(t)) > plan["farthest"])[0]
+        late = np.flatnonzero(np.abs(plan["unit"][body] * t) > plan["farthest"][body])[0]
+    rule = "beyond |omega| t = 2^46 rad the angle is lost in binary64"
+    if plan["blurred"][body]:
+        last = float(plan["farthest"][body] / plan["unit"][body])
+        rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
+    raise _RefusedError(f"t: {rule}", int(body), int(late))
+
+
+@np.errstate(all="ignore")
+def _erase(plan, t, q, omega):
+    """No numbers for states at times that are not finite or too far."""
+    step = max(1, _BLOCK // t.size)
+    for first in range(0, len(q), step):
+        some = slice(first, first + step)
+        near = np.abs(plan["unit"][some, None] * t) <= plan["farthest"][some, None]
+        for rows in (q, omega):
+            rows[some][~(near & np.isfinite(t))] = np.nan
+
+
+@np.errstate(all="ignore")
 def _fill(plan, name, index, constants, t, q, omega):
     """The rows of one group, in blocks: of times, or of bodies where times are few."""
     branch = BRANCHES[name]
@@ -273,7 +343,6 @@ def _fill(plan, name, index, constants, t, q, omega):
             _write(plan, branch, body, columns, inner, q, omega, some)
 
 
-@np.errstate(all="ignore")
 def _write(plan, branch, body, columns, t, q, omega, some):
     """The states of one body at a block of times, or of some bodies at all times."""
     rates, shape = columns
@@ -290,25 +359,28 @@ def _write(plan, branch, body, columns, t, q, omega, some):
         omega[body, some, axes[..., k]] = values[4 + k]
 
 
-def _check(inertia, omega0, attitude0):
-    for name, value, size in (
-        ("inertia", inertia, 3),
-        ("omega0", omega0, 3),
-        ("attitude0", attitude0, 4),
-    ):
-        if value.ndim < 1 or value.shape[-1] != size:
-            raise ValueError(f"{name}: shape {value.shape}: the last axis must have {size} numbers")
-        if not np.all(np.isfinite(value)):
-            raise ValueError(f"{name}: every number must be finite")
-    if np.any(inertia <= 0):
-        raise ValueError("inertia: principal moments must be positive")
-    if np.any(np.min(_scaled(inertia)[0], axis=-1) < THINNEST):
-        raise ValueError("inertia: principal moments differ by more than binary64 can follow")
-    if not np.all(np.any(attitude0 != 0, axis=-1)):
-        raise ValueError("attitude0: a zero quaternion is no attitude")
+def _check(inertia, omega0, attitude0, refused):
+    """Refuse bodies by their numbers, (B, 3), (B, 3) and (B, 4)."""
+    rows = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
+    for name, values in rows.items():
+        bad = ~np.all(np.isfinite(values), axis=-1)
+        _refuse(name, "every number must be finite", np.flatnonzero(bad), refused)
+    bad = np.any(inertia <= 0, axis=-1)
+    _refuse("inertia", "principal moments must be positive", np.flatnonzero(bad), refused)
+    with np.errstate(invalid="ignore"):
+        thin = np.min(_scaled(inertia)[0], axis=-1) < THINNEST
+    rule = "principal moments differ by more than binary64 can follow"
+    _refuse("inertia", rule, np.flatnonzero(thin), refused)
+    bad = ~np.any(attitude0 != 0, axis=-1)
+    _refuse("attitude0", "a zero quaternion is no attitude", np.flatnonzero(bad), refused)
 
 
 def _batch(inertia, omega0, attitude0):
+    """What the leading shapes broadcast to."""
+    rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
+    for name, (value, size) in rows.items():
+        if value.ndim < 1 or value.shape[-1] != size:
+            raise ValueError(f"{name}: shape {value.shape}: the last axis must have {size} numbers")
     shapes = [x.shape[:-1] for x in (inertia, omega0, attitude0)]
     try:
         return np.broadcast_shapes(*shapes)
@@ -317,30 +389,86 @@ def _batch(inertia, omega0, attitude0):
         raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
 
 
-def _refuse(field, rule, bad, bodies):
-    """Raise an error where something is bad, with the number of the first such body."""
-    found = bodies[np.broadcast_to(bad, bodies.shape)]
-    if found.size:
-        raise _RefusedError(f"{field}: {rule}", int(found[0]))
+def _refuse(field, rule, bodies, refused):
+    """Note the bodies, or raise an error with the number of the first."""
+    if refused is not None:
+        refused[bodies] = True
+    elif len(bodies):
+        raise _RefusedError(f"{field}: {rule}", int(bodies[0]))
 
 
-def _check_distance(c, axes, omega, given, excess):
-    """Refuse what binary64 cannot tell from the separatrix or from spin about the middle axis.
+def _followed(c, axes, omega, given, excess):
+    """Axes, rates and E_b of the motions that are followed, and up to which inner times (B,).
 
-    A rate taken for zero could decide when such a spin turns over.
+    Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
+    turns over, that is the separatrix, or that spin: the given motion leaves it in time.
     """
+    reach = np.full(len(axes), FARTHEST)
     distinct = ~(_same(c[:, 0], c[:, 1]) | _same(c[:, 1], c[:, 2]) | _same(c[:, 2], c[:, 0]))
     kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
-    lost = np.any((kept == 0) & (before != 0), -1) & np.all(np.abs(kept) < DECISIVE, -1)
+    lost = np.any((kept == 0) & (before != 0), -1)
     faint = (excess.hi != 0) & (np.abs(excess.hi) < FAINTEST)
-    rule = "nearer to the separatrix than binary64 can follow"
-    _refuse("omega0", rule, distinct & (lost | faint), np.arange(len(lost)))
+    at = np.flatnonzero(distinct & (lost | faint))
+    if not at.size:
+        return axes, omega, excess, reach
+    inertia = [c[at, axes[at, k]] for k in range(3)]
+    rates = np.take_along_axis(given.hi[at], axes[at], -1)
+    turns, spins, times = _blurred(inertia, rates, kept[at] == 0, excess.hi[at], faint[at])
+    reach[at] = np.where(turns, times, FARTHEST)
+    middle = axes[at, 1, None] == np.arange(3)
+    zero = spins[:, None] & ~middle
+    omega, excess = (_Pair(x.hi.copy(), x.lo.copy()) for x in (omega, excess))
+    for part in (omega.hi, omega.lo):
+        part[at] = np.where(zero, 0.0, part[at])
+    for part in (excess.hi, excess.lo):
+        part[at] = np.where(turns, 0.0, part[at])
+    # On the separatrix, a is the axis of largest inertia.
+    upside_down = turns & _is_below(inertia[0], inertia[2])
+    axes = axes.copy()
+    axes[at] = np.where(upside_down[:, None], axes[at, ::-1], axes[at])
+    return axes, omega, excess, reach
+
+
+def _blurred(inertia, rates, lost, excess, faint):
+    """Which motions are not followed but as separatrix or spin, which as spin, up to what times.
+
+    With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
+    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b,
+    grow no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix
+    one is zero, of the spin both are.  What of them is not zero may grow to 2^TOLERATED of the
+    momentum.  Logarithms have base 2, because the numbers leave binary64.
+    """
+    c_a, c_b, c_d = (x.hi for x in inertia)
+    over, under = (np.abs((inertia[k] - inertia[1]).hi) for k in (0, 2))
+    weights = np.log2(c_a * over) / 2, np.log2(c_d * under) / 2
+    parts = [w + np.log2(np.abs(rates[:, k])) for w, k in zip(weights, (0, 2), strict=True)]
+    size = np.logaddexp2(*parts)
+    gone, left = (
+        np.logaddexp2(*(np.where(lost[:, k] == which, x, -np.inf) for k, x in enumerate(parts)))
+        for which in (True, False)
+    )
+    distance = np.log2(np.abs(excess))
+    spins = (gone > left + np.log2(DECISIVE)) | (faint & (distance > 2 * size + np.log2(DECISIVE)))
+    growth = np.sqrt(
+        over / c_a * (under / c_d) * rates[:, 1] ** 2
+        + under / c_b * ((over + under) / c_a) * rates[:, 2] ** 2
+    )
+    largest, least = np.maximum(c_a, c_d), np.minimum(c_a, c_d)
+    momentum = np.log2(np.max(np.stack([c_a, c_b, c_d], -1) * np.abs(rates), -1) / largest)
+    slow = np.minimum(0.0, np.log2(growth) + np.log2(least / largest))
+    room = np.minimum(*weights) + momentum + slow - np.where(spins, size, distance - size)
+    times = np.log(2.0) * (np.log2(TOLERATED) + room) / growth
+    return spins | faint, spins, np.where(times > 0, np.minimum(times, FARTHEST), 0.0)
 
 
 def _scaled(x):
     """x over a power of two that brings its largest component into [1, 2), and that power."""
     exponent = np.frexp(np.max(np.abs(x), axis=-1, keepdims=True))[1] - 1
-    return np.ldexp(x, -exponent), np.ldexp(1.0, exponent)
+    scaled = np.ldexp(x, -exponent)
+    # What is not zero stays so.
+    return np.where((scaled == 0) & (x != 0), np.copysign(_LEAST, x), scaled), np.ldexp(
+        1.0, exponent
+    )
 
 
 def _same(x, y):

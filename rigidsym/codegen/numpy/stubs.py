@@ -13,13 +13,14 @@ __all__ = [
     "NEGLIGIBLE",
     "START",
     "THINNEST",
+    "TOLERATED",
     "_Pair",
     "_excess",
     "_steady_plan",
 ]
 
 START: dict[str, Any] = {}
-NEGLIGIBLE = DECISIVE = FAINTEST = THINNEST = FARTHEST = FASTEST = 1.0
+NEGLIGIBLE = DECISIVE = FAINTEST = THINNEST = TOLERATED = FARTHEST = FASTEST = 1.0
 BRANCHES: dict[str, Any] = {}
 
 

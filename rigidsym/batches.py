@@ -1,0 +1,82 @@
+"""Batches: arrays of doubles as users give them, and the bodies in them that cannot exist."""
+
+from typing import Any, NoReturn
+
+import numpy as np
+
+from rigidsym import inputs
+from rigidsym.errors import InputError, written
+
+# Bodies at a time, so that memory does not grow with their number.
+_BLOCK = 1 << 14
+
+
+def array(name: str, value: Any, lenient: bool = False) -> np.ndarray:
+    """The doubles of an array; raises InputError for the first number that is masked or, unless
+    `lenient`, not finite."""
+    if isinstance(value, np.ma.MaskedArray):
+        for place in np.argwhere(np.ma.getmaskarray(value))[:1]:
+            _refuse(name, value, place, "is masked")
+    try:
+        given = np.asarray(value)
+        if given.dtype.kind in "bmMc" or value is None:
+            raise TypeError(given.dtype)
+        doubles = given.astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError):
+        raise InputError(name, written(value, repr), "must be an array of numbers") from None
+    # The extremes tell, without another array of that size; NaN comes through both.
+    if doubles.size and not lenient and not np.isfinite([np.min(doubles), np.max(doubles)]).all():
+        _refuse(name, doubles, np.argwhere(~np.isfinite(doubles))[0], "must be finite")
+    return doubles
+
+
+def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
+    """The moments (..., 3) of bodies that can exist; raises InputError for the first that cannot.
+
+    Where `lenient`, a copy in which those have moments that are no numbers.
+    """
+    if not inertia.ndim or inertia.shape[-1] != 3:
+        return inertia
+    rows = inertia.reshape(-1, 3)
+    refused = np.zeros(len(rows), bool)
+    for first in range(0, len(rows), _BLOCK):
+        some = slice(first, first + _BLOCK)
+        refused[some] = np.any(rows[some] <= 0, axis=-1)
+        if not allow_nonphysical:
+            refused[some] |= _are_impossible(rows[some])
+    if lenient and refused.any():
+        return np.where(refused.reshape(*inertia.shape[:-1], 1), np.nan, inertia)
+    for body in np.flatnonzero(refused)[:1]:
+        _refuse_body(inertia, np.unravel_index(body, inertia.shape[:-1]))
+    return inertia
+
+
+def _refuse_body(inertia: np.ndarray, place: Any) -> NoReturn:
+    for axis in np.flatnonzero(inertia[place] <= 0)[:1]:
+        _refuse("inertia", inertia, (*place, axis), "principal moments must be positive")
+    _refuse("inertia", inertia, place, inputs.NO_BODY)
+
+
+def _are_impossible(inertia: np.ndarray) -> np.ndarray:
+    """Which of (B, 3) positive moments `inputs.can_exist` refuses, without rounding.
+
+    With largest moments between 1 and 2 every sum is a double and its error, which decide.
+    """
+    exponent = np.frexp(np.max(inertia, axis=-1, keepdims=True))[1]
+    low, middle, high = np.sort(np.ldexp(inertia, 1 - exponent), axis=-1).T
+    total, rest = _two_sum(low, middle)
+    beyond, more = _two_sum(high - total, -rest)
+    allowed = float(inputs.ROUNDING) * low
+    return (high > total) & ((beyond > allowed) | ((beyond == allowed) & (more > 0)))
+
+
+def _two_sum(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    total = a + b
+    part = total - a
+    return total, (a - (total - part)) + (b - part)
+
+
+def _refuse(name: str, values: np.ndarray, place: Any, rule: str) -> NoReturn:
+    index = ", ".join(map(str, place))
+    raise InputError(f"{name}[{index}]" if index else name, values[tuple(place)], rule)
