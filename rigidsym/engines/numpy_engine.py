@@ -77,7 +77,7 @@ class NumpyEngine:
         whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
         for first in range(0, count, _BODIES):
             some = slice(first, first + _BODIES)
-            index = np.unravel_index(np.arange(count)[some], shape) if shape else ()
+            index = np.unravel_index(range(count)[some], shape) if shape else ()
             bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
             try:
                 plan = self.module.plan(*bodies, errors)
