@@ -39,7 +39,7 @@ MEANINGS = {
     "residual": "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian",
     "jump": "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains",
     "start": "angle, or relative rates, from the given state at t = 0",
-    "routes": "one time alone, a grid, a batch, many times: from the states at the same times",
+    "routes": "one time, a grid, a batch, many times, reused arrays: from states at the same times",
 }
 
 

@@ -1,4 +1,5 @@
-"""The other ways to states: one time alone, a grid, a batch of bodies, many times at once.
+"""The other ways to states: one time alone, a grid, a batch of bodies, many times at once; and what
+callers do on the way.
 
 All that an engine offers has to give what its states at given times are, within their errors.
 """
@@ -9,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from rigidsym.engines import Engine, States
+from rigidsym.validate import callers
 from rigidsym.validate.oracle import lengths
 
 # One case in so many is measured so, the first of each stratum among them.
@@ -34,6 +36,7 @@ def differences(engine: Engine, plan: Any, body: Any, times: np.ndarray, rate: f
     ]
     if body is not None:
         found.append(_apart(_batch(engine, body, times), engine.states(plan, times)))
+        found += [_apart(*both) for both in callers.differing(engine, body, times)]
     return np.array(found)
 
 

@@ -47,7 +47,7 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
     positive where they have to be, or of too different size; with errors="nan" bodies of such
     numbers are kept, and their states are NaN.
     """
-    given = [np.array(x, float) for x in (inertia, omega0, attitude0)]
+    given = [np.asarray(x, float) for x in (inertia, omega0, attitude0)]
     shape = _batch(*given)
     sizes = (3, 3, 4)
     rows = [

@@ -19,6 +19,7 @@ KINDS = {
     "attitude": "a wrong product of quaternions, or a wrong length",
     "steady": "a wrong state of a motion with constant rates",
     "special": "no number, or a wrong one, in a special case",
+    "callers": "the caller's memory kept, or one body's refusal mistaken for another's",
     "routes": "a wrong state by one way of several",
     "ulps": "an error of some units in the last place",
 }

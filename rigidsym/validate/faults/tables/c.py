@@ -469,6 +469,20 @@ _DIGITS = (
         "attitude0);",
     ),
     _fault(
+        "callers",
+        "states of the body before for one that is refused",
+        "int torque_free_propagate(",
+        "else if (codes)",
+        "else if (codes && k == 0)",
+    ),
+    _fault(
+        "callers",
+        "one refused body ends a batch that goes on",
+        "int torque_free_propagate(",
+        "codes[k] = code;",
+        "if ((codes[k] = code) != 0) return 0;",
+    ),
+    _fault(
         "ulps",
         "the middle axis' rate off by 4e-15, circular",
         _CIRCULAR_STATE,

@@ -567,6 +567,27 @@ _DIGITS = (
         'inner = float(plan["unit"][body]) * t[: len(t[some])]',
     ),
     _fault(
+        "callers",
+        "the caller's rates kept in a plan",
+        "    given = [np.asarray(",
+        "rows[1].copy()",
+        "rows[1]",
+    ),
+    _fault(
+        "callers",
+        "states of bodies that are refused",
+        "def _blot_out(",
+        "values[refused[index]] = np.nan",
+        "values[refused[index]] = values[refused[index]]",
+    ),
+    _fault(
+        "callers",
+        "the body after one that is refused without states",
+        "def _blot_out(",
+        "values[refused[index]] = np.nan",
+        "values[np.roll(refused, 1)[index]] = np.nan",
+    ),
+    _fault(
         "ulps",
         "the attitude 4e-15 too long, circular",
         _CIRCULAR_STATE,
