@@ -30,7 +30,7 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest fdfb9dc3d5c22b1620a2da73a886fd26f23ae86e21f3fd8729dd4d219b2628f4
+digest ce5a11c4a428a830f2474dd6e76355b3107418a0cd3554208e29c1e61a335b7a
 """
 
 # ruff: noqa
@@ -942,7 +942,7 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
     positive where they have to be, or of too different size; with errors="nan" bodies of such
     numbers are kept, and their states are NaN.
     """
-    given = [np.array(x, float) for x in (inertia, omega0, attitude0)]
+    given = [np.asarray(x, float) for x in (inertia, omega0, attitude0)]
     shape = _batch(*given)
     sizes = (3, 3, 4)
     rows = [
