@@ -55,11 +55,11 @@ def _aliased(engine: Engine, body: Any, times: np.ndarray, name: int) -> States 
     None where that is refused."""
     count = 5
     given = [np.tile(array, (count, 1)) for array in body]
-    q, omega = (np.zeros((count, len(times), size)) for size in (4, 3))
+    q, omega = np.zeros((count, len(times), 4)), np.zeros((count, len(times), 3))
     shared = (q if given[name].shape[1] == 4 else omega).reshape(-1, given[name].shape[1])[:count]
     shared[:], given[name] = given[name], shared
     try:
-        engine.propagate(*given, times, (q, omega))
+        engine.propagate(given[0], given[1], given[2], times, (q, omega))
     except ValueError:
         return None
     return q[-1], omega[-1]
@@ -75,7 +75,7 @@ def _mixed(engine: Engine, body: Any, times: np.ndarray) -> tuple[States, States
     rates = np.vstack([rates, omega0])
     q, omega = engine.propagate(moments, rates, attitude0, times, errors="nan")
     none = np.isnan(q).all(axis=(1, 2)) & np.isnan(omega).all(axis=(1, 2))
-    wanted = [k in REFUSED for k in range(len(none))]
+    wanted = [k in REFUSED for k in range(len(moments))]
     alone = engine.states(engine.plan(*body), times)
     if none.tolist() != wanted:
         return (np.full_like(alone[0], np.nan), alone[1]), alone

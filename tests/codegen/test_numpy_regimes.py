@@ -46,8 +46,6 @@ def test_many_bodies_are_each_right():
         ("inertia: principal moments must be positive", (1, 1, 0), (0, 0, 1), (1, 0, 0, 0)),
         ("inertia: principal moments differ by", (1, 1, 2.0**-201), (0, 0, 1), (1, 0, 0, 0)),
         ("attitude0: a zero quaternion", (1, 1, 1), (0, 0, 1), (0, -0.0, 0, 0)),
-        ("omega0: nearer to the separatrix", (1, 2, 2.5), (0, 1, 1e-130), (1, 0, 0, 0)),
-        ("omega0: nearer to the separatrix", (1, 2, 2.5), (1e-115, 1, 1e-130), (1, 0, 0, 0)),
         ("omega0: rates beyond what", (1, 2, 2.5), (MOST, MOST, MOST), (1, 0, 0, 0)),
     ],
 )

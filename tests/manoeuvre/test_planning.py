@@ -203,3 +203,13 @@ def test_too_many_motions_are_refused_by_the_users_own_numbers(given, message):
 def test_a_body_that_cannot_exist_is_refused_without_a_way_out():
     with pytest.raises(InputError, match=r"the sum of the other two$"):
         plan((1, 1, 3), START, TARGET, 1)
+
+
+def test_a_momentum_that_never_comes_back_arrives_once():
+    """An arc may touch the separatrix: no turns of an endless period took no time but NaN."""
+    body = (1.5614618325857683, 0.9442333873922403, 0.8275281761617398)
+    start = (0.4211459948828172, -0.36191427026915857, -1.7221082322007564, 1.2177924171983394)
+    target = (1.5432495368389407, 1.7878151306613748, 0.2170367220342138, 0.34622010602059483)
+    with np.errstate(all="raise", under="ignore"):
+        best = plan(body, start, target, 18.093347219088198).best
+    assert best.cost > 0
