@@ -1415,6 +1415,9 @@ static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair
     return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
+/* log2(x), x >= 0, without an exception for zero. */
+static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
+
 /* log2(2^x + 2^y); both may be minus infinity. */
 static double log2_sum(double x, double y)
 {
@@ -1437,10 +1440,10 @@ static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const
     const double over = fabs(pair_add_xx(c[axis[0]], pair_neg(c[axis[1]])).hi);
     const double under = fabs(pair_add_xx(c[axis[2]], pair_neg(c[axis[1]])).hi);
     const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
-    const double weight[2] = {0.5 * log2(c_a * over), 0.5 * log2(c_d * under)};
+    const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
     double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
     for (int k = 0; k < 2; k++) {
-        part[k] = weight[k] + log2(fabs(given[axis[2 * k]].hi));
+        part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
         if (is_zero(omega[axis[2 * k]]))
             gone = log2_sum(gone, part[k]);
         else
@@ -1448,18 +1451,18 @@ static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const
     }
     for (int k = 0; k < 3; k++)
         momentum = fmax(momentum, c[k].hi * fabs(given[k].hi));
-    const double size = log2_sum(part[0], part[1]), distance = log2(fabs(E_b->hi));
+    const double size = log2_sum(part[0], part[1]), distance = log2_of(fabs(E_b->hi));
     const int is_spin = gone > left + log2(decisive) || (is_faint && distance > 2.0 * size + log2(decisive));
     if (!is_spin && !is_faint)
         return;
     const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
     const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
                                under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
-    const double slow = fmin(0.0, log2(growth) + log2(least / largest));
+    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
     const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
                         (is_spin ? size : distance - size);
-    const double time = log(2.0) * (log2(tolerated) + room) / growth;
-    plan->farthest = time > 0.0 ? fmin(time, farthest) : 0.0;
+    const double bits = log2(tolerated) + room;
+    plan->farthest = bits > 0.0 ? fmin(log(2.0) * bits / growth, farthest) : 0.0;
     plan->blurred = plan->farthest < farthest;
     *E_b = pair_of(0.0);
     for (int k = 0; k < 3 && is_spin; k += 2)
@@ -1857,7 +1860,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "8a9c745468473391539b89695c2e52f489d6aa9f406cf45aa706b72ad140f051"; }
+const char *torque_free_digest(void) { return "dc87b4e6d95f2bf907573be803f757bfa71b9a30c1dde92e313a75597a1d2be0"; }
 
 const char *torque_free_message(int code)
 {

@@ -31,7 +31,7 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 8a9c745468473391539b89695c2e52f489d6aa9f406cf45aa706b72ad140f051
+digest dc87b4e6d95f2bf907573be803f757bfa71b9a30c1dde92e313a75597a1d2be0
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
 -O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
