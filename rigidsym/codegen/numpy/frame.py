@@ -82,10 +82,8 @@ def plan_from_pairs(inertia, omega0, attitude0, excess, unit):
 
 @np.errstate(all="ignore")
 def _plan(c, given, q, unit, shape, refused, excess=None):
-    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units.
-
-    refused (B,): where to note bodies that are; None to raise an error instead.
-    """
+    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units; refused
+    (B,) is where bodies that are are noted, None to raise an error instead."""
     length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE

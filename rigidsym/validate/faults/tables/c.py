@@ -443,7 +443,7 @@ _DIGITS = (
     _fault(
         "routes",
         "t = 0 computed as any other time",
-        "int torque_free_states_at(",
+        "static int states_at(",
         "t[i + k] > 0.0))",
         "t[i + k] >= 0.0))",
     ),
