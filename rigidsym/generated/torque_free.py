@@ -30,7 +30,7 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest ce5a11c4a428a830f2474dd6e76355b3107418a0cd3554208e29c1e61a335b7a
+digest 2535b7548ede29067c9c96b7f6d6cf9a90abbe627243a47075666c667181a1e3
 """
 
 # ruff: noqa
@@ -977,10 +977,8 @@ def plan_from_pairs(inertia, omega0, attitude0, excess, unit):
 
 @np.errstate(all="ignore")
 def _plan(c, given, q, unit, shape, refused, excess=None):
-    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units.
-
-    refused (B,): where to note bodies that are; None to raise an error instead.
-    """
+    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units; refused
+    (B,) is where bodies that are are noted, None to raise an error instead."""
     length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
