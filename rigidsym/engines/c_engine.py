@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.engines import arrays
+from rigidsym.engines import arrays, threads
 from rigidsym.engines.library import Library
 from rigidsym.engines.protocol import EngineError, Outputs, States
-from rigidsym.engines.threads import in_parts, threads
 
 # Doubles, whose memory the caller owns; nobody writes to it once it is made.
 Plan = ctypes.Array
@@ -106,7 +105,7 @@ class CEngine:
             places = _offset(inputs, begin, (1, 4, 3))
             return self._library.states_at(plan, end - begin, *places)
 
-        if code := max(in_parts(part, t.size, threads(t.size))):
+        if code := max(_shared(part, t.size)):
             raise self._refused_times(code, plan, t)
         return q, omega
 
@@ -131,10 +130,14 @@ class CEngine:
     ) -> States:
         """See `Engine`."""
         q, omega = arrays.outputs(out, (arrays.count(count),))
-        places = q.ctypes.data, omega.ctypes.data
-        if code := self._library.states_on_grid(plan, start, step, count, *places):
-            ends = np.array([start, start + step * (count - 1)])
-            raise self._refused_times(code, plan, ends)
+        outputs = q.ctypes.data, omega.ctypes.data
+
+        def part(begin: int, end: int) -> int:
+            places = _offset(outputs, begin, (4, 3))
+            return self._library.states_on_grid(plan, start, step, begin, end - begin, *places)
+
+        if code := max(_shared(part, count)):
+            raise self._refused_times(code, plan, start + step * np.arange(count))
         return q, omega
 
     def propagate(
@@ -152,7 +155,7 @@ class CEngine:
         states = arrays.outputs(out, (*shape, *t.shape), t, *given.values())
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
         count = math.prod(shape)
-        parts = threads(count * (t.size + _PLAN))
+        parts = threads.threads(count * (t.size + _PLAN))
         if count < parts and not lenient:
             self._one_by_one(bodies, t, states)
         else:
@@ -199,7 +202,8 @@ class CEngine:
             )
             return begin + failed.value if code else None
 
-        for body in in_parts(part, count, parts):
+        count, piece = len(bodies["inertia"]), max(1, threads.PIECE // (t.size + _PLAN))
+        for body in threads.in_parts(part, count, parts, piece):
             if body is not None:
                 # Once more, because a plan knows which times are too late.
                 self._one(body, bodies, t)
@@ -212,6 +216,11 @@ def _vectors(given: Mapping[str, np.ndarray], tail: tuple[int, ...]) -> dict[str
         if array.shape != shape:
             raise EngineError(name, f"shape {array.shape}: one body's must be {shape}")
     return {name: arrays.in_one_piece(array) for name, array in given.items()}
+
+
+def _shared(part: Callable[[int, int], int], states: int) -> list[int]:
+    """The codes of all parts of so many states."""
+    return threads.in_parts(part, states, threads.threads(states), threads.PIECE)
 
 
 def _offset(places: Sequence[int], begin: int, sizes: Sequence[int]) -> list[int]:

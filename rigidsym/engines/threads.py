@@ -1,31 +1,61 @@
-"""Work shared among threads, in the same pieces of arithmetic whatever their number."""
+"""Work shared among threads, with the same bits whatever their number.
+
+Threads are kept from one call to the next.  Each takes the next piece when it is done with one, the
+caller's among them, so that a thread which comes late, or not at all, holds nobody up.
+"""
 
 import os
+import threading
+from collections import deque
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
 from typing import TypeVar
 
 Result = TypeVar("Result")
 
-# Fewer states than this are computed before a thread has started.
-LEAST = 1 << 17
+# States to a piece: a tenth of a millisecond, some times what it takes to wake a thread.  Grids
+# need a multiple of 64.
+PIECE = 1 << 14
 # Beyond this many, memory is slower than the arithmetic.
 _MOST = 4
+_LOCK = threading.Lock()
+_kept: list[ThreadPoolExecutor] = []
 
 
 def threads(states: int) -> int:
-    """How many threads are worth their start for so many states."""
-    wanted = min(_MOST, states // LEAST)
+    """How many threads are worth waking for so many states."""
+    wanted = min(_MOST, states // PIECE)
     return min(wanted, processors()) if wanted > 1 else 1
 
 
-def in_parts(work: Callable[[int, int], Result], count: int, parts: int) -> list[Result]:
-    """work(begin, end) for consecutive parts of range(count), results in their order."""
+def in_parts(
+    work: Callable[[int, int], Result], count: int, parts: int, piece: int
+) -> list[Result]:
+    """work(begin, end) for consecutive pieces of range(count), results in their order.
+
+    The first error of a piece is raised once all threads are done.
+    """
     if parts == 1:
         return [work(0, count)]
-    ends = [count * k // parts for k in range(parts + 1)]
-    with ThreadPoolExecutor(parts) as pool:
-        return list(pool.map(work, ends[:-1], ends[1:]))
+    begins = range(0, count, piece)
+    left, done = deque(begins), dict[int, Result]()
+
+    def run() -> None:
+        while (begin := _next(left)) is not None:
+            done[begin] = work(begin, min(begin + piece, count))
+
+    helpers = _started(run, parts - 1)
+    try:
+        run()
+    finally:
+        # Helpers that never began are not waited for.
+        ended = [helper for helper in helpers if not helper.cancel()]
+        left.clear()
+        errors = [helper.exception() for helper in ended]
+    for error in filter(None, errors):
+        raise error
+    return [done[begin] for begin in begins]
 
 
 def processors() -> int:
@@ -33,3 +63,30 @@ def processors() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+def _next(left: deque[int]) -> int | None:
+    """The next of what is left; asking and taking in one step, as threads have to."""
+    with suppress(IndexError):
+        return left.popleft()
+    return None
+
+
+def _started(run: Callable[[], None], count: int) -> list[Future]:
+    """So many helpers; none where the interpreter is about to end and starts no threads."""
+    with suppress(RuntimeError), _LOCK:
+        if not _kept:
+            _kept.append(ThreadPoolExecutor(_MOST - 1, "rigidsym"))
+        return [_kept[0].submit(run) for _ in range(count)]
+    return []
+
+
+def _forget() -> None:
+    """Threads stay behind in a process that forks; so may a lock that one of them held."""
+    global _LOCK
+    _LOCK = threading.Lock()
+    _kept.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget)

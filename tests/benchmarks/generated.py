@@ -180,7 +180,7 @@ def _states(size: int, rounds: int) -> Table:
         works = _bounds(directory, t, out) | {
             "C": c.call("states_at", paper, size, t, *out),
             "C, sorted": c.call("states_at", paper, size, in_order, *out),
-            "C, grid": c.call("states_on_grid", paper, 0.0, SECONDS / size, size, *out),
+            "C, grid": c.call("states_on_grid", paper, 0.0, SECONDS / size, 0, size, *out),
             "C, hyperbolic branch": c.call("states_at", near, size, t, *out),
             "NumPy": lambda: torque_free.states(plan, t, out),
             "NumPy, sorted": lambda: torque_free.states(plan, in_order, out),

@@ -52,13 +52,14 @@ class Library:
         )
         return code, np.hstack([q, omega])
 
-    def grid(self, plan, start, step, n) -> tuple[int, np.ndarray]:
-        """The same at start + k step."""
+    def grid(self, plan, start, step, n, first=0) -> tuple[int, np.ndarray]:
+        """The same at start + k step, k = first, first + 1, ..."""
         q, omega = np.full((n, 4), np.nan), np.full((n, 3), np.nan)
         code = self._c.torque_free_states_on_grid(
             plan,
             ctypes.c_double(start),
             ctypes.c_double(step),
+            ctypes.c_size_t(first),
             ctypes.c_size_t(n),
             _pointer(q),
             _pointer(omega),

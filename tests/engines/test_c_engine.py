@@ -47,7 +47,7 @@ def c(tmp_path_factory):
 
 @pytest.fixture
 def many_threads(monkeypatch):
-    monkeypatch.setattr(threads, "LEAST", 1)
+    monkeypatch.setattr(threads, "PIECE", 64)
     monkeypatch.setattr(threads, "processors", lambda: 3)
 
 

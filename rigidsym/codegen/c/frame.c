@@ -1,5 +1,5 @@
 @limits@
-enum { BLOCK = 64 };
+#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
@@ -59,7 +59,7 @@ static pair excess_of(const pair c[3], const pair omega[3], const int axis[3])
     const pair over = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], a, zero);
     const pair under = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], zero, d);
     const pair sum = pair_add_xx(over, under);
-    if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))
+    if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
         return scaled(sum, 2 * scale);
     return scaled(exact_to_pair(excess_exact(exact_of(c[axis[0]].hi), exact_of(c[axis[1]].hi),
                                              exact_of(c[axis[2]].hi), exact_of(a.hi), exact_of(d.hi))),
@@ -185,8 +185,9 @@ static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const
 static int init(torque_free_plan *plan, const pair c[3], const pair given[3], const pair q[4],
                 const pair *known, double unit)
 {
-    torque_free_plan made = {0};
+    torque_free_plan made;
     pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
+    memset(&made, 0, sizeof made);
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
         length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
@@ -216,6 +217,8 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
     }
     const int steady = is_steady(c, omega);
     int code = TORQUE_FREE_OK;
+    if (!is_rounded_once())
+        return TORQUE_FREE_ARITHMETIC;
     if (steady)
         steady_init(&made, omega, unit_q);
     else
@@ -328,48 +331,48 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* The states of one block from what changes with time: two arrays on the steady branch, four on the
-   circular one, six on the hyperbolic one. */
-static void block_states(const torque_free_plan *plan, size_t n, double (*restrict by_time)[BLOCK],
-                         double *restrict q, double *restrict omega)
+/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
+   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
+static void block_states(const torque_free_plan *plan, size_t n, size_t s, const double *restrict in,
+                         double *restrict out, double *restrict q, double *restrict omega)
 {
-    double out[7][BLOCK];
     const int *axis = plan->axis;
+    double *row[7];
     if (plan->branch == 0) {
-        steady_state(&plan->of.steady, n, by_time[0], by_time[1], out[0], out[1], out[2], out[3]);
+        steady_state(&plan->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
         for (size_t i = 0; i < n; i++)
             for (int k = 0; k < 3; k++)
                 omega[3 * i + (size_t)k] = plan->omega0[k];
-        interleaved4(n, out[0], out[1], out[2], out[3], q);
+        interleaved4(n, out, out + s, out + 2 * s, out + 3 * s, q);
         return;
     }
-    double *row[7];
-    row[0] = out[0];
-    for (int k = 0; k < 3; k++) {
-        row[1 + axis[k]] = out[1 + k];
-        row[4 + axis[k]] = out[4 + k];
+    row[0] = out;
+    for (size_t k = 0; k < 3; k++) {
+        row[1 + axis[k]] = out + (1 + k) * s;
+        row[4 + axis[k]] = out + (4 + k) * s;
     }
     if (plan->branch == 1)
-        circular_state(&plan->of.circular, n, by_time[0], by_time[1], by_time[2], by_time[3], out[0],
-                       out[1], out[2], out[3], out[4], out[5], out[6]);
+        circular_state(&plan->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
+                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&plan->of.hyperbolic, n, by_time[0], by_time[1], by_time[2], by_time[3],
-                         by_time[4], by_time[5], out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
+        hyperbolic_state(&plan->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
+                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
+                         out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
 
-/* What changes with time at the inner times t + t_lo. */
-static void block_angles(const torque_free_plan *plan, size_t n, const double *restrict t,
-                         const double *restrict t_lo, double (*restrict by_time)[BLOCK])
+/* What changes with time at the inner times t + t_lo, in rows s apart. */
+static void block_angles(const torque_free_plan *plan, size_t n, size_t s, const double *restrict t,
+                         const double *restrict t_lo, double *restrict to)
 {
     if (plan->branch == 0)
-        steady_angles(&plan->of.steady, n, t, t_lo, by_time[0], by_time[1]);
+        steady_angles(&plan->of.steady, n, t, t_lo, to, to + s);
     else if (plan->branch == 1)
-        circular_angles(&plan->of.circular, n, t, t_lo, by_time[0], by_time[1], by_time[2], by_time[3]);
+        circular_angles(&plan->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, by_time[0], by_time[1], by_time[2],
-                          by_time[3], by_time[4], by_time[5]);
+        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
+                          to + 4 * s, to + 5 * s);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -411,7 +414,7 @@ static void no_states(size_t n, double *q, double *omega)
 static int states_at(const torque_free_plan *plan, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
-    double by_time[6][BLOCK], inner[BLOCK], rest[BLOCK];
+    double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
     for (size_t i = 0; i < n && !lenient; i += BLOCK)
         if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
@@ -426,8 +429,8 @@ static int states_at(const torque_free_plan *plan, size_t n, const double *t, do
             inner[k] = fabs(inner[k]) <= plan->farthest ? inner[k] : 0.0;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        block_angles(plan, count, inner, rest, by_time);
-        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        block_angles(plan, count, BLOCK, inner, rest, by_time);
+        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
             if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
                 at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
@@ -445,6 +448,23 @@ int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *
     return states_at(plan, n, t, q, omega, 0);
 }
 
+/* One state needs no block. */
+int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+{
+    const double rest = 0.0;
+    double by_time[6], out[7], inner;
+    int zero;
+    if (!scaled_times(plan, 1, &t, &inner, &zero))
+        return too_late(plan);
+    if (zero) {
+        at_start(plan, q, omega);
+        return TORQUE_FREE_OK;
+    }
+    block_angles(plan, 1, 1, &inner, &rest, by_time);
+    block_states(plan, 1, 1, by_time, out, q, omega);
+    return TORQUE_FREE_OK;
+}
+
 /* Sines and cosines of a + b. */
 static void turned(size_t n, double sin_a, double cos_a, const double *restrict sin_b,
                    const double *restrict cos_b, double *restrict sine, double *restrict cosine)
@@ -456,7 +476,7 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
 }
 
 /* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
-static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
+static void grid_table(const torque_free_plan *plan, double step, double *restrict table)
 {
     double t[BLOCK], t_lo[BLOCK];
     torque_free_plan from_zero = *plan;
@@ -467,73 +487,85 @@ static void grid_table(const torque_free_plan *plan, double step, double (*restr
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
-    block_angles(&from_zero, BLOCK, t, t_lo, table);
+    block_angles(&from_zero, BLOCK, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n times, every `stride`-th of the grid from number `first` on. */
+/* What changes with time at n times, each `every`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
-                        size_t stride, size_t n, double (*restrict by_time)[BLOCK])
+                        size_t every, size_t n, double *restrict by_time)
 {
     double t[BLOCK], t_lo[BLOCK];
     for (size_t i = 0; i < n; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * stride), step), start);
+        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    block_angles(plan, n, t, t_lo, by_time);
+    block_angles(plan, n, BLOCK, t, t_lo, by_time);
 }
 
 /* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
    turned. */
 static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
-                        double (*restrict table)[BLOCK], double *restrict q, double *restrict omega)
+                        const double *restrict table, double *restrict q, double *restrict omega)
 {
-    double base[6][BLOCK], by_time[6][BLOCK];
+    double base[4 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
+    const size_t rows = plan->branch == 0 ? 2 : 4;
     grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        for (int s = 0; s < 2 * plan->branch + 2; s += 2)
-            turned(count, base[s][k], base[s + 1][k], table[s], table[s + 1], by_time[s], by_time[s + 1]);
-        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        for (size_t s = 0; s < rows * BLOCK; s += 2 * BLOCK)
+            turned(count, base[s + k], base[s + BLOCK + k], table + s, table + s + BLOCK, by_time + s,
+                   by_time + s + BLOCK);
+        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
     }
 }
 
-/* The number of the first sample at t = 0 exactly, or n where there is none. */
-static size_t grid_zero(double start, double step, size_t n)
+/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
+static void grid_states_one_by_one(const torque_free_plan *plan, double start, double step, size_t first,
+                                   size_t n, double *restrict q, double *restrict omega)
 {
-    const double k = is_zero(pair_of(step)) ? 0.0 : nearest(-start / step);
+    double by_time[6 * BLOCK], out[7 * BLOCK];
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+        grid_angles(plan, start, step, first + i, 1, count, by_time);
+        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+    }
+}
+
+/* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
+static size_t grid_zero(double start, double step, size_t first, size_t n)
+{
+    const int stands = is_zero(pair_of(step));
+    const double k = stands ? (double)first : nearest(-start / step);
     const pair t = pair_add_xd(two_product(k, step), start);
-    return k >= 0.0 && k < (double)n && fabs(t.hi) <= 0.0 ? (size_t)k : n;
+    const double place = k - (double)first;
+    return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
 }
 
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
-                               double *q, double *omega)
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
+                               size_t n, double *q, double *omega)
 {
-    double table[6][BLOCK];
-    /* A single sample does not depend on the step, however large. */
-    const double inner = plan->unit * start, inner_step = n > 1 ? plan->unit * step : 0.0;
-    const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
-    /* On the hyperbolic branch what changes with time is more than sines and cosines. */
-    const int turns = plan->branch != 2;
-    const size_t most = turns ? BLOCK * BLOCK : BLOCK;
-    if (!(fabs(inner) <= plan->farthest && fabs(last) <= plan->farthest))
+    double table[4 * BLOCK];
+    /* Sample number 0 does not depend on the step, however large. */
+    const double inner = plan->unit * start, inner_step = first + n > 1 ? plan->unit * step : 0.0;
+    const double begin = inner + inner_step * (double)first;
+    const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
+    const size_t most = BLOCK * BLOCK;
+    if (!(fabs(inner) <= plan->farthest && fabs(begin) <= plan->farthest && fabs(last) <= plan->farthest))
         return too_late(plan);
-    if (turns)
+    if (plan->branch == 2) {
+        grid_states_one_by_one(plan, inner, inner_step, first, n, q, omega);
+    } else {
         grid_table(plan, inner_step, table);
-    for (size_t i = 0; i < n; i += most) {
-        const size_t count = n - i < most ? n - i : most;
-        if (turns) {
-            grid_states(plan, inner, inner_step, i, count, table, q + 4 * i, omega + 3 * i);
-        } else {
-            if (n - i >= 2 * BLOCK)
-                fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-            grid_angles(plan, inner, inner_step, i, 1, count, table);
-            block_states(plan, count, table, q + 4 * i, omega + 3 * i);
-        }
+        for (size_t i = 0; i < n; i += most)
+            grid_states(plan, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
+                        omega + 3 * i);
     }
-    for (size_t i = grid_zero(start, step, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
+    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
         at_start(plan, q + 4 * i, omega + 3 * i);
     return TORQUE_FREE_OK;
 }
@@ -565,11 +597,6 @@ double torque_free_last_time(const torque_free_plan *plan)
     return plan->unit > 0.0 ? fmin(plan->farthest / plan->unit, DBL_MAX) : DBL_MAX;
 }
 
-int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
-{
-    return torque_free_states_at(plan, 1, &t, q, omega);
-}
-
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
 const char *torque_free_digest(void) { return "@digest@"; }
@@ -585,6 +612,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^@farthest@ rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
+    case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }
 }

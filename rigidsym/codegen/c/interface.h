@@ -8,7 +8,8 @@ enum {
     TORQUE_FREE_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
                                    about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@farthest@ rad, or t is infinite or no number */
-    TORQUE_FREE_RATES = 7       /* rates that double precision cannot hold, beyond 2^@fastest@ rad/s */
+    TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^@fastest@ rad/s */
+    TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
 };
 
 /* The constants of one motion; written by torque_free_plan_init, read by all others. */
@@ -49,10 +50,11 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
 int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
                           double *omega);
 
-/* The states at start + k step, k = 0 ... n - 1, exactly these times; n <= 2^53.  Sines are
-   evaluated once in 64 samples, but near the separatrix. */
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
-                               double *q, double *omega);
+/* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n <= 2^53.
+   Sines are evaluated once in 64 samples, but near the separatrix.  A grid in parts, each begun at a
+   multiple of 64, has the same bits as the whole. */
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
+                               size_t n, double *q, double *omega);
 
 /* A plan and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.

@@ -34,6 +34,15 @@ _INCLUDES = f"""\
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
+
+#ifdef __cplusplus
+#define restrict __restrict
+#endif
+
+/* The states that are computed side by side; stack grows with it, by about 270 bytes each on a grid. */
+#ifndef TORQUE_FREE_BLOCK
+#define TORQUE_FREE_BLOCK 64
+#endif
 """
 _FIRST = """#ifndef TORQUE_FREE_H
 #define TORQUE_FREE_H
@@ -63,6 +72,7 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
             Lines.plain(_part("pairs.c") + "\n"),
             Lines.plain(_part("exact.c") + "\n"),
             *emit.module(functions, constants),
+            Lines.plain(_part("arithmetic.c") + "\n\n"),
             Lines.plain(_frame(by_name)),
         ]
     )
@@ -94,7 +104,8 @@ def _frame(by_name: dict[str, Function]) -> str:
         "@started out@": ", ".join(f"&{name}" for name in start.results),
     }
     places["@limits@"] = "\n".join(
-        f"static const double {limit.name} = 0x1p{limit.exponent}; /* {limit.meaning} */"
+        f"static const double {limit.name} = {2.0**limit.exponent!r}; "
+        f"/* 2^{limit.exponent}, {limit.meaning} */"
         for limit in LIMITS
     )
     for branch in ("circular", "hyperbolic"):

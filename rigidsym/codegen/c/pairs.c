@@ -1,9 +1,16 @@
-/* Extended numbers need every operation rounded to double once, and none reordered. */
-#if defined(__FAST_MATH__)
+/* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
+   that breaks this shows in a macro: torque_free_plan_init looks, too. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "torque_free.c: -ffinite-math-only takes the checks of inputs away; compile without it"
 #elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
 #error "torque_free.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#elif FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "torque_free.c: a double must be a binary64 number"
 #endif
+/* -fsingle-precision-constant has no macro: an array of negative size is no type. */
+typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif

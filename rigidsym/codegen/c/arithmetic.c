@@ -1,0 +1,66 @@
+/* What options of the compiler take away, asked of this very build: numbers come from `volatile`, so
+   that no compiler knows the outcome. */
+
+static int is_pair(pair x, double hi, double lo)
+{
+    return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
+}
+
+/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
+static int sums_hold(void)
+{
+    const volatile double given[] = {1.0, 49.0, 0.02040816326530612, 8.673617379884035e-19};
+    const double one = given[0], many = given[1], part = given[2], tiny = given[3];
+    return is_pair(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
+           is_pair(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
+           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17);
+}
+
+/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
+   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
+static int quotients_hold(void)
+{
+    static const double quotients[][4] = {
+        {7.0, 3.0, 2.3333333333333335, -1.4802973661668753e-16},
+        {3.0, 5.0, 0.6, 2.2204460492503132e-17},
+        {7.0, 25.0, 0.28, -2.6645352591003756e-17},
+        {15.0, 13.0, 1.1538461538461537, 1.0248212535001446e-16},
+        {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
+        {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
+    const volatile double zero = 0.0;
+    const pair root = pair_sqrt(pair_of(zero + 2.0));
+    int holds = is_pair(root, 1.4142135623730951, -9.667293313452913e-17);
+    for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
+        const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
+        holds &= is_pair(pair_div_xd(pair_of(x), y), known[2], known[3]);
+        holds &= is_pair(pair_div_dx(x, pair_of(y)), known[2], known[3]);
+    }
+    return holds;
+}
+
+/* Whether the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
+   turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
+static int angles_hold(void)
+{
+    static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
+    enum { TIMES = 8 };
+    const volatile double from = 35184372088829.0;
+    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
+    torque_free_circular plan;
+    int holds = 1;
+    memset(&plan, 0, sizeof plan);
+    plan.v_rate_hi = plan.Lambda_rate_hi = plan.v_hi = over_3.hi;
+    plan.v_rate_lo = plan.Lambda_rate_lo = plan.v_lo = over_3.lo;
+    for (int i = 0; i < TIMES; i++) {
+        t[i] = from + (double)i;
+        t_lo[i] = 0.0;
+    }
+    circular_angles(&plan, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    for (int i = 0; i < TIMES; i++) {
+        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
+        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
+    }
+    return holds;
+}
+
+static int is_rounded_once(void) { return sums_hold() && quotients_hold() && angles_hold(); }
