@@ -11,7 +11,7 @@ from pathlib import Path
 from rigidsym.engines import cache
 from rigidsym.engines.cache import CacheError
 from rigidsym.engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
-from rigidsym.engines.library import Library, LibraryError, load
+from rigidsym.engines.library import Library, LibraryError, check_arithmetic, load
 
 FILES = ("torque_free.h", "torque_free.c")
 # What tells processors apart in /proc/cpuinfo, on x86 and on ARM.
@@ -25,7 +25,9 @@ def library(remarks: list[str]) -> Library:
     """
     sources, compiler = _sources(), find()
     key = _key(sources, compiler)
-    return _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
+    found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
+    check_arithmetic(found)
+    return found
 
 
 def _sources() -> Mapping[str, str]:

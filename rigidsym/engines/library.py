@@ -10,6 +10,7 @@ from typing import Any
 
 _BODY = (c_void_p,) * 3
 _OUT = (c_void_p,) * 2
+_ARITHMETIC = 8
 # Name after torque_free_, result, arguments.
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "digest": (c_char_p, ()),
@@ -55,6 +56,14 @@ def load(path: Path, sources: Mapping[str, str]) -> Library:
     if expected and functions.digest().decode("ascii", "replace") != expected:
         raise LibraryError(f"{path} was built from other sources")
     return functions
+
+
+def check_arithmetic(library: Library) -> None:
+    """Raise LibraryError where no plan will be made: options in $CC can do that."""
+    plan = (c_double * -(-library.plan_size() // ctypes.sizeof(c_double)))()
+    one = (c_double * 4)(1.0, 1.0, 1.0, 1.0)
+    if library.plan_init(plan, one, one, one) == _ARITHMETIC:
+        raise LibraryError(f"the C module refuses: {library.message(_ARITHMETIC).decode()}")
 
 
 def written_digest(sources: Mapping[str, str]) -> str | None:

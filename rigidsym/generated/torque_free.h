@@ -30,16 +30,19 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest c5ce97b62002946101bc38e7ed117f7b91c47e32d03301f8f8c89fe1c2d1c737
+digest cf52627c39c470300d13afd04ee4c67e28586722fb74c400cea76a5adf05a8a8
 
-Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
-vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
--fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
-AVX-512, -mprefer-vector-width=512 saves a fifth.  -ffast-math and 80-bit arithmetic (x87) break the
-extended numbers and are refused; clang's -ffp-contract=fast breaks them unseen.  Without hardware
-fused multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three
-times as long. */
+Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
+-DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
+C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
+machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
+a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
+x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
+-ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
+options that reorder sums or approximate quotients (-fassociative-math,
+-funsafe-math-optimizations), and directed rounding, by every plan.  Without hardware fused
+multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
+long. */
 
 #ifndef TORQUE_FREE_H
 #define TORQUE_FREE_H

@@ -82,6 +82,42 @@ def test_no_compiler_has_anything_to_say(name, source, here):
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
+@pytest.mark.parametrize("standard", ["c++11", "c++20"])
+def test_it_is_cpp_too(name, standard, here):
+    flags = (f"-std={standard}", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-x", "c++")
+    done = needed(name).run(*flags, "-c", here / "torque_free.c", "-o", here / "cpp.o")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
+@pytest.mark.parametrize("block", [1, 8, 100])
+def test_blocks_of_any_size_have_the_same_states(block, omega0, here, any_library):
+    flags = ("-std=c99", "-O1", *SHARED, f"-DTORQUE_FREE_BLOCK={block}")
+    small = Library(needed("gcc" if gcc() else "clang").build(here, f"block{block}.so", *flags))
+    _, plan = any_library.plan((1, 2, 2.25), omega0, (1, 0, 0, 0))
+    times = np.linspace(-7, 30, 250)
+    found, grid = small.states(plan, times)[1], small.grid(plan, 1.0, 0.1, 250)[1]
+    assert np.abs(found - any_library.states(plan, times)[1]).max() < 2e-15
+    assert np.abs(grid - any_library.grid(plan, 1.0, 0.1, 250)[1]).max() < 2e-15
+
+
+@pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
+def test_a_grid_in_parts_has_the_same_bits(omega0, any_library):
+    _, plan = any_library.plan((1.0, 2.0, 2.25), omega0, (3.0, 0, -4.0, 0))
+    _, whole = any_library.grid(plan, -20.0, 0.25, 5000)
+    parts = [
+        any_library.grid(plan, -20.0, 0.25, n, k)[1] for k, n in ((0, 64), (64, 4416), (4480, 520))
+    ]
+    assert np.array_equal(np.concatenate(parts), whole)
+
+
+def test_parts_of_grids_that_are_too_far_are_refused(any_library):
+    _, plan = any_library.plan(*BODY)
+    assert any_library.grid(plan, 0.0, 2.0**40, 2, 1)[0] == 0
+    assert any_library.grid(plan, 0.0, 2.0**40, 2, 100)[0] == 6
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
 @pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3"])
 def test_it_needs_nothing_but_libm_and_has_no_variables(name, machine, here):
     if shutil.which("nm") is None:

@@ -21,6 +21,7 @@ KINDS = {
     "special": "no number, or a wrong one, in a special case",
     "callers": "the caller's memory kept, or one body's refusal mistaken for another's",
     "routes": "a wrong state by one way of several",
+    "build": "a build by options that reorder or approximate, and that asks nothing of itself",
     "ulps": "an error of some units in the last place",
 }
 FILES = {"numpy": "torque_free.py", "c": "torque_free.c"}
@@ -36,7 +37,7 @@ class StaleFaultError(ValueError):
 class Fault:
     """`old` made `new` in the paragraph of a target's module that begins with `paragraph`.
 
-    A paragraph ends with the next empty line.
+    A paragraph ends with the next empty line.  `options` are the compiler's, beyond the usual ones.
     """
 
     target: str
@@ -45,6 +46,7 @@ class Fault:
     paragraph: str
     old: str
     new: str
+    options: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if self.target not in FILES or self.kind not in KINDS:

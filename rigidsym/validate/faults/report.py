@@ -134,6 +134,7 @@ def _fault(outcome: Outcome) -> Mapping[str, Any]:
         "kind": fault.kind,
         "old": fault.old,
         "new": fault.new,
+        "options": list(fault.options),
         "caught": {
             notice.stratum: {
                 "case": f"{notice.stratum}:{notice.index}",

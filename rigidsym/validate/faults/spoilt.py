@@ -18,7 +18,7 @@ _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
 def spoilt(fault: Fault) -> Engine:
     """The engine that runs on a faulty module; raises StaleFaultError as `Fault.applied`."""
-    return on_text(fault.target, faulty(fault))
+    return on_text(fault.target, faulty(fault), fault.options)
 
 
 def faulty(fault: Fault) -> str:
@@ -26,9 +26,9 @@ def faulty(fault: Fault) -> str:
     return fault.applied(installed(FILES[fault.target]))
 
 
-def on_text(target: str, text: str) -> Engine:
-    """The engine of a target on another text of its module."""
-    return _numpy(text) if target == "numpy" else _c(text)
+def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine:
+    """The engine of a target on another text of its module, compiled with more options."""
+    return _numpy(text) if target == "numpy" else _c(text, options)
 
 
 def installed(name: str) -> str:
@@ -42,7 +42,8 @@ def _numpy(text: str) -> Engine:
     return NumpyEngine(module)
 
 
-def _c(text: str) -> Engine:
+def _c(text: str, options: tuple[str, ...]) -> Engine:
     sources = {name: installed(name) for name in build.FILES} | {FILES["c"]: text}
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
-        return CEngine(load(compile_library(find(), sources, Path(work), _QUICK), sources))
+        built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
+        return CEngine(load(built, sources))

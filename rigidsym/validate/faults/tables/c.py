@@ -496,6 +496,14 @@ _DIGITS = (
         "turns = turned_rest + (turned_error",
         "turns = turned_rest + (6e-16 + turned_error",
     ),
+    _fault(
+        "build",
+        "sums reordered by the compiler, and not asked for",
+        _INIT,
+        "if (!is_rounded_once())",
+        "if (0)",
+        ("-O1", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
+    ),
 )
 
 FAULTS = (*_CONSTANTS, *_SERIES, *_GEOMETRY, *_DECISIONS, *_DIGITS)

@@ -1,0 +1,183 @@
+"""Builds by options that are hostile to extended numbers: each is right or refuses every motion."""
+
+import os
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from compilers import X86, clang, gcc, needed, written, zig
+from regimes import cases, errors
+
+ANGLE = RATE = 2e-15
+ARITHMETIC = "8"
+OPTIMISED = "-O3 -march=native"
+ASSOCIATIVE = "-fassociative-math -fno-signed-zeros -fno-trapping-math"
+# y (x/y) becomes x, and not one quotient in five is right then.
+UNSAFE_ALONE = "-funsafe-math-optimizations -fno-associative-math -fno-reciprocal-math"
+WORST = (ASSOCIATIVE, UNSAFE_ALONE, "-freciprocal-math", "-ffp-contract=fast")
+EVERYWHERE = (
+    *WORST,
+    "-Ofast",
+    "-Ofast -fno-finite-math-only",
+    "-ffast-math",
+    "-ffast-math -fno-finite-math-only",
+    "-ffast-math -fno-associative-math -fno-finite-math-only",
+    "-funsafe-math-optimizations",
+    "-funsafe-math-optimizations -fno-reciprocal-math",
+    "-funsafe-math-optimizations -fno-associative-math",
+    f"{ASSOCIATIVE} -ffp-contract=fast",
+    f"{ASSOCIATIVE} -flto",
+    "-flto",
+    "-ffinite-math-only",
+    "-frounding-math",
+)
+GCC = (
+    "-Ofast -fno-fast-math",
+    "-Ofast -ftrapping-math",
+    "-Ofast -fno-unsafe-math-optimizations",
+    "-fsingle-precision-constant",
+    "-mfpmath=387",
+    "-mfpmath=both",
+    "-mrecip -funsafe-math-optimizations",
+    "-funroll-loops -fvariable-expansion-in-unroller",
+    "-ffloat-store",
+    "-fcx-limited-range",
+)
+CLANG = (
+    "-ffp-model=fast",
+    "-ffp-model=strict",
+    "-fno-honor-nans -fno-honor-infinities",
+    "-fapprox-func",
+    "-fdenormal-fp-math=preserve-sign",
+    "-mrecip=all -freciprocal-math",
+)
+LOWER = [f"{level} {options}" for level in ("-O0", "-O1", "-O2") for options in WORST]
+BUILDS = [
+    *(("gcc", f"{OPTIMISED} {options}") for options in (*EVERYWHERE, *GCC)),
+    *(("clang", f"{OPTIMISED} {options}") for options in (*EVERYWHERE, *CLANG)),
+    *((name, options) for name in ("gcc", "clang") for options in LOWER),
+    *(("zig", f"{OPTIMISED} {options}") for options in WORST),
+]
+COMPILERS = {"gcc": gcc, "clang": clang, "zig": zig}
+NOT_FINITE = " ".join(["nan", *["1"] * 9, "0"]) + "\n"
+pytestmark = pytest.mark.skipif(not X86, reason="these are options for x86")
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """What the compiler refused a build for, or all codes of a build and its worst errors."""
+
+    refusal: str
+    codes: frozenset[str] = frozenset()
+    worst: tuple[float, float] = (0.0, 0.0)
+    takes_nan: bool = False
+
+    def is_right(self) -> bool:
+        return self.codes == {"0"} and self.worst <= (ANGLE, RATE) and not self.takes_nan
+
+    def is_refused(self) -> bool:
+        return "torque_free.c" in self.refusal or self.codes == {ARITHMETIC}
+
+
+@pytest.fixture(scope="module")
+def here(tmp_path_factory):
+    return written(tmp_path_factory.mktemp("hostile"))
+
+
+@pytest.fixture(scope="module")
+def motions():
+    """Motions of all kinds, up to 10^12 s."""
+    return [(case, case.exact()) for case in cases()[::2]]
+
+
+@pytest.fixture(scope="module")
+def outcomes(here, motions):
+    """Of all builds; what is loaded may set flags of the processor, so each is a program."""
+    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        found = pool.map(lambda build: outcome(here, *build, motions), BUILDS)
+        return dict(zip(BUILDS, found, strict=True))
+
+
+def outcome(here, name, options, motions, source="torque_free.c"):
+    """What comes of a build; None without the compiler."""
+    compiler = COMPILERS[name]()
+    if compiler is None:
+        return None
+    program = here / "-".join([name, *options.split(), "program"])
+    sources = (here / "driver.c", here / source)
+    done = compiler.run(*options.split(), *sources, "-o", program, "-lm")
+    return Outcome(done.stderr or "no reason") if done.returncode else driven(program, motions)
+
+
+def driven(program, motions):
+    lines = "".join(case.line() for case, _ in motions) + NOT_FINITE
+    done = subprocess.run([program], input=lines, capture_output=True, text=True, check=True)
+    *rows, last = [line.split() for line in done.stdout.splitlines()]
+    worst = [(0.0, 0.0)]
+    for (code, *values), (_, exact) in zip(rows, motions, strict=True):
+        if code == "0":
+            states = np.array(list(map(float.fromhex, values))).reshape(-1, 7)
+            worst.append(errors(states, exact) if np.isfinite(states).all() else (9.0, 9.0))
+    angles, rates = zip(*worst, strict=True)
+    codes = frozenset(code for code, *_ in rows)
+    return Outcome("", codes, (max(angles), max(rates)), last[0] == "0")
+
+
+@pytest.mark.parametrize("build", BUILDS, ids=" ".join)
+def test_a_build_is_right_or_refuses(build, outcomes):
+    needed(build[0])
+    found = outcomes[build]
+    if "unknown" in found.refusal or "unsupported" in found.refusal:
+        pytest.skip(f"{build[0]} has no such option: {build[1]}")
+    assert found.is_right() or found.is_refused(), found
+
+
+@pytest.mark.parametrize(
+    "build", [("gcc", ASSOCIATIVE), ("gcc", UNSAFE_ALONE), ("clang", ASSOCIATIVE)], ids=" ".join
+)
+def test_without_its_question_a_build_would_be_wrong(build, here, motions):
+    """The options above are hostile indeed, and no macro of these compilers tells of them."""
+    name, options = build
+    needed(name)
+    text = (here / "torque_free.c").read_text()
+    (here / "unasked.c").write_text(text.replace("if (!is_rounded_once())", "if (0)"))
+    found = outcome(here, name, f"-w {OPTIMISED} {options}", motions, "unasked.c")
+    if found.refusal:
+        pytest.skip(f"this {name} tells of it by a macro")
+    assert found.codes == {"0"}
+    assert found.worst[0] > 1e-13
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+def test_the_usual_builds_are_not_refused(name, here, motions):
+    needed(name)
+    for options in ("-O0", "-std=c99 -O2", f"-std=c99 {OPTIMISED} -ffp-contract=off"):
+        assert outcome(here, name, options, motions).is_right(), options
+
+
+ROUNDING = """
+#include <fenv.h>
+#include "torque_free.h"
+int main(void)
+{
+    const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    const double moments[] = {1.0, 2.0, 2.5}, rates[] = {0.3, 0.5, -0.7};
+    const double start[] = {1.0, 0.0, 0.0, 0.0};
+    torque_free_plan plan;
+    for (int k = 0; k < 4; k++)
+        if (fesetround(modes[k]) ||
+            torque_free_plan_init(&plan, moments, rates, start) != (k ? TORQUE_FREE_ARITHMETIC : 0))
+            return 1 + k;
+    return 0;
+}
+"""
+
+
+@pytest.mark.parametrize("name", ["gcc", "clang"])
+def test_plans_are_not_made_in_other_roundings(name, here):
+    (here / "rounding.c").write_text(ROUNDING)
+    sources = ("rounding.c", "torque_free.c")
+    program = needed(name).build(here, f"rounding-{name}", "-O2", sources=sources)
+    assert subprocess.run([program], check=False).returncode == 0
