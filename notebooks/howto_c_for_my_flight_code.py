@@ -57,11 +57,11 @@ assert {"torque_free_plan_init", "torque_free_state_at"} <= set(functions)
 # ## How to compile
 #
 # `-std=c99 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math`, which is what `engine="c"`
-# takes, and `-march=native` or your processor's name. Two settings break the extended numbers; the
-# source refuses the first, the second you must avoid:
+# takes, and `-march=native` or your processor's name. Options that break the extended numbers are
+# refused:
 #
-# * `-ffast-math`, and x87 arithmetic on old 32-bit targets (take `-msse2 -mfpmath=sse`);
-# * clang's `-ffp-contract=fast`.
+# * `-ffast-math`, and x87 arithmetic on old 32-bit targets (take `-msse2 -mfpmath=sse`), at once;
+# * what no macro tells, `-fassociative-math` say, by `torque_free_plan_init`, which tries.
 
 # %%
 import shutil

@@ -53,6 +53,54 @@ def test_blocks_do_not_show():
         np.testing.assert_allclose(omega[k], one_omega, rtol=0, atol=1e-17)
 
 
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize(
+    ("start", "step", "count"), [(0.0, 0.5, 361), (2, -1, 3), (1.5, 0, 2), (7.0, 1.0, 0)]
+)
+def test_a_grid_is_the_states_at_its_times(engine, start, step, count):
+    motion = TorqueFreeMotion(BODY, RATES, engine=engine)
+    expected = motion(start + step * np.arange(count))
+    out = np.empty((count, 4)), np.empty((count, 3))
+    for states in (motion.grid(start, step, count), motion.grid(start, step, np.int32(count), out)):
+        for got, wanted in zip(states, expected, strict=True):
+            np.testing.assert_allclose(got, wanted, rtol=0, atol=2e-15)
+    assert states[0] is out[0]
+    assert states[1] is out[1]
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize(
+    ("given", "line"),
+    [
+        (("soon", 1, 2), "start = 'soon': must be an array of numbers"),
+        ((0, [1.0], 2), "step = an array of shape (1,): must be one number"),
+        ((math.nan, 1, 2), "start = nan: must be finite"),
+        ((0, math.inf, 2), "step = inf: must be finite"),
+        ((0, None, 2), "step = None: must be an array of numbers"),
+        ((0, 1, -1), "count = -1: must be a whole number from 0 to 2^53"),
+        ((0, 1, 2.0), "count = 2.0: must be a whole number from 0 to 2^53"),
+        ((0, 1, True), "count = True: must be a whole number from 0 to 2^53"),
+        ((0, 1, 2**53 + 1), f"count = {2**53 + 1}: must be a whole number from 0 to 2^53"),
+        (
+            (0, 1e16, 3),
+            "t = up to 2e+16: beyond |omega| t = 2^46 rad the angle is lost in binary64",
+        ),
+    ],
+)
+def test_grids_that_are_none(engine, given, line):
+    with pytest.raises(InputError) as caught:
+        TorqueFreeMotion(BODY, RATES, engine=engine).grid(*given)
+    assert str(caught.value) == line
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+def test_what_a_grid_is_to_fill_is_checked(engine):
+    with pytest.raises(InputError, match=r"^out = as given: omega is float64 of shape \(4, 3\)"):
+        TorqueFreeMotion(BODY, RATES, engine=engine).grid(
+            0, 1, 5, (np.empty((5, 4)), np.empty((4, 3)))
+        )
+
+
 def test_neighbouring_times_are_on_one_sheet_of_the_double_cover():
     q, _ = TorqueFreeMotion((1.0, 2.0, 2.5), (1.0, 2.0, 3.0))(np.linspace(0, 60, 6001))
     assert np.max(np.linalg.norm(np.diff(q, axis=0), axis=1)) < 0.03

@@ -30,7 +30,7 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest cf52627c39c470300d13afd04ee4c67e28586722fb74c400cea76a5adf05a8a8
+digest 8593d1f4edfe0eee74a177e25d21cc084b642733378d898cdc9135be7ec5857e
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -93,11 +93,13 @@ def motions():
 
 
 @pytest.fixture(scope="module")
-def outcomes(here, motions):
-    """Of all builds; what is loaded may set flags of the processor, so each is a program."""
+def outcomes(here, motions, request):
+    """Of the builds asked for; what is loaded may set the processor's flags: each is a program."""
+    asked = [item for item in request.session.items if "outcomes" in item.fixturenames]
+    builds = [item.callspec.params["build"] for item in asked]
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        found = pool.map(lambda build: outcome(here, *build, motions), BUILDS)
-        return dict(zip(BUILDS, found, strict=True))
+        found = pool.map(lambda build: outcome(here, *build, motions), builds)
+        return dict(zip(builds, found, strict=True))
 
 
 def outcome(here, name, options, motions, source="torque_free.c"):

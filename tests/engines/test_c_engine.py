@@ -154,6 +154,15 @@ def test_grids_are_states_at_their_times(c, body, count):
     assert_near(c.grid(plan, -3.0, 0.25, count), c.states(plan, t), given[1], 2)
 
 
+@pytest.mark.parametrize("body", BODIES)
+def test_grids_have_the_same_bits_whatever_the_threads(c, body, monkeypatch):
+    plan = c.plan(*BODIES[body])
+    alone = c.grid(plan, -3.0, 0.25, 5000)
+    monkeypatch.setattr(threads, "PIECE", 64)
+    monkeypatch.setattr(threads, "processors", lambda: 3)
+    assert all(map(np.array_equal, c.grid(plan, -3.0, 0.25, 5000), alone))
+
+
 def batch(shape):
     draw = np.random.default_rng(7)
     inertia = draw.uniform(1, 1.9, (*shape, 3))

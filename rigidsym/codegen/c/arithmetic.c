@@ -11,9 +11,24 @@ static int sums_hold(void)
 {
     const volatile double given[] = {1.0, 49.0, 0.02040816326530612, 8.673617379884035e-19};
     const double one = given[0], many = given[1], part = given[2], tiny = given[3];
+    const pair third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
     return is_pair(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
            is_pair(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
-           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17);
+           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
+           is_pair(pair_mul_xx(third, third), over_9.hi, over_9.lo) &&
+           is_pair(pair_mul_xx(third, pair_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
+           is_pair(pair_mul_xd(seventh, many), 7.0, 0.0);
+}
+
+/* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
+   products across functions, and what was split off is counted twice. */
+static int differences_hold(void)
+{
+    const volatile double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596, 0.15335179025447007, 0.03588181116623288};
+    pair x[5];
+    for (int k = 0; k < 5; k++)
+        x[k] = pair_of(given[k]);
+    return is_pair(excess_pair(x[0], x[1], x[2], x[3], x[4]), 0.004108897986419382, -6.277847770376781e-21);
 }
 
 /* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
@@ -63,4 +78,7 @@ static int angles_hold(void)
     return holds;
 }
 
-static int is_rounded_once(void) { return sums_hold() && quotients_hold() && angles_hold(); }
+static int is_rounded_once(void)
+{
+    return sums_hold() && differences_hold() && quotients_hold() && angles_hold();
+}
