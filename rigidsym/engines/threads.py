@@ -17,6 +17,8 @@ Result = TypeVar("Result")
 # States to a piece: a tenth of a millisecond, some times what it takes to wake a thread.  Grids
 # need a multiple of 64.
 PIECE = 1 << 14
+# Pieces to a thread: for fewer, none is woken.
+_LEAST = 4
 # Beyond this many, memory is slower than the arithmetic.
 _MOST = 4
 _LOCK = threading.Lock()
@@ -25,7 +27,7 @@ _kept: list[ThreadPoolExecutor] = []
 
 def threads(states: int) -> int:
     """How many threads are worth waking for so many states."""
-    wanted = min(_MOST, states // PIECE)
+    wanted = min(_MOST, states // (_LEAST * PIECE))
     return min(wanted, processors()) if wanted > 1 else 1
 
 

@@ -78,5 +78,6 @@ def test_a_child_of_a_fork_has_threads_of_its_own():
 
 def test_few_states_need_no_thread(monkeypatch):
     monkeypatch.setattr(threads, "processors", lambda: 3)
-    sizes = (0, threads.PIECE, 2 * threads.PIECE - 1, 2 * threads.PIECE, 10**9)
+    enough = 8 * threads.PIECE
+    sizes = (0, threads.PIECE, enough - 1, enough, 10**9)
     assert [threads.threads(size) for size in sizes] == [1, 1, 1, 2, 3]
