@@ -1382,8 +1382,9 @@ static int is_rounded_once(void)
 }
 
 static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
-static const double decisive = 4.909093465297727e-91; /* 2^-300, unless one could decide when spin about the middle axis turns over */
-static const double faintest = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is refused */
+static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share in a tilt, below which those may be taken for zero */
+static const double faintest = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
+static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double thinnest = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
 static const double farthest = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double fastest = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
@@ -1471,7 +1472,7 @@ static void limit(torque_free_plan *plan, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
     if (largest > 16.0)
-        plan->farthest = 16.0 * farthest / largest;
+        plan->farthest = fmin(plan->farthest, 16.0 * farthest / largest);
 }
 
 /* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
@@ -1515,15 +1516,58 @@ static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair
     return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* True where a rate taken for zero could decide when a spin about the middle axis turns over. */
-static int is_lost(const int axis[3], const pair omega[3], const pair given[3])
+/* log2(x), x >= 0, without an exception for zero. */
+static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
+
+/* log2(2^x + 2^y); both may be minus infinity. */
+static double log2_sum(double x, double y)
 {
-    int lost = 0, slow = 1;
-    for (int k = 0; k < 3; k += 2) {
-        lost |= is_zero(omega[axis[k]]) && !is_zero(given[axis[k]]);
-        slow &= fabs(omega[axis[k]].hi) < decisive;
+    const double most = x > y ? x : y, least = x > y ? y : x;
+    return isfinite(most) ? most + log2(1.0 + exp2(least - most)) : most;
+}
+
+/* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
+   over, the motion followed is the separatrix, or that spin, up to a time.
+
+   With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
+   X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
+   no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
+   zero, of the spin both are.  What of them is not zero may grow to 2^-60 of the momentum. */
+static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const pair given[3],
+                   pair *E_b, int is_faint)
+{
+    const int *axis = plan->axis;
+    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
+    const double over = fabs(pair_add_xx(c[axis[0]], pair_neg(c[axis[1]])).hi);
+    const double under = fabs(pair_add_xx(c[axis[2]], pair_neg(c[axis[1]])).hi);
+    const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
+    const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
+    double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
+    for (int k = 0; k < 2; k++) {
+        part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
+        if (is_zero(omega[axis[2 * k]]))
+            gone = log2_sum(gone, part[k]);
+        else
+            left = log2_sum(left, part[k]);
     }
-    return lost && slow;
+    for (int k = 0; k < 3; k++)
+        momentum = fmax(momentum, c[k].hi * fabs(given[k].hi));
+    const double size = log2_sum(part[0], part[1]), distance = log2_of(fabs(E_b->hi));
+    const int is_spin = gone > left + log2(decisive) || (is_faint && distance > 2.0 * size + log2(decisive));
+    if (!is_spin && !is_faint)
+        return;
+    const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
+    const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
+                               under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
+    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
+    const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
+                        (is_spin ? size : distance - size);
+    const double bits = log2(tolerated) + room;
+    plan->farthest = bits > 0.0 ? fmin(log(2.0) * bits / growth, farthest) : 0.0;
+    plan->blurred = plan->farthest < farthest;
+    *E_b = pair_of(0.0);
+    for (int k = 0; k < 3 && is_spin; k += 2)
+        omega[axis[k]] = pair_of(0.0);
 }
 
 /* c, omega and q in inner units; `given` are the rates before faint ones were taken for zero. */
@@ -1547,17 +1591,20 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
     for (int k = 0; k < 3; k++)
         made.omega0[k] = given[k].hi * unit;
     sorted(c, made.axis);
-    const pair excess = known ? *known : excess_of(c, omega, made.axis);
+    pair excess = known ? *known : excess_of(c, omega, made.axis);
+    const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
+    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    int lost = 0;
+    for (int k = 0; k < 3; k += 2)
+        lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
+    if (distinct && (lost || faint))
+        follow(&made, c, omega, given, &excess, faint);
     if (excess.hi < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
     const int steady = is_steady(c, omega);
-    const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
-    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
-    if (distinct && (is_lost(made.axis, omega, given) || faint))
-        return TORQUE_FREE_SEPARATRIX;
     int code = TORQUE_FREE_OK;
     if (!is_rounded_once())
         return TORQUE_FREE_ARITHMETIC;
@@ -1587,6 +1634,9 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     for (int k = 0; k < 3; k++) {
         c[k] = pair_of(ldexp(inertia[k], -c_scale));
         omega[k] = pair_of(ldexp(omega0[k], -scale));
+        /* What is not zero stays so. */
+        if (is_zero(omega[k]) && !is_zero(pair_of(omega0[k])))
+            omega[k] = pair_of(copysign(0x1p-1074, omega0[k]));
     }
     if (ldexp(least, -c_scale) < thinnest)
         return TORQUE_FREE_THIN;
@@ -1736,19 +1786,36 @@ static void at_start(const torque_free_plan *plan, double *q, double *omega)
         omega[k] = plan->omega0[k];
 }
 
-int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
-                          double *omega)
+static int too_late(const torque_free_plan *plan)
+{
+    return plan->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
+}
+
+static void no_states(size_t n, double *q, double *omega)
+{
+    for (size_t i = 0; i < 4 * n; i++)
+        q[i] = NAN;
+    for (size_t i = 0; i < 3 * n; i++)
+        omega[i] = NAN;
+}
+
+/* The states at n times; times that are too late are refused, or have none where `lenient`. */
+static int states_at(const torque_free_plan *plan, size_t n, const double *t, double *q, double *omega,
+                     int lenient)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
-    for (size_t i = 0; i < n; i += BLOCK)
+    for (size_t i = 0; i < n && !lenient; i += BLOCK)
         if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return TORQUE_FREE_TIME;
+            return too_late(plan);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
+    int code = TORQUE_FREE_OK;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        (void)scaled_times(plan, count, t + i, inner, &zero);
+        const int near = scaled_times(plan, count, t + i, inner, &zero);
+        for (size_t k = 0; !near && k < count; k++)
+            inner[k] = fabs(inner[k]) <= plan->farthest ? inner[k] : 0.0;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
         block_angles(plan, count, BLOCK, inner, rest, by_time);
@@ -1756,8 +1823,18 @@ int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *
         for (size_t k = 0; zero && k < count; k++)
             if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
                 at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
+        for (size_t k = 0; !near && k < count; k++)
+            if (!(fabs(plan->unit * t[i + k]) <= plan->farthest))
+                no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
+        code = near ? code : too_late(plan);
     }
-    return TORQUE_FREE_OK;
+    return code;
+}
+
+int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+                          double *omega)
+{
+    return states_at(plan, n, t, q, omega, 0);
 }
 
 /* One state needs no block. */
@@ -1767,7 +1844,7 @@ int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], do
     double by_time[6], out[7], inner;
     int zero;
     if (!scaled_times(plan, 1, &t, &inner, &zero))
-        return TORQUE_FREE_TIME;
+        return too_late(plan);
     if (zero) {
         at_start(plan, q, omega);
         return TORQUE_FREE_OK;
@@ -1868,7 +1945,7 @@ int torque_free_states_on_grid(const torque_free_plan *plan, double start, doubl
     const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
     const size_t most = BLOCK * BLOCK;
     if (!(fabs(inner) <= plan->farthest && fabs(begin) <= plan->farthest && fabs(last) <= plan->farthest))
-        return TORQUE_FREE_TIME;
+        return too_late(plan);
     if (plan->branch == 2) {
         grid_states_one_by_one(plan, inner, inner_step, first, n, q, omega);
     } else {
@@ -1884,14 +1961,19 @@ int torque_free_states_on_grid(const torque_free_plan *plan, double start, doubl
 
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, size_t *failed)
+                          double *omega, int *codes, size_t *failed)
 {
     torque_free_plan plan;
     for (size_t k = 0; k < bodies; k++) {
+        double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
         int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = torque_free_states_at(&plan, n, t, q + 4 * n * k, omega + 3 * n * k);
-        if (code != TORQUE_FREE_OK) {
+            code = states_at(&plan, n, t, q_k, omega_k, codes != NULL);
+        else if (codes)
+            no_states(n, q_k, omega_k);
+        if (codes) {
+            codes[k] = code;
+        } else if (code != TORQUE_FREE_OK) {
             *failed = k;
             return code;
         }
@@ -1899,9 +1981,14 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     return TORQUE_FREE_OK;
 }
 
+double torque_free_last_time(const torque_free_plan *plan)
+{
+    return plan->unit > 0.0 ? fmin(plan->farthest / plan->unit, DBL_MAX) : DBL_MAX;
+}
+
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "8593d1f4edfe0eee74a177e25d21cc084b642733378d898cdc9135be7ec5857e"; }
+const char *torque_free_digest(void) { return "9055198fb16c1add00c0d4704d7347b0aa8d5bfa85ee2fdf59d22aa7bad2ef3f"; }
 
 const char *torque_free_message(int code)
 {
@@ -1911,7 +1998,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
     case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
+    case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
     case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
