@@ -83,7 +83,7 @@ def test_a_grid_is_the_states_at_its_times(engine, start, step, count):
         ((0, 1, 2**53 + 1), f"count = {2**53 + 1}: must be a whole number from 0 to 2^53"),
         (
             (0, 1e16, 3),
-            "t = up to 2e+16: beyond |omega| t = 2^46 rad the angle is lost in binary64",
+            "t[1] = 1e+16: beyond |omega| t = 2^46 rad the angle is lost in binary64",
         ),
     ],
 )

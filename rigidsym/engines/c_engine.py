@@ -137,7 +137,9 @@ class CEngine:
             return self._library.states_on_grid(plan, start, step, begin, end - begin, *places)
 
         if code := max(_shared(part, count)):
-            raise self._refused_times(code, plan, start + step * np.arange(count))
+            first = _first_beyond(start, step, self._library.last_time(plan))
+            refused = self._refused_times(code, plan, np.array(start + first * step))
+            raise EngineError(refused.field, refused.rule, time=min(first, count - 1))
         return q, omega
 
     def propagate(
@@ -207,6 +209,14 @@ class CEngine:
             if body is not None:
                 # Once more, because a plan knows which times are too late.
                 self._one(body, bodies, t)
+
+
+def _first_beyond(start: float, step: float, last: float) -> int:
+    """The number of the first time start + k step that is beyond `last`, where one is."""
+    if not abs(start) <= last:
+        return 0
+    share = (math.copysign(last, step) - start) / step if math.isfinite(step) else 0.0
+    return 1 + math.floor(share)
 
 
 def _vectors(given: Mapping[str, np.ndarray], tail: tuple[int, ...]) -> dict[str, np.ndarray]:

@@ -31,7 +31,7 @@ arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 9055198fb16c1add00c0d4704d7347b0aa8d5bfa85ee2fdf59d22aa7bad2ef3f
+digest 1887850a0efb5cacd8cf1accdc5a04fa3a2dad6ce20a67f90578af32ae430790
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -247,7 +247,7 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
         omega[k] = pair_of(ldexp(omega0[k], -scale));
         /* What is not zero stays so. */
         if (is_zero(omega[k]) && !is_zero(pair_of(omega0[k])))
-            omega[k] = pair_of(copysign(0x1p-1074, omega0[k]));
+            omega[k] = pair_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
     if (ldexp(least, -c_scale) < thinnest)
         return TORQUE_FREE_THIN;
