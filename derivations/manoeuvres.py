@@ -13,7 +13,7 @@ theorem on all such equations; and when the turn that is left is a whole one, wh
 from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import ATTITUDE, BODY, INERTIA
 from derivations.lie_algebra import UNIT_QUATERNION
-from derivations.regular_form import BY_RATES
+from derivations.regular_form import BY_RATES, DIFFERENCES
 from rigidsym.algebra import Book, Part, equal, join, names
 from rigidsym.algebra.quaternion import product
 
@@ -92,6 +92,7 @@ PLANES = Part(
         "c_b": "1/(i_a + across**2)",
         "c_d": "1/(i_a + across**2 + along**2)",
         **{f"Omega_{x}": f"M_{x}/c_{x}" for x in "abd"},
+        **DIFFERENCES,
         **{name: BY_RATES[name] for name in ("H", "E_b")},
     },
     nonnegative=("across", "along"),

@@ -14,6 +14,7 @@ where the paper's equation does.
 from rigidsym.algebra import Book
 from rigidsym.algebra.book import Entry, facts, readings
 
+DIFFERENCES = facts("regular", "c_ab c_ad c_bd")
 INVARIANTS = [*facts("regular", "H E_a E_b E_d"), *facts("attitude", "M_a M_b M_d")]
 MOMENTA = facts("attitude", "M_a M_b M_d")
 SHORTEST = facts("attitude", "nu s_0 s_b s_d")
@@ -42,6 +43,7 @@ def _by_functions(context: str) -> list[Entry]:
 
 PROGRAMMES: dict[str, list[Entry]] = {
     "plan": [
+        *DIFFERENCES,
         *INVARIANTS,
         *facts("attitude", "K"),
         *facts("regular", "A_a A_b A_d lambda_ m m_1 tau"),

@@ -74,11 +74,7 @@ TREE = (
 # The regular form's axes, and its E's in terms of those above; c_a - c_d > 0 or < 0.
 LARGEST = {"a": "1", "b": "2", "d": "3", "E_a": "E_1", "E_b": "E_2", "E_d": "E_3"}
 SMALLEST = {"a": "3", "b": "2", "d": "1", "E_a": "(-E_3)", "E_b": "E_2", "E_d": "(-E_1)"}
-SQUARES = {
-    **FORMULAS,
-    "m": "E_a/E_d*(c_d - c_b)/(c_b - c_a)",
-    "m_1": "E_b/E_d*(c_a - c_d)/(c_a - c_b)",
-}
+SQUARES = FORMULAS | {"m": "E_a/E_d*c_bd/c_ab", "m_1": "E_b/E_d*c_ad/c_ab"}
 VISIBLY = {
     "1": {
         "A_a": "E_3/(c_1*c_13)",
@@ -154,5 +150,6 @@ def _moving(book: Book, leaf: str, axes: dict[str, str]) -> None:
 
 def _named(text: str, axes: dict[str, str]) -> str:
     """A formula of the regular form with the axes a, b, d called by their numbers."""
+    text = re.sub(r"c_([abd])([abd])", r"(c_\1 - c_\2)", text)
     text = re.sub(r"E_[abd]", lambda found: axes[found[0]], text)
     return re.sub(r"(?<=c_)[abd]", lambda found: axes[found[0]], text)

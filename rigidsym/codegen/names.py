@@ -3,6 +3,7 @@
 from rigidsym.solution.formulas import AXES
 
 INERTIA = tuple(f"c_{x}" for x in AXES)
+DIFFERENCES = ("c_ab", "c_ad", "c_bd")
 RATES = tuple(f"Omega_{x}" for x in AXES)
 ATTITUDE = ("q_0", "q_a", "q_b", "q_d")
 SIGNS = ("epsilon", "sigma", "rho", "chi")

@@ -1,21 +1,24 @@
-"""The functions every motion begins with: E_b, which decides the regime, and the state at t = 0."""
+"""The functions every motion begins with: E_b, which decides the regime, and the state at t = 0.
+
+Both are given the differences of the moments: what the moments are rounded to is not subtracted.
+"""
 
 from rigidsym.codegen.ir import Function
-from rigidsym.codegen.names import AMPLITUDES, INERTIA, RATES, SIGNS, STARTED
+from rigidsym.codegen.names import AMPLITUDES, DIFFERENCES, INERTIA, RATES, SIGNS, STARTED
 from rigidsym.codegen.passes import renamed, select
 from rigidsym.solution import Solution
 
 
 def excess(solution: Solution) -> Function:
     """E_b, over any kind of numbers."""
-    parameters = (*INERTIA, "Omega_a", "Omega_d")
+    parameters = ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d")
     lets = select(solution.programmes["plan"], ("E_b",), parameters)
     return Function("_excess", "K^2 - 2 H c_b over any numbers.", parameters, lets, ("E_b",))
 
 
 def start(solution: Solution) -> Function:
     """From inertia and rates to what both plans are made of."""
-    numbers = (*INERTIA, *RATES, "E_b")
+    numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS)
     names = ("k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0")
     lets = select(solution.programmes["plan"], names, given)

@@ -8,7 +8,7 @@ import numpy as np
 from rigidsym.engines.protocol import EngineError, Outputs, States
 
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
-SIZES = {"inertia": 3, "omega0": 3, "attitude0": 4}
+SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 
 

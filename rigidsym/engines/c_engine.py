@@ -41,14 +41,22 @@ class CEngine:
         return self._planned(self._library.plan_init, _vectors(given, ()))
 
     def plan_from_pairs(
-        self, inertia: Any, omega0: Any, attitude0: Any, excess: Any, unit: float
+        self,
+        inertia: Any,
+        differences: Any,
+        omega0: Any,
+        attitude0: Any,
+        excess: Any,
+        unit: float,
     ) -> Plan:
-        """Constants of one motion from sums of two doubles: (3, 2), (3, 2), (4, 2) and (2,).
+        """Constants of one motion from sums of two doubles: (3, 2) thrice, (4, 2) and (2,).
 
         Scaled as torque_free.h says, rates times `unit` rad/s; excess is K^2 - 2 H c_b.
         """
-        given = arrays.named(inertia, omega0, attitude0) | {"excess": np.asarray(excess, float)}
-        return self._planned(self._library.plan_init_pairs, _vectors(given, (2,)), unit)
+        named = {"inertia": inertia, "differences": differences, "omega0": omega0}
+        named |= {"attitude0": attitude0, "excess": excess}
+        given = _vectors({name: np.asarray(value, float) for name, value in named.items()}, (2,))
+        return self._planned(self._library.plan_init_pairs, given, unit)
 
     def exact_plan(
         self,

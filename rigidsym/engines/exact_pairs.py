@@ -2,7 +2,8 @@
 
 Rounding inertia and rates to doubles would put the motion on another polhode, and near the
 separatrix, or where moments nearly agree, that is another motion.  So each number becomes two
-doubles, right to 32 digits, and what decides the regime is found from the exact ones.
+doubles, right to 32 digits; and what these would lose by subtraction, the differences of moments
+and what decides the regime, is found from the exact ones.
 """
 
 import math
@@ -28,6 +29,7 @@ class ExactPairs(NamedTuple):
     """The arguments of `plan_from_pairs`."""
 
     inertia: list[Pair]
+    differences: list[Pair]
     omega0: list[Pair]
     attitude0: list[Pair]
     excess: Pair
@@ -46,9 +48,10 @@ def exact_pairs(
         raise InputError("inertia", inputs.shown(inertia), rule)
     if not -1074 <= exponent <= 1020:
         raise InputError("omega0", inputs.shown(omega0), "is beyond the range of binary64")
-    decides = excess(_distinguished(moments), rates)
-    pairs = ([pair(value) for value in values] for values in (moments, rates, quaternion))
-    return ExactPairs(*pairs, pair(decides), 2.0**exponent)
+    differences = [moments[k] - moments[(k + 1) % 3] for k in range(3)]
+    given = moments, differences, rates, quaternion
+    decides = pair(excess(moments, rates))
+    return ExactPairs(*([pair(x) for x in xs] for xs in given), decides, 2.0**exponent)
 
 
 def pair(value: Fraction) -> Pair:
@@ -71,15 +74,6 @@ def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
         if merged[high] - merged[low] < least:
             merged[high] = merged[low]
     return merged
-
-
-def _distinguished(moments: Sequence[Fraction]) -> Sequence[Fraction]:
-    """The moments; as pairs have them where no pair tells two of them apart.
-
-    Those are equal for all that is computed from pairs, so they must be for the regime.
-    """
-    rounded = [sum(map(Fraction, pair(moment)), Fraction(0)) for moment in moments]
-    return rounded if len(set(rounded)) < len(set(moments)) else moments
 
 
 def _over_power_of_two(values: Sequence[Fraction]) -> tuple[tuple[Fraction, ...], int]:

@@ -17,7 +17,7 @@ _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "message": (c_char_p, (c_int,)),
     "plan_size": (c_size_t, ()),
     "plan_init": (c_int, (c_void_p, *_BODY)),
-    "plan_init_pairs": (c_int, (c_void_p, *_BODY, c_void_p, c_double)),
+    "plan_init_pairs": (c_int, (c_void_p, *_BODY, *(c_void_p,) * 2, c_double)),
     "state_at": (c_int, (c_void_p, c_double, *_OUT)),
     "states_at": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT)),
     "states_on_grid": (c_int, (c_void_p, c_double, c_double, c_size_t, c_size_t, *_OUT)),

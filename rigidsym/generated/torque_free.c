@@ -5,28 +5,12 @@
 #include <stdint.h>
 #include <string.h>
 
-#ifdef __cplusplus
-#define restrict __restrict
-#endif
-
-/* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
-#ifndef TORQUE_FREE_BLOCK
-#define TORQUE_FREE_BLOCK 64
-#endif
-
-/* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
-   that breaks this shows in a macro: torque_free_plan_init looks, too. */
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
+/* Extended numbers need every operation rounded to double once, and none reordered. */
+#if defined(__FAST_MATH__)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
-#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-#error "torque_free.c: -ffinite-math-only takes the checks of inputs away; compile without it"
 #elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
 #error "torque_free.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
-#elif FLT_RADIX != 2 || DBL_MANT_DIG != 53
-#error "torque_free.c: a double must be a binary64 number"
 #endif
-/* -fsingle-precision-constant has no macro: an array of negative size is no type. */
-typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
@@ -334,67 +318,66 @@ static inline double exponential(double x)
 }
 
 /* K^2 - 2 H c_b over any numbers. */
-static pair excess_pair(pair c_a, pair c_b, pair c_d, pair Omega_a, pair Omega_d)
+static pair excess_pair(pair c_a, pair c_d, pair c_ab, pair c_bd, pair Omega_a, pair Omega_d)
 {
-    const pair E_b = pair_sub_xx(pair_mul_xx(pair_mul_xx(c_a, pair_sub_xx(c_a, c_b)), pair_mul_xx(Omega_a, Omega_a)), pair_mul_xx(pair_mul_xx(c_d, pair_sub_xx(c_b, c_d)), pair_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    const pair E_b = pair_sub_xx(pair_mul_xx(pair_mul_xx(c_a, c_ab), pair_mul_xx(Omega_a, Omega_a)), pair_mul_xx(pair_mul_xx(c_d, c_bd), pair_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
     return E_b;
 }
 
 /* K^2 - 2 H c_b over any numbers. */
-static exact excess_exact(exact c_a, exact c_b, exact c_d, exact Omega_a, exact Omega_d)
+static exact excess_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
 {
-    const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, exact_sub_xx(c_a, c_b)), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, exact_sub_xx(c_b, c_d)), exact_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
     return E_b;
 }
 
 /* Invariants, amplitudes and the descended functions at t = 0; E_b comes from `_excess`. */
-static void start(pair c_a, pair c_b, pair c_d, pair Omega_a, pair Omega_b, pair Omega_d, pair E_b,
-    double epsilon, double sigma, double rho, double chi, pair *K_out, pair *A_a_out,
-    pair *A_b_out, pair *A_d_out, pair *B_a_out, pair *B_d_out, pair *k_1_out,
-    pair *kc_1_out, pair *mu_out, pair *psi_0_out, pair *s_out, pair *c_out, pair *d_out)
+static void start(pair c_a, pair c_b, pair c_d, pair c_ab, pair c_ad, pair c_bd, pair Omega_a,
+    pair Omega_b, pair Omega_d, pair E_b, double epsilon, double sigma, double rho,
+    double chi, pair *K_out, pair *A_a_out, pair *A_b_out, pair *A_d_out, pair *B_a_out,
+    pair *B_d_out, pair *k_1_out, pair *kc_1_out, pair *mu_out, pair *psi_0_out,
+    pair *s_out, pair *c_out, pair *d_out)
 {
     const pair common_1 = pair_mul_xx(Omega_a, Omega_a); /* (6), (15); regular.H regular.E_d */
     const pair common_2 = pair_mul_xx(Omega_b, Omega_b); /* (6), (15); regular.H regular.E_a regular.E_d */
     const pair common_3 = pair_mul_xx(Omega_d, Omega_d); /* (6), (15); regular.H regular.E_a */
     const pair H = pair_div_xd(pair_add_xx(pair_add_xx(pair_mul_xx(c_a, common_1), pair_mul_xx(c_b, common_2)), pair_mul_xx(c_d, common_3)), 2.0); /* (6), (15); regular.H */
-    const pair common_4 = pair_sub_xx(c_a, c_b); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b regular.lambda_ regular.m_1 */
-    const pair common_5 = pair_mul_xx(c_b, common_4); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b */
-    const pair common_6 = pair_sub_xx(c_a, c_d); /* (6), (15), (10), (13), (14); regular.E_a regular.E_d regular.A_a regular.A_d regular.m_1 */
-    const pair common_7 = pair_mul_xx(c_d, common_6); /* (6), (15), (10), (13), (14); regular.E_a regular.A_d */
-    const pair E_a = pair_add_xx(pair_mul_xx(common_5, common_2), pair_mul_xx(common_7, common_3)); /* (6), (15); regular.E_a */
-    const pair common_8 = pair_mul_xx(c_a, common_6); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
-    const pair E_d = pair_add_xx(pair_mul_xx(common_8, common_1), pair_mul_xx(pair_mul_xx(c_b, pair_sub_xx(c_b, c_d)), common_2)); /* (6), (15); regular.E_d */
+    const pair common_4 = pair_mul_xx(c_b, c_ab); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b */
+    const pair common_5 = pair_mul_xx(c_d, c_ad); /* (6), (15), (10), (13), (14); regular.E_a regular.A_d */
+    const pair E_a = pair_add_xx(pair_mul_xx(common_4, common_2), pair_mul_xx(common_5, common_3)); /* (6), (15); regular.E_a */
+    const pair common_6 = pair_mul_xx(c_a, c_ad); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
+    const pair E_d = pair_add_xx(pair_mul_xx(common_6, common_1), pair_mul_xx(pair_mul_xx(c_b, c_bd), common_2)); /* (6), (15); regular.E_d */
     const pair M_a = pair_mul_xx(c_a, Omega_a); /* (8); attitude.M_a */
     const pair M_b = pair_mul_xx(c_b, Omega_b); /* (8); attitude.M_b */
     const pair M_d = pair_mul_xx(c_d, Omega_d); /* (8); attitude.M_d */
     const pair K = pair_sqrt(pair_add_xx(pair_add_xx(pair_mul_xx(M_a, M_a), pair_mul_xx(M_b, M_b)), pair_mul_xx(M_d, M_d))); /* (6), (15); attitude.K */
-    const pair A_a = pair_sqrt(pair_div_xx(E_d, common_8)); /* (10), (13), (14); regular.A_a */
-    const pair A_b = pair_sqrt(pair_div_xx(E_a, common_5)); /* (10), (13), (14); regular.A_b */
-    const pair A_d = pair_sqrt(pair_div_xx(E_a, common_7)); /* (10), (13), (14); regular.A_d */
-    const pair common_9 = pair_mul_xx(common_4, E_d); /* (10), (13), (14); regular.lambda_ regular.m_1 */
-    const pair lambda_ = pair_sqrt(pair_div_xx(common_9, pair_mul_xx(pair_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
-    const pair m = pair_div_xx(pair_mul_xx(E_a, pair_sub_xx(c_d, c_b)), pair_mul_xx(E_d, pair_sub_xx(c_b, c_a))); /* (10), (13), (14); regular.m */
-    const pair m_1 = pair_div_xx(pair_mul_xx(common_6, E_b), common_9); /* (10), (13), (14); regular.m_1 */
+    const pair A_a = pair_sqrt(pair_div_xx(E_d, common_6)); /* (10), (13), (14); regular.A_a */
+    const pair A_b = pair_sqrt(pair_div_xx(E_a, common_4)); /* (10), (13), (14); regular.A_b */
+    const pair A_d = pair_sqrt(pair_div_xx(E_a, common_5)); /* (10), (13), (14); regular.A_d */
+    const pair common_7 = pair_mul_xx(c_ab, E_d); /* (10), (13), (14); regular.lambda_ regular.m_1 */
+    const pair lambda_ = pair_sqrt(pair_div_xx(common_7, pair_mul_xx(pair_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
+    const pair m = pair_div_xx(pair_mul_xx(E_a, c_bd), pair_mul_xx(E_d, c_ab)); /* (10), (13), (14); regular.m */
+    const pair m_1 = pair_div_xx(pair_mul_xx(c_ad, E_b), common_7); /* (10), (13), (14); regular.m_1 */
     const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
     const pair k_c = pair_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
-    const pair common_10 = pair_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next */
-    const pair k_1 = pair_div_xx(m, pair_mul_xx(common_10, common_10)); /* DLMF 22.7.1; descended.k_1 */
-    const pair mu = pair_div_xd(pair_mul_xx(lambda_, common_10), 2.0); /* DLMF 22.7.2; descended.mu */
-    const pair common_11 = pair_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
-    const pair psi_0 = pair_div_xx(pair_add_xx(pair_mul_dx(2.0, H), pair_mul_xx(K, A_a)), pair_add_xx(K, common_11)); /* (33), (34); descended.psi_0 */
+    const pair common_8 = pair_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next */
+    const pair k_1 = pair_div_xx(m, pair_mul_xx(common_8, common_8)); /* DLMF 22.7.1; descended.k_1 */
+    const pair mu = pair_div_xd(pair_mul_xx(lambda_, common_8), 2.0); /* DLMF 22.7.2; descended.mu */
+    const pair common_9 = pair_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
+    const pair psi_0 = pair_div_xx(pair_add_xx(pair_mul_dx(2.0, H), pair_mul_xx(K, A_a)), pair_add_xx(K, common_9)); /* (33), (34); descended.psi_0 */
     const pair sn = pair_div_xx(pair_mul_dx(chi, Omega_b), A_b); /* (12); regular.sn */
     const pair cn = pair_div_xx(pair_mul_dx(chi * tau, Omega_d), A_d); /* (12); regular.cn */
     const pair dn = pair_div_xx(pair_mul_dx(sigma, Omega_a), A_a); /* (12); regular.dn */
-    const pair B_a = common_11; /* (27); theta_form.B_a */
+    const pair B_a = common_9; /* (27); theta_form.B_a */
     const pair B_d = pair_mul_xx(c_d, A_d); /* (28); theta_form.B_d */
     const pair root_kc = pair_sqrt(k_c); /* DLMF 22.7.1; landen.root_kc */
-    const pair kc_1 = pair_div_xx(pair_mul_dx(2.0, root_kc), common_10); /* DLMF 22.7.1; landen.kc_next */
-    const pair common_12 = pair_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
-    const pair common_13 = pair_mul_xx(pair_add_dx(1.0, k_1), common_12); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
-    const pair s = pair_div_xx(pair_mul_dx(2.0, sn), common_13); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
-    const pair v = pair_sqrt(pair_mul_xx(common_13, pair_add_xx(dn, k_c))); /* DLMF 22.7.4; landen.v */
+    const pair kc_1 = pair_div_xx(pair_mul_dx(2.0, root_kc), common_8); /* DLMF 22.7.1; landen.kc_next */
+    const pair common_10 = pair_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
+    const pair common_11 = pair_mul_xx(pair_add_dx(1.0, k_1), common_10); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
+    const pair s = pair_div_xx(pair_mul_dx(2.0, sn), common_11); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
+    const pair v = pair_sqrt(pair_mul_xx(common_11, pair_add_xx(dn, k_c))); /* DLMF 22.7.4; landen.v */
     const pair c = pair_div_xx(pair_mul_dx(2.0, cn), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
-    const pair d = pair_div_xx(v, common_12); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
+    const pair d = pair_div_xx(v, common_10); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
     *K_out = K;
     *A_a_out = A_a;
     *A_b_out = A_b;
@@ -1296,102 +1279,13 @@ static void steady_state(const torque_free_steady *plan, size_t n, const double 
     }
 }
 
-/* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
-   so that no compiler knows the outcome. */
-
-static int is_pair(pair x, double hi, double lo)
-{
-    return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
-}
-
-/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
-static int sums_hold(void)
-{
-    const volatile double zero = 0.0;
-    const double one = zero + 1.0, many = zero + 49.0, part = zero + 0.02040816326530612;
-    const double tiny = zero + 8.673617379884035e-19;
-    const pair third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
-    return is_pair(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
-           is_pair(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
-           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
-           is_pair(pair_mul_xx(third, third), over_9.hi, over_9.lo) &&
-           is_pair(pair_mul_xx(third, pair_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
-           is_pair(pair_mul_xd(seventh, many), 7.0, 0.0);
-}
-
-/* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
-   products across functions, and what was split off is counted twice. */
-static int differences_hold(void)
-{
-    static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
-                                   0.15335179025447007, 0.03588181116623288};
-    const volatile double zero = 0.0;
-    pair x[5];
-    for (int k = 0; k < 5; k++)
-        x[k] = pair_of(zero + given[k]);
-    return is_pair(excess_pair(x[0], x[1], x[2], x[3], x[4]), 0.004108897986419382, -6.277847770376781e-21);
-}
-
-/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
-   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
-static int quotients_hold(void)
-{
-    static const double quotients[][4] = {
-        {7.0, 3.0, 2.3333333333333335, -1.4802973661668753e-16},
-        {3.0, 5.0, 0.6, 2.2204460492503132e-17},
-        {7.0, 25.0, 0.28, -2.6645352591003756e-17},
-        {15.0, 13.0, 1.1538461538461537, 1.0248212535001446e-16},
-        {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
-        {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
-    const volatile double zero = 0.0;
-    const pair root = pair_sqrt(pair_of(zero + 2.0));
-    int holds = is_pair(root, 1.4142135623730951, -9.667293313452913e-17);
-    for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
-        const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
-        holds &= is_pair(pair_div_xd(pair_of(x), y), known[2], known[3]);
-        holds &= is_pair(pair_div_dx(x, pair_of(y)), known[2], known[3]);
-    }
-    return holds;
-}
-
-/* Whether the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
-   turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
-static int angles_hold(void)
-{
-    static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
-    enum { TIMES = 8 };
-    const volatile double from = 35184372088829.0;
-    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
-    torque_free_circular plan;
-    int holds = 1;
-    memset(&plan, 0, sizeof plan);
-    plan.v_rate_hi = plan.Lambda_rate_hi = plan.v_hi = over_3.hi;
-    plan.v_rate_lo = plan.Lambda_rate_lo = plan.v_lo = over_3.lo;
-    for (int i = 0; i < TIMES; i++) {
-        t[i] = from + (double)i;
-        t_lo[i] = 0.0;
-    }
-    circular_angles(&plan, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
-    for (int i = 0; i < TIMES; i++) {
-        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
-        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
-    }
-    return holds;
-}
-
-static int is_rounded_once(void)
-{
-    return sums_hold() && differences_hold() && quotients_hold() && angles_hold();
-}
-
-static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
-static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share in a tilt, below which those may be taken for zero */
-static const double faintest = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
-static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
-static const double thinnest = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
-static const double farthest = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
-static const double fastest = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
-#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
+static const double negligible = 0x1p-400; /* rates below this share of the largest are taken for zero */
+static const double decisive = 0x1p-300; /* unless one could decide when spin about the middle axis turns over */
+static const double faintest = 0x1p-900; /* of E_b in inner units; nearer to the separatrix is refused */
+static const double thinnest = 0x1p-200; /* of one principal moment over another */
+static const double farthest = 0x1p46; /* of |omega0 t|, rad */
+static const double fastest = 0x1p990; /* of a rate, rad/s: exact products with it are still held */
+enum { BLOCK = 64 };
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
@@ -1412,49 +1306,56 @@ static int all_finite(size_t n, const double *x)
     return 1;
 }
 
-static int same(pair x, pair y) { return !(x.hi < y.hi || x.hi > y.hi || x.lo < y.lo || x.lo > y.lo); }
 static int is_zero(pair x) { return !(x.hi < 0.0 || x.hi > 0.0); }
-static int is_below(pair x, pair y) { return x.hi < y.hi || (!(x.hi > y.hi) && x.lo < y.lo); }
+
+/* c_j - c_k of two different axes, from what each moment is above the next in turn. */
+static pair difference(const pair apart[3], int j, int k)
+{
+    return k == (j + 1) % 3 ? apart[j] : pair_neg(apart[k]);
+}
 
 /* True where momentum and rates are parallel. */
-static int is_steady(const pair c[3], const pair omega[3])
+static int is_steady(const pair apart[3], const pair omega[3])
 {
-    for (int j = 0; j < 3; j++) {
-        const int k = (j + 1) % 3;
-        if (!same(c[j], c[k]) && !is_zero(omega[j]) && !is_zero(omega[k]))
+    for (int j = 0; j < 3; j++)
+        if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
             return 0;
-    }
     return 1;
 }
 
 /* The axes by their moments, largest first; equal ones stay in their order. */
-static void sorted(const pair c[3], int axis[3])
+static void sorted(const pair apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
         axis[k] = k;
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < 2; k++)
-            if (is_below(c[axis[k]], c[axis[k + 1]])) {
+            if (difference(apart, axis[k], axis[k + 1]).hi < 0.0) {
                 const int first = axis[k];
                 axis[k] = axis[k + 1];
                 axis[k + 1] = first;
             }
 }
 
-/* E_b to all digits of a pair: in exact arithmetic where its terms cancel. */
-static pair excess_of(const pair c[3], const pair omega[3], const int axis[3])
+/* E_b of doubles to all digits of a pair: in exact arithmetic where its terms cancel. */
+static pair excess_of(const pair c[3], const pair apart[3], const pair omega[3], const int axis[3])
 {
+    const pair c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    const pair c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
     const pair zero = {0.0, 0.0};
     const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
     const int scale = exponent_of(2, rates);
     const pair a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
-    const pair over = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], a, zero);
-    const pair under = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], zero, d);
+    const pair over = excess_pair(c_a, c_d, c_ab, c_bd, a, zero);
+    const pair under = excess_pair(c_a, c_d, c_ab, c_bd, zero, d);
     const pair sum = pair_add_xx(over, under);
-    if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
+    if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))
         return scaled(sum, 2 * scale);
-    return scaled(exact_to_pair(excess_exact(exact_of(c[axis[0]].hi), exact_of(c[axis[1]].hi),
-                                             exact_of(c[axis[2]].hi), exact_of(a.hi), exact_of(d.hi))),
+    const exact moment_b = exact_of(c_b.hi);
+    const exact above = exact_sub_xx(exact_of(c_a.hi), moment_b);
+    const exact below = exact_sub_xx(moment_b, exact_of(c_d.hi));
+    return scaled(exact_to_pair(excess_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
+                                             exact_of(a.hi), exact_of(d.hi))),
                   2 * scale);
 }
 
@@ -1475,7 +1376,7 @@ static void limit(torque_free_plan *plan, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
     if (largest > 16.0)
-        plan->farthest = fmin(plan->farthest, 16.0 * farthest / largest);
+        plan->farthest = 16.0 * farthest / largest;
 }
 
 /* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
@@ -1487,21 +1388,23 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
-                       const pair q[4], pair E_b)
+static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair apart[3],
+                       const pair omega[3], const pair q[4], pair E_b)
 {
     const int *axis = plan->axis;
     const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
+    const pair c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
+    const pair c_bd = difference(apart, axis[1], axis[2]);
     const pair Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
     const pair q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
     const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
-    const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
+    const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
     const double unit = plan->unit, *constants;
     size_t n;
     pair K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
-    start(c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
+    start(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
     if (k_1.hi * k_1.hi <= 0.5) {
         plan->branch = 1;
         circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &plan->of.circular);
@@ -1519,67 +1422,24 @@ static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair
     return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* log2(x), x >= 0, without an exception for zero. */
-static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
-
-/* log2(2^x + 2^y); both may be minus infinity. */
-static double log2_sum(double x, double y)
+/* True where a rate taken for zero could decide when a spin about the middle axis turns over. */
+static int is_lost(const int axis[3], const pair omega[3], const pair given[3])
 {
-    const double most = x > y ? x : y, least = x > y ? y : x;
-    return isfinite(most) ? most + log2(1.0 + exp2(least - most)) : most;
-}
-
-/* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
-   over, the motion followed is the separatrix, or that spin, up to a time.
-
-   With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
-   X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
-   no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
-   zero, of the spin both are.  What of them is not zero may grow to 2^-60 of the momentum. */
-static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const pair given[3],
-                   pair *E_b, int is_faint)
-{
-    const int *axis = plan->axis;
-    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
-    const double over = fabs(pair_add_xx(c[axis[0]], pair_neg(c[axis[1]])).hi);
-    const double under = fabs(pair_add_xx(c[axis[2]], pair_neg(c[axis[1]])).hi);
-    const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
-    const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
-    double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
-    for (int k = 0; k < 2; k++) {
-        part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
-        if (is_zero(omega[axis[2 * k]]))
-            gone = log2_sum(gone, part[k]);
-        else
-            left = log2_sum(left, part[k]);
+    int lost = 0, slow = 1;
+    for (int k = 0; k < 3; k += 2) {
+        lost |= is_zero(omega[axis[k]]) && !is_zero(given[axis[k]]);
+        slow &= fabs(omega[axis[k]].hi) < decisive;
     }
-    for (int k = 0; k < 3; k++)
-        momentum = fmax(momentum, c[k].hi * fabs(given[k].hi));
-    const double size = log2_sum(part[0], part[1]), distance = log2_of(fabs(E_b->hi));
-    const int is_spin = gone > left + log2(decisive) || (is_faint && distance > 2.0 * size + log2(decisive));
-    if (!is_spin && !is_faint)
-        return;
-    const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
-    const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
-                               under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
-    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
-    const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
-                        (is_spin ? size : distance - size);
-    const double bits = log2(tolerated) + room;
-    plan->farthest = bits > 0.0 ? fmin(log(2.0) * bits / growth, farthest) : 0.0;
-    plan->blurred = plan->farthest < farthest;
-    *E_b = pair_of(0.0);
-    for (int k = 0; k < 3 && is_spin; k += 2)
-        omega[axis[k]] = pair_of(0.0);
+    return lost && slow;
 }
 
-/* c, omega and q in inner units; `given` are the rates before faint ones were taken for zero. */
-static int init(torque_free_plan *plan, const pair c[3], const pair given[3], const pair q[4],
-                const pair *known, double unit)
+/* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
+   before faint ones were taken for zero. */
+static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], const pair given[3],
+                const pair q[4], const pair *known, double unit)
 {
-    torque_free_plan made;
+    torque_free_plan made = {0};
     pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
-    memset(&made, 0, sizeof made);
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
         length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
@@ -1593,28 +1453,23 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
     }
     for (int k = 0; k < 3; k++)
         made.omega0[k] = given[k].hi * unit;
-    sorted(c, made.axis);
-    pair excess = known ? *known : excess_of(c, omega, made.axis);
-    const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
-    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
-    int lost = 0;
-    for (int k = 0; k < 3; k += 2)
-        lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
-    if (distinct && (lost || faint))
-        follow(&made, c, omega, given, &excess, faint);
+    sorted(apart, made.axis);
+    const pair excess = known ? *known : excess_of(c, apart, omega, made.axis);
     if (excess.hi < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    const int steady = is_steady(c, omega);
+    const int steady = is_steady(apart, omega);
+    const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
+    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    if (distinct && (is_lost(made.axis, omega, given) || faint))
+        return TORQUE_FREE_SEPARATRIX;
     int code = TORQUE_FREE_OK;
-    if (!is_rounded_once())
-        return TORQUE_FREE_ARITHMETIC;
     if (steady)
         steady_init(&made, omega, unit_q);
     else
-        code = moving_init(&made, c, omega, unit_q, excess);
+        code = moving_init(&made, c, apart, omega, unit_q, excess);
     if (code == TORQUE_FREE_OK)
         *plan = made;
     return code;
@@ -1623,7 +1478,7 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
 int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
                           const double attitude0[4])
 {
-    pair c[3], omega[3], q[4];
+    pair c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
@@ -1637,9 +1492,6 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     for (int k = 0; k < 3; k++) {
         c[k] = pair_of(ldexp(inertia[k], -c_scale));
         omega[k] = pair_of(ldexp(omega0[k], -scale));
-        /* What is not zero stays so. */
-        if (is_zero(omega[k]) && !is_zero(pair_of(omega0[k])))
-            omega[k] = pair_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
     if (ldexp(least, -c_scale) < thinnest)
         return TORQUE_FREE_THIN;
@@ -1649,26 +1501,31 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     }
     if (is_zero_attitude)
         return TORQUE_FREE_ATTITUDE;
-    const int code = init(plan, c, omega, q, NULL, ldexp(1.0, scale));
+    /* Differences of doubles are pairs exactly. */
+    for (int k = 0; k < 3; k++)
+        apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
+    const int code = init(plan, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
         plan->omega0[k] = omega0[k];
     return code;
 }
 
 int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
-                                const double omega0[3][2], const double attitude0[4][2],
-                                const double excess[2], double unit)
+                                const double differences[3][2], const double omega0[3][2],
+                                const double attitude0[4][2], const double excess[2], double unit)
 {
-    pair c[3], omega[3], q[4];
+    pair c[3], apart[3], omega[3], q[4];
     for (int k = 0; k < 4; k++) {
         const pair one = {attitude0[k][0], attitude0[k][1]};
         q[k] = one;
     }
     for (int k = 0; k < 3; k++) {
         const pair moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
+        const pair above = {differences[k][0], differences[k][1]};
         c[k] = moment;
+        apart[k] = above;
         omega[k] = rate;
-        if (!all_finite(2, inertia[k]) || !all_finite(2, omega0[k]))
+        if (!all_finite(2, inertia[k]) || !all_finite(2, differences[k]) || !all_finite(2, omega0[k]))
             return TORQUE_FREE_NOT_FINITE;
         if (!(moment.hi > 0.0))
             return TORQUE_FREE_INERTIA;
@@ -1684,7 +1541,7 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
     const pair known = {excess[0], excess[1]};
-    return init(plan, c, omega, q, &known, unit);
+    return init(plan, c, apart, omega, q, &known, unit);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
@@ -1723,48 +1580,48 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
-   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
-static void block_states(const torque_free_plan *plan, size_t n, size_t s, const double *restrict in,
-                         double *restrict out, double *restrict q, double *restrict omega)
+/* The states of one block from what changes with time: two arrays on the steady branch, four on the
+   circular one, six on the hyperbolic one. */
+static void block_states(const torque_free_plan *plan, size_t n, double (*restrict by_time)[BLOCK],
+                         double *restrict q, double *restrict omega)
 {
+    double out[7][BLOCK];
     const int *axis = plan->axis;
-    double *row[7];
     if (plan->branch == 0) {
-        steady_state(&plan->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
+        steady_state(&plan->of.steady, n, by_time[0], by_time[1], out[0], out[1], out[2], out[3]);
         for (size_t i = 0; i < n; i++)
             for (int k = 0; k < 3; k++)
                 omega[3 * i + (size_t)k] = plan->omega0[k];
-        interleaved4(n, out, out + s, out + 2 * s, out + 3 * s, q);
+        interleaved4(n, out[0], out[1], out[2], out[3], q);
         return;
     }
-    row[0] = out;
-    for (size_t k = 0; k < 3; k++) {
-        row[1 + axis[k]] = out + (1 + k) * s;
-        row[4 + axis[k]] = out + (4 + k) * s;
+    double *row[7];
+    row[0] = out[0];
+    for (int k = 0; k < 3; k++) {
+        row[1 + axis[k]] = out[1 + k];
+        row[4 + axis[k]] = out[4 + k];
     }
     if (plan->branch == 1)
-        circular_state(&plan->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
-                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
+        circular_state(&plan->of.circular, n, by_time[0], by_time[1], by_time[2], by_time[3], out[0],
+                       out[1], out[2], out[3], out[4], out[5], out[6]);
     else
-        hyperbolic_state(&plan->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
-                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
-                         out + 6 * s);
+        hyperbolic_state(&plan->of.hyperbolic, n, by_time[0], by_time[1], by_time[2], by_time[3],
+                         by_time[4], by_time[5], out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
 
-/* What changes with time at the inner times t + t_lo, in rows s apart. */
-static void block_angles(const torque_free_plan *plan, size_t n, size_t s, const double *restrict t,
-                         const double *restrict t_lo, double *restrict to)
+/* What changes with time at the inner times t + t_lo. */
+static void block_angles(const torque_free_plan *plan, size_t n, const double *restrict t,
+                         const double *restrict t_lo, double (*restrict by_time)[BLOCK])
 {
     if (plan->branch == 0)
-        steady_angles(&plan->of.steady, n, t, t_lo, to, to + s);
+        steady_angles(&plan->of.steady, n, t, t_lo, by_time[0], by_time[1]);
     else if (plan->branch == 1)
-        circular_angles(&plan->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
+        circular_angles(&plan->of.circular, n, t, t_lo, by_time[0], by_time[1], by_time[2], by_time[3]);
     else
-        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
-                          to + 4 * s, to + 5 * s);
+        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, by_time[0], by_time[1], by_time[2],
+                          by_time[3], by_time[4], by_time[5]);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -1789,71 +1646,27 @@ static void at_start(const torque_free_plan *plan, double *q, double *omega)
         omega[k] = plan->omega0[k];
 }
 
-static int too_late(const torque_free_plan *plan)
-{
-    return plan->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
-}
-
-static void no_states(size_t n, double *q, double *omega)
-{
-    for (size_t i = 0; i < 4 * n; i++)
-        q[i] = NAN;
-    for (size_t i = 0; i < 3 * n; i++)
-        omega[i] = NAN;
-}
-
-/* The states at n times; times that are too late are refused, or have none where `lenient`. */
-static int states_at(const torque_free_plan *plan, size_t n, const double *t, double *q, double *omega,
-                     int lenient)
-{
-    double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
-    int zero;
-    for (size_t i = 0; i < n && !lenient; i += BLOCK)
-        if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return too_late(plan);
-    for (size_t k = 0; k < BLOCK; k++)
-        rest[k] = 0.0;
-    int code = TORQUE_FREE_OK;
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        const int near = scaled_times(plan, count, t + i, inner, &zero);
-        for (size_t k = 0; !near && k < count; k++)
-            inner[k] = fabs(inner[k]) <= plan->farthest ? inner[k] : 0.0;
-        if (n - i >= 2 * BLOCK)
-            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        block_angles(plan, count, BLOCK, inner, rest, by_time);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
-        for (size_t k = 0; zero && k < count; k++)
-            if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
-                at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
-        for (size_t k = 0; !near && k < count; k++)
-            if (!(fabs(plan->unit * t[i + k]) <= plan->farthest))
-                no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        code = near ? code : too_late(plan);
-    }
-    return code;
-}
-
 int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
                           double *omega)
 {
-    return states_at(plan, n, t, q, omega, 0);
-}
-
-/* One state needs no block. */
-int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
-{
-    const double rest = 0.0;
-    double by_time[6], out[7], inner;
+    double by_time[6][BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
-    if (!scaled_times(plan, 1, &t, &inner, &zero))
-        return too_late(plan);
-    if (zero) {
-        at_start(plan, q, omega);
-        return TORQUE_FREE_OK;
+    for (size_t i = 0; i < n; i += BLOCK)
+        if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
+            return TORQUE_FREE_TIME;
+    for (size_t k = 0; k < BLOCK; k++)
+        rest[k] = 0.0;
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        (void)scaled_times(plan, count, t + i, inner, &zero);
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+        block_angles(plan, count, inner, rest, by_time);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        for (size_t k = 0; zero && k < count; k++)
+            if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
+                at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
     }
-    block_angles(plan, 1, 1, &inner, &rest, by_time);
-    block_states(plan, 1, 1, by_time, out, q, omega);
     return TORQUE_FREE_OK;
 }
 
@@ -1868,7 +1681,7 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
 }
 
 /* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
-static void grid_table(const torque_free_plan *plan, double step, double *restrict table)
+static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
 {
     double t[BLOCK], t_lo[BLOCK];
     torque_free_plan from_zero = *plan;
@@ -1879,104 +1692,87 @@ static void grid_table(const torque_free_plan *plan, double step, double *restri
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
-    block_angles(&from_zero, BLOCK, BLOCK, t, t_lo, table);
+    block_angles(&from_zero, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n times, each `every`-th of the grid from number `first` on. */
+/* What changes with time at n times, every `stride`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
-                        size_t every, size_t n, double *restrict by_time)
+                        size_t stride, size_t n, double (*restrict by_time)[BLOCK])
 {
     double t[BLOCK], t_lo[BLOCK];
     for (size_t i = 0; i < n; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+        const pair time = pair_add_xd(two_product((double)(first + i * stride), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    block_angles(plan, n, BLOCK, t, t_lo, by_time);
+    block_angles(plan, n, t, t_lo, by_time);
 }
 
 /* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
    turned. */
 static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
-                        const double *restrict table, double *restrict q, double *restrict omega)
+                        double (*restrict table)[BLOCK], double *restrict q, double *restrict omega)
 {
-    double base[4 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
-    const size_t rows = plan->branch == 0 ? 2 : 4;
+    double base[6][BLOCK], by_time[6][BLOCK];
     grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        for (size_t s = 0; s < rows * BLOCK; s += 2 * BLOCK)
-            turned(count, base[s + k], base[s + BLOCK + k], table + s, table + s + BLOCK, by_time + s,
-                   by_time + s + BLOCK);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        for (int s = 0; s < 2 * plan->branch + 2; s += 2)
+            turned(count, base[s][k], base[s + 1][k], table[s], table[s + 1], by_time[s], by_time[s + 1]);
+        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
     }
 }
 
-/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
-static void grid_states_one_by_one(const torque_free_plan *plan, double start, double step, size_t first,
-                                   size_t n, double *restrict q, double *restrict omega)
+/* The number of the first sample at t = 0 exactly, or n where there is none. */
+static size_t grid_zero(double start, double step, size_t n)
 {
-    double by_time[6 * BLOCK], out[7 * BLOCK];
-    for (size_t i = 0; i < n; i += BLOCK) {
-        const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        if (n - i >= 2 * BLOCK)
-            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        grid_angles(plan, start, step, first + i, 1, count, by_time);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
-    }
-}
-
-/* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
-static size_t grid_zero(double start, double step, size_t first, size_t n)
-{
-    const int stands = is_zero(pair_of(step));
-    const double k = stands ? (double)first : nearest(-start / step);
+    const double k = is_zero(pair_of(step)) ? 0.0 : nearest(-start / step);
     const pair t = pair_add_xd(two_product(k, step), start);
-    const double place = k - (double)first;
-    return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
+    return k >= 0.0 && k < (double)n && fabs(t.hi) <= 0.0 ? (size_t)k : n;
 }
 
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
-                               size_t n, double *q, double *omega)
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
+                               double *q, double *omega)
 {
-    double table[4 * BLOCK];
-    /* Sample number 0 does not depend on the step, however large. */
-    const double inner = plan->unit * start, inner_step = first + n > 1 ? plan->unit * step : 0.0;
-    const double begin = inner + inner_step * (double)first;
-    const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
-    const size_t most = BLOCK * BLOCK;
-    if (!(fabs(inner) <= plan->farthest && fabs(begin) <= plan->farthest && fabs(last) <= plan->farthest))
-        return too_late(plan);
-    if (plan->branch == 2) {
-        grid_states_one_by_one(plan, inner, inner_step, first, n, q, omega);
-    } else {
+    double table[6][BLOCK];
+    /* A single sample does not depend on the step, however large. */
+    const double inner = plan->unit * start, inner_step = n > 1 ? plan->unit * step : 0.0;
+    const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
+    /* On the hyperbolic branch what changes with time is more than sines and cosines. */
+    const int turns = plan->branch != 2;
+    const size_t most = turns ? BLOCK * BLOCK : BLOCK;
+    if (!(fabs(inner) <= plan->farthest && fabs(last) <= plan->farthest))
+        return TORQUE_FREE_TIME;
+    if (turns)
         grid_table(plan, inner_step, table);
-        for (size_t i = 0; i < n; i += most)
-            grid_states(plan, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
-                        omega + 3 * i);
+    for (size_t i = 0; i < n; i += most) {
+        const size_t count = n - i < most ? n - i : most;
+        if (turns) {
+            grid_states(plan, inner, inner_step, i, count, table, q + 4 * i, omega + 3 * i);
+        } else {
+            if (n - i >= 2 * BLOCK)
+                fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+            grid_angles(plan, inner, inner_step, i, 1, count, table);
+            block_states(plan, count, table, q + 4 * i, omega + 3 * i);
+        }
     }
-    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
+    for (size_t i = grid_zero(start, step, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
         at_start(plan, q + 4 * i, omega + 3 * i);
     return TORQUE_FREE_OK;
 }
 
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed)
+                          double *omega, size_t *failed)
 {
     torque_free_plan plan;
     for (size_t k = 0; k < bodies; k++) {
-        double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
         int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = states_at(&plan, n, t, q_k, omega_k, codes != NULL);
-        else if (codes)
-            no_states(n, q_k, omega_k);
-        if (codes) {
-            codes[k] = code;
-        } else if (code != TORQUE_FREE_OK) {
+            code = torque_free_states_at(&plan, n, t, q + 4 * n * k, omega + 3 * n * k);
+        if (code != TORQUE_FREE_OK) {
             *failed = k;
             return code;
         }
@@ -1984,14 +1780,14 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     return TORQUE_FREE_OK;
 }
 
-double torque_free_last_time(const torque_free_plan *plan)
+int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
 {
-    return plan->unit > 0.0 ? fmin(plan->farthest / plan->unit, DBL_MAX) : DBL_MAX;
+    return torque_free_states_at(plan, 1, &t, q, omega);
 }
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "1887850a0efb5cacd8cf1accdc5a04fa3a2dad6ce20a67f90578af32ae430790"; }
+const char *torque_free_digest(void) { return "cdb7890032515f1b742810679fa4a30d4bca9780df612f7112a28061c24e470c"; }
 
 const char *torque_free_message(int code)
 {
@@ -2001,10 +1797,9 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
     case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
+    case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
-    case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }
 }

@@ -74,8 +74,10 @@ def excess(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
-    (formula,) = (f for f in sealed().programmes["plan"] if f.name == "E_b")
-    return evaluate(formula.expression, values, {})
+    formulas = {f.name: f.expression for f in sealed().programmes["plan"]}
+    for name in ("c_ab", "c_bd", "E_b"):
+        values[name] = evaluate(formulas[name], values, {})
+    return values["E_b"]
 
 
 def _steady_regime(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Regime:

@@ -77,6 +77,7 @@ def enclose(sample: Sample, digits: int) -> Reference:
         radii = np.array(_table(lambda x: float(x.rad()), states)).reshape(-1, 7)
     size = lengths(high[:, 4:])[:, None]
     radii[:, 4:] /= size
+    changes[:, 4:] /= size
     return Reference(
         sample,
         motion.polhode.regime,
@@ -135,7 +136,8 @@ def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> Precise
 def _condition(
     motion: PreciseMotion, times: np.ndarray, omega: np.ndarray, slopes: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """What relative changes make of angle and rates, by derivatives (N, 7) of the states.
+    """What relative changes make of angle and rates, by derivatives (N, 7) of the states, those of
+    rates over |omega|.
 
     Those by time are added here: |omega t|, and |omega' t| / |omega|.
     """
@@ -144,7 +146,7 @@ def _condition(
     bend = _bend(motion.inertia, omega / size)
     return {
         "angle": np.hypot(turned, 2 * lengths(slopes[:, :4], 0.0)),
-        "omega": np.hypot(turned * bend, lengths(slopes[:, 4:] / size, 0.0)),
+        "omega": np.hypot(turned * bend, lengths(slopes[:, 4:], 0.0)),
     }
 
 

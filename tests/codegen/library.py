@@ -34,10 +34,10 @@ class Library:
         given = [numbers(values) for values in (inertia, omega0, attitude0)]
         return self._c.torque_free_plan_init(plan, *map(_pointer, given)), plan
 
-    def plan_of_pairs(self, inertia, omega0, attitude0, excess, unit) -> tuple[int, ctypes.Array]:
+    def plan_of_pairs(self, *pairs, unit) -> tuple[int, ctypes.Array]:
         """The same for numbers of two doubles."""
         plan = ctypes.create_string_buffer(ROOM)
-        given = [numbers(values) for values in (inertia, omega0, attitude0, excess)]
+        given = [numbers(values) for values in pairs]
         code = self._c.torque_free_plan_init_pairs(
             plan, *map(_pointer, given), ctypes.c_double(unit)
         )

@@ -346,10 +346,15 @@ def test_a_grid_that_passes_zero_is_at_its_start_there(omega0, any_library):
     ],
 )
 def test_pairs_that_no_plan_is_made_of(code, inertia, omega0, unit, any_library):
-    pairs = [[(x, 0.0) for x in values] for values in (inertia, omega0, (1.0, 0, 0, 0))]
-    found, plan = any_library.plan_of_pairs(*pairs, (0.1, 0.0), unit)
+    given = (inertia, differences(inertia), omega0, (1.0, 0, 0, 0))
+    pairs = [[(x, 0.0) for x in values] for values in given]
+    found, plan = any_library.plan_of_pairs(*pairs, (0.1, 0.0), unit=unit)
     assert found == code
     assert plan.raw == bytes(len(plan)), "a refused call writes nothing"
+
+
+def differences(inertia):
+    return [inertia[k] - inertia[(k + 1) % 3] for k in range(3)]
 
 
 def test_grids_are_right_in_every_regime(built, motions):
@@ -371,8 +376,9 @@ def test_pairs_begin_where_doubles_do(any_library):
     """With no low parts, and the excess of these numbers, both plans give the same states."""
     (d, b, a), (rate_d, _, rate_a), _ = BODY
     excess = a * (a - b) * rate_a**2 - d * (b - d) * rate_d**2
-    pairs = [[(x, 0.0) for x in values] for values in BODY]
-    code, plan = any_library.plan_of_pairs(*pairs, (excess, 0.0), 1.0)
+    given = (BODY[0], differences(BODY[0]), *BODY[1:])
+    pairs = [[(x, 0.0) for x in values] for values in given]
+    code, plan = any_library.plan_of_pairs(*pairs, (excess, 0.0), unit=1.0)
     assert code == 0
     _, found = any_library.states(plan, [0.0, 1.0, 50.0])
     _, other = any_library.plan(*BODY)

@@ -109,8 +109,8 @@ MUTANTS = [
     ),
     (
         "regular",
-        "m = E_a*(c_d - c_b)/(E_d*(c_b - c_a))",
-        "m**2 = E_a*(c_d - c_b)/(E_d*(c_b - c_a))",
+        "m = E_a*c_bd/(E_d*c_ab)",
+        "m**2 = E_a*c_bd/(E_d*c_ab)",
     ),
     (
         "regular",

@@ -95,6 +95,24 @@ def test_exact_numbers_are_not_rounded_first(c, inertia, omega0):
     assert_near(c.states(plan, t), expected, [float(x) for x in omega0])
 
 
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize(
+    "inertia",
+    [
+        ("1e-25", "1", "1.00000000000000000000000007"),
+        ("1e-10", "1", "1.00000000003"),
+        # The sums of two doubles next to the larger two are the same.
+        ("0.9", "1/3", "0.3333333333333333333333333333333333333333"),
+    ],
+)
+def test_differences_of_moments_are_not_lost_however_late(request, engine, inertia):
+    run = NUMPY if engine == "numpy" else request.getfixturevalue("c")
+    exact = tuple(tuple(map(Fraction, x)) for x in (inertia, ("1", "0.3", "0.2"), IDENTITY))
+    t = np.array([5e3, -1e6, 2.0**45])
+    expected = TorqueFreeMotion(*exact, allow_nonphysical=True).precise(t.tolist(), 20)
+    assert_near(run.states(run.exact_plan(*exact), t), expected, [1.0])
+
+
 @pytest.mark.parametrize("body", BODIES)
 def test_states_do_not_depend_on_company(c, body, many_threads):
     plan = c.plan(*BODIES[body])

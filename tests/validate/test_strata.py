@@ -65,9 +65,12 @@ def test_every_sample_can_exist_and_be_followed(stratum):
         rate = math.hypot(*sample.omega0)
         assert all(rate * abs(t) <= FARTHEST for t in sample.times)
         assert 0.0 in sample.times
-        assert 10 <= len(sample.times) <= 40
+        assert 10 <= len(sample.times) <= 45
         assert max(sample.times) > 0
-        assert stratum == "paper" or min(sample.times) < 0
+        assert min(sample.times) < 0
+        # Nothing is excepted: every stratum goes as far as the domain and doubles do.
+        latest = max(map(abs, sample.times))
+        assert rate * latest > FARTHEST / 4 or not rate or latest == 2.0**1023
 
 
 @pytest.mark.parametrize("stratum", [name for name in STRATA if STRATA[name].size])
@@ -117,7 +120,7 @@ DISTANCES = {
     "near spin, middle": (tilt, 1, 84),
     "near spin, smallest": (tilt, 1, 299),
     "rod": (lambda s: min(s.inertia) / max(s.inertia), 1, 14),
-    "needle": (lambda s: min(s.inertia) / max(s.inertia), 16, 58),
+    "needle": (lambda s: min(s.inertia) / max(s.inertia), 1, 58),
 }
 
 
@@ -292,9 +295,11 @@ def quarter_period(sample):
 
 def test_long_times_reach_the_end():
     for stratum, most in (("long times", 1e6), ("longest times", FARTHEST)):
-        turned = [abs(t) * math.hypot(*s.omega0) for s in drawn(stratum) for t in s.times if t]
-        assert most / 2 < max(turned) < most
-        assert min(turned) < 1
+        listed = drawn(stratum)
+        turned = [[abs(t) * math.hypot(*s.omega0) for t in s.times[1:9]] for s in listed]
+        assert most / 2 < max(map(max, turned)) < most
+        assert all(max(angles) > most / 4 for angles in turned)
+        assert min(abs(t) for s in listed for t in s.times if t) < 1
 
 
 def test_published_motions_are_exact_decimals():

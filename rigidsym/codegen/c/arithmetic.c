@@ -31,7 +31,9 @@ static int differences_hold(void)
     pair x[5];
     for (int k = 0; k < 5; k++)
         x[k] = pair_of(zero + given[k]);
-    return is_pair(excess_pair(x[0], x[1], x[2], x[3], x[4]), 0.004108897986419382, -6.277847770376781e-21);
+    const pair above = pair_add_xx(x[0], pair_neg(x[1])), below = pair_add_xx(x[1], pair_neg(x[2]));
+    return is_pair(excess_pair(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
+                   -6.277847770376781e-21);
 }
 
 /* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its

@@ -20,49 +20,56 @@ static int all_finite(size_t n, const double *x)
     return 1;
 }
 
-static int same(pair x, pair y) { return !(x.hi < y.hi || x.hi > y.hi || x.lo < y.lo || x.lo > y.lo); }
 static int is_zero(pair x) { return !(x.hi < 0.0 || x.hi > 0.0); }
-static int is_below(pair x, pair y) { return x.hi < y.hi || (!(x.hi > y.hi) && x.lo < y.lo); }
+
+/* c_j - c_k of two different axes, from what each moment is above the next in turn. */
+static pair difference(const pair apart[3], int j, int k)
+{
+    return k == (j + 1) % 3 ? apart[j] : pair_neg(apart[k]);
+}
 
 /* True where momentum and rates are parallel. */
-static int is_steady(const pair c[3], const pair omega[3])
+static int is_steady(const pair apart[3], const pair omega[3])
 {
-    for (int j = 0; j < 3; j++) {
-        const int k = (j + 1) % 3;
-        if (!same(c[j], c[k]) && !is_zero(omega[j]) && !is_zero(omega[k]))
+    for (int j = 0; j < 3; j++)
+        if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
             return 0;
-    }
     return 1;
 }
 
 /* The axes by their moments, largest first; equal ones stay in their order. */
-static void sorted(const pair c[3], int axis[3])
+static void sorted(const pair apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
         axis[k] = k;
     for (int pass = 0; pass < 2; pass++)
         for (int k = 0; k < 2; k++)
-            if (is_below(c[axis[k]], c[axis[k + 1]])) {
+            if (difference(apart, axis[k], axis[k + 1]).hi < 0.0) {
                 const int first = axis[k];
                 axis[k] = axis[k + 1];
                 axis[k + 1] = first;
             }
 }
 
-/* E_b to all digits of a pair: in exact arithmetic where its terms cancel. */
-static pair excess_of(const pair c[3], const pair omega[3], const int axis[3])
+/* E_b of doubles to all digits of a pair: in exact arithmetic where its terms cancel. */
+static pair excess_of(const pair c[3], const pair apart[3], const pair omega[3], const int axis[3])
 {
+    const pair c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    const pair c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
     const pair zero = {0.0, 0.0};
     const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
     const int scale = exponent_of(2, rates);
     const pair a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
-    const pair over = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], a, zero);
-    const pair under = excess_pair(c[axis[0]], c[axis[1]], c[axis[2]], zero, d);
+    const pair over = excess_pair(c_a, c_d, c_ab, c_bd, a, zero);
+    const pair under = excess_pair(c_a, c_d, c_ab, c_bd, zero, d);
     const pair sum = pair_add_xx(over, under);
     if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
         return scaled(sum, 2 * scale);
-    return scaled(exact_to_pair(excess_exact(exact_of(c[axis[0]].hi), exact_of(c[axis[1]].hi),
-                                             exact_of(c[axis[2]].hi), exact_of(a.hi), exact_of(d.hi))),
+    const exact moment_b = exact_of(c_b.hi);
+    const exact above = exact_sub_xx(exact_of(c_a.hi), moment_b);
+    const exact below = exact_sub_xx(moment_b, exact_of(c_d.hi));
+    return scaled(exact_to_pair(excess_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
+                                             exact_of(a.hi), exact_of(d.hi))),
                   2 * scale);
 }
 
@@ -95,16 +102,18 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair omega[3],
-                       const pair q[4], pair E_b)
+static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair apart[3],
+                       const pair omega[3], const pair q[4], pair E_b)
 {
     const int *axis = plan->axis;
     const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
+    const pair c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
+    const pair c_bd = difference(apart, axis[1], axis[2]);
     const pair Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
     const pair q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
     const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
-    const double rho = is_below(c_a, c_d) ? -1.0 : 1.0;
+    const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
     const double unit = plan->unit, *constants;
     size_t n;
@@ -144,13 +153,13 @@ static double log2_sum(double x, double y)
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
    no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
    zero, of the spin both are.  What of them is not zero may grow to 2^@tolerated@ of the momentum. */
-static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const pair given[3],
-                   pair *E_b, int is_faint)
+static void follow(torque_free_plan *plan, const pair c[3], const pair apart[3], pair omega[3],
+                   const pair given[3], pair *E_b, int is_faint)
 {
     const int *axis = plan->axis;
     const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
-    const double over = fabs(pair_add_xx(c[axis[0]], pair_neg(c[axis[1]])).hi);
-    const double under = fabs(pair_add_xx(c[axis[2]], pair_neg(c[axis[1]])).hi);
+    const double over = fabs(difference(apart, axis[0], axis[1]).hi);
+    const double under = fabs(difference(apart, axis[1], axis[2]).hi);
     const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
     const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
     double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
@@ -181,9 +190,10 @@ static void follow(torque_free_plan *plan, const pair c[3], pair omega[3], const
         omega[axis[k]] = pair_of(0.0);
 }
 
-/* c, omega and q in inner units; `given` are the rates before faint ones were taken for zero. */
-static int init(torque_free_plan *plan, const pair c[3], const pair given[3], const pair q[4],
-                const pair *known, double unit)
+/* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
+   before faint ones were taken for zero. */
+static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], const pair given[3],
+                const pair q[4], const pair *known, double unit)
 {
     torque_free_plan made;
     pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
@@ -201,28 +211,28 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
     }
     for (int k = 0; k < 3; k++)
         made.omega0[k] = given[k].hi * unit;
-    sorted(c, made.axis);
-    pair excess = known ? *known : excess_of(c, omega, made.axis);
-    const int distinct = !same(c[0], c[1]) && !same(c[1], c[2]) && !same(c[2], c[0]);
+    sorted(apart, made.axis);
+    pair excess = known ? *known : excess_of(c, apart, omega, made.axis);
+    const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
     const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
     int lost = 0;
     for (int k = 0; k < 3; k += 2)
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
-        follow(&made, c, omega, given, &excess, faint);
+        follow(&made, c, apart, omega, given, &excess, faint);
     if (excess.hi < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    const int steady = is_steady(c, omega);
+    const int steady = is_steady(apart, omega);
     int code = TORQUE_FREE_OK;
     if (!is_rounded_once())
         return TORQUE_FREE_ARITHMETIC;
     if (steady)
         steady_init(&made, omega, unit_q);
     else
-        code = moving_init(&made, c, omega, unit_q, excess);
+        code = moving_init(&made, c, apart, omega, unit_q, excess);
     if (code == TORQUE_FREE_OK)
         *plan = made;
     return code;
@@ -231,7 +241,7 @@ static int init(torque_free_plan *plan, const pair c[3], const pair given[3], co
 int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
                           const double attitude0[4])
 {
-    pair c[3], omega[3], q[4];
+    pair c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
@@ -257,26 +267,31 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     }
     if (is_zero_attitude)
         return TORQUE_FREE_ATTITUDE;
-    const int code = init(plan, c, omega, q, NULL, ldexp(1.0, scale));
+    /* Differences of doubles are pairs exactly. */
+    for (int k = 0; k < 3; k++)
+        apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
+    const int code = init(plan, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
         plan->omega0[k] = omega0[k];
     return code;
 }
 
 int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
-                                const double omega0[3][2], const double attitude0[4][2],
-                                const double excess[2], double unit)
+                                const double differences[3][2], const double omega0[3][2],
+                                const double attitude0[4][2], const double excess[2], double unit)
 {
-    pair c[3], omega[3], q[4];
+    pair c[3], apart[3], omega[3], q[4];
     for (int k = 0; k < 4; k++) {
         const pair one = {attitude0[k][0], attitude0[k][1]};
         q[k] = one;
     }
     for (int k = 0; k < 3; k++) {
         const pair moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
+        const pair above = {differences[k][0], differences[k][1]};
         c[k] = moment;
+        apart[k] = above;
         omega[k] = rate;
-        if (!all_finite(2, inertia[k]) || !all_finite(2, omega0[k]))
+        if (!all_finite(2, inertia[k]) || !all_finite(2, differences[k]) || !all_finite(2, omega0[k]))
             return TORQUE_FREE_NOT_FINITE;
         if (!(moment.hi > 0.0))
             return TORQUE_FREE_INERTIA;
@@ -292,7 +307,7 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
     const pair known = {excess[0], excess[1]};
-    return init(plan, c, omega, q, &known, unit);
+    return init(plan, c, apart, omega, q, &known, unit);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */

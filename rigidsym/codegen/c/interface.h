@@ -33,11 +33,13 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
                           const double attitude0[4]);
 
 /* The same for numbers known beyond binary64, each the sum of two doubles {hi, lo}; sizes are as if
-   the largest moment and the largest rate were between 1/2 and 4.  excess: K^2 - 2 H c_b, b the
-   middle axis, whose sign is the regime's; rates are times `unit` rad/s, a power of two. */
+   the largest moment and the largest rate were between 1/2 and 4.  What pairs would lose by
+   subtraction is asked for, right to all digits of a pair: differences, moments 0 less 1, 1 less 2
+   and 2 less 0, and excess, K^2 - 2 H c_b, b the middle axis, whose sign is the regime's.  Rates are
+   times `unit` rad/s, a power of two. */
 int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
-                                const double omega0[3][2], const double attitude0[4][2],
-                                const double excess[2], double unit);
+                                const double differences[3][2], const double omega0[3][2],
+                                const double attitude0[4][2], const double excess[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
    attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_TIME

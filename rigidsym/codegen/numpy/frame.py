@@ -19,6 +19,7 @@ from rigidsym.codegen.numpy.stubs import (
     _excess,
     _Pair,
     _steady_plan,
+    _two_sum,
 )
 
 # --- frame ---
@@ -61,36 +62,44 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
         stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
         rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
     (c, _), (omega, unit), (q, _) = map(_scaled, rows)
-    made = _plan(_Pair(c, 0 * c), _Pair(omega, 0 * omega), _Pair(q, 0 * q), unit, shape, refused)
+    # Differences of doubles are two doubles exactly.
+    apart = _Pair(*_two_sum(c, -np.roll(c, -1, -1)))
+    pairs = _Pair(c, 0 * c), apart, _Pair(omega, 0 * omega), _Pair(q, 0 * q)
+    made = _plan(*pairs, unit, shape, refused)
     made["omega0"] = rows[1].copy()
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
 
 
-def plan_from_pairs(inertia, omega0, attitude0, excess, unit):
+def plan_from_pairs(inertia, differences, omega0, attitude0, excess, unit):
     """The plan of one motion whose numbers are known beyond binary64, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
-    1/2 and 4 has; excess (2,): K^2 - 2 H c_b, b the middle axis; unit: the power of two, in rad/s,
-    that rates are times.  Raises ValueError as `plan`.
+    1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
+    1, 1 less 2 and 2 less 0, and from excess (2,): K^2 - 2 H c_b, b the middle axis; unit: the
+    power of two, in rad/s, that rates are times.  Raises ValueError as `plan`.
     """
-    pairs = (np.asarray(x, float).T[:, None] for x in (inertia, omega0, attitude0))
+    given = (inertia, differences, omega0, attitude0)
+    c, apart, omega, q = (_Pair(*np.asarray(x, float).T[:, None]) for x in given)
     known = _Pair(*(np.array([x]) for x in excess))
-    return _plan(*(_Pair(hi, lo) for hi, lo in pairs), np.array([[unit]]), (), None, known)
+    return _plan(c, apart, omega, q, np.array([[unit]]), (), None, known)
 
 
 @np.errstate(all="ignore")
-def _plan(c, given, q, unit, shape, refused, excess=None):
+def _plan(c, apart, given, q, unit, shape, refused, excess=None):
     """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units; refused
-    (B,) is where bodies that are are noted, None to raise an error instead."""
+    (B,) is where bodies that are are noted, None to raise an error instead.
+
+    apart (B, 3): what each moment is above the next in turn.
+    """
     length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
     omega = _Pair(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
-    axes, excess = _axes(c, omega, excess)
-    axes, omega, excess, reach = _followed(c, axes, omega, given, excess)
-    steady = _is_steady(c, omega)
+    axes, excess = _axes(c, apart, omega, excess)
+    axes, omega, excess, reach = _followed(c, apart, axes, omega, given, excess)
+    steady = _is_steady(apart, omega)
     made = {
         "shape": shape,
         # Nothing turns at rest, however long it takes.
@@ -106,23 +115,25 @@ def _plan(c, given, q, unit, shape, refused, excess=None):
         index = np.flatnonzero(steady)
         made["groups"].append(("steady", index, _steady(omega[index], [x[index] for x in q])))
     if not np.all(steady):
-        _add_moving(made, np.flatnonzero(~steady), c, omega, q, excess, refused)
+        _add_moving(made, np.flatnonzero(~steady), c, apart, omega, q, excess, refused)
     return made
 
 
-def _add_moving(made, index, c, omega, q, excess, refused):
+def _add_moving(made, index, c, apart, omega, q, excess, refused):
     """The groups of moving bodies: the circular and the hyperbolic branch."""
     axes = made["axes"][index]
     inertia = [c[index, axes[:, k]] for k in range(3)]
+    differences = _differences(apart[index], axes)
     rates = [omega[index, axes[:, k]] for k in range(3)]
     parts = np.stack([x.hi for x in q], -1), np.stack([x.lo for x in q], -1)
     vector = [_Pair(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
     epsilon = np.where((axes[:, 1] - axes[:, 0]) % 3 == 1, 1.0, -1.0)
     sigma = np.where(rates[0].hi < 0, -1.0, 1.0)
-    rho = np.where(_is_below(inertia[0], inertia[2]), -1.0, 1.0)
+    rho = np.where(differences[1].hi < 0, -1.0, 1.0)
     chi = np.where(-rho * epsilon * sigma * rates[2].hi < 0, -1.0, 1.0)
     signs = {"epsilon": epsilon, "sigma": sigma, "rho": rho, "chi": chi}
     known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
+    known |= dict(zip(("c_ab", "c_ad", "c_bd"), differences, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
     known |= signs | {"E_b": excess[index], "unit": made["unit"][index]}
@@ -395,23 +406,26 @@ def _refuse(field, rule, bodies, refused):
         raise _RefusedError(f"{field}: {rule}", int(bodies[0]))
 
 
-def _followed(c, axes, omega, given, excess):
+def _followed(c, apart, axes, omega, given, excess):
     """Axes, rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
     """
     reach = np.full(len(axes), FARTHEST)
-    distinct = ~(_same(c[:, 0], c[:, 1]) | _same(c[:, 1], c[:, 2]) | _same(c[:, 2], c[:, 0]))
+    distinct = np.all(apart.hi != 0, -1)
     kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
     lost = np.any((kept == 0) & (before != 0), -1)
     faint = (excess.hi != 0) & (np.abs(excess.hi) < FAINTEST)
     at = np.flatnonzero(distinct & (lost | faint))
     if not at.size:
         return axes, omega, excess, reach
-    inertia = [c[at, axes[at, k]] for k in range(3)]
+    inertia = np.take_along_axis(c.hi[at], axes[at], -1)
+    between = _differences(apart[at], axes[at])
     rates = np.take_along_axis(given.hi[at], axes[at], -1)
-    turns, spins, times = _blurred(inertia, rates, kept[at] == 0, excess.hi[at], faint[at])
+    turns, spins, times = _blurred(
+        inertia, between, rates, kept[at] == 0, excess.hi[at], faint[at]
+    )
     reach[at] = np.where(turns, times, FARTHEST)
     middle = axes[at, 1, None] == np.arange(3)
     zero = spins[:, None] & ~middle
@@ -421,13 +435,13 @@ def _followed(c, axes, omega, given, excess):
     for part in (excess.hi, excess.lo):
         part[at] = np.where(turns, 0.0, part[at])
     # On the separatrix, a is the axis of largest inertia.
-    upside_down = turns & _is_below(inertia[0], inertia[2])
+    upside_down = turns & (between[1].hi < 0)
     axes = axes.copy()
     axes[at] = np.where(upside_down[:, None], axes[at, ::-1], axes[at])
     return axes, omega, excess, reach
 
 
-def _blurred(inertia, rates, lost, excess, faint):
+def _blurred(inertia, between, rates, lost, excess, faint):
     """Which motions are not followed but as separatrix or spin, which as spin, up to what times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
@@ -436,8 +450,8 @@ def _blurred(inertia, rates, lost, excess, faint):
     one is zero, of the spin both are.  What of them is not zero may grow to 2^TOLERATED of the
     momentum.  Logarithms have base 2, because the numbers leave binary64.
     """
-    c_a, c_b, c_d = (x.hi for x in inertia)
-    over, under = (np.abs((inertia[k] - inertia[1]).hi) for k in (0, 2))
+    c_a, c_b, c_d = inertia.T
+    over, under = (np.abs(between[k].hi) for k in (0, 2))
     weights = np.log2(c_a * over) / 2, np.log2(c_d * under) / 2
     parts = [w + np.log2(np.abs(rates[:, k])) for w, k in zip(weights, (0, 2), strict=True)]
     size = np.logaddexp2(*parts)
@@ -469,25 +483,27 @@ def _scaled(x):
     )
 
 
-def _same(x, y):
-    return (x.hi == y.hi) & (x.lo == y.lo)
+def _differences(apart, axes):
+    """c_a - c_b, c_a - c_d and c_b - c_d as pairs of shape (B,)."""
+    rows, found = np.arange(len(axes)), []
+    for x, y in ((0, 1), (0, 2), (1, 2)):
+        first, other = axes[:, x], axes[:, y]
+        sign = np.where((other - first) % 3 == 1, 1.0, -1.0)
+        which = rows, np.where(sign > 0, first, other)
+        found.append(_Pair(sign * apart.hi[which], sign * apart.lo[which]))
+    return found
 
 
-def _is_below(x, y):
-    return (x.hi < y.hi) | ((x.hi == y.hi) & (x.lo < y.lo))
-
-
-def _is_steady(c, omega):
+def _is_steady(apart, omega):
     """True where M and Omega are parallel, decided without rounding."""
-    steady = np.ones(c.hi.shape[:-1], bool)
-    for j, k in ((0, 1), (1, 2), (2, 0)):
-        steady &= _same(c[:, j], c[:, k]) | (omega.hi[:, j] == 0) | (omega.hi[:, k] == 0)
-    return steady
+    still = (apart.hi == 0) | (omega.hi == 0) | (np.roll(omega.hi, -1, -1) == 0)
+    return np.all(still, -1)
 
 
-def _axes(c, omega, excess):
+def _axes(c, apart, omega, excess):
     """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
-    order = np.lexsort((c.lo, c.hi), axis=-1)
+    # By how many moments are below each, less those above.
+    order = np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")
     if excess is None:
         excess = _exact_excess(c.hi, omega.hi, order[:, ::-1])
     return np.where(excess.hi[:, None] >= 0, order[:, ::-1], order), excess
@@ -501,7 +517,8 @@ def _exact_excess(c, omega, axes):
     inertia = [_Pair(c[:, k]) for k in range(3)]
     rate_a, rate_d = (_Pair(np.ldexp(rates[:, k], -exponent)) for k in range(2))
     zero = _Pair(0.0 * rate_a.hi)
-    over, under = _excess(*inertia, rate_a, zero), _excess(*inertia, zero, rate_d)
+    known = inertia[0], inertia[2], inertia[0] - inertia[1], inertia[1] - inertia[2]
+    over, under = _excess(*known, rate_a, zero), _excess(*known, zero, rate_d)
     excess = over + under
     excess = _Pair(np.ldexp(excess.hi, 2 * exponent), np.ldexp(excess.lo, 2 * exponent))
     cancels = np.abs(over.hi + under.hi) <= 2.0**-10 * (over.hi - under.hi)
@@ -513,7 +530,7 @@ def _exact_excess(c, omega, axes):
 def _integer_excess(c, omega):
     """E_b of one motion in integer arithmetic, as two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
-    excess = _excess(*c, omega[0], omega[2])
+    excess = _excess(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
     shift = max(0, abs(excess).bit_length() - 160)
     kept = excess >> shift
     hi = float(kept)

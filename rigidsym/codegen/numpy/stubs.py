@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from rigidsym.codegen.numpy.pairs import _Pair
+from rigidsym.codegen.numpy.pairs import _Pair, _two_sum
 
 __all__ = [
     "BRANCHES",
@@ -17,6 +17,7 @@ __all__ = [
     "_Pair",
     "_excess",
     "_steady_plan",
+    "_two_sum",
 ]
 
 START: dict[str, Any] = {}

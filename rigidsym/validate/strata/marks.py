@@ -60,13 +60,23 @@ def body(random: Random, index: int) -> Motion:
 
 
 def zeros(random: Random, index: int, motion: Motion) -> Floats:
-    """t = 0, and around a zero of each rate that has any: ulps away on both sides, and 1e-9."""
+    """t = 0, and around a zero of each rate that has any: ulps away on both sides, and 1e-9.
+
+    And on both sides of the last zero of each, where an ulp is a hundredth of a radian.
+    """
     found = marks(motion)
     # The argument begins within two quarter periods of zero: these zeros are never near t = 0.
     half = int(10 ** random.uniform(0, 5)) + 1
     sign = random.choice((-1, 1))
     even, odd = found.zero(sign * 2 * half), found.zero(-sign * (2 * half + 1))
-    return (0.0, *_around(even), *_around(odd))
+    last = [found.zero(sign * number) for number in _last_zeros(motion, found)]
+    return (0.0, *_around(even), *_around(odd), *(t for zero in last for t in _next_to(zero)))
+
+
+def _last_zeros(motion: Motion, found: Marks) -> tuple[int, int]:
+    """The numbers of the last zeros, an even and an odd one, two periods before the end."""
+    half = int(FARTHEST / (turning(motion) * float(found.quarter))) // 2 - 4
+    return 2 * half, 2 * half + 1
 
 
 def quarters(random: Random, index: int, motion: Motion) -> Floats:

@@ -46,13 +46,14 @@ def exactly_symmetric(random: Random, index: int) -> Motion:
     split = exact_decade(index, 17, 300)
     *others, lone = _decimals(random)
     lone *= random.choice((1, 1, max(_FAINTEST, exact_decade(index, 9, 150))))
-    return mixed(random, [Fraction(1), 1 + split, Fraction(third, 100)], [*others, lone])
+    inertia = _sized(random, [Fraction(1), 1 + split, Fraction(third, 100)])
+    return mixed(random, inertia, [*others, lone])
 
 
 def exactly_spherical(random: Random, index: int) -> Motion:
     """Moments that differ by some powers of ten from 1e-17 to 1e-250."""
     step = exact_decade(index, 17, 250)
-    inertia = [1 + k * step for k in random.sample(range(-9, 10), 3)]
+    inertia = _sized(random, [1 + k * step for k in random.sample(range(-9, 10), 3)])
     return mixed(random, inertia, _decimals(random))
 
 
@@ -63,9 +64,15 @@ def decimals(random: Random, index: int) -> Motion:
         omega = [Fraction(3, 10), Fraction(random.randint(-99, 99), 100), Fraction(1, 10)]
     else:
         step = exact_decade(index, 2, 19)
-        inertia = [1 + random.randint(-9, 9) * step for _ in range(3)]
+        inertia = _sized(random, [1 + random.randint(-9, 9) * step for _ in range(3)])
         omega = _decimals(random)
     return mixed(random, inertia, omega)
+
+
+def _sized(random: Random, inertia: list[Fraction]) -> list[Fraction]:
+    """The moments in other units: no sum of two doubles is what they differ by from round ones."""
+    size = Fraction(random.randint(1, 999), 1000)
+    return [size * moment for moment in inertia]
 
 
 def _decimals(random: Random) -> list[Fraction]:
@@ -97,7 +104,7 @@ def rod(random: Random, index: int) -> Motion:
 
 
 def needle(random: Random, index: int) -> Motion:
-    """One moment is 1e-16 to 1e-59 of the others, which differ by less."""
-    thin = exact_decade(index, 16, 59)
+    """One moment is 1e-1 to 1e-59 of the others, which differ by less."""
+    thin = exact_decade(index, 1, 59)
     inertia = [thin, Fraction(1), 1 + thin * Fraction(random.randint(1, 10), 10)]
-    return mixed(random, inertia, rates(random))
+    return mixed(random, _sized(random, inertia), rates(random))

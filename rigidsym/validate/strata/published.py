@@ -9,7 +9,7 @@ from typing import Any
 
 from rigidsym.cases import paper_case
 from rigidsym.validate.strata.sample import Floats, Motion, Numbers
-from rigidsym.validate.strata.times import turns
+from rigidsym.validate.strata.times import late, turns
 
 _ENOUGH = 10
 
@@ -28,10 +28,11 @@ def motion(random: Random, index: int) -> Motion:
 
 
 def times(random: Random, index: int, motion: Motion) -> Floats:
-    """t = 0 and the published times, both ways, and others where these are few."""
+    """t = 0 and the published times, both ways, others where these are few, and late ones."""
     known = {sign * float(Fraction(t)) for t in published()[index]["times"] for sign in (-1, 1)}
     listed = (0.0, *sorted(known))
-    return (listed + turns(50)(random, index, motion)[1:])[: max(len(listed), _ENOUGH)]
+    some = (listed + turns(50)(random, index, motion)[1:])[: max(len(listed), _ENOUGH)]
+    return some + late(random, motion, 50)
 
 
 def _numbers(texts: list[str]) -> Numbers:
@@ -46,5 +47,5 @@ def paper(random: Random, index: int) -> Motion:
 
 
 def paper_times(random: Random, index: int, motion: Motion) -> Floats:
-    """Every tenth of the paper's times."""
-    return tuple(map(float, paper_case().times[::10]))
+    """Every tenth of the paper's times, and late ones; as there is one case, always the same."""
+    return tuple(map(float, paper_case().times[::10])) + late(Random("paper"), motion, 50)

@@ -25,7 +25,7 @@ _LISTED = (
     Stratum("paper", "the paper's body as doubles", published.paper, published.paper_times, 1),
     Stratum(
         "published",
-        "motions published by others, as exact decimals, at the published times",
+        "motions published by others, as exact decimals, at the published times and late ones",
         published.motion,
         published.times,
         len(published.published()),
@@ -87,7 +87,7 @@ _LISTED = (
     Stratum("flat", "the largest moment is exactly the sum of the others", edges.flat, _SOME),
     Stratum("rod", "one moment is 1e-1 to 1e-15 of the others", near.rod, _SOME),
     Stratum(
-        "needle", "exact decimals: one moment is 1e-16 to 1e-59 of the others", near.needle, _SOME
+        "needle", "exact decimals: one moment is 1e-1 to 1e-59 of the others", near.needle, _SOME
     ),
     Stratum(
         "special values",
@@ -120,11 +120,11 @@ _LISTED = (
         near.decimals,
         turns(100),
     ),
-    Stratum("long times", "any body, up to 1e6 rad", bodies.uniform, turns(1e6)),
-    Stratum("longest times", "any body, up to 2^46 rad", bodies.uniform, turns(FARTHEST)),
+    Stratum("long times", "any body, evenly up to 1e6 rad", bodies.uniform, turns(1e6)),
+    Stratum("longest times", "any body, evenly up to 2^46 rad", bodies.uniform, turns(FARTHEST)),
     Stratum(
         "near separatrix, long",
-        "doubles 1e-1 to 1e-16 from the separatrix, up to 2^46 rad",
+        "doubles 1e-1 to 1e-16 from the separatrix, evenly up to 2^46 rad",
         separatrix.near,
         turns(FARTHEST),
     ),

@@ -194,8 +194,8 @@ _GEOMETRY = (
         "sign",
         "rho turned",
         _MOVING,
-        "rho = is_below(c_a, c_d) ? -1.0 : 1.0",
-        "rho = is_below(c_a, c_d) ? 1.0 : -1.0",
+        "rho = c_ad.hi < 0.0 ? -1.0 : 1.0",
+        "rho = c_ad.hi < 0.0 ? 1.0 : -1.0",
     ),
     _fault(
         "sign",
@@ -267,15 +267,16 @@ _DECISIONS = (
         "branch",
         "steady decided without the last two axes",
         "static int is_steady(",
-        "!same(c[j], c[k])",
-        "!same(c[j], c[k]) && j != 2",
+        "!is_zero(apart[j])",
+        "!is_zero(apart[j]) && j != 2",
     ),
     _fault(
         "branch",
-        "moments compared as doubles",
-        "static int is_zero(",
-        "x.hi < y.hi || (!(x.hi > y.hi) && x.lo < y.lo)",
-        "x.hi < y.hi",
+        "differences taken from what moments are rounded to",
+        "int torque_free_plan_init_pairs(",
+        "const pair above = {differences[k][0], differences[k][1]};",
+        "const double *next = inertia[(k + 1) % 3];"
+        " const pair less = {-next[0], -next[1]}, above = pair_add_xx(moment, less);",
     ),
     _fault(
         "winding",

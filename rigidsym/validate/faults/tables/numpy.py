@@ -249,8 +249,8 @@ _GEOMETRY = (
         "sign",
         "rho never negative",
         _MOVING,
-        "rho = np.where(_is_below(inertia[0], inertia[2]), -1.0, 1.0)",
-        "rho = np.where(_is_below(inertia[0], inertia[2]), 1.0, 1.0)",
+        "rho = np.where(differences[1].hi < 0, -1.0, 1.0)",
+        "rho = np.where(differences[1].hi < 0, 1.0, 1.0)",
     ),
     _fault(
         "sign",
@@ -328,16 +328,23 @@ _DECISIONS = (
     _fault(
         "branch",
         "moments that nearly agree taken for equal",
-        "def _same(",
-        "(x.hi == y.hi)",
-        "(np.abs(x.hi - y.hi) < 1e-12)",
+        "def _is_steady(",
+        "(apart.hi == 0)",
+        "(np.abs(apart.hi) < 1e-12)",
     ),
     _fault(
         "branch",
         "moments sorted as doubles",
         "def _axes(",
-        "np.lexsort((c.lo, c.hi), axis=-1)",
+        'np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")',
         "np.argsort(c.hi, axis=-1, kind='stable')",
+    ),
+    _fault(
+        "branch",
+        "differences taken from what moments are rounded to",
+        "def plan_from_pairs(",
+        "return _plan(c, apart,",
+        "return _plan(c, c - _Pair(np.roll(c.hi, -1, -1), np.roll(c.lo, -1, -1)),",
     ),
     _fault(
         "branch",
