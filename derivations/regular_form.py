@@ -98,7 +98,7 @@ def derive(book: Book) -> None:
     book.open(join("regular", *REGULAR))
     book.claim("regular.euler", EULER, ["5", "10"])
     for name, form in DIFFERENCES.items():
-        book.claim(f"regular.{name}", {name: form})
+        book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
     for name, form in BY_RATES.items():
         book.claim(f"regular.{name}", {name: form}, ["6", "15"])
     square = "(M_a**2 + M_b**2 + M_d**2)"

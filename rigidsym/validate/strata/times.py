@@ -1,4 +1,4 @@
-"""When a motion is wanted, by the angle it has turned: in every stratum to the end of the domain."""
+"""When a motion is wanted, by the angle it turned: in every stratum to the end of the domain."""
 
 import math
 from collections.abc import Sequence
