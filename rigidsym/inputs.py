@@ -117,6 +117,20 @@ def _long_text(text: str) -> Fraction:
     return Fraction(Decimal(top)) / (Fraction(Decimal(bottom)) if slash else 1)
 
 
+def floats(values: Any, length: int) -> tuple[float, ...] | None:
+    """The values where they are as many finite floats as said, so that nothing has to be read."""
+    if type(values) not in (tuple, list) or len(values) != length:
+        return None
+    plain = all(type(x) is float for x in values) and math.isfinite(sum(map(abs, values)))
+    return tuple(values) if plain else None
+
+
+def are_moments(values: Sequence[float]) -> bool:
+    """Whether a body has these moments beyond the rounding of their sum; `inertia` asks closer."""
+    low, middle, high = sorted(values)
+    return low > 0 and low + middle >= high * (1 + 2.0**-50)
+
+
 def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain, ...]":
     """A vector of exact or uncertain numbers; raises InputError for a wrong length or number."""
     items = sequence(field, values)

@@ -1,5 +1,6 @@
 """Torque-free motion of a rigid body: the public class, on an engine."""
 
+import math
 import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from rigidsym.solution.polhode import Regime
 
 IDENTITY = (1, 0, 0, 0)
+_IDENTITY = tuple(map(float, IDENTITY))
 _OF_THIS_PROCESS = ("_plan", "_engine", "_precise", "_boxed")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
@@ -47,10 +49,8 @@ class TorqueFreeMotion:
     """
 
     engine: str
-    inertia: "tuple[Fraction | inputs.Uncertain, ...]"
-    omega0: "tuple[Fraction | inputs.Uncertain, ...]"
-    attitude0: "tuple[Fraction | inputs.Uncertain, ...]"
     allow_nonphysical: bool
+    _floats: dict[str, tuple[float, ...]]
 
     def __init__(
         self,
@@ -61,14 +61,31 @@ class TorqueFreeMotion:
         engine: str = "numpy",
         allow_nonphysical: bool = False,
     ) -> None:
+        floats = _floats(inertia, omega0, attitude0)
+        given: dict[str, Any] = {"_floats": floats, "allow_nonphysical": allow_nonphysical}
+        given["engine"] = engines.checked(engine)
+        if not floats:
+            given["inertia"] = inputs.inertia(inertia, allow_nonphysical)
+            given["omega0"] = inputs.vector("omega0", omega0, 3)
+            given["attitude0"] = inputs.attitude(attitude0)
         # Past __setattr__, which refuses.
-        vars(self).update(
-            engine=engines.checked(engine),
-            inertia=inputs.inertia(inertia, allow_nonphysical),
-            omega0=inputs.vector("omega0", omega0, 3),
-            attitude0=inputs.attitude(attitude0),
-            allow_nonphysical=allow_nonphysical,
-        )
+        vars(self).update(given)
+
+    # Engines need no fractions of floats, which take longer to make than a plan.
+    @cached_property
+    def inertia(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
+        """The principal moments exactly, in kg m^2."""
+        return tuple(map(Fraction, self._floats["inertia"]))
+
+    @cached_property
+    def omega0(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
+        """The rates at t = 0 exactly, in rad/s."""
+        return tuple(map(Fraction, self._floats["omega0"]))
+
+    @cached_property
+    def attitude0(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
+        """The attitude at t = 0 as it was given, exactly."""
+        return tuple(map(Fraction, self._floats["attitude0"]))
 
     def replace(self, **changes: Any) -> "TorqueFreeMotion":
         """Another motion, with some of the arguments changed; raises as the class does."""
@@ -129,10 +146,11 @@ class TorqueFreeMotion:
         times have states of NaN.
         """
         plan = self._plan
-        times = float(t) if _is_one_double(t) else _times(t, errors)
-        return _refusing(
-            lambda: self._engine.states(plan, times, out, errors), t=times, errors=errors
-        )
+        times = t if type(t) is float and math.isfinite(t) else _doubles(t, errors)
+        try:
+            return self._engine.states(plan, times, out, errors)
+        except ValueError as error:
+            raise _refused(error, {"t": times, "errors": errors}) from None
 
     def grid(
         self,
@@ -175,6 +193,8 @@ class TorqueFreeMotion:
 
     @cached_property
     def _plan(self) -> Any:
+        if floats := self._floats:
+            return _refusing(lambda: self._engine.plan(*floats.values()), **floats)
         given = self.exact
         doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
         if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
@@ -330,14 +350,17 @@ def _refusing(compute: Callable[[], Any], **given: Any) -> Any:
     """What `compute` returns; what an engine refuses becomes an InputError with the value."""
     try:
         return compute()
-    except InputError:
-        raise
     except ValueError as error:
-        field, colon, rule = str(error).partition(": ")
-        if not colon:
-            raise
-        at = getattr(error, "body", None), getattr(error, "time", None)
-        raise InputError(*_named(field, rule, given, *at)) from None
+        raise _refused(error, given) from None
+
+
+def _refused(error: ValueError, given: dict[str, Any]) -> ValueError:
+    """The InputError with the value for what an engine refuses; other errors as they are."""
+    field, colon, rule = str(error).partition(": ")
+    if isinstance(error, InputError) or not colon:
+        return error
+    at = getattr(error, "body", None), getattr(error, "time", None)
+    return InputError(*_named(field, rule, given, *at))
 
 
 def _named(
@@ -380,6 +403,22 @@ def _is_one_double(t: Any) -> bool:
     """A finite number that needs no array on its way."""
     is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
     return is_number and abs(t) <= sys.float_info.max
+
+
+def _doubles(t: Any, errors: str) -> Any:
+    """A float or an array of floats."""
+    return float(t) if _is_one_double(t) else _times(t, errors)
+
+
+def _floats(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, tuple[float, ...]]:
+    """Inertia, omega0 and attitude0 by name where they are nothing but good floats."""
+    moments, rates = inputs.floats(inertia, 3), inputs.floats(omega0, 3)
+    start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(attitude0, 4)
+    if moments is None or rates is None or start is None:
+        return {}
+    if not inputs.are_moments(moments) or not any(start):
+        return {}
+    return {"inertia": moments, "omega0": rates, "attitude0": start}
 
 
 def _times(t: Any, errors: str = "raise") -> np.ndarray:
