@@ -17,7 +17,7 @@ _HYPERBOLIC_STATE = "def _hyperbolic_state("
 _STEADY_PLAN = "def _steady_plan("
 _STEADY_ANGLES = "def _steady_angles("
 _STEADY_STATE = "def _steady_state("
-_PLAN = "def _plan("
+_PLAN = "    apart (B, 3): what each moment is"
 _MOVING = "def _add_moving("
 
 _CONSTANTS = (
@@ -342,7 +342,7 @@ _DECISIONS = (
     _fault(
         "branch",
         "differences taken from what moments are rounded to",
-        "def plan_from_pairs(",
+        "    inertia (3, 2), omega0 (3, 2), attitude0 (4, 2)",
         "return _plan(c, apart,",
         "return _plan(c, c - _Pair(np.roll(c.hi, -1, -1), np.roll(c.lo, -1, -1)),",
     ),
