@@ -365,7 +365,7 @@ plt.show()
 # constant *by the choice of the axis*, not by luck. The amplitudes, straight from the facts:
 
 # %%
-names = ("A_a", "A_b", "A_d", "lambda_", "m", "m_1")
+names = ("c_ab", "c_ad", "c_bd", "A_a", "A_b", "A_d", "lambda_", "m", "m_1")
 show(ledger, *(f"regular.{name}" for name in names))
 
 # %% [markdown]
