@@ -47,7 +47,7 @@ def test_the_report_is_that_of_everybody():
     )
     assert [one["name"] for one in data["contestants"]] == ["peer the truth"]
     assert data["worst"][0]["replay"].startswith("look(draw('spin', ")
-    assert "| uniform | 2 | 34 |" in report.to_markdown()
+    assert "| uniform | 2 | 44 |" in report.to_markdown()
     assert "the truth" in page(data)
     assert "the truth" in report._repr_html_()
     assert repr(report) == f"<ValidationReport, passed: {data['command']}>"

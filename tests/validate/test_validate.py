@@ -39,7 +39,7 @@ def test_every_stratum_is_within_every_documented_bound(report, target, stratum)
 
 
 def test_the_papers_body_to_a_few_ulps(report):
-    assert report.tally.states["paper"] == 19
+    assert report.tally.states["paper"] == 24
     for target in TARGETS:
         assert report.tally.cells[target, "angle", "stratum", "paper"].worst < 10
         assert report.tally.cells[target, "omega", "stratum", "paper"].worst < 6
@@ -114,6 +114,10 @@ class Spoilt:
         return q, omega
 
 
+# So many times of UNIFORM are up to 50 rad.
+EARLY = 17
+
+
 def longer(t, q, omega):
     q *= 1 + 2e-15
 
@@ -127,7 +131,8 @@ def turned(t, q, omega):
 
 
 def other_sheet(t, q, omega):
-    q[t > UNIFORM.times[-1]] *= -1
+    # An arc begins there.
+    q[t > UNIFORM.times[len(UNIFORM.times) // 2]] *= -1
 
 
 def drifting(t, q, omega):
@@ -233,7 +238,8 @@ def test_a_simplest_case_at_another_time_than_zero_is_reported(monkeypatch):
 
 @pytest.mark.parametrize("digits", [20, 700])
 def test_the_condition_is_there_at_any_digits(digits):
-    found, expected = (enclose(UNIFORM, d).condition["angle"][1:] for d in (digits, 40))
+    # Late ones are beyond what 20 digits can tell, half of them being the step.
+    found, expected = (enclose(UNIFORM, d).condition["angle"][1:EARLY] for d in (digits, 40))
     np.testing.assert_allclose(found, expected, rtol=1e-5)
 
 
