@@ -5,12 +5,28 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Extended numbers need every operation rounded to double once, and none reordered. */
-#if defined(__FAST_MATH__)
+#ifdef __cplusplus
+#define restrict __restrict
+#endif
+
+/* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
+#ifndef TORQUE_FREE_BLOCK
+#define TORQUE_FREE_BLOCK 64
+#endif
+
+/* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
+   that breaks this shows in a macro: torque_free_plan_init looks, too. */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
+#elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "torque_free.c: -ffinite-math-only takes the checks of inputs away; compile without it"
 #elif defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2)
 #error "torque_free.c: sums must round to double; on 32-bit x86 compile with -msse2 -mfpmath=sse"
+#elif FLT_RADIX != 2 || DBL_MANT_DIG != 53
+#error "torque_free.c: a double must be a binary64 number"
 #endif
+/* -fsingle-precision-constant has no macro: an array of negative size is no type. */
+typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
@@ -1279,13 +1295,104 @@ static void steady_state(const torque_free_steady *plan, size_t n, const double 
     }
 }
 
-static const double negligible = 0x1p-400; /* rates below this share of the largest are taken for zero */
-static const double decisive = 0x1p-300; /* unless one could decide when spin about the middle axis turns over */
-static const double faintest = 0x1p-900; /* of E_b in inner units; nearer to the separatrix is refused */
-static const double thinnest = 0x1p-200; /* of one principal moment over another */
-static const double farthest = 0x1p46; /* of |omega0 t|, rad */
-static const double fastest = 0x1p990; /* of a rate, rad/s: exact products with it are still held */
-enum { BLOCK = 64 };
+/* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
+   so that no compiler knows the outcome. */
+
+static int is_pair(pair x, double hi, double lo)
+{
+    return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
+}
+
+/* Whether sums and products are rounded once, to nearest, and nothing of them is lost. */
+static int sums_hold(void)
+{
+    const volatile double zero = 0.0;
+    const double one = zero + 1.0, many = zero + 49.0, part = zero + 0.02040816326530612;
+    const double tiny = zero + 8.673617379884035e-19;
+    const pair third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
+    return is_pair(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
+           is_pair(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
+           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
+           is_pair(pair_mul_xx(third, third), over_9.hi, over_9.lo) &&
+           is_pair(pair_mul_xx(third, pair_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
+           is_pair(pair_mul_xd(seventh, many), 7.0, 0.0);
+}
+
+/* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
+   products across functions, and what was split off is counted twice. */
+static int differences_hold(void)
+{
+    static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
+                                   0.15335179025447007, 0.03588181116623288};
+    const volatile double zero = 0.0;
+    pair x[5];
+    for (int k = 0; k < 5; k++)
+        x[k] = pair_of(zero + given[k]);
+    const pair above = pair_add_xx(x[0], pair_neg(x[1])), below = pair_add_xx(x[1], pair_neg(x[2]));
+    return is_pair(excess_pair(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
+                   -6.277847770376781e-21);
+}
+
+/* Whether quotients and roots have all their digits: y (x/y) is not x, nor a root's square its
+   radicand.  Compilers that think so are wrong about one quotient in five, some of which are here. */
+static int quotients_hold(void)
+{
+    static const double quotients[][4] = {
+        {7.0, 3.0, 2.3333333333333335, -1.4802973661668753e-16},
+        {3.0, 5.0, 0.6, 2.2204460492503132e-17},
+        {7.0, 25.0, 0.28, -2.6645352591003756e-17},
+        {15.0, 13.0, 1.1538461538461537, 1.0248212535001446e-16},
+        {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
+        {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
+    const volatile double zero = 0.0;
+    const pair root = pair_sqrt(pair_of(zero + 2.0));
+    int holds = is_pair(root, 1.4142135623730951, -9.667293313452913e-17);
+    for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
+        const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
+        holds &= is_pair(pair_div_xd(pair_of(x), y), known[2], known[3]);
+        holds &= is_pair(pair_div_dx(x, pair_of(y)), known[2], known[3]);
+    }
+    return holds;
+}
+
+/* Whether the loop over times loses no turns: at t = 2^45 - 3 + i both angles, (t + 1)/3 and t/3 half
+   turns, are multiples of sixty degrees, and their whole turns and all low parts count. */
+static int angles_hold(void)
+{
+    static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
+    enum { TIMES = 8 };
+    const volatile double from = 35184372088829.0;
+    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
+    torque_free_circular plan;
+    int holds = 1;
+    memset(&plan, 0, sizeof plan);
+    plan.v_rate_hi = plan.Lambda_rate_hi = plan.v_hi = over_3.hi;
+    plan.v_rate_lo = plan.Lambda_rate_lo = plan.v_lo = over_3.lo;
+    for (int i = 0; i < TIMES; i++) {
+        t[i] = from + (double)i;
+        t_lo[i] = 0.0;
+    }
+    circular_angles(&plan, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    for (int i = 0; i < TIMES; i++) {
+        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
+        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
+    }
+    return holds;
+}
+
+static int is_rounded_once(void)
+{
+    return sums_hold() && differences_hold() && quotients_hold() && angles_hold();
+}
+
+static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
+static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share in a tilt, below which those may be taken for zero */
+static const double faintest = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
+static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
+static const double thinnest = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
+static const double farthest = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
+static const double fastest = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
+#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
@@ -1349,7 +1456,7 @@ static pair excess_of(const pair c[3], const pair apart[3], const pair omega[3],
     const pair over = excess_pair(c_a, c_d, c_ab, c_bd, a, zero);
     const pair under = excess_pair(c_a, c_d, c_ab, c_bd, zero, d);
     const pair sum = pair_add_xx(over, under);
-    if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))
+    if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
         return scaled(sum, 2 * scale);
     const exact moment_b = exact_of(c_b.hi);
     const exact above = exact_sub_xx(exact_of(c_a.hi), moment_b);
@@ -1376,7 +1483,7 @@ static void limit(torque_free_plan *plan, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
     if (largest > 16.0)
-        plan->farthest = 16.0 * farthest / largest;
+        plan->farthest = fmin(plan->farthest, 16.0 * farthest / largest);
 }
 
 /* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
@@ -1422,15 +1529,58 @@ static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair
     return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
-/* True where a rate taken for zero could decide when a spin about the middle axis turns over. */
-static int is_lost(const int axis[3], const pair omega[3], const pair given[3])
+/* log2(x), x >= 0, without an exception for zero. */
+static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
+
+/* log2(2^x + 2^y); both may be minus infinity. */
+static double log2_sum(double x, double y)
 {
-    int lost = 0, slow = 1;
-    for (int k = 0; k < 3; k += 2) {
-        lost |= is_zero(omega[axis[k]]) && !is_zero(given[axis[k]]);
-        slow &= fabs(omega[axis[k]].hi) < decisive;
+    const double most = x > y ? x : y, least = x > y ? y : x;
+    return isfinite(most) ? most + log2(1.0 + exp2(least - most)) : most;
+}
+
+/* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
+   over, the motion followed is the separatrix, or that spin, up to a time.
+
+   With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
+   X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
+   no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
+   zero, of the spin both are.  What of them is not zero may grow to 2^-60 of the momentum. */
+static void follow(torque_free_plan *plan, const pair c[3], const pair apart[3], pair omega[3],
+                   const pair given[3], pair *E_b, int is_faint)
+{
+    const int *axis = plan->axis;
+    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
+    const double over = fabs(difference(apart, axis[0], axis[1]).hi);
+    const double under = fabs(difference(apart, axis[1], axis[2]).hi);
+    const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
+    const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
+    double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
+    for (int k = 0; k < 2; k++) {
+        part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
+        if (is_zero(omega[axis[2 * k]]))
+            gone = log2_sum(gone, part[k]);
+        else
+            left = log2_sum(left, part[k]);
     }
-    return lost && slow;
+    for (int k = 0; k < 3; k++)
+        momentum = fmax(momentum, c[k].hi * fabs(given[k].hi));
+    const double size = log2_sum(part[0], part[1]), distance = log2_of(fabs(E_b->hi));
+    const int is_spin = gone > left + log2(decisive) || (is_faint && distance > 2.0 * size + log2(decisive));
+    if (!is_spin && !is_faint)
+        return;
+    const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
+    const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
+                               under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
+    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
+    const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
+                        (is_spin ? size : distance - size);
+    const double bits = log2(tolerated) + room;
+    plan->farthest = bits > 0.0 ? fmin(log(2.0) * bits / growth, farthest) : 0.0;
+    plan->blurred = plan->farthest < farthest;
+    *E_b = pair_of(0.0);
+    for (int k = 0; k < 3 && is_spin; k += 2)
+        omega[axis[k]] = pair_of(0.0);
 }
 
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
@@ -1438,8 +1588,9 @@ static int is_lost(const int axis[3], const pair omega[3], const pair given[3])
 static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], const pair given[3],
                 const pair q[4], const pair *known, double unit)
 {
-    torque_free_plan made = {0};
+    torque_free_plan made;
     pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
+    memset(&made, 0, sizeof made);
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
         length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
@@ -1454,18 +1605,23 @@ static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], co
     for (int k = 0; k < 3; k++)
         made.omega0[k] = given[k].hi * unit;
     sorted(apart, made.axis);
-    const pair excess = known ? *known : excess_of(c, apart, omega, made.axis);
+    pair excess = known ? *known : excess_of(c, apart, omega, made.axis);
+    const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
+    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    int lost = 0;
+    for (int k = 0; k < 3; k += 2)
+        lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
+    if (distinct && (lost || faint))
+        follow(&made, c, apart, omega, given, &excess, faint);
     if (excess.hi < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
     const int steady = is_steady(apart, omega);
-    const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
-    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
-    if (distinct && (is_lost(made.axis, omega, given) || faint))
-        return TORQUE_FREE_SEPARATRIX;
     int code = TORQUE_FREE_OK;
+    if (!is_rounded_once())
+        return TORQUE_FREE_ARITHMETIC;
     if (steady)
         steady_init(&made, omega, unit_q);
     else
@@ -1492,6 +1648,9 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     for (int k = 0; k < 3; k++) {
         c[k] = pair_of(ldexp(inertia[k], -c_scale));
         omega[k] = pair_of(ldexp(omega0[k], -scale));
+        /* What is not zero stays so. */
+        if (is_zero(omega[k]) && !is_zero(pair_of(omega0[k])))
+            omega[k] = pair_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
     if (ldexp(least, -c_scale) < thinnest)
         return TORQUE_FREE_THIN;
@@ -1580,48 +1739,48 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* The states of one block from what changes with time: two arrays on the steady branch, four on the
-   circular one, six on the hyperbolic one. */
-static void block_states(const torque_free_plan *plan, size_t n, double (*restrict by_time)[BLOCK],
-                         double *restrict q, double *restrict omega)
+/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
+   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
+static void block_states(const torque_free_plan *plan, size_t n, size_t s, const double *restrict in,
+                         double *restrict out, double *restrict q, double *restrict omega)
 {
-    double out[7][BLOCK];
     const int *axis = plan->axis;
+    double *row[7];
     if (plan->branch == 0) {
-        steady_state(&plan->of.steady, n, by_time[0], by_time[1], out[0], out[1], out[2], out[3]);
+        steady_state(&plan->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
         for (size_t i = 0; i < n; i++)
             for (int k = 0; k < 3; k++)
                 omega[3 * i + (size_t)k] = plan->omega0[k];
-        interleaved4(n, out[0], out[1], out[2], out[3], q);
+        interleaved4(n, out, out + s, out + 2 * s, out + 3 * s, q);
         return;
     }
-    double *row[7];
-    row[0] = out[0];
-    for (int k = 0; k < 3; k++) {
-        row[1 + axis[k]] = out[1 + k];
-        row[4 + axis[k]] = out[4 + k];
+    row[0] = out;
+    for (size_t k = 0; k < 3; k++) {
+        row[1 + axis[k]] = out + (1 + k) * s;
+        row[4 + axis[k]] = out + (4 + k) * s;
     }
     if (plan->branch == 1)
-        circular_state(&plan->of.circular, n, by_time[0], by_time[1], by_time[2], by_time[3], out[0],
-                       out[1], out[2], out[3], out[4], out[5], out[6]);
+        circular_state(&plan->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
+                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&plan->of.hyperbolic, n, by_time[0], by_time[1], by_time[2], by_time[3],
-                         by_time[4], by_time[5], out[0], out[1], out[2], out[3], out[4], out[5], out[6]);
+        hyperbolic_state(&plan->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
+                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
+                         out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
 
-/* What changes with time at the inner times t + t_lo. */
-static void block_angles(const torque_free_plan *plan, size_t n, const double *restrict t,
-                         const double *restrict t_lo, double (*restrict by_time)[BLOCK])
+/* What changes with time at the inner times t + t_lo, in rows s apart. */
+static void block_angles(const torque_free_plan *plan, size_t n, size_t s, const double *restrict t,
+                         const double *restrict t_lo, double *restrict to)
 {
     if (plan->branch == 0)
-        steady_angles(&plan->of.steady, n, t, t_lo, by_time[0], by_time[1]);
+        steady_angles(&plan->of.steady, n, t, t_lo, to, to + s);
     else if (plan->branch == 1)
-        circular_angles(&plan->of.circular, n, t, t_lo, by_time[0], by_time[1], by_time[2], by_time[3]);
+        circular_angles(&plan->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, by_time[0], by_time[1], by_time[2],
-                          by_time[3], by_time[4], by_time[5]);
+        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
+                          to + 4 * s, to + 5 * s);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -1646,27 +1805,71 @@ static void at_start(const torque_free_plan *plan, double *q, double *omega)
         omega[k] = plan->omega0[k];
 }
 
-int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
-                          double *omega)
+static int too_late(const torque_free_plan *plan)
 {
-    double by_time[6][BLOCK], inner[BLOCK], rest[BLOCK];
+    return plan->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
+}
+
+static void no_states(size_t n, double *q, double *omega)
+{
+    for (size_t i = 0; i < 4 * n; i++)
+        q[i] = NAN;
+    for (size_t i = 0; i < 3 * n; i++)
+        omega[i] = NAN;
+}
+
+/* The states at n times; times that are too late are refused, or have none where `lenient`. */
+static int states_at(const torque_free_plan *plan, size_t n, const double *t, double *q, double *omega,
+                     int lenient)
+{
+    double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
-    for (size_t i = 0; i < n; i += BLOCK)
+    for (size_t i = 0; i < n && !lenient; i += BLOCK)
         if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return TORQUE_FREE_TIME;
+            return too_late(plan);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
+    int code = TORQUE_FREE_OK;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        (void)scaled_times(plan, count, t + i, inner, &zero);
+        const int near = scaled_times(plan, count, t + i, inner, &zero);
+        for (size_t k = 0; !near && k < count; k++)
+            inner[k] = fabs(inner[k]) <= plan->farthest ? inner[k] : 0.0;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        block_angles(plan, count, inner, rest, by_time);
-        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        block_angles(plan, count, BLOCK, inner, rest, by_time);
+        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
             if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
                 at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
+        for (size_t k = 0; !near && k < count; k++)
+            if (!(fabs(plan->unit * t[i + k]) <= plan->farthest))
+                no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
+        code = near ? code : too_late(plan);
     }
+    return code;
+}
+
+int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+                          double *omega)
+{
+    return states_at(plan, n, t, q, omega, 0);
+}
+
+/* One state needs no block. */
+int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+{
+    const double rest = 0.0;
+    double by_time[6], out[7], inner;
+    int zero;
+    if (!scaled_times(plan, 1, &t, &inner, &zero))
+        return too_late(plan);
+    if (zero) {
+        at_start(plan, q, omega);
+        return TORQUE_FREE_OK;
+    }
+    block_angles(plan, 1, 1, &inner, &rest, by_time);
+    block_states(plan, 1, 1, by_time, out, q, omega);
     return TORQUE_FREE_OK;
 }
 
@@ -1681,7 +1884,7 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
 }
 
 /* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
-static void grid_table(const torque_free_plan *plan, double step, double (*restrict table)[BLOCK])
+static void grid_table(const torque_free_plan *plan, double step, double *restrict table)
 {
     double t[BLOCK], t_lo[BLOCK];
     torque_free_plan from_zero = *plan;
@@ -1692,87 +1895,104 @@ static void grid_table(const torque_free_plan *plan, double step, double (*restr
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
-    block_angles(&from_zero, BLOCK, t, t_lo, table);
+    block_angles(&from_zero, BLOCK, BLOCK, t, t_lo, table);
 }
 
-/* What changes with time at n times, every `stride`-th of the grid from number `first` on. */
+/* What changes with time at n times, each `every`-th of the grid from number `first` on. */
 static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
-                        size_t stride, size_t n, double (*restrict by_time)[BLOCK])
+                        size_t every, size_t n, double *restrict by_time)
 {
     double t[BLOCK], t_lo[BLOCK];
     for (size_t i = 0; i < n; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * stride), step), start);
+        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    block_angles(plan, n, t, t_lo, by_time);
+    block_angles(plan, n, BLOCK, t, t_lo, by_time);
 }
 
 /* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
    turned. */
 static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
-                        double (*restrict table)[BLOCK], double *restrict q, double *restrict omega)
+                        const double *restrict table, double *restrict q, double *restrict omega)
 {
-    double base[6][BLOCK], by_time[6][BLOCK];
+    double base[4 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
+    const size_t rows = plan->branch == 0 ? 2 : 4;
     grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        for (int s = 0; s < 2 * plan->branch + 2; s += 2)
-            turned(count, base[s][k], base[s + 1][k], table[s], table[s + 1], by_time[s], by_time[s + 1]);
-        block_states(plan, count, by_time, q + 4 * i, omega + 3 * i);
+        for (size_t s = 0; s < rows * BLOCK; s += 2 * BLOCK)
+            turned(count, base[s + k], base[s + BLOCK + k], table + s, table + s + BLOCK, by_time + s,
+                   by_time + s + BLOCK);
+        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
     }
 }
 
-/* The number of the first sample at t = 0 exactly, or n where there is none. */
-static size_t grid_zero(double start, double step, size_t n)
+/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
+static void grid_states_one_by_one(const torque_free_plan *plan, double start, double step, size_t first,
+                                   size_t n, double *restrict q, double *restrict omega)
 {
-    const double k = is_zero(pair_of(step)) ? 0.0 : nearest(-start / step);
+    double by_time[6 * BLOCK], out[7 * BLOCK];
+    for (size_t i = 0; i < n; i += BLOCK) {
+        const size_t count = n - i < BLOCK ? n - i : BLOCK;
+        if (n - i >= 2 * BLOCK)
+            fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
+        grid_angles(plan, start, step, first + i, 1, count, by_time);
+        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+    }
+}
+
+/* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
+static size_t grid_zero(double start, double step, size_t first, size_t n)
+{
+    const int stands = is_zero(pair_of(step));
+    const double k = stands ? (double)first : nearest(-start / step);
     const pair t = pair_add_xd(two_product(k, step), start);
-    return k >= 0.0 && k < (double)n && fabs(t.hi) <= 0.0 ? (size_t)k : n;
+    const double place = k - (double)first;
+    return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
 }
 
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t n,
-                               double *q, double *omega)
+int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
+                               size_t n, double *q, double *omega)
 {
-    double table[6][BLOCK];
-    /* A single sample does not depend on the step, however large. */
-    const double inner = plan->unit * start, inner_step = n > 1 ? plan->unit * step : 0.0;
-    const double last = inner + inner_step * (double)(n > 0 ? n - 1 : 0);
-    /* On the hyperbolic branch what changes with time is more than sines and cosines. */
-    const int turns = plan->branch != 2;
-    const size_t most = turns ? BLOCK * BLOCK : BLOCK;
-    if (!(fabs(inner) <= plan->farthest && fabs(last) <= plan->farthest))
-        return TORQUE_FREE_TIME;
-    if (turns)
+    double table[4 * BLOCK];
+    /* Sample number 0 does not depend on the step, however large. */
+    const double inner = plan->unit * start, inner_step = first + n > 1 ? plan->unit * step : 0.0;
+    const double begin = inner + inner_step * (double)first;
+    const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
+    const size_t most = BLOCK * BLOCK;
+    if (!(fabs(inner) <= plan->farthest && fabs(begin) <= plan->farthest && fabs(last) <= plan->farthest))
+        return too_late(plan);
+    if (plan->branch == 2) {
+        grid_states_one_by_one(plan, inner, inner_step, first, n, q, omega);
+    } else {
         grid_table(plan, inner_step, table);
-    for (size_t i = 0; i < n; i += most) {
-        const size_t count = n - i < most ? n - i : most;
-        if (turns) {
-            grid_states(plan, inner, inner_step, i, count, table, q + 4 * i, omega + 3 * i);
-        } else {
-            if (n - i >= 2 * BLOCK)
-                fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-            grid_angles(plan, inner, inner_step, i, 1, count, table);
-            block_states(plan, count, table, q + 4 * i, omega + 3 * i);
-        }
+        for (size_t i = 0; i < n; i += most)
+            grid_states(plan, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
+                        omega + 3 * i);
     }
-    for (size_t i = grid_zero(start, step, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
+    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
         at_start(plan, q + 4 * i, omega + 3 * i);
     return TORQUE_FREE_OK;
 }
 
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, size_t *failed)
+                          double *omega, int *codes, size_t *failed)
 {
     torque_free_plan plan;
     for (size_t k = 0; k < bodies; k++) {
+        double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
         int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = torque_free_states_at(&plan, n, t, q + 4 * n * k, omega + 3 * n * k);
-        if (code != TORQUE_FREE_OK) {
+            code = states_at(&plan, n, t, q_k, omega_k, codes != NULL);
+        else if (codes)
+            no_states(n, q_k, omega_k);
+        if (codes) {
+            codes[k] = code;
+        } else if (code != TORQUE_FREE_OK) {
             *failed = k;
             return code;
         }
@@ -1780,14 +2000,14 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     return TORQUE_FREE_OK;
 }
 
-int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+double torque_free_last_time(const torque_free_plan *plan)
 {
-    return torque_free_states_at(plan, 1, &t, q, omega);
+    return plan->unit > 0.0 ? fmin(plan->farthest / plan->unit, DBL_MAX) : DBL_MAX;
 }
 
 size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
 
-const char *torque_free_digest(void) { return "cdb7890032515f1b742810679fa4a30d4bca9780df612f7112a28061c24e470c"; }
+const char *torque_free_digest(void) { return "a95766adecebbd52916d2715774c5e17590291cb34c5045e8d8b2f22a9df3589"; }
 
 const char *torque_free_message(int code)
 {
@@ -1797,9 +2017,10 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
     case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "omega0: nearer to the separatrix than binary64 can follow";
+    case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
+    case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }
 }

@@ -423,9 +423,7 @@ def _followed(c, apart, axes, omega, given, excess):
     inertia = np.take_along_axis(c.hi[at], axes[at], -1)
     between = _differences(apart[at], axes[at])
     rates = np.take_along_axis(given.hi[at], axes[at], -1)
-    turns, spins, times = _blurred(
-        inertia, between, rates, kept[at] == 0, excess.hi[at], faint[at]
-    )
+    turns, spins, times = _blurred(inertia, between, rates, kept[at] == 0, excess.hi[at], faint[at])
     reach[at] = np.where(turns, times, FARTHEST)
     middle = axes[at, 1, None] == np.arange(3)
     zero = spins[:, None] & ~middle
