@@ -3,6 +3,7 @@
 import copy
 import json
 from dataclasses import replace
+from functools import cache
 
 from rigidsym.executors import local
 from rigidsym.validate.campaign import Progress, campaign, run
@@ -12,28 +13,33 @@ from rigidsym.validate.validation import reported
 STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "rest")
 
 
+@cache
 def whole():
     """The report itself."""
-    return _REPORT
+    progress, chosen = Progress(), campaign(["numpy"], cases=3, strata=STRATA)
+    with local(1) as place:
+        run(chosen, progress, place)
+    return reported(chosen, progress.tally, {"python": "3.11", "workers": 1})
 
 
 def passed():
     """The data of a report as JSON has them."""
-    return json.loads(_REPORT.to_json())
+    return json.loads(whole().to_json())
 
 
 def direct():
     """The same as they are before they are JSON."""
-    return _REPORT.to_data()
+    return whole().to_data()
 
 
 def failed():
     """The same report with a bound broken."""
-    key, cells = ("numpy", "angle", "share", "uniform"), _REPORT.tally.cells
+    report = whole()
+    key, cells = ("numpy", "angle", "share", "uniform"), report.tally.cells
     broken = {**cells, key: replace(cells[key], count=1, worst=37.2)}
-    failure = Failure("numpy", "angle", 37.2, "uniform", 1, _REPORT.worst[0])
-    tally = replace(_REPORT.tally, cells=broken)
-    return json.loads(replace(_REPORT, tally=tally, failures=(failure,)).to_json())
+    failure = Failure("numpy", "angle", 37.2, "uniform", 1, report.worst[0])
+    tally = replace(report.tally, cells=broken)
+    return json.loads(replace(report, tally=tally, failures=(failure,)).to_json())
 
 
 def with_peer(data, name="peer rk"):
@@ -50,14 +56,3 @@ def with_peer(data, name="peer rk"):
         peer[view].pop("rest")
     data["contestants"].append(peer)
     return data
-
-
-def _report():
-    whole = campaign(["numpy"], cases=3, strata=STRATA)
-    progress = Progress()
-    with local(1) as place:
-        run(whole, progress, place)
-    return reported(whole, progress.tally, {"python": "3.11", "workers": 1})
-
-
-_REPORT = _report()

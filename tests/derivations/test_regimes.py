@@ -93,20 +93,29 @@ def body(values):
     return [values[f"c_{k}"] for k in (1, 2, 3)], [values[f"Omega_{k}"] for k in (1, 2, 3)]
 
 
-POINTS = [*map(valuation, [*GRID, *random_points(150)])]
-BY_LEAF = {leaf: [values for values in POINTS if walk(values) == leaf] for leaf in LEAVES}
+@pytest.fixture(scope="module")
+def points():
+    return [*map(valuation, [*GRID, *random_points(150)])]
 
 
-def test_the_leaves_are_those_of_the_ledger_and_each_is_hit():
+@pytest.fixture(scope="module")
+def by_leaf(points):
+    found = {leaf: [] for leaf in LEAVES}
+    for values in points:
+        found[walk(values)].append(values)
+    return found
+
+
+def test_the_leaves_are_those_of_the_ledger_and_each_is_hit(points, by_leaf):
     assert set(SPLITS["sorted_body"]["rhs"]) == set(LEAVES)
     assert len(SPLITS["sorted_body"]["rhs"]) == len(LEAVES)
     assert SPLITS["sorted_body"]["grade"] == "PROVED"
-    assert all(BY_LEAF.values())
-    assert sum(map(len, BY_LEAF.values())) == len(POINTS)
+    assert all(by_leaf.values())
+    assert sum(map(len, by_leaf.values())) == len(points)
 
 
-def test_every_point_is_in_the_one_leaf_that_the_tree_leads_to():
-    for values in POINTS:
+def test_every_point_is_in_the_one_leaf_that_the_tree_leads_to(points):
+    for values in points:
         assert holds("sorted_body", values)
         assert [leaf for leaf in LEAVES if holds(leaf, values)] == [walk(values)]
 
@@ -118,11 +127,11 @@ def test_a_body_that_is_not_sorted_is_in_no_leaf():
 
 
 @pytest.mark.parametrize("leaf", LEAVES)
-def test_what_a_leaf_declares_holds_at_its_points(leaf):
+def test_what_a_leaf_declares_holds_at_its_points(leaf, by_leaf):
     facts = [fact for fact in FACTS.values() if fact["context"] == leaf]
     assert facts
     assert {fact["kind"] for fact in facts} <= {"equal", "nonnegative"}
-    for values in BY_LEAF[leaf]:
+    for values in by_leaf[leaf]:
         for fact in facts:
             for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True):
                 assert value(lhs, values) == value(rhs, values)
@@ -130,8 +139,8 @@ def test_what_a_leaf_declares_holds_at_its_points(leaf):
 
 
 @pytest.mark.parametrize("leaf", LEAVES)
-def test_momentum_and_rates_are_parallel_in_the_steady_leaves_only(leaf):
-    for values in BY_LEAF[leaf]:
+def test_momentum_and_rates_are_parallel_in_the_steady_leaves_only(leaf, by_leaf):
+    for values in by_leaf[leaf]:
         moments, rates = body(values)
         parallel = any(
             all((x - c) * rate == 0 for x, rate in zip(moments, rates, strict=True))
@@ -141,8 +150,8 @@ def test_momentum_and_rates_are_parallel_in_the_steady_leaves_only(leaf):
 
 
 @pytest.mark.parametrize("leaf", LEAVES)
-def test_a_leaf_is_the_regime_that_is_decided_for_numbers(leaf):
-    for values in BY_LEAF[leaf][:40]:
+def test_a_leaf_is_the_regime_that_is_decided_for_numbers(leaf, by_leaf):
+    for values in by_leaf[leaf][:40]:
         moments, rates = body(values)
         for order in permutations(range(3)):
             found = classify([moments[k] for k in order], [rates[k] for k in order])
@@ -152,8 +161,8 @@ def test_a_leaf_is_the_regime_that_is_decided_for_numbers(leaf):
 
 
 @pytest.mark.parametrize("leaf", CIRCULATES)
-def test_the_differences_are_those_of_energy_and_momentum(leaf):
-    for values in BY_LEAF[leaf]:
+def test_the_differences_are_those_of_energy_and_momentum(leaf, by_leaf):
+    for values in by_leaf[leaf]:
         moments, rates = body(values)
         twice_energy = sum(c * w * w for c, w in zip(moments, rates, strict=True))
         square = sum((c * w) ** 2 for c, w in zip(moments, rates, strict=True))

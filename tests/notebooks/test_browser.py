@@ -15,14 +15,14 @@ from pathlib import Path
 import pytest
 from browsers import chromium, needs_browser
 
-pytest.importorskip("jupyterlab", reason="needs JupyterLab (extra lab)")
-pytest.importorskip("plotly", reason="needs plotly (extra lab)")
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra lab)")
+# Looked for, not imported: they run in a process of their own.
+MISSING = [
+    name for name in ("jupyterlab", "plotly", "ipykernel") if importlib.util.find_spec(name) is None
+]
 pytestmark = [
     needs_browser,
-    pytest.mark.skipif(
-        importlib.util.find_spec("ipykernel") is None, reason="needs ipykernel (extra lab)"
-    ),
+    pytest.mark.skipif(bool(MISSING), reason=f"needs {', '.join(MISSING)} (extra lab)"),
     # Sockets of servers and drivers that are told to stop are left to the collector.
     pytest.mark.filterwarnings("ignore::ResourceWarning"),
 ]

@@ -17,7 +17,6 @@ from rigidsym.paper.verdicts import needed_units, ruling_of
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}
-SEALED = replay(json.dumps(LEDGER, indent=1, ensure_ascii=False) + "\n", encloses)
 DECIDED = [equation for equation in EQUATIONS if equation.proved_by]
 PROVING = [(e.number, name) for e in DECIDED for s in (e, *e.readings) for name in s.proved_by]
 REFUTING = [(e.number, name) for e in DECIDED for s in (e, *e.readings) for name in s.refuted_by]
@@ -213,13 +212,18 @@ NO_SMALL_REPAIR = {
 MISPRINTS = [v for v in RULED.values() if v.ruling == Ruling.MISPRINT]
 
 
+@pytest.fixture(scope="module")
+def sealed():
+    return replay(json.dumps(LEDGER, indent=1, ensure_ascii=False) + "\n", encloses)
+
+
 @pytest.mark.parametrize("verdict", MISPRINTS, ids=lambda v: v.equation.number)
-def test_the_search_finds_the_repair_that_is_printed(verdict):
+def test_the_search_finds_the_repair_that_is_printed(verdict, sealed):
     equation = verdict.equation
     assert bool(equation.repair_form) != (equation.number in NO_SMALL_REPAIR)
     if equation.repair_form:
         place, _, form = equation.repair_form.partition(" = ")
-        rings = [SEALED.rings[FACTS[name]["context"]] for name in equation.refuted_by]
+        rings = [sealed.rings[FACTS[name]["context"]] for name in equation.refuted_by]
         found = [r.partition(" = ")[2] for r in verdict.repairs if r.startswith(f"{place} = ")]
         assert any(_same(ring, form, text) for ring in rings for text in found)
 
