@@ -6,6 +6,8 @@
 A notebook is a py:percent text of this folder, paired by jupytext with the .ipynb of its stem.
 The text is the source; what is written depends on it and on the code alone: no times, versions,
 random ids, addresses or paths.  Pictures are not compared, only that they are there.
+`executed.json` has a digest of all that each notebook was written from: tests execute those again
+for which it is another by now, and all of them with `-m slow`.
 
 A new notebook: write cells, "# %%" and "# %% [markdown]", in NN_name.py or how_to_name.py and run
 the command, which adds the head.  It runs within a minute and writes nothing to stderr; it prints
@@ -35,6 +37,7 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError
 
+import executed
 from rigidsym.files import write_text
 
 FOLDER = Path(__file__).resolve().parent
@@ -114,11 +117,11 @@ class _OwnKernel(AsyncKernelManager):
 
 def execute(notebook: Any, name: str) -> Any:
     """The notebook with its outputs, from a fresh kernel of this Python; raises NotebookError."""
-    executed = deepcopy(notebook)
+    done = deepcopy(notebook)
     end = monotonic() + SECONDS
     with tempfile.TemporaryDirectory() as scratch:
         client = NotebookClient(
-            executed,
+            done,
             kernel_name="python3",
             kernel_manager_class=_OwnKernel,
             extra_arguments=["--log-level=ERROR"],
@@ -134,13 +137,13 @@ def execute(notebook: Any, name: str) -> Any:
             raise NotebookError(f"{name}: it runs longer than {SECONDS} s") from None
         except (CellExecutionError, RuntimeError) as error:  # RuntimeError: the kernel is gone
             raise NotebookError(f"{name}: {_plain(str(error))}") from None
-    for cell in executed.cells:
+    for cell in done.cells:
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", ()):
             _settle(output, name)
-    executed.metadata = deepcopy(notebook.metadata)
-    nbformat.validate(executed)
-    return executed
+    done.metadata = deepcopy(notebook.metadata)
+    nbformat.validate(done)
+    return done
 
 
 def _environment(scratch: str) -> dict[str, str]:
@@ -190,14 +193,15 @@ def comparable(notebook: Any) -> str:
 
 
 def build(name: str) -> None:
-    """Execute a notebook; write it, and its text where jupytext would write another one."""
+    """Execute a notebook; write it, its digest, and its text where jupytext's is another one."""
     notebook = source(name)
-    executed = nbformat.writes(execute(notebook, name), indent=1) + "\n"
-    if len(executed.encode()) > BYTES:
-        raise NotebookError(f"{name}: {len(executed):_} bytes, more than {BYTES:_}")
+    written = nbformat.writes(execute(notebook, name), indent=1) + "\n"
+    if len(written.encode()) > BYTES:
+        raise NotebookError(f"{name}: {len(written):_} bytes, more than {BYTES:_}")
     if text(notebook) != (FOLDER / f"{name}.py").read_text("utf-8"):
         write_text(FOLDER / f"{name}.py", text(notebook))
-    write_text(FOLDER / f"{name}.ipynb", executed)
+    write_text(FOLDER / f"{name}.ipynb", written)
+    executed.note(name)
 
 
 def check(name: str, fresh: Callable[[Any, str], Any] = execute) -> str:

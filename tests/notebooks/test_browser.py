@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from browsers import chromium, needs_browser
 
+from executed import is_current
+
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra lab)")
 # Looked for, not imported: they run in a process of their own.
 MISSING = [
@@ -27,7 +29,8 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::ResourceWarning"),
 ]
 ROOT = Path(__file__).parents[2]
-# What is opened of the notebooks that are there; a sample is opened in any case.
+# What is opened of the notebooks that are there, unless they are as they were when they were
+# executed; a sample is opened in any case.
 STEMS = ("05_edges", "10_a_manoeuvre_from_start_to_stop")
 SAMPLE = "sample"
 SETTINGS = {
@@ -220,7 +223,10 @@ def ran(browser):
     return written if written and (done or failed) else None
 
 
-@pytest.mark.parametrize("stem", [*STEMS, SAMPLE])
+@pytest.mark.parametrize(
+    "stem",
+    [*(pytest.param(x, marks=pytest.mark.slow if is_current(x) else ()) for x in STEMS), SAMPLE],
+)
 def test_a_notebook_runs_in_jupyterlab(browser, lab, folder, stem):
     notebook = source_of(folder, stem)
     opened(browser, lab, stem)

@@ -1,6 +1,7 @@
 """Every notebook: text and .ipynb in step, and what it shows is what it computes."""
 
 import importlib.util
+import shutil
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ build = importlib.util.module_from_spec(SCRIPT)
 SCRIPT.loader.exec_module(build)
 
 NAMES = build.names()
+executed = build.executed
 
 
 def test_there_are_notebooks_and_no_strays():
@@ -22,9 +24,59 @@ def test_there_are_notebooks_and_no_strays():
     assert {path.stem for path in build.FOLDER.glob("*.ipynb")} == set(NAMES)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(x, marks=pytest.mark.slow if executed.is_current(x) else ()) for x in NAMES],
+)
 def test_a_fresh_execution_gives_the_committed_notebook(name):
     assert build.check(name) == ""
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_text_and_notebook_are_in_step(name):
+    def committed(notebook, name):
+        return build.nbformat.read(build.FOLDER / f"{name}.ipynb", as_version=4)
+
+    assert build.check(name, committed) == ""
+
+
+def test_a_notebook_is_current_until_something_it_depends_on_changes(monkeypatch, tmp_path):
+    record, (name, other) = tmp_path / "executed.json", NAMES[:2]
+    assert not executed.is_current(name, record)
+    executed.note(name, record)
+    assert executed.is_current(name, record)
+    assert not executed.is_current(other, record)
+    executed.note(other, record)
+    assert executed.is_current(name, record)
+    for lines in (("python 3.99",), ("numpy 1.0",), ("rigidsym/motion.py 0",)):
+        with monkeypatch.context() as changed:
+            changed.setattr(executed, "common", lambda lines=lines: lines)
+            assert not executed.is_current(name, record)
+    assert executed.is_current(name, record)
+
+
+@pytest.mark.parametrize("suffix", [".py", ".ipynb"])
+def test_a_notebook_that_is_edited_is_not_current(suffix, monkeypatch, tmp_path):
+    name = NAMES[0]
+    for ending in (".py", ".ipynb"):
+        shutil.copy(executed.FOLDER / f"{name}{ending}", tmp_path)
+    before = executed.digest(name)
+    monkeypatch.setattr(executed, "FOLDER", tmp_path)
+    assert executed.digest(name) == before
+    with (tmp_path / f"{name}{suffix}").open("a") as file:
+        file.write(" ")
+    assert executed.digest(name) != before
+
+
+def test_notebooks_depend_on_the_code_its_data_and_the_versions():
+    lines = executed.common()
+    for start in ("python 3.", "numpy 2.", "jupyterlab ", "notebooks/support.py ",
+                  "rigidsym/motion.py ", "rigidsym/generated/torque_free.c ",
+                  "derivations/ledger.json "):  # fmt: skip
+        assert sum(line.startswith(start) for line in lines) == 1
+    modules = {path.name for path in executed.FOLDER.glob("*.py")} - {f"{x}.py" for x in NAMES}
+    assert modules == {*executed.TOGETHER}
+    assert not any("ruff " in line or "pycache" in line for line in lines)
 
 
 @pytest.mark.parametrize("name", NAMES)
