@@ -26,7 +26,7 @@ from rigidsym.validate import campaign, checkpoint, validate
 from rigidsym.validate.campaign import Progress
 from rigidsym.validate.faults import noticing
 from rigidsym.validate.faults import report as faults
-from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.report import SCHEMA as VALIDATION
 
 _HEAD = """# File formats
@@ -199,7 +199,7 @@ def _campaign() -> Any:
 def _faults() -> Any:
     """One fault against one stratum."""
     cases = [noticing.references(STRATUM, 1, 40, 1)]
-    for fault in (fault for fault in FAULTS if fault.target == "numpy"):
+    for fault in (fault for fault in BY_HAND if fault.target == "numpy"):
         if notices := noticing.notices(fault, cases):
             outcome = faults.Outcome(fault, tuple(notices))
             break

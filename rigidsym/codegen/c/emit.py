@@ -4,6 +4,7 @@
 """
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 
 from rigidsym.codegen.ir import CALLS, Constant, Function, Let, is_extended
@@ -126,22 +127,28 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     """All functions in order, over pairs; `_excess` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
+    with_time = changing(functions)
+    return [Lines(head, {}), *(part for f in functions for part in pieces(f, with_time))]
+
+
+def changing(functions: Iterable[Function]) -> frozenset[str]:
+    """The names of what changes with time."""
     timed = {name for f in functions if f.name.endswith("_angles") for name in f.results}
-    changing = frozenset({"t", "t_lo", *timed})
-    parts = [Lines(head, {})]
-    for function in functions:
-        if function.name == "_excess":
-            every = replace(function, extended=frozenset(function.parameters))
-            parts += [_valued(every, number, f"excess_{number}") for number in ("pair", "exact")]
-        elif function.rounds:
-            parts.append(_plan(function))
-        elif len(function.parameters) == 1 and not function.extended:
-            parts.append(_valued(function, "double", function.name[1:], "inline double"))
-        elif function.extended:
-            parts.append(_extended_function(function))
-        else:
-            parts.append(_loop(function, changing))
-    return parts
+    return frozenset({"t", "t_lo", *timed})
+
+
+def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
+    """A function as it is printed, `_excess` twice; `with_time` is what changes with time."""
+    if function.name == "_excess":
+        every = replace(function, extended=frozenset(function.parameters))
+        return [_valued(every, number, f"excess_{number}") for number in ("pair", "exact")]
+    if function.rounds:
+        return [_plan(function)]
+    if len(function.parameters) == 1 and not function.extended:
+        return [_valued(function, "double", function.name[1:], "inline double")]
+    if function.extended:
+        return [_extended_function(function)]
+    return [_loop(function, with_time)]
 
 
 def branch_struct(plan: Function) -> str:
@@ -209,11 +216,11 @@ def _plan(function: Function) -> Lines:
     return function_lines(function, "pair", head, [*ends, "}", ""])
 
 
-def _loop(function: Function, changing: frozenset[str]) -> Lines:
+def _loop(function: Function, with_time: frozenset[str]) -> Lines:
     """A function of doubles over arrays: what changes with time is read and written by index."""
-    timed = [name for name in function.parameters if name in changing]
+    timed = [name for name in function.parameters if name in with_time]
     used = function.used()
-    kept = [name for name in function.parameters if name not in changing and name in used]
+    kept = [name for name in function.parameters if name not in with_time and name in used]
     parameters = [f"const torque_free_{branch(function)} *plan", "size_t n"]
     parameters += [f"const double *restrict {name}_in" for name in timed]
     parameters += [f"double *restrict {name}_out" for name in function.results]

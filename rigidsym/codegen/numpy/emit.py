@@ -26,20 +26,22 @@ def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
     """The named numbers, all functions in order, and the table of branches."""
     used = {name for function in functions for name in function.used()}
-    head = tuple(_constant(c) for c in constants if c.name in used)
+    head = tuple(constant_text(c) for c in constants if c.name in used)
     parts = [Lines((*head, "", ""), {})]
-    parts += [_function(function) for function in functions]
+    parts += [function_lines(function) for function in functions]
     return [*parts, Lines(tuple(_branches(functions)), {})]
 
 
-def _constant(constant: Constant) -> str:
+def constant_text(constant: Constant) -> str:
+    """The definition of a named number."""
     value = repr(constant.hi)
     if constant.lo is not None:
         value = f"_Pair({constant.hi!r}, {constant.lo!r})"
     return f"{constant.name} = {value}  # {constant.meaning}"
 
 
-def _function(function: Function) -> Lines:
+def function_lines(function: Function) -> Lines:
+    """A function, a line for each of its lets."""
     lets = function.lets
     if "t_lo" in function.parameters:
         lets = specialise(lets, {"t_lo": 0})

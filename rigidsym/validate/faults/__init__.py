@@ -3,6 +3,14 @@
 from rigidsym.validate.faults.fault import KINDS, Fault, StaleFaultError
 from rigidsym.validate.faults.injection import inject
 from rigidsym.validate.faults.report import FaultReport, Outcome
-from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.faults.tables import all_faults
 
-__all__ = ["FAULTS", "KINDS", "Fault", "FaultReport", "Outcome", "StaleFaultError", "inject"]
+__all__ = [
+    "KINDS",
+    "Fault",
+    "FaultReport",
+    "Outcome",
+    "StaleFaultError",
+    "all_faults",
+    "inject",
+]

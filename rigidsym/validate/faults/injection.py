@@ -12,7 +12,7 @@ from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.noticing import CRASHED, Notice, notices, references
 from rigidsym.validate.faults.report import FaultReport, Outcome
 from rigidsym.validate.faults.spoilt import faulty
-from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.faults.tables import all_faults
 from rigidsym.validate.oracle import Reference
 from rigidsym.validate.strata import STRATA
 
@@ -26,17 +26,20 @@ def inject(
     digits: int,
     seed: int,
     progress: Progress = lambda done, total: None,
-    faults: Sequence[Fault] = FAULTS,
+    faults: Sequence[Fault] | None = None,
     strata: Sequence[str] = tuple(STRATA),
 ) -> FaultReport:
     """Measure each fault of the targets on `cases` cases of each stratum, `count` says how many.
 
+    All faults are measured, unless some are given.
     progress is told how many strata and faults are done, and of how many.  Raises InputError for a
     target that cannot be had here, and StaleFaultError for a fault whose place is gone.
     """
     for target in targets:
         check_target(target)
-    chosen = [fault for fault in faults if fault.target in targets]
+    chosen = [
+        fault for fault in (all_faults() if faults is None else faults) if fault.target in targets
+    ]
     for fault in chosen:
         faulty(fault)
     told = partial(_tell, progress, len(strata) + len(chosen))

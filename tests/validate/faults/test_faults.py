@@ -2,18 +2,21 @@
 
 import dataclasses
 import json
-from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
 from rigidsym import InputError
-from rigidsym.validate.faults import FAULTS, KINDS, Fault, StaleFaultError, inject
+from rigidsym.solution.expression import parse, to_text
+from rigidsym.validate.faults import KINDS, Fault, StaleFaultError, all_faults, inject
+from rigidsym.validate.faults.drawn import HARMLESS, changes, drawn, every
 from rigidsym.validate.faults.fault import FILES
 from rigidsym.validate.faults.noticing import CRASHED, RAISED, Notice, broken, first, references
 from rigidsym.validate.faults.spoilt import faulty, installed, on_text, spoilt
+from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.strata import STRATA
 
 TARGETS = tuple(FILES)
+FAULTS = all_faults()
 DIGITS, SEED = 30, 1
 # Enough of the strata to notice every fault; a report takes them all.
 STRATA_CHOSEN = {
@@ -37,16 +40,8 @@ def chosen():
     return [references(name, cases, DIGITS, SEED) for name, cases in STRATA_CHOSEN.items()]
 
 
-@pytest.fixture(scope="module")
-def noticed(chosen):
-    """Whether some stratum notices a fault; compilers run beside what is measured."""
-
-    def by_some(fault):
-        engine = spoilt(fault)
-        return any(first(engine, stratum) for stratum in chosen)
-
-    with ThreadPoolExecutor(2) as pool:
-        return dict(zip(FAULTS, pool.map(by_some, FAULTS), strict=True))
+# The first fault of every kind for each target, of those by hand and of those that are drawn.
+SAMPLE = {(f in BY_HAND, f.target, f.kind): f for f in reversed(FAULTS)}.values()
 
 
 def test_there_are_many_faults_of_every_kind():
@@ -62,9 +57,49 @@ def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
     assert [first(engine, stratum) for stratum in chosen] == [None] * len(chosen)
 
 
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.line)
-def test_a_fault_is_noticed(fault, noticed):
-    assert noticed[fault]
+@pytest.mark.parametrize(
+    "fault",
+    [
+        pytest.param(fault, marks=() if fault in SAMPLE else pytest.mark.slow, id=fault.line)
+        for fault in FAULTS
+    ],
+)
+def test_a_fault_is_noticed(fault, chosen):
+    engine = spoilt(fault)
+    assert any(first(engine, stratum) for stratum in chosen)
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
+    text = installed(FILES[target]).splitlines()
+    for fault in (*drawn(target), *every(target)[::25]):
+        changed = faulty(fault).splitlines()
+        assert sum(a != b for a, b in zip(text, changed, strict=True)) == 1
+
+
+def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
+    for target in TARGETS:
+        found, names = drawn(target), {fault.name for fault in every(target)}
+        assert {fault.kind for fault in found} == {fault.kind for fault in every(target)}
+        assert len(found) > 40
+        assert not {fault.name for fault in found} & {*HARMLESS}
+        assert HARMLESS.keys() & names
+    assert HARMLESS.keys() <= {fault.name for target in TARGETS for fault in every(target)}
+
+
+def test_a_place_of_an_expression_is_changed_in_every_way():
+    found = {
+        to_text(changed): kind
+        for kind, _, changed in changes(parse("choose(a, b, c/d, alternating(x) - 2*y)"))
+    }
+    assert found == {
+        "choose(a, b, alternating(x) - 2 * y, c / d)": "branch",
+        "choose(a, b, d / c, alternating(x) - 2 * y)": "scale",
+        "choose(a, b, c / d, alternating(x) + 2 * y)": "sign",
+        "choose(a, b, c / d, alternating(x))": "series",
+        "choose(a, b, c / d, 1 - 2 * y)": "winding",
+        "choose(a, b, c / d, alternating(x) - 2 * (2 * y))": "scale",
+    }
 
 
 FAULT = Fault("numpy", "constant", "a third is a half", "over_3 = ", "0.3333333333333333", "0.5")
@@ -119,7 +154,7 @@ def test_an_unknown_target():
         inject(["rust"], 1, DIGITS, SEED)
 
 
-SOME = [fault for fault in FAULTS if fault.kind == "steady"]
+SOME = [fault for fault in BY_HAND if fault.kind == "steady"]
 FEW = ("sphere", "spin", "rest", "uniform")
 
 
@@ -130,8 +165,13 @@ def report(**changes):
     return inject(**drawn, **options, progress=lambda *done: told.append(done)), told
 
 
-def test_the_report_is_deterministic_and_plain_data():
-    found, told = report()
+@pytest.fixture(scope="module")
+def reported():
+    return report()
+
+
+def test_the_report_is_deterministic_and_plain_data(reported):
+    found, told = reported
     again, _ = report()
     assert found == again
     assert json.loads(json.dumps(found.to_data())) == again.to_data()
@@ -140,8 +180,8 @@ def test_the_report_is_deterministic_and_plain_data():
     assert told == [(k, total) for k in range(1, total + 1)]
 
 
-def test_what_the_report_says():
-    found, _ = report()
+def test_what_the_report_says(reported):
+    found, _ = reported
     data = found.to_data()
     assert found.passed
     assert data["schema"] == "rigidsym.faults/1"

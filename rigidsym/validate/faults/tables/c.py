@@ -6,11 +6,8 @@ from rigidsym.validate.faults.fault import Fault
 
 _fault = partial(Fault, "c")
 _NUMBERS = "static const pair pi = {"
-# No empty line parts the exponential from the constants.
-_EXPONENTIAL = _NUMBERS
 _LADDER = "static void ladder("
 _CIRCULAR_PLAN = "static void circular_plan("
-_CIRCULAR_ANGLES = "static void circular_angles("
 _CIRCULAR_STATE = "static void circular_state("
 _HYPERBOLIC_PLAN = "static void hyperbolic_plan("
 _HYPERBOLIC_ANGLES = "static void hyperbolic_angles("
@@ -23,55 +20,6 @@ _INIT = "static int init("
 _UNTOLD = "-U__ASSOCIATIVE_MATH__"
 
 _CONSTANTS = (
-    _fault(
-        "constant",
-        "cosine_0 off by 1e-12",
-        _NUMBERS,
-        "cosine_0 = -4.934802200544679;",
-        "cosine_0 = -4.934802200549615;",
-    ),
-    _fault(
-        "constant",
-        "the last digits of log 2 lost",
-        _NUMBERS,
-        "log_2 = {0.6931471805599453, 2.3190468138462996e-17}",
-        "log_2 = {0.6931471805599453, 2.319e-17}",
-    ),
-    _fault(
-        "constant",
-        "1/2 of exponentials off by 1e-12",
-        _EXPONENTIAL,
-        "half = 0.5;",
-        "half = 0.5000000000005;",
-    ),
-    _fault(
-        "constant",
-        "log 2 in short off by 1e-12 in exponentials",
-        _EXPONENTIAL,
-        "log_2_rest = 1.9082149292705877e-10;",
-        "log_2_rest = 1.9012834574649877e-10;",
-    ),
-    _fault(
-        "precision",
-        "1/6 of exponentials in single precision",
-        _EXPONENTIAL,
-        "exponential_0 = 0.16666666666666666;",
-        "exponential_0 = 0.16666667163372040f;",
-    ),
-    _fault(
-        "precision",
-        "sine_4 in single precision",
-        _NUMBERS,
-        "sine_4 = -0.007370432209249014;",
-        "sine_4 = -0.007370432209249014f;",
-    ),
-    _fault(
-        "precision",
-        "the turned angle in single precision, steady",
-        _STEADY_STATE,
-        "sin_half_theta = X_im;",
-        "sin_half_theta = (float)X_im;",
-    ),
     _fault(
         "precision",
         "the gain of a rate in single precision, circular",
@@ -88,55 +36,6 @@ _SERIES = (
         _CIRCULAR_PLAN,
         "T1_re_3 = pair_mul_dx(-8.0, p7);",
         "T1_re_3 = pair_mul_dx(0.0, p7);",
-    ),
-    _fault(
-        "series",
-        "the last term of theta_4 dropped, circular",
-        _CIRCULAR_STATE,
-        "fused(x, fused(x, T4_im_2, T4_im_1), T4_im_0)",
-        "fused(x, T4_im_1, T4_im_0)",
-    ),
-    _fault(
-        "series",
-        "Q^20 dropped from the gains, circular",
-        _CIRCULAR_PLAN,
-        "pair_add_xx(pair_add_xx(pair_add_xx(pair_add_dx(1.0, Q2), Q6), Q12), Q20);",
-        "pair_add_xx(pair_add_xx(pair_add_dx(1.0, Q2), Q6), Q12);",
-    ),
-    _fault(
-        "series",
-        "the last term of theta_2 dropped, hyperbolic",
-        _HYPERBOLIC_STATE,
-        "near_im_odd = p * fused(p2, im_3, im_1);",
-        "near_im_odd = p * im_1;",
-    ),
-    _fault(
-        "series",
-        "the far side of theta_2 dropped, hyperbolic",
-        _HYPERBOLIC_STATE,
-        "far_re_odd = qw * fused(qw2, re_3, re_1);",
-        "far_re_odd = 0.0 * qw;",
-    ),
-    _fault(
-        "series",
-        "the term nome^12 of zeta dropped, hyperbolic",
-        _HYPERBOLIC_PLAN,
-        "pair_mul_xx(pair_mul_dx(7.0, nome12), S_3)",
-        "pair_mul_xx(pair_mul_dx(0.0, nome12), S_3)",
-    ),
-    _fault(
-        "series",
-        "a term of Watson's sum dropped, hyperbolic",
-        _HYPERBOLIC_PLAN,
-        "pair_mul_xx(nome8, twice2)",
-        "pair_mul_xx(pair_of(0.0), twice2)",
-    ),
-    _fault(
-        "series",
-        "a term of the nome wrong",
-        "static pair root_ratio(",
-        "pair_add_dx(15.0, pair_mul_xd(e4, 150.0))",
-        "pair_add_dx(14.0, pair_mul_xd(e4, 150.0))",
     ),
     _fault(
         "ladder",
@@ -203,13 +102,6 @@ _GEOMETRY = (
         _MOVING,
         "* Omega_d.hi < 0.0 ? -1.0 : 1.0",
         "* Omega_d.hi < 0.0 ? 1.0 : 1.0",
-    ),
-    _fault(
-        "sign",
-        "tau of the other sign in a gain, circular",
-        _CIRCULAR_PLAN,
-        "tau = -rho * epsilon * sigma;",
-        "tau = rho * epsilon * sigma;",
     ),
     _fault(
         "attitude",
@@ -279,27 +171,6 @@ _DECISIONS = (
         " const pair less = {-next[0], -next[1]}, above = pair_add_xx(moment, less);",
     ),
     _fault(
-        "winding",
-        "whole turns between periods lost, hyperbolic",
-        _HYPERBOLIC_ANGLES,
-        "whole = L_whole + (j_whole + turned_whole);",
-        "whole = L_whole + turned_whole;",
-    ),
-    _fault(
-        "winding",
-        "one half turn of v lost in the cosine, circular",
-        _CIRCULAR_ANGLES,
-        "cos_v = v_sign * fused",
-        "cos_v = fused",
-    ),
-    _fault(
-        "winding",
-        "one period too few, hyperbolic",
-        _HYPERBOLIC_ANGLES,
-        "nearest((p_y + y0_hi) * period_inverse);",
-        "nearest((p_y + y0_hi) * period_inverse) - (period_inverse > 0.0);",
-    ),
-    _fault(
         "quadrant",
         "the start before the middle of a period taken for one after it, hyperbolic",
         _HYPERBOLIC_PLAN,
@@ -319,13 +190,6 @@ _DECISIONS = (
         _HYPERBOLIC_PLAN,
         "const pair w = pair_choose(far, near, e_near, e_far);",
         "const pair w = pair_choose(far, near, e_far, e_near);",
-    ),
-    _fault(
-        "sheet",
-        "the half turns of q not counted, hyperbolic",
-        _HYPERBOLIC_ANGLES,
-        "L_sign = alternating(whole);",
-        "L_sign = 1.0;",
     ),
     _fault(
         "sheet",
@@ -357,13 +221,6 @@ _DIGITS = (
         _STEADY_PLAN,
         "plan->Lambda_rate_lo = Lambda_rate.lo;",
         "plan->Lambda_rate_lo = 0.0;",
-    ),
-    _fault(
-        "pair",
-        "the rounding of whole periods forgotten, hyperbolic",
-        _HYPERBOLIC_ANGLES,
-        "fused(period_lo, periods, product_error(period_hi, periods, back));",
-        "period_lo * periods;",
     ),
     _fault(
         "pair",
@@ -406,13 +263,6 @@ _DIGITS = (
         "int torque_free_plan_init(torque_free_plan",
         "ldexp(attitude0[k], -q_scale)",
         "attitude0[k]",
-    ),
-    _fault(
-        "scale",
-        "the unit of a rate forgotten, hyperbolic",
-        _HYPERBOLIC_PLAN,
-        "pair_div_xx(two, three)), unit);",
-        "pair_div_xx(two, three)), 1.0);",
     ),
     _fault(
         "steady",

@@ -1,0 +1,177 @@
+"""Faults drawn from what is printed: one change in the tree of a let, or in a named number.
+
+A change leaves a double a double and an extended number one, so that no other line changes.
+"""
+
+import struct
+from collections import Counter
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from hashlib import sha256
+
+from rigidsym.codegen.c import emit as c
+from rigidsym.codegen.functions import constants, functions
+from rigidsym.codegen.ir import Constant, Function, Let, is_extended
+from rigidsym.codegen.lines import Lines
+from rigidsym.codegen.numpy import emit as numpy
+from rigidsym.solution import sealed
+from rigidsym.solution.expression import Call, Expression, Number, Operation, children, rebuild
+from rigidsym.validate.faults.fault import Fault
+
+# A kind of fault, what is done, and the expression then.
+Change = tuple[str, str, Expression]
+# Calls without what they do.
+_IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
+# How many faults of each kind are drawn for a target.
+EACH = 5
+# Changes that no motion can show, and why; they are not drawn.
+HARMLESS = {
+    "turned_other of hyperbolic_angles: a term dropped (2)": "a rounding error of a small angle",
+    "j_whole of hyperbolic_angles: nearest forgotten (1)": "whole turns may stay with the rest",
+    "tail of half_turns: doubled (4)": "far below the last digit of a pair",
+    "cosine_4 off by 1e-12": "below the last digit of a cosine",
+    "sine_7 in single precision": "below the last digit of a sine",
+    "over_11 its last digits lost": "below the last digit of a pair where it is used",
+    "over_17 its last digits lost": "below the last digit of a pair where it is used",
+    "over_15 its last digits lost": "below the last digit of a pair where it is used",
+    "over_27 in single precision": "below the last digit of a pair where it is used",
+    "over_29 in single precision": "below the last digit of a pair where it is used",
+    "exponential_8 in single precision": "below the last digit of an exponential",
+    "C_5 of hyperbolic_plan: a sign turned (1)": "its power of the nome is below rounding",
+    "over_19 off by 1e-12": "below the last digit of a pair where it is used",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class _Printer:
+    """How a target prints functions, how a function begins, its numbers, and what ends code."""
+
+    lines: Callable[[Function], Lines]
+    begins: Callable[[Function], str]
+    constant: Callable[[Constant], str]
+    note: str
+
+    def code(self, line: str) -> str:
+        """A line without the equations behind it."""
+        return line.partition(self.note)[0]
+
+
+@cache
+def _functions() -> tuple[Function, ...]:
+    return functions(sealed())
+
+
+def _c_lines(function: Function) -> Lines:
+    return c.pieces(function, c.changing(_functions()))[0]
+
+
+def _c_begins(function: Function) -> str:
+    return next(line for line in _c_lines(function).text if line.startswith("static "))
+
+
+_PRINTERS = {
+    "numpy": _Printer(numpy.function_lines, lambda f: f"def {f.name}(", numpy.constant_text, "  #"),
+    "c": _Printer(_c_lines, _c_begins, c.constant_text, " /*"),
+}
+
+
+@cache
+def drawn(target: str) -> tuple[Fault, ...]:
+    """EACH faults of each kind, or as many as there are; those that are harmless are left out."""
+    counts, chosen = Counter[str](), []
+    for fault in every(target):
+        if counts[fault.kind] < EACH and fault.name not in HARMLESS:
+            counts[fault.kind] += 1
+            chosen.append(fault)
+    return tuple(chosen)
+
+
+@cache
+def every(target: str) -> tuple[Fault, ...]:
+    """All faults of a target's module that are one change of a let or of a named number.
+
+    Their order is by their texts, as good as random: what changes elsewhere does not move them.
+    """
+    printer = _PRINTERS[target]
+    own = numpy.own(_functions()) if target == "numpy" else _functions()
+    used = {name for function in own for name in function.used()}
+    found = [fault for function in own for fault in _of_function(target, printer, function)]
+    found += [
+        fault
+        for constant in constants()
+        if constant.name in used
+        for fault in _of_constant(target, printer, constant)
+    ]
+    return tuple(sorted(found, key=lambda fault: sha256(repr(fault).encode()).digest()))
+
+
+def _of_function(target: str, printer: _Printer, function: Function) -> Iterator[Fault]:
+    begins, extended = printer.begins(function), function.all_extended()
+    alone = replace(function, extended=extended)
+    for let in function.lets:
+        old = _line(printer, alone, let)
+        for number, (kind, done, changed) in enumerate(changes(let.expression), 1):
+            if is_extended(changed, extended) == is_extended(let.expression, extended):
+                new = _line(printer, alone, replace(let, expression=changed))
+                if new != old:
+                    name = f"{', '.join(let.targets)} of {function.name[1:]}: {done} ({number})"
+                    yield Fault(target, kind, name, begins, old, new)
+
+
+def _line(printer: _Printer, function: Function, let: Let) -> str:
+    """The line of a let in a function."""
+    lines = printer.lines(replace(function, lets=(let,)))
+    (number,) = lines.lets
+    return printer.code(lines.text[number])
+
+
+def changes(expression: Expression) -> Iterator[Change]:
+    """Every way to change one place of an expression.
+
+    >>> from rigidsym.solution.expression import parse, to_text
+    >>> [to_text(changed) for _, _, changed in changes(parse("-x + 2*y"))]
+    ['-x - 2 * y', '-x', '2 * y', 'x + 2 * y', '-x + 2 * (2 * y)']
+    """
+    yield from _at_the_top(expression)
+    parts = children(expression)
+    for k, part in enumerate(parts):
+        for kind, done, changed in changes(part):
+            yield kind, done, rebuild(expression, (*parts[:k], changed, *parts[k + 1 :]))
+
+
+def _at_the_top(expression: Expression) -> Iterator[Change]:
+    match expression:
+        case Operation("+", left, right):
+            yield "sign", "a sign turned", Operation("-", left, right)
+            yield "series", "a term dropped", left
+            yield "series", "a term dropped", right
+        case Operation("-", left, right):
+            yield "sign", "a sign turned", Operation("+", left, right)
+            yield "series", "a term dropped", left
+        case Operation("*", _, _):
+            yield "scale", "doubled", Operation("*", Number(2), expression)
+        case Operation("/", left, right):
+            yield "scale", "turned over", Operation("/", right, left)
+        case Call("neg", (operand,)):
+            yield "sign", "a sign turned", operand
+        case Call("choose", (x, y, one, other)):
+            yield "branch", "the other choice", Call("choose", (x, y, other, one))
+        case Call(function, _) if function in _IDLE:
+            kind, value = _IDLE[function]
+            yield kind, f"{function} forgotten", Number(value)
+        case Call(function, (first, second, *rest)):
+            yield "axis", "arguments swapped", Call(function, (second, first, *rest))
+
+
+def _of_constant(target: str, printer: _Printer, constant: Constant) -> Iterator[Fault]:
+    changed = [("constant", "off by 1e-12", replace(constant, hi=constant.hi * (1 + 1e-12)))]
+    (single,) = struct.unpack("f", struct.pack("f", constant.hi)) if constant.hi < 1e38 else (0.0,)
+    changed.append(("precision", "in single precision", replace(constant, hi=single)))
+    if constant.lo is not None:
+        changed.append(("constant", "its last digits lost", replace(constant, lo=0.0)))
+    old = printer.code(printer.constant(constant))
+    for kind, done, other in changed:
+        new = printer.code(printer.constant(other))
+        if new != old:
+            yield Fault(target, kind, f"{constant.name} {done}", old, old, new)
