@@ -23,14 +23,14 @@ def library(remarks: list[str]) -> Library:
 
     Raises CompilerError and LibraryError where there is no library to be had.
     """
-    sources, compiler = _sources(), find()
+    sources, compiler = package_sources(), find()
     key = _key(sources, compiler)
     found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
     check_arithmetic(found)
     return found
 
 
-def _sources() -> Mapping[str, str]:
+def package_sources() -> Mapping[str, str]:
     """The generated C module by file name."""
     package = resources.files("rigidsym.generated")
     return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES}
@@ -38,11 +38,11 @@ def _sources() -> Mapping[str, str]:
 
 def _key(sources: Mapping[str, str], compiler: Compiler) -> str:
     """A digest of all that determines a library."""
-    parts = [dict(sources), FLAGS, compiler.command, compiler.version, _processor()]
+    parts = [dict(sources), FLAGS, compiler.command, compiler.version, processor()]
     return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
 
 
-def _processor() -> list[str]:
+def processor() -> list[str]:
     """What `-march=native` depends on, as far as the system tells."""
     telling = [platform.machine()]
     try:

@@ -31,12 +31,13 @@ def directory() -> Path:
         return Path(named).absolute()
     xdg = Path(os.environ.get("XDG_CACHE_HOME", ""))
     try:
-        return (xdg if xdg.is_absolute() else _platform_caches()) / "rigidsym"
+        return (xdg if xdg.is_absolute() else platform_caches()) / "rigidsym"
     except RuntimeError:
         raise CacheError("there is no home directory for a cache") from None
 
 
-def _platform_caches() -> Path:
+def platform_caches() -> Path:
+    """Where this system keeps what can be made again; raises RuntimeError without a home."""
     if sys.platform == "darwin":
         return Path.home() / "Library" / "Caches"
     if sys.platform == "win32":

@@ -37,6 +37,11 @@ def checked(name: str) -> str:
     return name
 
 
+def forget() -> None:
+    """Look for C's engine again when it is next asked for."""
+    _obtained.cache_clear()
+
+
 def _c_or_numpy() -> Engine:
     with _LOCK:
         found, remarks = _obtained()

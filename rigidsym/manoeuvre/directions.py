@@ -47,7 +47,7 @@ def arcs(problem: Problem) -> Arcs:
     """All directions, or for a symmetry of the body one of each polhode, which then stands for
     all of it; none for spheres."""
     low, middle, high = problem.axes
-    inverse, form = _inverse(problem), _form(problem)
+    inverse, form = _inverse(problem), quadratic_form(problem)
     if not inverse.any():
         return Arcs(np.empty((0, 2)), lambda angle, arc: np.empty((0, 3)))
     across, along = np.sqrt(np.abs(inverse[[high, low]]))
@@ -65,7 +65,9 @@ def is_symmetry(problem: Problem) -> bool:
 
     Facts manoeuvre.symmetry, ring.euler.
     """
-    return bool(np.abs(_form(problem)).max() <= _SYMMETRY * np.abs(_inverse(problem)).max())
+    return bool(
+        np.abs(quadratic_form(problem)).max() <= _SYMMETRY * np.abs(_inverse(problem)).max()
+    )
 
 
 def _inverse(problem: Problem) -> np.ndarray:
@@ -74,7 +76,7 @@ def _inverse(problem: Problem) -> np.ndarray:
     return (c[middle] - c) / (c * c[middle])
 
 
-def _form(problem: Problem) -> np.ndarray:
+def quadratic_form(problem: Problem) -> np.ndarray:
     """A = R J R^T - J, (3, 3)."""
     inverse = _inverse(problem)
     return (problem.rotation * inverse) @ problem.rotation.T - np.diag(inverse)

@@ -17,12 +17,12 @@ class Carlson(Functions):
         """The amplitude phi with F(phi) = u, then its sine, cosine and dn."""
         start = amplitude(u.mid(), mc.mid()).mid()  # a guess, whatever it is
         for _ in range(3):
-            value, slope = _first_kind(start, mc)
+            value, slope = first_kind(start, mc)
             start = (start - (value - u) / slope).mid()
-        value, slope = _first_kind(start, mc)
+        value, slope = first_kind(start, mc)
         reach = 2 * ((value - u) / slope).abs_upper() + arb(2) ** (-ctx.prec // 2)
         box = start + arb(0, reach)
-        phi = start - (value - u) / _first_kind(box, mc)[1]
+        phi = start - (value - u) / first_kind(box, mc)[1]
         # F(start) is what R_F says it is where the cosine is positive.
         if not (box.contains_interior(phi) and start.cos() > 0):
             phi = arb.nan()
@@ -39,7 +39,7 @@ class Carlson(Functions):
         return acb.elliptic_rj(arb(0), mc, arb(1), 1 - n).real / 3
 
 
-def _first_kind(phi: arb, mc: arb) -> tuple[arb, arb]:
+def first_kind(phi: arb, mc: arb) -> tuple[arb, arb]:
     """F(phi) = s R_F(c^2, d^2, 1) and its derivative 1/d."""
     s, c = phi.sin_cos()
     d = _delta(s, c, mc)

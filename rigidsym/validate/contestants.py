@@ -36,6 +36,11 @@ def _contestant(name: str, thread: int) -> Any:
     return engines.exactly(name)
 
 
+def forget() -> None:
+    """Look for every contestant again when it is next asked for."""
+    _contestant.cache_clear()
+
+
 def digest(target: str) -> str:
     """What an installed module was generated from."""
     package = resources.files("rigidsym.generated")

@@ -67,7 +67,7 @@ def test_turn_and_cone_are_those_of_the_planner(posed):
     assert np.allclose(matrix(found, "R"), posed.rotation, rtol=0, atol=1e-14)
     assert np.allclose(vector(found, "N"), momentum @ posed.rotation, rtol=0, atol=1e-14)
     scale = 1 / posed.inertia.min()
-    form = directions._form(posed)
+    form = directions.quadratic_form(posed)
     assert np.allclose(matrix(found, "A"), form, rtol=0, atol=1e-14 * scale)
 
 

@@ -18,7 +18,7 @@ from rigidsym.engines.numpy_engine import NumpyEngine
 from rigidsym.errors import InputError
 
 SYSTEM = next(filter(None, map(shutil.which, compiler.NAMES)), None)
-OF_THE_PACKAGE = build._sources
+OF_THE_PACKAGE = build.package_sources
 needs_compiler = pytest.mark.skipif(SYSTEM is None, reason="needs a C compiler: cc, gcc or clang")
 
 # As much of torque_free.h as a library is asked for when it is loaded, quick to compile.
@@ -46,10 +46,10 @@ def fresh(monkeypatch, tmp_path):
     """An empty cache, sources that compile at once, and nothing found yet in this process."""
     monkeypatch.setenv("RIGIDSYM_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("CC", raising=False)
-    monkeypatch.setattr(build, "_sources", lambda: stub("a"))
-    choice._obtained.cache_clear()
+    monkeypatch.setattr(build, "package_sources", lambda: stub("a"))
+    choice.forget()
     yield
-    choice._obtained.cache_clear()
+    choice.forget()
 
 
 @pytest.fixture
@@ -108,9 +108,9 @@ def test_a_library_is_compiled_once(wrapped):
 def test_what_determines_a_library_is_in_its_name(wrapped, monkeypatch):
     log = wrapped()
     obtained()
-    monkeypatch.setattr(build, "_sources", lambda: stub("b"))
+    monkeypatch.setattr(build, "package_sources", lambda: stub("b"))
     obtained()
-    monkeypatch.setattr(build, "_processor", lambda: ["another"])
+    monkeypatch.setattr(build, "processor", lambda: ["another"])
     obtained()
     monkeypatch.setattr(build, "FLAGS", (*compiler.FLAGS, "-g"))
     obtained()
@@ -193,7 +193,7 @@ def test_a_home_that_does_not_exist_is_told(monkeypatch):
 
     monkeypatch.delenv("RIGIDSYM_CACHE")
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    monkeypatch.setattr(cache, "_platform_caches", homeless)
+    monkeypatch.setattr(cache, "platform_caches", homeless)
     reason = "there is no home directory for a cache"
     assert obtained() == [f"engine: {reason}: the library serves this process only"]
 

@@ -25,7 +25,7 @@ def orekit():
         peers.peer("orekit")
     except InputError as error:
         pytest.skip(str(error))
-    orekit_peer._started()
+    orekit_peer.started()
     import jpype
 
     context = jpype.JClass("org.orekit.data.LazyLoadedDataContext")()

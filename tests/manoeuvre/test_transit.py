@@ -7,7 +7,7 @@ import pytest
 from random_manoeuvres import BODIES, manoeuvre
 
 from rigidsym import engines
-from rigidsym.manoeuvre.directions import _form, arcs
+from rigidsym.manoeuvre.directions import arcs, quadratic_form
 from rigidsym.manoeuvre.problem import problem
 from rigidsym.manoeuvre.transit import transits
 from rigidsym.motion import TorqueFreeMotion
@@ -32,7 +32,7 @@ def flown(index):
 @pytest.mark.parametrize("index", range(6 * len(BODIES)))
 def test_motions_begin_on_the_cone_and_arrive_after_a_transit_and_whole_periods(index):
     posed, size, direction = flown(index)
-    form = _form(posed)
+    form = quadratic_form(posed)
     assert abs(direction @ form @ direction) < 1e-12 * max(np.abs(form).max(), 1e-3)
     first, period = transits(posed, direction[None])
     turns = (size - first[0]) / period[0]
@@ -44,7 +44,7 @@ def test_motions_begin_on_the_cone_and_arrive_after_a_transit_and_whole_periods(
 @pytest.mark.parametrize("index", range(3 * len(BODIES)))
 def test_directions_of_arcs_lie_on_the_cone(index):
     posed, _, _ = flown(index)
-    curves, form = arcs(posed), _form(posed)
+    curves, form = arcs(posed), quadratic_form(posed)
     arc = np.repeat(np.arange(len(curves.ends)), 9)
     found = curves.at(arc, np.tile(np.linspace(-30, 30, 9), len(curves.ends)))
     assert len(arc) >= 18

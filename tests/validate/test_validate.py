@@ -198,11 +198,11 @@ def test_the_distance_from_the_separatrix():
 
 def test_errors_of_states_that_are_refused_are_infinite_and_still_json(monkeypatch):
     monkeypatch.setattr(contestants.engines, "exactly", lambda name: Spoilt(refused))
-    contestants._contestant.cache_clear()
+    contestants.forget()
     try:
         report = validate(["numpy"], cases=1, strata=["uniform"])
     finally:
-        contestants._contestant.cache_clear()
+        contestants.forget()
     assert not report.passed
     data = json.loads(report.to_json())
     assert data["contestants"][0]["strata"]["uniform"]["angle"]["units"] == "inf"

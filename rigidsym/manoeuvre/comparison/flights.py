@@ -99,7 +99,7 @@ def slow_step(ways: Ways) -> tuple[Track, Flight]:
     """The same with gains so low that it takes the duration, and that stay so for the hold."""
     track, flight = step(ways)
     within = np.radians(flight.run.settled)
-    frequency = _slowest(ways.case.angle, within) / ways.case.duration
+    frequency = slowest(ways.case.angle, within) / ways.case.duration
     return track, replace(
         flight, controller=replace(flight.controller, natural_frequency=frequency)
     )
@@ -142,7 +142,7 @@ def exerted(run: Run, actuators: Model) -> np.ndarray:
     return run.torque - np.cross(run.omega, run.wheel_momentum)
 
 
-def _slowest(turn: float, within: float) -> float:
+def slowest(turn: float, within: float) -> float:
     """The natural frequency times the time in which a critically damped oscillator that is `turn`
     off comes `within` (rad): (1 + x) exp(-x) = within / turn, by Lambert's function."""
     return float(-1 - lambertw(-within / turn / e, -1).real) if turn > within else 1.0

@@ -27,8 +27,8 @@ _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_erro
 EACH = 5
 # Of the faults drawn, those that no motion can show, and why.
 HARMLESS = {
-    "turned_other of hyperbolic_angles: a term dropped (2)": "a rounding error of a small angle",
-    "j_whole of hyperbolic_angles: nearest forgotten (1)": "whole turns may stay with the rest",
+    "turned_other of hyperbolic_angles: a term dropped (2)": "a sum's error, near enough",
+    "j_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
     "tail of half_turns: doubled (4)": "far below the last digit of a pair",
     "cosine_4 off by 1e-12": "below the last digit of a cosine",
     "sine_7 in single precision": "below the last digit of a sine",

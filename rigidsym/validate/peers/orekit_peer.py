@@ -43,11 +43,11 @@ class OrekitPeer:
 
     def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
         """See `Peer`."""
-        return _started().motion(Start(inertia, omega0, attitude0))
+        return started().motion(Start(inertia, omega0, attitude0))
 
     def states(self, plan: Any, t: Any) -> States:
         """See `Peer`."""
-        java = _started()
+        java = started()
         rows = [java.state(plan, time) for time in checked(t).tolist()]
         found = np.array(rows, float).reshape(-1, 7)
         return found[:, :4], found[:, 4:]
@@ -90,7 +90,7 @@ class _Java:
         return [r.getQ0(), r.getQ1(), r.getQ2(), r.getQ3(), spin.getX(), spin.getY(), spin.getZ()]
 
 
-def _started() -> _Java:
+def started() -> _Java:
     """Java of this process; raises EngineError where it cannot be had."""
     java = _java()
     if java.process != os.getpid():

@@ -103,7 +103,7 @@ def test_thrusters_are_not_told_of_gyroscopic_torques():
 
 
 def test_a_slow_step_comes_within_what_counts_as_settled():
-    x = flights._slowest(2.0, 0.001)
+    x = flights.slowest(2.0, 0.001)
     assert (1 + x) * np.exp(-x) == pytest.approx(0.001 / 2.0)
 
 
