@@ -13,11 +13,12 @@ from rigidsym.paper import Ruling, verdicts
 from rigidsym.seal import seal
 from rigidsym.solution import ledger_text, sealed
 from rigidsym.validate.campaign import CASES, SEED
-from rigidsym.validate.faults.tables import FAULTS
+from rigidsym.validate.faults import all_faults
 from rigidsym.validate.second_oracle import SHARE, is_due
 from rigidsym.validate.strata import STRATA, count, draw
 
 LEDGER = json.loads(ledger_text())
+FAULTS = all_faults()
 GRADES = Counter(fact["grade"] for fact in LEDGER["facts"])
 FACTS, CONTEXTS = len(LEDGER["facts"]), len(LEDGER["contexts"])
 MEASURED = json.loads(MEASURED_FILE.read_text("utf-8"))
