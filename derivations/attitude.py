@@ -7,7 +7,7 @@ denominator that never falls below K, so nothing here has an edge: whatever the 
 whatever the order of the axes, this R satisfies (3).  It is the regular form of Theorem 1.
 """
 
-from rigidsym.algebra import Book, Part, half_angle, join, sign
+from rigidsym.proof.algebra import Book, Part, half_angle, join, sign
 
 INERTIA = Part(
     witness={"c_a": "3", "c_b": "2", "c_d": "1"},

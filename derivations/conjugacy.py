@@ -5,8 +5,8 @@ with M of (8) it gives the angles phi2 and phi3.
 """
 
 from derivations.euler_lax import INERTIA
-from rigidsym.algebra import Book, Part, equal, half_angle, join, names
-from rigidsym.algebra.su2 import (
+from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, names
+from rigidsym.proof.algebra.su2 import (
     Complex,
     Matrix,
     basis,
@@ -15,7 +15,7 @@ from rigidsym.algebra.su2 import (
     exponential,
     from_quaternion,
 )
-from rigidsym.kernel import Element, Ring
+from rigidsym.proof.kernel import Element, Ring
 
 MOMENTUM = Part(witness={"K": "1"}, units=("K",), reading={"K": "|M|, kg m^2 rad/s"})
 ANGLES = (

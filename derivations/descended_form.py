@@ -13,7 +13,7 @@ is a model of the regular form and of the attitude at once, so whatever was prov
 from derivations.attitude import MOMENTUM as MOMENTUM_OF
 from derivations.attitude import PULL_BACK, SHORTEST, TURN
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
-from rigidsym.algebra import Book, Part, half_angle, jacobi, join
+from rigidsym.proof.algebra import Book, Part, half_angle, jacobi, join
 
 DESCENT = Part(
     witness={"k_1": "1", "C_b": "50"},

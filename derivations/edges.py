@@ -7,7 +7,7 @@ symmetric body the circulation rate is constant.  Motions with constant rates ar
 """
 
 from derivations.regular_form import AMPLITUDES, BODY, INVARIANTS, ROTATING
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 SEPARATRIX = Part(
     witness={"B_b": "25"},

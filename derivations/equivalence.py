@@ -11,7 +11,7 @@ from derivations.attitude import PULL_BACK, SHORTEST, TURN
 from derivations.conjugacy import ANGLES, MOMENTUM
 from derivations.euler_lax import INERTIA
 from derivations.kinematics import MOTION
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 # The regular form's names about axis 1: a, b, d = 1, 2, 3 are right-handed, sigma = 1, p = 1.
 AXES = {"a": 1, "b": 2, "d": 3}

@@ -7,9 +7,9 @@ motions start at R(0) = e: for another start it is R(0) M(0) R(0)^-1, as the cou
 """
 
 from derivations.lie_algebra import UNIT_QUATERNION
-from rigidsym.algebra import Book, Part, equal, join, names, text
-from rigidsym.algebra.quaternion import product
-from rigidsym.algebra.su2 import combination, commutator, from_quaternion
+from rigidsym.proof.algebra import Book, Part, equal, join, names, text
+from rigidsym.proof.algebra.quaternion import product
+from rigidsym.proof.algebra.su2 import combination, commutator, from_quaternion
 
 INERTIA = Part(
     witness={"c1": "1", "c2": "2", "c3": "5/2"},

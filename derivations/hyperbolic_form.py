@@ -13,7 +13,7 @@ assumed anew.
 """
 
 from derivations.theta_form import ASSUMED, CLASSICAL, COMPONENTS, FORM, FREE
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 READING = Part(
     reading={

@@ -7,9 +7,9 @@ the rates satisfy Euler's equations (5).
 
 from derivations.conjugacy import ANGLES, MOMENTUM, RATES, phase, rotation
 from derivations.euler_lax import INERTIA
-from rigidsym.algebra import Book, Part, equal, join, names
-from rigidsym.algebra.su2 import Complex, Matrix, combination
-from rigidsym.kernel import Element, Ring
+from rigidsym.proof.algebra import Book, Part, equal, join, names
+from rigidsym.proof.algebra.su2 import Complex, Matrix, combination
+from rigidsym.proof.kernel import Element, Ring
 
 BODY_RATES = Part(
     witness={"Omega1": "0", "Omega2": "0", "Omega3": "0"},

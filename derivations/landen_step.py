@@ -11,7 +11,7 @@ of m, r and Y of the top have limits where k_1 vanishes.  At the bottom x = sinh
 are what the theta series of the shifted argument are made of.
 """
 
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 # The only rational points of the modulus are the ends: 1 - kc^2 and kc are squares nowhere else.
 MODULUS = Part(

@@ -8,7 +8,7 @@ Dropping the c_i mends each of them; c_i^2 moved from the denominator of chi to 
 (14) mends them all at once, as then (13) gives the roots in (c_i Omega_i)^2.
 """
 
-from rigidsym.algebra import Book, Part, jacobi, join, sign
+from rigidsym.proof.algebra import Book, Part, jacobi, join, sign
 
 INERTIA = Part(
     witness={"c_i": "2", "c_j": "3", "c_k": "1"},

@@ -5,9 +5,9 @@ product into the matrix product; the basis (4) has the brackets that make the Li
 product; and under F the kinematics (3) is the familiar q' = (1/2) q (0, Omega).
 """
 
-from rigidsym.algebra import Book, Part, equal, join, names
-from rigidsym.algebra.quaternion import product
-from rigidsym.algebra.su2 import basis, combination, commutator, from_quaternion
+from rigidsym.proof.algebra import Book, Part, equal, join, names
+from rigidsym.proof.algebra.quaternion import product
+from rigidsym.proof.algebra.su2 import basis, combination, commutator, from_quaternion
 
 UNIT_QUATERNION = Part(
     witness={"q0": "1", "q1": "0", "q2": "0", "q3": "0"},

@@ -14,8 +14,8 @@ from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import ATTITUDE, BODY, INERTIA
 from derivations.lie_algebra import UNIT_QUATERNION
 from derivations.regular_form import BY_RATES, DIFFERENCES
-from rigidsym.algebra import Book, Part, equal, join, names
-from rigidsym.algebra.quaternion import product
+from rigidsym.proof.algebra import Book, Part, equal, join, names
+from rigidsym.proof.algebra.quaternion import product
 
 CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 PAIRS = [(j, k) for j in (1, 2, 3) for k in (1, 2, 3)]

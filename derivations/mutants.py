@@ -5,8 +5,8 @@ cover, or shows that it is equivalent, an identity too.  The ledger keeps the co
 none is left unaccounted for.
 """
 
-from rigidsym.algebra import Book
-from rigidsym.algebra.mutants import tally
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra.mutants import tally
 
 
 def derive(book: Book) -> None:

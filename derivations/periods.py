@@ -15,7 +15,7 @@ As in the theta form, 0 < k_1 < 1: neither the separatrix nor a symmetric body.
 from derivations.attitude import ATTITUDE
 from derivations.descended_form import MOTION
 from derivations.theta_form import POINTS, SHIFT
-from rigidsym.algebra import Book, Part, half_angle, join
+from rigidsym.proof.algebra import Book, Part, half_angle, join
 
 # What half a period later means; K_1 and J_c are complete integrals, quarter is K(m).
 LATER = Part(

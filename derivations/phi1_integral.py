@@ -5,7 +5,7 @@ modulus; Lemma 1, and zeta sn(xi t + gamma, mu) of (34), read it as the paramete
 (36) is phi1, not its derivative.
 """
 
-from rigidsym.algebra import Book, Part, jacobi, join
+from rigidsym.proof.algebra import Book, Part, jacobi, join
 
 CONSTANTS = Part(
     witness={"c1": "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},

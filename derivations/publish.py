@@ -11,8 +11,8 @@ An entry is a proved fact, or the reading of a name: a standard function of know
 where the paper's equation does.
 """
 
-from rigidsym.algebra import Book
-from rigidsym.algebra.book import Entry, facts, readings
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra.book import Entry, facts, readings
 
 DIFFERENCES = facts("regular", "c_ab c_ad c_bd")
 INVARIANTS = [*facts("regular", "H E_a E_b E_d"), *facts("attitude", "M_a M_b M_d")]

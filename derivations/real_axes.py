@@ -9,7 +9,7 @@ vanishes, and no real constants make it a sine amplitude.
 
 from derivations.lemma1 import INERTIA, MOVING, QUARTIC, ROOTS
 from derivations.regular_form import REGULAR
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 # (13) calls s_i the root with + before the square root: the smaller one, where alpha < 0.
 NAMED = Part(

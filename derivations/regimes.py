@@ -14,7 +14,7 @@ separatrix 1 - m = 0, for symmetric bodies m = 0.
 import re
 
 from derivations.regular_form import FORMULAS
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 BODY = Part(
     witness={

@@ -11,7 +11,7 @@ own.
 """
 
 from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
-from rigidsym.algebra import Book, Part, jacobi, join, sign
+from rigidsym.proof.algebra import Book, Part, jacobi, join, sign
 
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
 HALF = sign("chi", "+1 when cn > 0 describes the start, -1 when the other half period does")

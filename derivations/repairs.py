@@ -5,8 +5,8 @@ that agree at rational points are decided by the kernel.  The ledger keeps the s
 that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
 """
 
-from rigidsym.algebra import Book
-from rigidsym.algebra.repairs import repairs
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra.repairs import repairs
 
 # Where each refuted fact holds what the paper prints: a side of it, or a definition.
 PRINTED = {

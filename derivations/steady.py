@@ -3,8 +3,8 @@ of a symmetric body.  There M and Omega commute, and the attitude is one exponen
 """
 
 from derivations.euler_lax import BODY, INERTIA
-from rigidsym.algebra import Book, Part, equal, half_angle, join, names
-from rigidsym.algebra.quaternion import product
+from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, names
+from rigidsym.proof.algebra.quaternion import product
 
 CONSTANT = Part(
     witness={"Omega1": "1", "Omega2": "0", "Omega3": "0"},

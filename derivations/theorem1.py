@@ -10,10 +10,10 @@ mends all of that.  With s1 the root in Omega_1^2 (Lemma 1), n in (20) and (21) 
 
 from derivations.conjugacy import ANGLES, MOMENTUM, rotation
 from derivations.phi1_integral import CONSTANTS, SINE, THIRD_KIND
-from rigidsym.algebra import Book, Part, equal, half_angle, jacobi, join, names, sign
-from rigidsym.algebra.quaternion import product
-from rigidsym.algebra.su2 import Matrix, basis, combination, from_quaternion
-from rigidsym.kernel import Element, Ring
+from rigidsym.proof.algebra import Book, Part, equal, half_angle, jacobi, join, names, sign
+from rigidsym.proof.algebra.quaternion import product
+from rigidsym.proof.algebra.su2 import Matrix, basis, combination, from_quaternion
+from rigidsym.proof.kernel import Element, Ring
 
 # cos(phi3) = side * rho with rho = 1/sqrt(1 + y^2) > 0: side tells the half plane phi3 is in.
 TANGENT = Part(

@@ -16,7 +16,7 @@ from dataclasses import replace
 from derivations.attitude import MOMENTUM
 from derivations.descended_form import MOTION
 from derivations.theta_form import CLASSICAL, COMPONENTS, FORM, NORM, PHASE, TURNING
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 # What elementary values have to satisfy is shown, not assumed.
 SHOWN = (

@@ -20,7 +20,7 @@ form, so the attitude solves (3) there too, at their grade.
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION
 from derivations.regular_form import HALF
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
 # polynomial.

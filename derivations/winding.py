@@ -6,7 +6,7 @@
 so both sides grow alike; that they agree at one theta is the assumption that balls confirm.
 """
 
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + k pi.
 TURNING = Part(

@@ -33,7 +33,7 @@
 #   one, that a small kernel has decided, and that it decides once more below.
 #
 # Nothing on this page is typed in by hand but the prose: equations, verdicts and counterexamples
-# come from `rigidsym.paper` and from the ledger of facts, and `rigidsym errata` prints the same in
+# come from `rigidsym.proof.paper` and from the ledger of facts, and `rigidsym errata` prints the same in
 # a terminal. How the facts are *proved* is the matter of the next notebooks:
 # [from the Lax pair to $KA_1$](02_from_lax_pair_to_k_a1.ipynb) and
 # [the $\phi_1$ integral and $\Pi$](03_the_phi1_integral_and_pi.ipynb).
@@ -57,8 +57,8 @@ from collections import Counter
 
 from IPython.display import display
 
-from rigidsym.kernel import Grade
-from rigidsym.paper import EQUATIONS, Ruling, verdicts
+from rigidsym.proof.kernel import Grade
+from rigidsym.proof.paper import EQUATIONS, Ruling, verdicts
 from rigidsym.solution import ledger_text
 from support import grades, sealed, table
 

@@ -35,10 +35,10 @@ from IPython.display import Math, display
 
 from derivations.conjugacy import reduced_momentum, rotation
 from figures import curve, label, momentum_sphere
-from rigidsym.algebra import names
-from rigidsym.algebra.su2 import basis, combination, commutator
-from rigidsym.cases import paper_case
-from rigidsym.kernel import Grade
+from rigidsym.io.cases import paper_case
+from rigidsym.proof.algebra import names
+from rigidsym.proof.algebra.su2 import basis, combination, commutator
+from rigidsym.proof.kernel import Grade
 from support import derived, equation, grades, matrix, number, printed, show
 
 ledger = derived("lie_algebra", "euler_lax", "conjugacy")
@@ -185,8 +185,8 @@ assert len(difference.numerator) > 0
 # it. *Undecided* is what it says, not *false*: only a counterexample makes a statement false.
 
 # %%
-from rigidsym.algebra import Book
-from rigidsym.kernel import KernelError
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.kernel import KernelError
 
 book = Book()
 book.open(ledger.contexts["three_angles"])

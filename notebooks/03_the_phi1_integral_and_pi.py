@@ -36,9 +36,9 @@ from IPython.display import display
 
 from derivations.conjugacy import rotation
 from rigidsym import TorqueFreeMotion
-from rigidsym.algebra.jacobi_functions import NUMPY
-from rigidsym.cases import paper_case
-from rigidsym.kernel import Grade
+from rigidsym.io.cases import paper_case
+from rigidsym.proof.algebra.jacobi_functions import NUMPY
+from rigidsym.proof.kernel import Grade
 from support import definitions, derived, grades, printed, sealed, show
 
 ledger = derived("kinematics", "phi1_integral", "winding")
@@ -135,7 +135,7 @@ assert grades(ledger, "pole_plus.denominator", "pole_minus.denominator") == {Gra
 # other meaning of $\mu$.
 
 # %%
-from rigidsym.paper import verdicts
+from rigidsym.proof.paper import verdicts
 from rigidsym.solution import ledger_data, ledger_text
 
 verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}

@@ -36,8 +36,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import rigidsym
-from rigidsym.cases import paper_case
-from rigidsym.kernel import Grade
+from rigidsym.io.cases import paper_case
+from rigidsym.proof.kernel import Grade
 from support import derived, grades, show
 
 BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"
@@ -396,7 +396,7 @@ assert len(ledger.facts["sorted_body.cases"].rhs) == 14, "leaves of the tree of 
 # sphere.)
 
 # %%
-from rigidsym.pictures import momentum_sphere
+from rigidsym.view.scenes import momentum_sphere
 
 scene = momentum_sphere(motion, family=3)
 pole = np.array([1.0, 0, 0])

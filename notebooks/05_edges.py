@@ -40,9 +40,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from rigidsym import Regime, TorqueFreeMotion
-from rigidsym.kernel import Grade
-from rigidsym.pictures import momentum_sphere, tumbling_body
 from rigidsym.precise import PreciseMotion
+from rigidsym.proof.kernel import Grade
+from rigidsym.view.scenes import momentum_sphere, tumbling_body
 from support import derived, grades, show, table
 
 BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"

@@ -330,7 +330,7 @@ assert refused.field == "inertia"
 # %%
 from collections import Counter
 
-from rigidsym.kernel import Grade
+from rigidsym.proof.kernel import Grade
 from support import sealed, show
 
 ledger = sealed()
@@ -372,7 +372,7 @@ show(ledger, "theta_form.qbar_0", "theta_form.Lambda", "descended.psi_0", "regul
 # An independent checker, which shares no code with the kernel, reads the same ledger:
 
 # %%
-from rigidsym.independent import check
+from rigidsym.proof.checker import check
 from rigidsym.solution import ledger_text
 
 accepted = check(ledger_text())

@@ -75,7 +75,7 @@ assert set(place["equations"]) == {"33", "34"}
 # have a *reading* instead: they compute the standard function that a symbol stands for.)
 
 # %%
-from rigidsym.kernel import Grade
+from rigidsym.proof.kernel import Grade
 from support import sealed, show
 
 ledger = sealed()
@@ -91,7 +91,7 @@ show(ledger, "descended.psi_0")
 # $\varphi_1$?
 
 # %%
-from rigidsym.trace import lines_of_equation
+from rigidsym.codegen.trace import lines_of_equation
 
 lines = lines_of_equation("34")
 for line in lines[:4]:
@@ -107,7 +107,7 @@ assert all(line.startswith("torque_free.") for line in lines)
 # ledger.
 
 # %%
-from rigidsym.seal import seal, seal_text
+from rigidsym.codegen.seal import seal, seal_text
 from rigidsym.solution import sealed as solution
 
 decisions, read_back = seal(solution()), seal_text(generated, solution())

@@ -243,8 +243,8 @@ assert {fault.target for fault in faults} == {"numpy", "c"}
 # see it?
 
 # %%
-from rigidsym.validate.faults.noticing import first, references
-from rigidsym.validate.faults.spoilt import spoilt
+from rigidsym.validate.faults.detection import first, references
+from rigidsym.validate.faults.mutated_build import spoilt
 
 engine = spoilt(fault)
 notices = {

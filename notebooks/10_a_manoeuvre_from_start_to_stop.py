@@ -46,9 +46,9 @@ import numpy as np
 
 import rigidsym
 from rigidsym import engines
-from rigidsym.kernel import Grade
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.files import open_manoeuvre
+from rigidsym.proof.kernel import Grade
 from support import grades, sealed, show, table
 
 BLUE, RED, GREEN, PINK = "#0072b2", "#d55e00", "#009e73", "#cc79a7"
@@ -299,7 +299,7 @@ assert refused
 # The motions are still the same ones.
 
 # %%
-from rigidsym.manoeuvre.burns import burns
+from rigidsym.manoeuvre.bursts import burns
 
 tumbling = (0.01, 0.02, -0.01)  # rad/s
 durations = np.geomspace(40, 600, 141)
@@ -555,7 +555,7 @@ assert np.isclose(np.abs(told.torque[late]).max(), np.abs(run.torque[late]).max(
 # `RotationSpline`. Both take samples of a motion:
 
 # %%
-from rigidsym.export import aem, rotation_spline, sampled
+from rigidsym.io import aem, rotation_spline, sampled
 
 track = sampled(best.motion, np.linspace(0, 120, 121))
 epoch = flight.orbit.epoch.strftime("%Y-%m-%dT%H:%M:%S")

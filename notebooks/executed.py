@@ -14,7 +14,7 @@ from hashlib import sha256
 from importlib import metadata
 from pathlib import Path
 
-from rigidsym.files import write_text
+from rigidsym.io.files import write_text
 
 FOLDER = Path(__file__).resolve().parent
 RECORD = FOLDER / "executed.json"

@@ -1,6 +1,6 @@
 """Drawings that several notebooks share, by matplotlib.  They illustrate and prove nothing.
 
-The curves are those of `rigidsym.pictures`; what is here is a flat drawing that can be drawn upon.
+The curves are those of `rigidsym.view.scenes`; what is here is a flat drawing that can be drawn upon.
 """
 
 from typing import Any
@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.pictures.geometry import members, moments, momentum, polhode, separatrix
-from rigidsym.pictures.scene import ball
+from rigidsym.view.geometry import members, moments, momentum, polhode, separatrix
+from rigidsym.view.scenes.scene import ball
 
 # Body axes (1, 2, 3) as the picture's (z, x, y): right-handed, with axis 1 upwards.
 _TURNED = [1, 2, 0]

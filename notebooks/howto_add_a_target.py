@@ -47,7 +47,7 @@ assert [let.facts for let in excess.lets] == [("regular.E_b",)]
 
 # %%
 from rigidsym.codegen.lines import Lines, comment, joined
-from rigidsym.solution.expression import to_text
+from rigidsym.language.expression import to_text
 
 
 def printed(function):
@@ -118,8 +118,8 @@ assert generated == rigidsym.generate("exact")
 # project's parser reads Python's operators; `is_equal` decides by normal form.
 
 # %%
-from rigidsym.seal import is_equal
-from rigidsym.solution.expression import parse
+from rigidsym.codegen.seal import is_equal
+from rigidsym.language.expression import parse
 
 lines = generated.files[FILE].splitlines()
 (place,) = generated.map[FILE]
@@ -132,11 +132,11 @@ assert not is_equal(parse(expression.replace("-", "+", 1)), excess.lets[0].expre
 # %% [markdown]
 # In the project that is a *reader* in `rigidsym/seal`, a module with
 # `check(files, functions, constants)` that returns how many lines it has read back, and a line in
-# `_READERS` of `rigidsym/seal/text.py`. Without one, nothing is written:
+# `_READERS` of `rigidsym/codegen/seal/text.py`. Without one, nothing is written:
 
 # %%
+from rigidsym.codegen.seal import seal_text
 from rigidsym.errors import InputError
-from rigidsym.seal import seal_text
 
 try:
     seal_text(generated, sealed())

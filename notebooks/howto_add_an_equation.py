@@ -33,7 +33,7 @@
 
 # %%
 from derivations.euler_lax import BODY, INERTIA
-from rigidsym.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join
 
 book = Book()
 mine = Part(definitions={"E": "K_squared - 2*H*c2"}, reading={"E": "K^2 - 2 H c_2"})
@@ -54,7 +54,7 @@ assert context.definitions["delta1"] == "(c2 - c3)/c1"
 # difference; the fact carries a certificate that can be checked by multiplying polynomials.
 
 # %%
-from rigidsym.kernel import Grade
+from rigidsym.proof.kernel import Grade
 
 constant = book.claim("mine.constant", {"D(E)": "0"}, ["15"])
 form = book.claim("mine.form", {"E": "c1*(c1 - c2)*Omega1**2 + c3*(c3 - c2)*Omega3**2"}, ["15"])
@@ -69,7 +69,7 @@ assert constant.grade == form.grade == Grade.PROVED
 # *refuted*: that the normal form is not zero could also mean that a hypothesis is missing.
 
 # %%
-from rigidsym.kernel import KernelError
+from rigidsym.proof.kernel import KernelError
 
 WRONG = {"E": "c1*(c1 - c2)*Omega1**2 + c3*(c2 - c3)*Omega3**2"}
 try:
@@ -105,8 +105,8 @@ assert "agree" in refused
 # A book is a text, and any kernel can read it. The second checker shares no code with the first.
 
 # %%
-from rigidsym.independent import check
-from rigidsym.kernel import replay
+from rigidsym.proof.checker import check
+from rigidsym.proof.kernel import replay
 
 written = book.ledger.to_text()
 assert set(replay(written).facts) == {"mine.constant", "mine.form", "mine.not_so"}
@@ -132,7 +132,7 @@ assert refused
 # As mathematics, with their grades:
 
 # %%
-from rigidsym.display import claims
+from rigidsym.view.html import claims
 
 mine = claims(book.ledger)
 assert {mine[name].grade for name in ("mine.constant", "mine.form")} == {"PROVED"}

@@ -125,7 +125,7 @@ assert 0.1 < np.median(spread) < 10
 # What a file may hold can be read here as well:
 
 # %%
-from rigidsym.cases import parse_case
+from rigidsym.io.cases import parse_case
 
 case = parse_case("""
 inertia = [0.0112, 0.0383, 0.0407]

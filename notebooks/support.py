@@ -1,7 +1,7 @@
 """What notebooks alone need: ledgers to read from, and matrices of contexts as SymPy's.
 
 Nothing is derived here.  Statements come from a ledger, whether it has just been written by
-chapters of `derivations` or replayed from the sealed one; `rigidsym.display` shows them.
+chapters of `derivations` or replayed from the sealed one; `rigidsym.view.html` shows them.
 """
 
 import re
@@ -13,14 +13,14 @@ import sympy
 from IPython.display import HTML, Markdown, Math
 
 from derivations import CHAPTERS
-from rigidsym.algebra import Book
-from rigidsym.algebra.enclosures import encloses
-from rigidsym.algebra.su2 import Complex, Matrix
-from rigidsym.display import Claim, claims, latex
-from rigidsym.display.names import symbol
-from rigidsym.kernel import Element, Grade, Ledger, replay
-from rigidsym.paper import EQUATIONS
+from rigidsym.language.symbols import symbol
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra.su2 import Complex, Matrix
+from rigidsym.proof.kernel import Element, Grade, Ledger, replay
+from rigidsym.proof.paper import EQUATIONS
 from rigidsym.solution import ledger_text
+from rigidsym.view.html import Claim, claims, latex
 
 
 def derived(*chapters: str) -> Ledger:

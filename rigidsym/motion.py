@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 
-from rigidsym import batches, engines, inputs
+from rigidsym import engines, inputs
+from rigidsym.engines import batches
 from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
@@ -123,12 +124,12 @@ class TorqueFreeMotion:
         return f"TorqueFreeMotion({inside})"
 
     def _repr_html_(self) -> str:
-        from rigidsym.display.motions import motion_html
+        from rigidsym.view.html.motions import motion_html
 
         return motion_html(self)
 
     def _repr_latex_(self) -> str:
-        from rigidsym.display.motions import motion_latex
+        from rigidsym.view.html.motions import motion_latex
 
         return motion_latex(self)
 
@@ -289,7 +290,7 @@ class TorqueFreeMotion:
         notebook, and has `savefig`.  Raises InputError for times as a call does, and for fewer
         than two of them.
         """
-        from rigidsym.pictures.plot import plot
+        from rigidsym.view.plots.motion import plot
 
         return plot(self, times)
 

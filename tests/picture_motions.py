@@ -1,7 +1,7 @@
 """A motion of every regime, to be drawn."""
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.cases import paper_case
+from rigidsym.io.cases import paper_case
 
 MOTIONS = {
     "paper": paper_case().motion,

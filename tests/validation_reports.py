@@ -5,8 +5,8 @@ import json
 from dataclasses import replace
 from functools import cache
 
-from rigidsym.executors import local
 from rigidsym.validate.campaign import Progress, campaign, run
+from rigidsym.validate.executors import local
 from rigidsym.validate.report import Failure
 from rigidsym.validate.validation import reported
 

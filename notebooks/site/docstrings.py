@@ -65,7 +65,7 @@ def _badge(ruling: str) -> Any:
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Convert every docstring, and know the badges of verdicts."""
-    from rigidsym.paper import Ruling
+    from rigidsym.proof.paper import Ruling
 
     app.connect("autodoc-process-docstring", _process)
     app.connect("autodoc-process-signature", _signed)

@@ -19,20 +19,14 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.files import write_text
-from rigidsym.pictures.body import edges
-from rigidsym.pictures.geometry import (
-    moments,
-    momentum,
-    polhode,
-    regime_colour,
-    separatrix,
-)
-from rigidsym.pictures.plot import AXES, SCALAR
-from rigidsym.pictures.sphere import members
+from rigidsym.io.files import write_text
 from rigidsym.quaternions import rotated
 from rigidsym.solution.polhode import Regime
 from rigidsym.validate.peers import peer
+from rigidsym.view.geometry import moments, momentum, polhode, regime_colour, separatrix
+from rigidsym.view.plots.motion import AXES, SCALAR
+from rigidsym.view.scenes.body import edges
+from rigidsym.view.scenes.sphere import members
 
 FILE = Path(__file__).resolve().parent / "pictures" / "spacecraft.svg"
 INERTIA, OMEGA0, ATTITUDE0 = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02), (1.0, 0.0, 0.0, 0.0)

@@ -25,7 +25,7 @@ def add(command: Command) -> None:
 
 def _codegen(options: Any) -> int:
     from rigidsym.codegen import generate
-    from rigidsym.seal import seal, seal_text
+    from rigidsym.codegen.seal import seal, seal_text
     from rigidsym.solution import sealed
 
     generated = generate(options.target)
@@ -64,7 +64,7 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
 
 
 def _trace(options: Any) -> int:
-    from rigidsym.trace import TraceError, lines_of_equation, origin_of_line
+    from rigidsym.codegen.trace import TraceError, lines_of_equation, origin_of_line
 
     if (options.place is None) == (options.equation is None):
         given = options.place or options.equation or "nothing"

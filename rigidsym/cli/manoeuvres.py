@@ -42,7 +42,7 @@ def add(command: Command) -> None:
 
 
 def _plan(options: Any) -> int:
-    from rigidsym.files import probe
+    from rigidsym.io.files import probe
     from rigidsym.manoeuvre.files import open_manoeuvre
 
     asked, _ = open_manoeuvre(options.manoeuvre)
@@ -63,7 +63,7 @@ def _plan(options: Any) -> int:
 def _track(options: Any) -> int:
     with _app():
         from rigidsym.manoeuvre.flight.track import track
-    from rigidsym.files import probe
+    from rigidsym.io.files import probe
 
     if options.output:
         probe(options.output)
@@ -81,7 +81,7 @@ def _track(options: Any) -> int:
 def _figures(options: Any) -> int:
     with _app():
         from rigidsym.manoeuvre.figures import figures
-    from rigidsym.files import probe
+    from rigidsym.io.files import probe
 
     probe(options.output)
     with _app():
@@ -95,7 +95,7 @@ def _figures(options: Any) -> int:
 def _compare(options: Any) -> int:
     with _app():
         from rigidsym.manoeuvre.comparison import compare
-    from rigidsym.files import probe
+    from rigidsym.io.files import probe
 
     if options.output:
         probe(options.output)

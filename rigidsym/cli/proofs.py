@@ -24,8 +24,8 @@ def add(command: Command) -> None:
 
 
 def _derive(options: Any) -> int:
-    from rigidsym.derive import DerivationError, derive, sealed_path
-    from rigidsym.files import write_text
+    from rigidsym.io.files import write_text
+    from rigidsym.proof.derivation import DerivationError, derive, sealed_path
 
     try:
         derivation = derive(options.chapters, progress("derive"))
@@ -53,8 +53,8 @@ def _check(options: Any) -> int:
         return _check_independently(options.ledger)
     from collections import Counter
 
-    from rigidsym.algebra.enclosures import encloses
-    from rigidsym.kernel import KernelError, replay
+    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.kernel import KernelError, replay
 
     try:
         ledger = replay(_ledger_text(options.ledger), encloses)
@@ -68,7 +68,7 @@ def _check(options: Any) -> int:
 
 
 def _check_independently(path: Path | None) -> int:
-    from rigidsym.independent import Refused, check
+    from rigidsym.proof.checker import Refused, check
 
     try:
         facts = check(_ledger_text(path))
@@ -80,7 +80,7 @@ def _check_independently(path: Path | None) -> int:
 
 
 def _ledger_text(path: Path | None) -> str:
-    from rigidsym.files import read_text
+    from rigidsym.io.files import read_text
     from rigidsym.solution import ledger_text
 
     return ledger_text() if path is None else read_text("ledger", path)
@@ -89,7 +89,7 @@ def _ledger_text(path: Path | None) -> str:
 def _errata(options: Any) -> int:
     import json
 
-    from rigidsym.paper import row, verdicts
+    from rigidsym.proof.paper import row, verdicts
     from rigidsym.solution import ledger_data
 
     ruled = verdicts(ledger_data(_ledger_text(None)))

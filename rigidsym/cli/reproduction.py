@@ -15,9 +15,9 @@ def add(command: Command) -> None:
 
 
 def _reproduce(options: Any) -> int:
-    from rigidsym.derive import DerivationError
-    from rigidsym.files import probe
-    from rigidsym.reproduce import reproduce
+    from rigidsym.cli.reproduce import reproduce
+    from rigidsym.io.files import probe
+    from rigidsym.proof.derivation import DerivationError
 
     probe(options.output)
     rows: list[tuple[str, str, str, str]] = []

@@ -7,7 +7,7 @@ from rigidsym.cli.arguments import Command, as_count, as_path, as_seconds
 from rigidsym.cli.output import progress, table
 from rigidsym.errors import InputError
 
-# The arguments of `rigidsym.export.aem` that are text.
+# The arguments of `rigidsym.io.aem` that are text.
 _MESSAGE = {
     "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed"),
     "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),
@@ -56,8 +56,8 @@ def add(command: Command) -> None:
 
 
 def _propagate(options: Any) -> int:
-    from rigidsym.files import write_bytes
-    from rigidsym.states import FORMATS
+    from rigidsym.io.files import write_bytes
+    from rigidsym.io.tables import FORMATS
 
     certain = options.digits or options.enclose
     if options.format == "npz" and (options.output is None or certain):
@@ -100,7 +100,7 @@ def _heading(options: Any) -> dict[str, Any]:
 
 def _message(case: Any, heading: dict[str, Any]) -> bytes:
     from rigidsym import inputs
-    from rigidsym.export import aem, sampled
+    from rigidsym.io import aem, sampled
 
     track = sampled(case.motion, inputs.doubles("times", case.times))
     names = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
@@ -109,7 +109,7 @@ def _message(case: Any, heading: dict[str, Any]) -> bytes:
 
 
 def _case(options: Any) -> Any:
-    from rigidsym.cases import load_case, paper_case
+    from rigidsym.io.cases import load_case, paper_case
 
     if options.case == "paper":
         return paper_case()
@@ -117,7 +117,7 @@ def _case(options: Any) -> Any:
 
 
 def _states(case: Any, options: Any) -> Any:
-    from rigidsym import states
+    from rigidsym.io import tables as states
 
     given = {"method": options.method, "max_seconds": options.max_seconds}
     how = {name: value for name, value in given.items() if value is not None}
@@ -129,8 +129,8 @@ def _states(case: Any, options: Any) -> Any:
 
 
 def _methods(options: Any) -> int:
-    from rigidsym.comparison import DIGITS, compare
-    from rigidsym.files import probe, write_text
+    from rigidsym.io.files import probe, write_text
+    from rigidsym.precise.comparison import DIGITS, compare
 
     if options.output:
         probe(options.output)

@@ -40,7 +40,7 @@ def add(command: Command) -> None:
 
 
 def _validate(options: Any) -> int:
-    from rigidsym.files import probe
+    from rigidsym.io.files import probe
     from rigidsym.validate import session
 
     names = {"targets": "targets", "peer": "peers", "stratum": "strata"}
@@ -62,8 +62,7 @@ def _validate(options: Any) -> int:
 
 
 def _campaign(whole: Any, done: Any, options: Any) -> int:
-    from rigidsym import executors
-    from rigidsym.validate import checkpoint, session, tables, validation
+    from rigidsym.validate import checkpoint, executors, session, tables, validation
     from rigidsym.validate.record import record
 
     place = (
@@ -113,7 +112,7 @@ def _validate_case(whole: Any, options: Any) -> int:
 
 
 def _validate_faults(whole: Any, options: Any) -> int:
-    from rigidsym.files import write_text
+    from rigidsym.io.files import write_text
     from rigidsym.validate.faults import inject
 
     drawn = (whole.targets, whole.cases, whole.digits, whole.seed)

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rigidsym.codegen.c import module as c_module
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.lines import Module
-from rigidsym.codegen.numpy import module as numpy_module
+from rigidsym.codegen.targets.c import module as c_module
+from rigidsym.codegen.targets.numpy import module as numpy_module
 from rigidsym.errors import InputError
-from rigidsym.files import write_text
+from rigidsym.io.files import write_text
 from rigidsym.solution import Solution, sealed
 
 

@@ -5,7 +5,8 @@ import json
 from pathlib import Path
 
 from rigidsym import __version__
-from rigidsym.codegen.kernels import (
+from rigidsym.codegen.limits import LIMITS
+from rigidsym.codegen.special_functions import (
     angles,
     circle,
     exponential,
@@ -15,7 +16,6 @@ from rigidsym.codegen.kernels import (
     theta_circular,
     theta_hyperbolic,
 )
-from rigidsym.codegen.limits import LIMITS
 
 DIGEST = "@digest@"
 # Written by `rigidsym validate TARGET --record`.
@@ -36,7 +36,7 @@ Digital Library of Mathematical Functions (DLMF), and the fact of the ledger tha
 doubles are Knuth's (The Art of Computer Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Kernels (Landen's ladder, nome, theta series, angles and their
-reduction) are truncated as follows; `rigidsym.codegen.kernels` proves the bounds in exact or ball
+reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the bounds in exact or ball
 arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:"""
 
 

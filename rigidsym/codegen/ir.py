@@ -8,7 +8,15 @@ sum of two, and carries about 31 digits.  An expression is extended as soon as a
 
 from dataclasses import dataclass, field
 
-from rigidsym.solution.expression import Call, Expression, Name, children, names, parse, to_text
+from rigidsym.language.expression import (
+    Call,
+    Expression,
+    Name,
+    children,
+    names,
+    parse,
+    to_text,
+)
 
 # What an expression may call, and whether the value is extended: "as" its arguments are.
 CALLS = {

@@ -4,8 +4,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
 from rigidsym.codegen.ir import Function, Let, is_extended
-from rigidsym.solution import Formula
-from rigidsym.solution.expression import (
+from rigidsym.language.expression import (
     Call,
     Expression,
     Name,
@@ -17,6 +16,7 @@ from rigidsym.solution.expression import (
     rebuild,
     to_text,
 )
+from rigidsym.solution import Formula
 
 _SHARED = "common_"
 

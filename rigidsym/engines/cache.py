@@ -12,7 +12,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from rigidsym.errors import InputError
-from rigidsym.files import write_bytes
+from rigidsym.io.files import write_bytes
 
 _PREFIX = "torque_free"
 _SUFFIX = ".so"

@@ -34,7 +34,7 @@ class NumpyEngine:
     ) -> dict[str, Any]:
         """See `Engine`."""
         # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_pairs import exact_pairs
+        from rigidsym.engines.exact_inputs import exact_pairs
 
         return self.module.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from rigidsym.manoeuvre import rings
-from rigidsym.manoeuvre.burns import Burns
+from rigidsym.manoeuvre import one_parameter_families as rings
+from rigidsym.manoeuvre.bursts import Burns
 from rigidsym.manoeuvre.families import families, least
 
 _GROWTH = 1.5

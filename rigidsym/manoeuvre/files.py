@@ -5,7 +5,7 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from rigidsym import toml_file
+from rigidsym.io import toml as toml_file
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre, load, parse
 
 PAPER = "paper.toml"

@@ -9,8 +9,8 @@ from typing import NoReturn
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre import rings
-from rigidsym.manoeuvre.burns import Burns
+from rigidsym.manoeuvre import one_parameter_families as rings
+from rigidsym.manoeuvre.bursts import Burns
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.families import families, least
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre

@@ -7,9 +7,10 @@ from itertools import combinations
 from pathlib import Path
 from typing import Any
 
-from rigidsym import inputs, toml_file
+from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.files import read_text
+from rigidsym.io import toml as toml_file
+from rigidsym.io.files import read_text
 
 REST = (0, 0, 0)
 _NEEDED = ("inertia", "start", "target")

@@ -9,8 +9,8 @@ import numpy as np
 
 from rigidsym import engines, inputs
 from rigidsym.errors import InputError, PrecisionError
-from rigidsym.files import remove, write_text
-from rigidsym.manoeuvre.burns import burns
+from rigidsym.io.files import remove, write_text
+from rigidsym.manoeuvre.bursts import burns
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
 from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
@@ -106,7 +106,7 @@ class Plan:
         return json.dumps(data, indent=1) + "\n"
 
     def _repr_html_(self) -> str:
-        from rigidsym.display.plans import plan_html
+        from rigidsym.view.html.plans import plan_html
 
         return plan_html(self)
 

@@ -111,7 +111,7 @@ class Transfer:
         }
 
     def _repr_html_(self) -> str:
-        from rigidsym.display.plans import transfer_html
+        from rigidsym.view.html.plans import transfer_html
 
         return transfer_html(self)
 

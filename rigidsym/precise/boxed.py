@@ -7,10 +7,10 @@ from functools import cached_property
 from typing import Any
 
 from rigidsym.errors import InputError, PrecisionError, written
+from rigidsym.precise.adaptive import Ladder, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.flowing import Flowing, bits_for
-from rigidsym.precise.ladder import Ladder, TooUncertainError
 from rigidsym.precise.motion import PreciseMotion
 
 # Of the methods that know the regime, carlson leaves the smallest balls.

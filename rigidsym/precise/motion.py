@@ -18,10 +18,10 @@ from mpmath import mp
 from rigidsym import inputs
 from rigidsym.errors import written
 from rigidsym.precise import apart
+from rigidsym.precise.adaptive import GUARD_BITS, Ladder
 from rigidsym.precise.balls import bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
 from rigidsym.precise.evaluation import Evaluation, State
-from rigidsym.precise.ladder import GUARD_BITS, Ladder
 from rigidsym.precise.landen import Landen
 from rigidsym.precise.quadrature import Quadrature
 from rigidsym.precise.theta import Theta

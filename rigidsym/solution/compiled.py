@@ -8,7 +8,7 @@ from functools import cache
 from types import CodeType
 from typing import Any
 
-from rigidsym.solution.expression import Expression, by_products, names, to_text
+from rigidsym.language.expression import Expression, by_products, names, to_text
 from rigidsym.solution.formulas import sealed
 
 # A quantity, the code of its expression, and the names that uses.

@@ -13,7 +13,7 @@ from importlib import resources
 from typing import Any
 
 from rigidsym.errors import LedgerError
-from rigidsym.solution.expression import (
+from rigidsym.language.expression import (
     Call,
     Expression,
     children,

@@ -6,7 +6,7 @@ from enum import StrEnum
 from fractions import Fraction
 from itertools import combinations
 
-from rigidsym.solution.expression import evaluate
+from rigidsym.language.expression import evaluate
 from rigidsym.solution.formulas import sealed
 
 

@@ -8,8 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym import batches
-from rigidsym.engines import Engine, States
+from rigidsym.engines import Engine, States, batches
 
 # Moments and rates, over some power of two, of what else may be in a batch.
 COMPANY = np.array(

@@ -8,10 +8,10 @@ from typing import Any
 
 from rigidsym import __version__, inputs
 from rigidsym.errors import InputError
-from rigidsym.executors import Place
 from rigidsym.validate import second_oracle
-from rigidsym.validate.contestants import PEER, check_target, contestant, digest
+from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import look
+from rigidsym.validate.implementations import PEER, check_target, contestant, digest
 from rigidsym.validate.oracle import precise_motion
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.strata import STRATA, count, draw

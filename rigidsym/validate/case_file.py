@@ -5,8 +5,8 @@ from fractions import Fraction
 from pathlib import Path
 
 from rigidsym import inputs
-from rigidsym.cases import load_case
-from rigidsym.files import write_text
+from rigidsym.io.cases import load_case
+from rigidsym.io.files import write_text
 from rigidsym.validate.strata import Sample
 
 FIELDS = ("inertia", "omega0", "attitude0", "times")

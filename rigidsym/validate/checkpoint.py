@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from rigidsym.errors import InputError
-from rigidsym.files import write_text
+from rigidsym.io.files import write_text
 from rigidsym.validate.campaign import Campaign, Progress
 from rigidsym.validate.tally import Tally
 

@@ -7,11 +7,11 @@ from typing import Any
 
 from rigidsym.validate import campaign as campaigns
 from rigidsym.validate.campaign import Campaign
-from rigidsym.validate.contestants import PEER
-from rigidsym.validate.environment import environment
 from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.implementations import PEER
 from rigidsym.validate.measure import MEASURES
-from rigidsym.validate.peers.own import Own, own
+from rigidsym.validate.peers.user_integrator import Own, own
+from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.strata import count, draw, in_doubles
 from rigidsym.validate.tally import Cell, Tally

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from rigidsym.validate.case_file import hexadecimal
-from rigidsym.validate.contestants import contestant
+from rigidsym.validate.implementations import contestant
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
-from rigidsym.validate.peers.own import own
+from rigidsym.validate.peers.user_integrator import own
 from rigidsym.validate.strata import Sample
 
 SCHEMA = "rigidsym.case/1"

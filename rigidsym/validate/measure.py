@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.validate import routes
-from rigidsym.validate.arcs import arc, residual
+from rigidsym.validate import entry_points as routes
 from rigidsym.validate.oracle import Reference, lengths
+from rigidsym.validate.quadrature_residual import arc, residual
 from rigidsym.validate.strata import Sample
 
 ULP = 2.0**-53

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from rigidsym.precise import PreciseMotion
+from rigidsym.precise.adaptive import GUARD_BITS
 from rigidsym.precise.balls import bits_of, working
-from rigidsym.precise.ladder import GUARD_BITS
 from rigidsym.solution.polhode import Regime, excess
 from rigidsym.validate.strata.sample import Numbers, Sample
 

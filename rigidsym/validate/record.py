@@ -11,7 +11,7 @@ from typing import Any
 from rigidsym.codegen import generate
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.errors import InputError
-from rigidsym.files import write_text
+from rigidsym.io.files import write_text
 from rigidsym.validate.measure import ULP
 from rigidsym.validate.report import ValidationReport
 from rigidsym.validate.strata import STRATA

@@ -7,14 +7,14 @@ from typing import Any
 
 from rigidsym import engines
 from rigidsym.errors import InputError
-from rigidsym.files import write_text
+from rigidsym.io.files import write_text
 from rigidsym.validate import case_file, checkpoint
 from rigidsym.validate.campaign import Campaign, Progress, campaign
 from rigidsym.validate.finding import Finding, look
 from rigidsym.validate.markdown import markdown
-from rigidsym.validate.page import page
 from rigidsym.validate.report import FAILURES, ValidationReport, as_json
 from rigidsym.validate.strata import STRATA, Sample, count, draw
+from rigidsym.view.validation import page
 
 # The arguments of `campaign` that a user can choose.
 CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")

@@ -7,14 +7,14 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager
 from typing import Any
 
-from rigidsym import engines, executors
+from rigidsym import engines
 from rigidsym.errors import InputError
 from rigidsym.validate import campaign as campaigns
-from rigidsym.validate import checkpoint
+from rigidsym.validate import checkpoint, executors
 from rigidsym.validate.campaign import Campaign, Progress
-from rigidsym.validate.environment import environment
 from rigidsym.validate.finding import look
 from rigidsym.validate.measure import MEASURES
+from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import Sample, draw

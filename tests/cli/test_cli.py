@@ -17,9 +17,9 @@ import pytest
 
 import rigidsym
 from derivations import CHAPTERS
-from rigidsym.cases import load_case, paper_case
 from rigidsym.cli import main
-from rigidsym.export import aem, sampled
+from rigidsym.io import aem, sampled
+from rigidsym.io.cases import load_case, paper_case
 
 COMMANDS = ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate",
             "methods", "plan", "track", "figures")  # fmt: skip
@@ -479,7 +479,7 @@ def test_times_beyond_what_python_writes(case, capsys):
 
 
 def test_methods_prints_tables_and_writes_files(case, tmp_path, monkeypatch, capsys):
-    from rigidsym import comparison
+    from rigidsym.precise import comparison
 
     monkeypatch.setattr(comparison, "TAYLOR_WORK", 0)
     case.write_text(CASE.replace("180.0", "2"))
@@ -684,7 +684,7 @@ def test_an_output_that_cannot_be_written_is_one_line(command, tmp_path, capsys)
 
 
 def test_an_interrupted_write_leaves_the_old_file(monkeypatch, tmp_path):
-    from rigidsym import files
+    from rigidsym.io import files
 
     path = tmp_path / "report.md"
     path.write_text("old")

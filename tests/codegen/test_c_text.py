@@ -6,11 +6,11 @@ from pathlib import Path
 
 import rigidsym
 from rigidsym import generate
-from rigidsym.codegen.c import emit, module
 from rigidsym.codegen.functions import constants, functions
-from rigidsym.seal import seal_text
+from rigidsym.codegen.seal import seal_text
+from rigidsym.codegen.targets.c import emit, module
+from rigidsym.language.expression import parse
 from rigidsym.solution import sealed
-from rigidsym.solution.expression import parse
 
 HOME = Path(rigidsym.__path__[0]) / "generated"
 GENERATED = generate("c")

@@ -7,8 +7,8 @@ from ledgers import prove
 import derivations
 import rigidsym
 from derivations import CHAPTERS
-from rigidsym.algebra.enclosures import encloses
-from rigidsym.kernel import Fact, KernelError, Ledger, replay
+from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.kernel import Fact, KernelError, Ledger, replay
 
 SEALED = Path(derivations.__file__).with_name("ledger.json").read_text("utf-8")
 PACKAGE = Path(rigidsym.__file__).parent

@@ -10,10 +10,10 @@ from random_manoeuvres import manoeuvre, posed
 
 import derivations
 from rigidsym import engines
+from rigidsym.language.expression import evaluate, parse
 from rigidsym.manoeuvre import directions, problem
 from rigidsym.manoeuvre.directions import is_symmetry
 from rigidsym.manoeuvre.families import families, least
-from rigidsym.solution.expression import evaluate, parse
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}

@@ -5,9 +5,9 @@ from collections import Counter
 
 import pytest
 
-from rigidsym.algebra import Book, Part, join
-from rigidsym.algebra.mutants import mutants, tally
-from rigidsym.paper import verdicts
+from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra.mutants import mutants, tally
+from rigidsym.proof.paper import verdicts
 from rigidsym.solution import ledger_text
 
 LEDGER = json.loads(ledger_text())

@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 import derivations
-from rigidsym.solution.expression import evaluate, parse
+from rigidsym.language.expression import evaluate, parse
 from rigidsym.solution.polhode import Regime, classify
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))

@@ -10,9 +10,9 @@ from mpmath import mp, workdps
 from textbook import FAMILIES, OCTANTS, Motion, conjugate, distance, draw, multiply
 
 import derivations
+from rigidsym.language.expression import evaluate, parse
 from rigidsym.precise import PreciseMotion
 from rigidsym.precise.taylor import integrate
-from rigidsym.solution.expression import evaluate, parse
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 (TAIL,) = (c["reading"] for c in LEDGER["contexts"] if c["name"] == "theta_tail")

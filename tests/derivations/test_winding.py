@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, workdps
 
 import derivations
-from rigidsym.solution.expression import evaluate, parse
+from rigidsym.language.expression import evaluate, parse
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 (RULE,) = {fact["rhs"][0] for fact in LEDGER["facts"] if fact["lhs"] == ["Pi_later"]}

@@ -12,9 +12,9 @@ import pytest
 from document_texts import FENCED, README, ROOT, TEXTS, blocks, rows
 
 import rigidsym
-from rigidsym.cases import parse_case
 from rigidsym.cli import main, parser
 from rigidsym.engines.compiler import FLAGS, NATIVE
+from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre.manoeuvre import parse
 from rigidsym.manoeuvre.planning import solve
 

@@ -9,8 +9,8 @@ from document_texts import ROOT, TEXTS, rows, words
 
 import rigidsym
 from rigidsym.codegen.header import MEASURED_FILE
-from rigidsym.paper import Ruling, verdicts
-from rigidsym.seal import seal
+from rigidsym.codegen.seal import seal
+from rigidsym.proof.paper import Ruling, verdicts
 from rigidsym.solution import ledger_text, sealed
 from rigidsym.validate.campaign import CASES, SEED
 from rigidsym.validate.faults import all_faults

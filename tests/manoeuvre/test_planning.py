@@ -8,8 +8,8 @@ import pytest
 from random_manoeuvres import BODIES, TARGETS, manoeuvre
 
 import rigidsym
-from rigidsym.cases import parse_case
 from rigidsym.errors import InputError
+from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre import plan, solve
 
 BODY = (0.0109, 0.04, 0.0506)

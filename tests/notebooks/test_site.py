@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from sample_notebook import notebook
 
-from rigidsym.kernel.rules import RULES
-from rigidsym.paper import verdicts
+from rigidsym.proof.kernel.rules import RULES
+from rigidsym.proof.paper import verdicts
 from rigidsym.solution import ledger_data, ledger_text
 
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra docs)")
@@ -69,7 +69,7 @@ def test_all_pages_are_there(html):
                 "use", "proofs", "digits", "code", "accuracy", "validation", "contributing",
                 "reference/api", "reference/command", "reference/formats", "reference/kernel",
                 "manoeuvres", "reference/api/rigidsym", "reference/api/rigidsym.manoeuvre",
-                "reference/api/rigidsym.export"}  # fmt: skip
+                "reference/api/rigidsym.io"}  # fmt: skip
     assert {f"{name}.html" for name in expected} <= set(pages(html))
 
 
@@ -126,7 +126,7 @@ def test_the_formats_of_manoeuvres_are_described(html):
 def test_the_reference_has_what_plans_and_examines(html):
     every = pages(html)
     for name in ("rigidsym.plan", "rigidsym.principal_axes", "rigidsym.manoeuvre.Plan",
-                 "rigidsym.manoeuvre.flight.fly", "rigidsym.export.aem",
+                 "rigidsym.manoeuvre.flight.fly", "rigidsym.io.aem",
                  "rigidsym.validate.examine"):  # fmt: skip
         page = every[f"reference/api/{name.rpartition('.')[0]}.html"]
         assert f'id="{name}"' in page, name

@@ -11,8 +11,7 @@ from hypothesis import strategies as st
 
 import rigidsym
 from rigidsym.errors import LedgerError
-from rigidsym.solution import ledger_text, load, sealed
-from rigidsym.solution.expression import (
+from rigidsym.language.expression import (
     Call,
     Name,
     Number,
@@ -22,6 +21,7 @@ from rigidsym.solution.expression import (
     parse,
     to_text,
 )
+from rigidsym.solution import ledger_text, load, sealed
 
 PACKAGE = Path(rigidsym.__path__[0])
 LEDGER = json.loads(ledger_text())

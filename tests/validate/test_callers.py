@@ -3,12 +3,13 @@
 import numpy as np
 import pytest
 
-from rigidsym import batches, inputs
-from rigidsym.engines import ENGINES, exactly
+from rigidsym import inputs
+from rigidsym.engines import ENGINES, batches, exactly
 from rigidsym.engines.numpy_engine import NumpyEngine
-from rigidsym.validate import callers, routes
+from rigidsym.validate import callers
+from rigidsym.validate import entry_points as routes
 from rigidsym.validate.faults import FAULTS
-from rigidsym.validate.faults.spoilt import spoilt
+from rigidsym.validate.faults.mutated_build import spoilt
 
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
 TIMES = np.array([0.0, 1.0, -30.0])

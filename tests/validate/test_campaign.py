@@ -12,11 +12,13 @@ from multiprocessing import active_children
 
 import pytest
 
-from rigidsym import InputError, executors, files
-from rigidsym.cases import load_case
+from rigidsym import InputError
+from rigidsym.io import files
+from rigidsym.io.cases import load_case
 from rigidsym.validate import (
     case_file,
     checkpoint,
+    executors,
     measure,
     session,
     validate,

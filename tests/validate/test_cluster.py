@@ -10,8 +10,8 @@ from contextlib import contextmanager
 
 import pytest
 
-from rigidsym import InputError, executors
-from rigidsym.validate import validate
+from rigidsym import InputError
+from rigidsym.validate import executors, validate
 from rigidsym.validate.campaign import Progress, campaign
 from rigidsym.validate.validation import conduct
 

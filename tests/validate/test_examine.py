@@ -9,8 +9,8 @@ import pytest
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.engines import engine
 from rigidsym.validate import STRATA, draw, examine, look, validate
-from rigidsym.validate.page import page
 from rigidsym.validate.strata import in_doubles
+from rigidsym.view.validation import page
 
 FEW = ("uniform", "spin")
 

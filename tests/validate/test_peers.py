@@ -12,8 +12,9 @@ import pytest
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.engines import EngineError
 from rigidsym.validate import peers
-from rigidsym.validate.peers import PEERS, scipy_peer, start
-from rigidsym.validate.peers.start import Start
+from rigidsym.validate.peers import PEERS, scipy_peer
+from rigidsym.validate.peers import initial_state as start
+from rigidsym.validate.peers.initial_state import Start
 
 # Distance of quaternions, relative to unity, and of rates, relative to |omega0|.
 WITHIN = {"heyoka": 1e-13, "dop853": 1e-12, "lsoda": 3e-11, "orekit": 1e-10}

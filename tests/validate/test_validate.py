@@ -9,15 +9,16 @@ import pytest
 
 from rigidsym import InputError
 from rigidsym.engines import EngineError, engine
-from rigidsym.validate import contestants, validate
+from rigidsym.validate import implementations as contestants
+from rigidsym.validate import validate
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES
 from rigidsym.validate.finding import look
 from rigidsym.validate.measure import BOUNDS, MEASURES, measure
 from rigidsym.validate.oracle import distance, enclose
-from rigidsym.validate.page import page
 from rigidsym.validate.report import ValidationReport
 from rigidsym.validate.strata import STRATA, Sample, count, draw
 from rigidsym.validate.tally import Tally
+from rigidsym.view.validation import page
 
 TARGETS = ("numpy", "c")
 UNIFORM = draw("uniform", 3, 5)

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from generate.text import code, plain, table
-from rigidsym.paper import Flaw, Ruling, Verdict, verdicts
+from rigidsym.proof.paper import Flaw, Ruling, Verdict, verdicts
 from rigidsym.solution import ledger_data, ledger_text
 
 _HEAD = """# The paper's errata

@@ -13,18 +13,19 @@ from generate import manoeuvres
 from generate.form import Format
 from generate.outline import paths, sample
 from generate.text import code, fenced, prose, table
-from rigidsym import comparison, states
-from rigidsym.cases import _KEYS, PAPER, parse_case
 from rigidsym.codegen import generate
-from rigidsym.derive import derive
-from rigidsym.executors import local
-from rigidsym.kernel import ledger as ledgers
-from rigidsym.paper import Verdict, verdicts
-from rigidsym.paper.verdicts import Ruling
+from rigidsym.io import tables as states
+from rigidsym.io.cases import _KEYS, PAPER, parse_case
+from rigidsym.precise import comparison
+from rigidsym.proof.derivation import derive
+from rigidsym.proof.kernel import ledger as ledgers
+from rigidsym.proof.paper import Verdict, verdicts
+from rigidsym.proof.paper.verdicts import Ruling
 from rigidsym.solution import ledger_data, ledger_text
 from rigidsym.validate import campaign, checkpoint, validate
 from rigidsym.validate.campaign import Progress
-from rigidsym.validate.faults import noticing
+from rigidsym.validate.executors import local
+from rigidsym.validate.faults import detection as noticing
 from rigidsym.validate.faults import report as faults
 from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.report import SCHEMA as VALIDATION

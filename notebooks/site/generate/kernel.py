@@ -1,7 +1,7 @@
 """The page of rules and assumptions: what every proof rests on, from the code and the ledger."""
 
 from generate.text import code, fenced, plain, table
-from rigidsym.kernel.rules import RULES
+from rigidsym.proof.kernel.rules import RULES
 from rigidsym.solution import ledger_data, ledger_text
 
 _HEAD = """# Rules and assumptions
@@ -10,7 +10,7 @@ What [every fact](../trust.md) rests on.
 
 ## The six rules
 
-As the docstrings of `rigidsym.kernel.rules` draw them: premises above the line, conclusion below.
+As the docstrings of `rigidsym.proof.kernel.rules` draw them: premises above the line, conclusion below.
 """
 _ASSUMED = """## The assumptions
 

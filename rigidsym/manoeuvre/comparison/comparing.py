@@ -7,7 +7,6 @@ from itertools import islice, product
 from typing import Any
 
 from rigidsym import inputs
-from rigidsym.executors import Place, local
 from rigidsym.manoeuvre.comparison import pieces
 from rigidsym.manoeuvre.comparison.cases import draw
 from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
@@ -15,6 +14,7 @@ from rigidsym.manoeuvre.comparison.flights import METHODS
 from rigidsym.manoeuvre.comparison.optima import TASKS
 from rigidsym.manoeuvre.comparison.record import Record
 from rigidsym.manoeuvre.comparison.results import Comparison
+from rigidsym.validate.executors import Place, local
 
 MANOEUVRES, SEED = 20, 1
 MOST_MANOEUVRES, MOST_SEED = 10_000, 2**32

@@ -18,8 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from rigidsym.motion import TorqueFreeMotion
-from rigidsym.pictures.geometry import moments, momentum, upright
 from rigidsym.quaternions import product, rotated
+from rigidsym.view.geometry import moments, momentum, upright
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 

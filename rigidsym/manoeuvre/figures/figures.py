@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.files import write_bytes, write_text
-from rigidsym.manoeuvre import drawing
+from rigidsym.io.files import write_bytes, write_text
 from rigidsym.manoeuvre.figures.classical import EulerAngles, difference, euler_angles
 from rigidsym.manoeuvre.figures.text import page
-from rigidsym.manoeuvre.flight import pictures
 from rigidsym.manoeuvre.flight.results import Tracked
 from rigidsym.manoeuvre.flight.track import track
+from rigidsym.view.plots import flights as pictures
+from rigidsym.view.plots import histories as drawing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

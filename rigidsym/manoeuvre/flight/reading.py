@@ -5,8 +5,9 @@ from datetime import UTC, datetime
 from fractions import Fraction
 from typing import Any
 
-from rigidsym import inputs, toml_file
+from rigidsym import inputs
 from rigidsym.errors import InputError
+from rigidsym.io import toml as toml_file
 from rigidsym.manoeuvre.flight.settings import (
     Controller,
     Disturbances,

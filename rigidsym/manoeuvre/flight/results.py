@@ -12,15 +12,15 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from rigidsym.export import Track, aem
-from rigidsym.files import remove, write_bytes
-from rigidsym.manoeuvre import drawing
-from rigidsym.manoeuvre.flight import pictures
+from rigidsym.io import Track, aem
+from rigidsym.io.files import remove, write_bytes
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
-from rigidsym.manoeuvre.flight.words import checks, rows
+from rigidsym.manoeuvre.flight.summary import checks, rows
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.motion import TorqueFreeMotion
+from rigidsym.view.plots import flights as pictures
+from rigidsym.view.plots import histories as drawing
 
 SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972
@@ -100,7 +100,7 @@ class Tracked:
         return [nothing, *told] if self.manoeuvre.trivial else told
 
     def _repr_html_(self) -> str:
-        from rigidsym.display.flights import tracked_html
+        from rigidsym.view.html.flights import tracked_html
 
         return tracked_html(self, self._told())
 

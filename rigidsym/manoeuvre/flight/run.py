@@ -97,7 +97,7 @@ class Run:
         }
 
     def _repr_html_(self) -> str:
-        from rigidsym.display.flights import run_html
-        from rigidsym.manoeuvre.flight.words import rows
+        from rigidsym.manoeuvre.flight.summary import rows
+        from rigidsym.view.html.flights import run_html
 
         return run_html(self, rows(self))

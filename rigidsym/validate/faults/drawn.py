@@ -10,13 +10,20 @@ from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
 
-from rigidsym.codegen.c import emit as c
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines
-from rigidsym.codegen.numpy import emit as numpy
+from rigidsym.codegen.targets.c import emit as c
+from rigidsym.codegen.targets.numpy import emit as numpy
+from rigidsym.language.expression import (
+    Call,
+    Expression,
+    Number,
+    Operation,
+    children,
+    rebuild,
+)
 from rigidsym.solution import sealed
-from rigidsym.solution.expression import Call, Expression, Number, Operation, children, rebuild
 from rigidsym.validate.faults.fault import Fault
 
 # A kind of fault, what is done, and the expression then.
@@ -131,7 +138,7 @@ def _line(printer: _Printer, function: Function, let: Let) -> str:
 def changes(expression: Expression) -> Iterator[Change]:
     """Every way to change one place of an expression.
 
-    >>> from rigidsym.solution.expression import parse, to_text
+    >>> from rigidsym.language.expression import parse, to_text
     >>> [to_text(changed) for _, _, changed in changes(parse("-x + 2*y"))]
     ['-x - 2 * y', '-x', '2 * y', 'x + 2 * y', '-x + 2 * (2 * y)']
     """

@@ -6,13 +6,13 @@ from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 
 from rigidsym.engines.threads import processors
-from rigidsym.executors import processes, undisturbed
-from rigidsym.validate.contestants import check_target
+from rigidsym.validate.executors import processes, undisturbed
+from rigidsym.validate.faults.detection import CRASHED, Notice, notices, references
 from rigidsym.validate.faults.fault import Fault
-from rigidsym.validate.faults.noticing import CRASHED, Notice, notices, references
+from rigidsym.validate.faults.mutated_build import faulty
 from rigidsym.validate.faults.report import FaultReport, Outcome
-from rigidsym.validate.faults.spoilt import faulty
 from rigidsym.validate.faults.tables import all_faults
+from rigidsym.validate.implementations import check_target
 from rigidsym.validate.oracle import Reference
 from rigidsym.validate.strata import STRATA
 

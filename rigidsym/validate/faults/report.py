@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rigidsym.validate.faults.detection import Notice
 from rigidsym.validate.faults.fault import KINDS, Fault
-from rigidsym.validate.faults.noticing import Notice
 
 SCHEMA = "rigidsym.faults/1"
 # More strata than these are counted, not named.

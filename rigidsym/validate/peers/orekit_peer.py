@@ -10,8 +10,8 @@ import numpy as np
 
 from rigidsym.engines import EngineError, States
 from rigidsym.errors import InputError
+from rigidsym.validate.peers.initial_state import Start, checked
 from rigidsym.validate.peers.packages import needed
-from rigidsym.validate.peers.start import Start, checked
 
 _CLASSES = {
     "rotation": "org.hipparchus.geometry.euclidean.threed.Rotation",

@@ -8,8 +8,8 @@ import numpy as np
 
 from rigidsym.engines import States
 from rigidsym.validate.peers.equations import rates
+from rigidsym.validate.peers.initial_state import Start, both_ways
 from rigidsym.validate.peers.packages import needed
-from rigidsym.validate.peers.start import Start, both_ways
 
 # The farthest time of the short strata; 300 rad take some tenths of a second in Python.
 _REACH = 300.0

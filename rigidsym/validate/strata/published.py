@@ -7,7 +7,7 @@ from importlib import resources
 from random import Random
 from typing import Any
 
-from rigidsym.cases import paper_case
+from rigidsym.io.cases import paper_case
 from rigidsym.validate.strata.sample import Floats, Motion, Numbers
 from rigidsym.validate.strata.times import late, turns
 

@@ -9,7 +9,6 @@ import pytest
 
 from rigidsym.cli import main
 from rigidsym.errors import InputError
-from rigidsym.executors import local
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.comparison import compare, flights, optima
 from rigidsym.manoeuvre.comparison.cases import draw
@@ -17,6 +16,7 @@ from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
 from rigidsym.manoeuvre.comparison.comparing import _Work
 from rigidsym.manoeuvre.comparison.optima import Attempt, Solved
 from rigidsym.manoeuvre.comparison.statistics import spread
+from rigidsym.validate.executors import local
 
 # Control at long periods makes flights quick.
 COMMAND = """

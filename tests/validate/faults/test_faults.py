@@ -6,13 +6,20 @@ import json
 import pytest
 
 from rigidsym import InputError
-from rigidsym.solution.expression import parse, to_text
+from rigidsym.language.expression import parse, to_text
 from rigidsym.validate.faults import KINDS, Fault, StaleFaultError, all_faults, inject
+from rigidsym.validate.faults.detection import (
+    CRASHED,
+    RAISED,
+    Notice,
+    broken,
+    first,
+    references,
+)
 from rigidsym.validate.faults.drawn import HARMLESS, changes, drawn, every
 from rigidsym.validate.faults.drawn import first as first_of_each_kind
 from rigidsym.validate.faults.fault import FILES
-from rigidsym.validate.faults.noticing import CRASHED, RAISED, Notice, broken, first, references
-from rigidsym.validate.faults.spoilt import faulty, installed, on_text, spoilt
+from rigidsym.validate.faults.mutated_build import faulty, installed, on_text, spoilt
 from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.strata import STRATA
 

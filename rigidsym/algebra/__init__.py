@@ -1,7 +1,0 @@
-"""What derivations are written with: su(2), quaternions, and the differential rings of the
-rigid body, trigonometric and Jacobi functions.  Every claim ends in the kernel."""
-
-from rigidsym.algebra.book import Book, equal, names, text
-from rigidsym.algebra.parts import Part, half_angle, jacobi, join, sign
-
-__all__ = ["Book", "Part", "equal", "half_angle", "jacobi", "join", "names", "sign", "text"]

@@ -1,0 +1,103 @@
+"""A formula that names a fact of the ledger is that fact, under names declared here.
+
+The renaming in `rigidsym.codegen` is what is decided: this table is written down apart from it.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from rigidsym.codegen.ir import Function, Let
+from rigidsym.codegen.names import GAINS, ROWS, STATE
+from rigidsym.codegen.seal.claims import DIFFERS, Claim
+from rigidsym.codegen.special_functions import landen
+from rigidsym.errors import InputError
+from rigidsym.language.expression import Expression, Name, parse, put
+from rigidsym.solution import Formula, Solution
+
+# By function and the context of the fact: what the fact's names are there.
+_MEANINGS = {
+    # The first step down: from k_c and the functions at t = 0.
+    ("_start", "landen"): {
+        **{"k_next": "k_1", "kc": "k_c", "kc_next": "kc_1"},
+        **{"s": "sn", "c": "cn", "d": "dn"},
+        **{"s_next": "s", "c_next": "c", "d_next": "d"},
+    },
+    # At t = 0 the phase has not turned.
+    ("_circular_plan", "theta_form"): {"X_re": "1", "X_im": "0"},
+    ("_hyperbolic_plan", "theta_form"): {"X_re": "1", "X_im": "0"},
+}
+# Formulas that are a part of their fact; `states` puts the parts together and decides the whole.
+_PARTS_OF_FACTS = {
+    **{f"_{branch}_plan": (*ROWS, *GAINS) for branch in ("circular", "hyperbolic")},
+    **{f"_{branch}_state": STATE for branch in ("circular", "hyperbolic")},
+    "_steady_state": ("cos_half_theta", "sin_half_theta"),
+}
+# The programmes that a function is made from: what they prove is named with its fact there.
+_MADE_FROM = {
+    "_excess": ("plan",),
+    "_start": ("plan", "theta", "landen"),
+    "_landen": ("landen",),
+    "_circular_plan": ("plan", "scaling", "pull_back", "circular", "circular_state"),
+    "_circular_state": ("circular_state", "rates"),
+    "_hyperbolic_plan": ("plan", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
+    "_hyperbolic_state": ("hyperbolic_state", "rates"),
+    "_steady_plan": ("steady",),
+    "_steady_state": ("steady",),
+}
+
+
+def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]:
+    """Each formula that names a fact, and the fact."""
+    ledger = by_fact(solution)
+    for function in functions:
+        parts = _PARTS_OF_FACTS.get(function.name, ())
+        proved = _proved(solution, function.name) | {*parts}
+        for let in function.formulas:
+            if not let.facts and (not let.source or let.targets[0] in proved):
+                raise InputError(function.name, let, "does not say what it comes from")
+            for fact in let.facts:
+                if fact not in ledger:
+                    raise InputError(function.name, let, f"{fact}: the ledger has no such fact")
+                if let.targets[0] not in parts:
+                    yield _claim(function.name, let, ledger[fact])
+
+
+def by_fact(solution: Solution) -> dict[str, Formula]:
+    """The formulas of all programmes by the fact that proves them."""
+    return {formula.fact: formula for every in solution.programmes.values() for formula in every}
+
+
+def _proved(solution: Solution, place: str) -> set[str]:
+    """What the names of the ledger that a function may set are called there."""
+    if place == "_ladder":
+        return {f"K{n}" for n in range(landen.STEPS)}
+    found = set()
+    for programme in _MADE_FROM.get(place, ()):
+        for formula in solution.programmes[programme]:
+            if not formula.fact.startswith("reading"):
+                context = formula.fact.split(".")[0]
+                meaning = _MEANINGS.get((place, context), {})
+                found.add(meaning.get(formula.name, formula.name))
+    return found
+
+
+def _claim(place: str, let: Let, formula: Formula) -> Claim:
+    meaning = _meaning(place, let, formula.fact)
+    if (put(Name(formula.name), meaning),) != tuple(map(Name, let.targets)):
+        raise InputError(place, let, f"{formula.fact}: {DIFFERS}")
+    return Claim(place, f"{formula.fact}: {let}", put(formula.expression, meaning), let.expression)
+
+
+def _meaning(place: str, let: Let, fact: str) -> Mapping[str, Expression]:
+    if place == "_ladder":
+        return _rung(place, let)
+    context = fact.removeprefix("reading ").split(".")[0]
+    return {name: parse(text) for name, text in _MEANINGS.get((place, context), {}).items()}
+
+
+def _rung(place: str, let: Let) -> Mapping[str, Expression]:
+    """K on a step of the ladder, from the step below."""
+    for n in range(landen.STEPS):
+        if let.targets == (f"K{n}",):
+            means = {"K": f"K{n}", "K_next": f"K{n + 1}", "k_next": f"k{n + 1}"}
+            return {name: Name(text) for name, text in means.items()}
+    raise InputError(place, let, "is no quarter period of the ladder")

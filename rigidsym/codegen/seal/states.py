@@ -1,0 +1,130 @@
+"""Rows, gains and states together: the ledger's attitude and rates.
+
+The plan multiplies constants out; the state sums them up.  Put into each other they are the
+formulas of the ledger, where 1/N is the product of over_N and scale, Jacobi's functions are
+quotients of thetas, and rates are in the unit.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from rigidsym.codegen.ir import Function
+from rigidsym.codegen.names import ATTITUDE, PARTS, RATES
+from rigidsym.codegen.seal.claims import Claim, formulas_of
+from rigidsym.codegen.seal.facts import by_fact
+from rigidsym.errors import InputError
+from rigidsym.language.expression import (
+    Call,
+    Expression,
+    Number,
+    Operation,
+    parse,
+    put,
+    to_text,
+)
+from rigidsym.solution import Formula, Solution
+
+# A period later along the imaginary axis theta_1 has the other sign (DLMF 20.2.6), theta_2 has not.
+_FLIP = {"circular": "", "hyperbolic": "*flip"}
+# DLMF 22.2.4 to 22.2.6; on the imaginary axis by Jacobi's transformation, DLMF 20.7(viii).
+_QUOTIENTS = {
+    "circular": {
+        "sn": "three/two*theta1_v/theta4_v",
+        "cn": "four/two*theta2_v/theta4_v",
+        "dn": "four/three*theta3_v/theta4_v",
+    },
+    "hyperbolic": {
+        "sn": "three/four*flip*theta1_y/theta2_y",
+        "cn": "two/four*flip*theta4_y/theta2_y",
+        "dn": "two/three*theta3_y/theta2_y",
+    },
+}
+# What the polynomials of an angle in half turns are (DLMF 4.19.1, 4.19.2); a period of the
+# hyperbolic branch adds `jump` to the angle.
+_PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
+
+
+def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]:
+    """Attitude, norm, phase and rates of each branch."""
+    emitted = {function.name: formulas_of(function.formulas) for function in functions}
+    rates = {formula.name: formula for formula in solution.programmes["rates"]}
+    for branch in ("circular", "hyperbolic"):
+        plan, state = emitted[f"_{branch}_plan"], emitted[f"_{branch}_state"]
+        ledger = {formula.name: formula for formula in solution.programmes[f"{branch}_state"]}
+        yield from _attitude(branch, ledger, plan, state)
+        yield _norm(branch, plan, state)
+        yield from _phase(branch, ledger, plan)
+        yield from _rates(branch, rates, plan, state)
+    yield from _steady(solution, emitted["_steady_plan"], emitted["_steady_state"])
+
+
+def _attitude(
+    branch: str,
+    ledger: Mapping[str, Formula],
+    plan: Mapping[str, Expression],
+    state: Mapping[str, Expression],
+) -> Iterator[Claim]:
+    bars = {name: ledger[name].expression for name in ledger if name.startswith("qbar_")}
+    rows = {name: plan[name] for name in plan if name.startswith("row_")}
+    share = {name: f"{name}*over_N*scale{_FLIP[branch] * name.startswith('P1')}" for name in PARTS}
+    shares = {name: parse(text) for name, text in share.items()} | {"N": Number(1)}
+    for name in ATTITUDE:
+        formula = ledger[name]
+        derived = put(put(formula.expression, bars), shares)
+        yield Claim(f"_{branch}_state", formula.fact, derived, put(state[name], rows))
+
+
+def _norm(branch: str, plan: Mapping[str, Expression], state: Mapping[str, Expression]) -> Claim:
+    """over_N and scale are positive, and their product's square times W = N^2 is 1."""
+    scale = put(state["scale"], {"over": state["over"]})
+    product = Operation("*", _squared(branch, plan["over_N"]), _squared(branch, scale))
+    square = Operation("*", product, plan["W"])
+    return Claim(f"_{branch}_state", "over_N and scale", Number(1), square)
+
+
+def _squared(place: str, positive: Expression) -> Expression:
+    """The square of what is seen to be positive: roots, their quotients, and 1."""
+    match positive:
+        case Call("sqrt", (radicand,)):
+            return radicand
+        case Operation("/", left, right):
+            return Operation("/", _squared(place, left), _squared(place, right))
+        case Number(1):
+            return positive
+    raise InputError(place, to_text(positive), "is not seen to be positive")
+
+
+def _phase(
+    branch: str, ledger: Mapping[str, Formula], plan: Mapping[str, Expression]
+) -> Iterator[Claim]:
+    rate = {"Lambda_rate": plan["Lambda_rate"]}
+    for name, text in _PHASE.items():
+        formula = ledger[name]
+        yield Claim(f"_{branch}_plan", formula.fact, formula.expression, put(parse(text), rate))
+
+
+def _rates(
+    branch: str,
+    ledger: Mapping[str, Formula],
+    plan: Mapping[str, Expression],
+    state: Mapping[str, Expression],
+) -> Iterator[Claim]:
+    quotients = {name: parse(text) for name, text in _QUOTIENTS[branch].items()}
+    known = {name: plan[name] for name in plan if name.startswith("gain_")}
+    known |= {"over": state["over"]}
+    for name in RATES:
+        formula = ledger[name]
+        derived = Operation("*", put(formula.expression, quotients), parse("unit"))
+        yield Claim(f"_{branch}_state", formula.fact, derived, put(state[name], known))
+
+
+def _steady(
+    solution: Solution, plan: Mapping[str, Expression], state: Mapping[str, Expression]
+) -> Iterator[Claim]:
+    """Half the angle is the phase."""
+    ledger = by_fact(solution)
+    angle = {"theta": ledger["steady.theta"].expression}
+    phase = {n: put(parse(x), {"Lambda_rate": plan["Lambda_rate"]}) for n, x in _PHASE.items()}
+    for name in ("cos_half_theta", "sin_half_theta"):
+        formula = ledger[f"reading steady.{name}"]
+        derived = put(formula.expression, angle)
+        yield Claim("_steady_state", formula.fact, derived, put(state[name], phase))

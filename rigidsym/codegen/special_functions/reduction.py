@@ -1,0 +1,79 @@
+"""Angles that grow with time, reduced before any sine: exact products, nothing of size forgotten.
+
+A rate is hi + lo, and hi*t is formed with its rounding error; whole half turns are taken off the
+product, which is exact, before the small parts are added.  For |rate t| < 2^46 the rest is right
+to 2^-54 half turns: what is left out of the product is below 2^46 2^-106, what is added is below
+2^-7 and right to 2^-60, and the last sum, below 1/2 + 2^-7, is rounded once.
+"""
+
+from rigidsym.codegen.ir import Constant, Let, let
+from rigidsym.codegen.special_functions import circle
+from rigidsym.codegen.special_functions.text import horner
+
+TERMS = 8
+_PRODUCT, _SUM, _EXACT = "Dekker 1971", "Knuth 4.2.2", "Sterbenz 1974"
+# What whole half turns do to sine and cosine; the sign they leave.
+TURNS = "DLMF 4.16"
+_SINE = [f"sine_{k}" for k in range(TERMS)]
+_COSINE = [f"cosine_{k}" for k in range(TERMS)]
+
+
+def constants() -> list[Constant]:
+    """The coefficients of the polynomials."""
+    sines, cosines = circle.sine_coefficients(TERMS), circle.cosine_coefficients(TERMS)
+    return [
+        *(
+            Constant(n, c, None, f"sin(pi f)/f, z^{k + 1}")
+            for k, (n, c) in enumerate(zip(_SINE, sines, strict=True))
+        ),
+        *(
+            Constant(n, c, None, f"cos(pi f), z^{k + 1}")
+            for k, (n, c) in enumerate(zip(_COSINE, cosines, strict=True))
+        ),
+    ]
+
+
+def product(
+    name: str, factor: str, of: str = "t", *, extra: str = "", later: bool = True
+) -> list[Let]:
+    """name + name_error = (factor_hi + factor_lo) (of + of_lo) + extra; no of_lo unless `later`."""
+    terms = [f"{factor}_lo*{of}", f"{factor}_hi*{of}_lo" if later else "", extra]
+    small = " + (".join(filter(None, terms))
+    small += ")" * small.count("(")
+    return [
+        let(f"{name} = {factor}_hi*{of}", _PRODUCT),
+        let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})", _PRODUCT),
+    ]
+
+
+def total(name: str, one: str, other: str) -> list[Let]:
+    """name + name_error = one + other exactly (Knuth's sum of two)."""
+    lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
+    return [
+        let(f"{name} = {one} + {other}", _SUM),
+        let(f"{name}_other = {name} - {one}", _SUM),
+        let(f"{name}_error = {lost}", _SUM),
+    ]
+
+
+def whole(name: str, value: str) -> list[Let]:
+    """The nearest whole number, and the rest, which is exact."""
+    return [
+        let(f"{name}_whole = nearest({value})", TURNS),
+        let(f"{name}_rest = {value} - {name}_whole", TURNS, _EXACT),
+    ]
+
+
+def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
+    """Sine and cosine of pi times half_turns, whose whole part is given apart."""
+    square, sign = f"{angle}_square", f"{angle}_sign"
+    return [
+        let(f"{square} = {half_turns}*{half_turns}", "DLMF 4.19.1", "DLMF 4.19.2"),
+        let(f"{sign} = alternating({whole})", TURNS),
+        let(
+            f"{sine} = {sign}*({half_turns}*pi_hi"
+            f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",
+            "DLMF 4.19.1",
+        ),
+        let(f"{cosine} = {sign}*(1 + {square}*({horner(square, _COSINE)}))", "DLMF 4.19.2"),
+    ]

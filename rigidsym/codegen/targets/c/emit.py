@@ -1,0 +1,238 @@
+"""Lets as C99: pairs of doubles by calls, doubles by operators.
+
+`function` prints one function of lets; `read` is its inverse on one expression.
+"""
+
+import re
+from collections.abc import Iterable
+from dataclasses import replace
+
+from rigidsym.codegen.ir import CALLS, Constant, Function, Let, is_extended
+from rigidsym.codegen.lines import Lines, comment, flat_results
+from rigidsym.codegen.passes import fuse
+from rigidsym.language.expression import (
+    Call,
+    Expression,
+    Name,
+    Number,
+    Operation,
+    parse,
+    to_text,
+)
+
+_VERBS = {"+": "add", "-": "sub", "*": "mul", "/": "div"}
+_DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponential"}
+_CALLED_BACK = {"fused": "fma", "fabs": "size", "exponential": "exp"}
+
+
+def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
+    """Operations on extended numbers as calls; `number` is their type in C, `pair` or `exact`."""
+    match expression:
+        case Name() | Number():
+            return expression
+        case Operation(symbol, left, right) if symbol in _VERBS:
+            parts = (lowered(left, extended, number), lowered(right, extended, number))
+            if not is_extended(expression, extended):
+                return Operation(symbol, *parts)
+            kinds = "".join("x" if is_extended(part, extended) else "d" for part in (left, right))
+            return Call(f"{number}_{_VERBS[symbol]}_{kinds}", parts)
+        case Call("choose", (x, y, *values)) if is_extended(expression, extended):
+            condition = (lowered(x, extended, number), lowered(y, extended, number))
+            lifted = tuple(_lifted(value, extended, number) for value in values)
+            return Call(f"{number}_choose", condition + lifted)
+        case Call(function, arguments) if function.startswith("_"):
+            given = tuple(_lifted(argument, extended, number) for argument in arguments)
+            return Call(function[1:], given)
+        case Call(function, arguments) if function in CALLS:
+            given = tuple(lowered(argument, extended, number) for argument in arguments)
+            if any(is_extended(argument, extended) for argument in arguments):
+                return Call(f"{number}_{function}", given)
+            return Call(_DOUBLE_CALLS.get(function, function), given)
+    raise ValueError(f"{to_text(expression)}: C cannot say this")
+
+
+def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Expression:
+    """An extended number, whatever the expression is."""
+    text = lowered(expression, extended, number)
+    return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
+
+
+def function_lines(function: Function, number: str, signature: list[str], ends: list[str]) -> Lines:
+    """A function with its lets between what the caller says of its head and its end."""
+    extended = function.all_extended()
+    text, lets = list(signature), {}
+    for let in fuse(function):
+        is_pair = is_extended(let.expression, extended)
+        code = to_text(lowered(let.expression, extended, number), real=True)
+        if len(let.targets) > 1:
+            text.append(f"    {number} {', '.join(let.targets)};")
+            code = f"{code[:-1]}, {', '.join(f'&{target}' for target in let.targets)})"
+        else:
+            code = f"const {number if is_pair else 'double'} {let.targets[0]} = {code}"
+        lets[len(text)] = let
+        text.append(f"    {code};{_noted(let)}")
+    return Lines((*text, *ends), lets)
+
+
+def _noted(let: Let) -> str:
+    note = comment(let)
+    return f" /* {note} */" if note else ""
+
+
+def constant_text(constant: Constant) -> str:
+    """The definition of a named number."""
+    hi = _literal(constant.hi)
+    if constant.lo is None:
+        return f"static const double {constant.name} = {hi}; /* {constant.meaning} */"
+    lo = _literal(constant.lo)
+    return f"static const pair {constant.name} = {{{hi}, {lo}}}; /* {constant.meaning} */"
+
+
+def _literal(value: float) -> str:
+    return repr(value) if "." in repr(value) or "e" in repr(value) else f"{value!r}.0"
+
+
+def read(line: str) -> Expression:
+    """The expression of a printed line, without what only C needs."""
+    text = line.split(" /*")[0].strip().rstrip(";")
+    text = re.sub(r"^const (double|pair|exact) \w+ = ", "", text)
+    text = re.sub(r"(?<![\w.])(\d+)\.0(?![\w.])", r"\1", text)
+    return _read(parse(text))
+
+
+def _read(expression: Expression) -> Expression:
+    match expression:
+        case Operation(symbol, left, right):
+            return Operation(symbol, _read(left), _read(right))
+        case Call("neg", (operand,)):
+            return Call("neg", (_read(operand),))
+        case Call(function, arguments):
+            return _read_call(function, tuple(map(_read, arguments)))
+    return expression
+
+
+def _read_call(function: str, arguments: tuple[Expression, ...]) -> Expression:
+    number, _, verb = function.partition("_")
+    if number not in ("pair", "exact"):
+        return Call(_CALLED_BACK.get(function, function), arguments)
+    if verb == "of":
+        return arguments[0]
+    for symbol, name in _VERBS.items():
+        if verb.startswith(f"{name}_"):
+            return Operation(symbol, *arguments)
+    return Call(verb, arguments)
+
+
+def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
+    """All functions in order, over pairs; `_excess` for exact numbers too."""
+    used = {name for function in functions for name in function.used()}
+    head = tuple(constant_text(c) for c in constants if c.name in used)
+    with_time = changing(functions)
+    return [Lines(head, {}), *(part for f in functions for part in pieces(f, with_time))]
+
+
+def changing(functions: Iterable[Function]) -> frozenset[str]:
+    """The names of what changes with time."""
+    timed = {name for f in functions if f.name.endswith("_angles") for name in f.results}
+    return frozenset({"t", "t_lo", *timed})
+
+
+def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
+    """A function as it is printed, `_excess` twice; `with_time` is what changes with time."""
+    if function.name == "_excess":
+        every = replace(function, extended=frozenset(function.parameters))
+        return [_valued(every, number, f"excess_{number}") for number in ("pair", "exact")]
+    if function.rounds:
+        return [_plan(function)]
+    if len(function.parameters) == 1 and not function.extended:
+        return [_valued(function, "double", function.name[1:], "inline double")]
+    if function.extended:
+        return [_extended_function(function)]
+    return [_loop(function, with_time)]
+
+
+def branch_struct(plan: Function) -> str:
+    """The constants that a plan leaves, as a struct."""
+    lines = [f"    double {', '.join(row)};" for row in batched(flat_results(plan))]
+    return "\n".join(["typedef struct {", *lines, f"}} torque_free_{branch(plan)};"])
+
+
+def branch(function: Function) -> str:
+    """circular, hyperbolic or steady."""
+    return function.name.split("_")[1]
+
+
+def batched(items: list[str], width: int = 84) -> list[list[str]]:
+    """The items in rows that stay below a width."""
+    rows: list[list[str]] = [[]]
+    for item in items:
+        if rows[-1] and len(", ".join([*rows[-1], item])) > width:
+            rows.append([])
+        rows[-1].append(item)
+    return rows
+
+
+def _parameters(function: Function) -> list[str]:
+    return [
+        f"{'pair' if name in function.extended else 'double'} {name}"
+        for name in function.parameters
+    ]
+
+
+def _head(kind: str, name: str, parameters: list[str], summary: str) -> list[str]:
+    rows = batched(parameters)
+    inside = (",\n    ").join(", ".join(row) for row in rows)
+    return [f"/* {summary} */", *f"static {kind} {name}({inside})".split("\n"), "{"]
+
+
+def _valued(function: Function, number: str, name: str, kind: str = "") -> Lines:
+    parameters = [f"{number} {p}" for p in function.parameters]
+    head = _head(kind or number, name, parameters, function.summary)
+    return function_lines(function, number, head, [f"    return {function.results[0]};", "}", ""])
+
+
+def _extended_function(function: Function) -> Lines:
+    name, results = function.name[1:], function.results
+    if len(results) == 1:
+        head = _head("pair", name, _parameters(function), function.summary)
+        return function_lines(function, "pair", head, [f"    return {results[0]};", "}", ""])
+    outputs = [f"pair *{result}_out" for result in results]
+    head = _head("void", name, _parameters(function) + outputs, function.summary)
+    ends = [f"    *{result}_out = {result};" for result in results]
+    return function_lines(function, "pair", head, [*ends, "}", ""])
+
+
+def _plan(function: Function) -> Lines:
+    output = f"torque_free_{branch(function)} *plan"
+    head = _head("void", function.name[1:], [*_parameters(function), output], function.summary)
+    extended = function.all_extended()
+    ends = []
+    for name in function.results:
+        if name in function.split:
+            ends += [f"    plan->{name}_hi = {name}.hi;", f"    plan->{name}_lo = {name}.lo;"]
+        else:
+            value = f"pair_rounded({name})" if name in extended else name
+            ends.append(f"    plan->{name} = {value};")
+    return function_lines(function, "pair", head, [*ends, "}", ""])
+
+
+def _loop(function: Function, with_time: frozenset[str]) -> Lines:
+    """A function of doubles over arrays: what changes with time is read and written by index."""
+    timed = [name for name in function.parameters if name in with_time]
+    used = function.used()
+    kept = [name for name in function.parameters if name not in with_time and name in used]
+    parameters = [f"const torque_free_{branch(function)} *plan", "size_t n"]
+    parameters += [f"const double *restrict {name}_in" for name in timed]
+    parameters += [f"double *restrict {name}_out" for name in function.results]
+    head = _head("void", function.name[1:], parameters, function.summary)
+    head += [f"    const double {name} = plan->{name};" for name in kept]
+    head += ["    for (size_t i = 0; i < n; i++) {"]
+    head += [f"        const double {name} = {name}_in[i];" for name in timed]
+    ends = [f"        {name}_out[i] = {name};" for name in function.results]
+    lines = function_lines(function, "pair", head, [*ends, "    }", "}", ""])
+    start = len(head)
+    text = tuple(
+        f"    {line}" if start <= k < start + len(function.lets) else line
+        for k, line in enumerate(lines.text)
+    )
+    return Lines(text, lines.lets)

@@ -1,0 +1,72 @@
+"""Case files: one motion and the times at which it is wanted, as TOML."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+from rigidsym import inputs
+from rigidsym.errors import InputError, written
+from rigidsym.io import toml as toml_file
+from rigidsym.io.files import read_text
+from rigidsym.motion import IDENTITY, TorqueFreeMotion
+from rigidsym.view.html.motions import case_html
+
+PAPER = "paper.toml"
+_KEYS = {"inertia", "omega0", "attitude0", "times"}
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A motion and its times, both exact."""
+
+    motion: TorqueFreeMotion
+    times: tuple[Fraction, ...]
+
+    def _repr_html_(self) -> str:
+        return case_html(self)
+
+
+def paper_case() -> Case:
+    """The paper's spacecraft, as it ships with the package."""
+    return parse_case(resources.files("rigidsym").joinpath(PAPER).read_text("utf-8"))
+
+
+def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
+    """Read a case file; raises InputError with one line about the first thing that is wrong."""
+    return parse_case(read_text("case", path), allow_nonphysical)
+
+
+def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
+    """A case from TOML text; numbers may be floats or strings, strings being exact decimals."""
+    data = toml_file.parse("case", text)
+    toml_file.check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
+    motion = TorqueFreeMotion(
+        data["inertia"],
+        data["omega0"],
+        data.get("attitude0", IDENTITY),
+        allow_nonphysical=allow_nonphysical,
+    )
+    return Case(motion, _times(data["times"]))
+
+
+def _times(value: Any) -> tuple[Fraction, ...]:
+    if isinstance(value, Mapping):
+        return _grid(value)
+    return inputs.times(inputs.sequence("times", value))[0]
+
+
+def _grid(table: Mapping[str, Any]) -> tuple[Fraction, ...]:
+    """count times from start to stop, both included."""
+    if set(table) != {"start", "stop", "count"}:
+        raise InputError("times", sorted(table), "a table of times has start, stop and count")
+    start, stop = (inputs.exact(f"times.{key}", table[key]) for key in ("start", "stop"))
+    count = table["count"]
+    whole = isinstance(count, int) and not isinstance(count, bool)
+    if not whole or not 1 <= count <= inputs.MOST_TIMES:
+        rule = f"must be a whole number, at least 1 and at most {inputs.MOST_TIMES}"
+        raise InputError("times.count", written(count, repr), rule)
+    step = (stop - start) / max(count - 1, 1)
+    return tuple(start + k * step for k in range(count))

@@ -1,0 +1,161 @@
+"""The book a derivation writes: short ways to open contexts and state claims in a ledger.
+
+Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import TypeAlias
+
+from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
+from rigidsym.proof.kernel.rules import differences
+from rigidsym.proof.kernel.statement import weakest
+
+# What the kernel reads, or what `text` makes into that.
+Side: TypeAlias = str | int | Element
+Equations: TypeAlias = Mapping[str, str] | Iterable[tuple[Side, Side]]
+Point: TypeAlias = Mapping[str, str]
+# A context's name, and what its witness has that its parent's has not.
+Case: TypeAlias = tuple[str, Point]
+# {"fact": id}, or {"context": name, "reading": name, "source": equations of the paper}.
+Entry: TypeAlias = Mapping[str, str | list[str]]
+
+
+class Book:
+    """A ledger being written, with the ring of each context at hand."""
+
+    def __init__(self) -> None:
+        self.ledger = Ledger(encloses)
+
+    def open(self, context: Context) -> Ring:
+        """Admit a context and return its ring; raises KernelError where the kernel refuses it."""
+        return self.ledger.open(context)
+
+    def claim(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove equations componentwise.  The context is the part of the id before the dot."""
+        return self.decide(_fact(fact_id, "equal", equations, "identity", source))
+
+    def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
+        """Prove name = sqrt(radicand), by its square and the sign of the name."""
+        return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
+
+    def sign(self, fact_id: str, forms: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove that quantities are nonnegative, by forms of theirs that show it."""
+        return self.decide(_fact(fact_id, "nonnegative", forms, "identity", source))
+
+    def refute(
+        self,
+        fact_id: str,
+        equations: Equations,
+        point: Point,
+        source: Iterable[str] = (),
+    ) -> Fact:
+        """Show that equations do not always hold; `point` overrides the context's witness."""
+        fact = _fact(fact_id, "unequal", equations, "counterexample", source)
+        witness = self.ledger.contexts[fact.context].witness
+        return self.ledger.add(replace(fact, certificate={"point": {**witness, **point}}))
+
+    def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
+        """Show that one context is, by the premises, a model of another."""
+        name = f"{context}.models_{source}"
+        return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
+
+    def assume(
+        self, fact_id: str, equations: Equations, reference: str, points: Iterable[Point]
+    ) -> Fact:
+        """State somebody else's result, graded ENCLOSED where balls agree with it at the points."""
+        fact = _fact(fact_id, "equal", equations, "assumption", [reference])
+        certificate = {"reference": reference, "points": list(points)}
+        grade = Grade.ENCLOSED if certificate["points"] else Grade.ASSUMED
+        return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
+
+    def split(self, context: str, name: str, *cases: Case) -> None:
+        """Open the cases name = 0, > 0 and, if given, < 0 of a context, with their witnesses."""
+        whole = self.ledger.contexts[context]
+        for (case, witness), part in zip(cases, whole.cases(name)[: len(cases)], strict=True):
+            self.open(replace(part, name=case, witness={**whole.witness, **witness}))
+
+    def partition(self, context: str, name: str, *cases: str) -> Fact:
+        """Every point of a context is in exactly one case of `split`, or of its own cases."""
+        found = (fact for fact in self.ledger.facts.values() if fact.kind == "partition")
+        finer = {fact.context: fact for fact in found if fact.context in cases}
+        leaves = [finer[case].rhs if case in finer else (case,) for case in cases]
+        fact = Fact(f"{context}.cases", context, "partition", (name,), sum(leaves, ()), "partition")
+        whole = replace(fact, certificate={"cases": list(cases)})
+        return self._conclude(whole, *(premise.id for premise in finer.values()))
+
+    def carry(self, context: str, fact_ids: Iterable[str]) -> None:
+        """Restate facts in a context that is known to be a model of theirs."""
+        for fact_id in fact_ids:
+            there = self.ledger.facts[fact_id]
+            name = f"{context}.{fact_id.split('.')[1]}"
+            here = replace(there, id=name, context=context, rule="transfer", certificate={})
+            self._conclude(here, fact_id, f"{context}.models_{there.context}")
+
+    def publish(self, programme: str, entries: Iterable[Entry]) -> None:
+        """Offer proved facts and readings of names to the number wing, in order of evaluation."""
+        listed = list(entries)
+        for entry in listed:
+            if not (self._is_reading(entry) if "reading" in entry else self._is_formula(entry)):
+                raise KernelError(f"{programme}: {entry} is neither a proved fact nor a reading")
+        self.ledger.published.setdefault("programmes", {})[programme] = listed
+
+    def _is_reading(self, entry: Entry) -> bool:
+        context = self.ledger.contexts.get(str(entry["context"]))
+        return context is not None and entry["reading"] in context.reading
+
+    def _is_formula(self, entry: Entry) -> bool:
+        fact = self.ledger.facts.get(str(entry["fact"]))
+        return fact is not None and fact.grade == Grade.PROVED and fact.kind in ("equal", "root")
+
+    def decide(self, fact: Fact) -> Fact:
+        """Admit an identity with the cofactors of its normal form; KernelError if it is none."""
+        ring = self.ledger.rings[fact.context]
+        divided = [divide(ring, difference) for difference in differences(ring, fact)]
+        if any(remainder for _, remainder in divided):
+            raise KernelError(f"fact {fact.id}: undecided: the normal form of lhs - rhs is not 0")
+        cofactors = [[str(quotient) for quotient in quotients] for quotients, _ in divided]
+        return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
+
+    def _conclude(self, fact: Fact, *premises: str) -> Fact:
+        grades = [self.ledger.facts[premise].grade for premise in premises]
+        grade = weakest([fact.grade, *grades])
+        return self.ledger.add(replace(fact, premises=premises, grade=grade))
+
+
+def _fact(fact_id: str, kind: str, equations: Equations, rule: str, source: Iterable[str]) -> Fact:
+    pairs = list(equations.items()) if isinstance(equations, Mapping) else list(equations)
+    lhs, rhs = (tuple(map(text, column)) for column in zip(*pairs, strict=True))
+    context = fact_id.split(".", maxsplit=1)[0]
+    return Fact(fact_id, context, kind, lhs, rhs, rule, source=tuple(source))
+
+
+def facts(context: str, names: str) -> list[Entry]:
+    """Entries for facts of one context: `facts("regular", "H E_a")`."""
+    return [{"fact": f"{context}.{name}"} for name in names.split()]
+
+
+def readings(context: str, names: str, *source: str) -> list[Entry]:
+    """Entries for the readings of names: standard functions, used where these equations do."""
+    return [{"context": context, "reading": name, "source": list(source)} for name in names.split()]
+
+
+def text(side: Side) -> str:
+    """What the kernel reads back as this: a text itself, a number, or an element of a ring."""
+    if not isinstance(side, Element):
+        return str(side)
+    factors = zip(side.ring.units, side.powers, strict=True)
+    below = "*".join(f"({unit})**{power}" for unit, power in factors if power)
+    return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
+
+
+def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
+    """Componentwise equations between two vectors or matrices."""
+    return list(zip(lhs, rhs, strict=True))
+
+
+def names(ring: Ring, text: str) -> list[Element]:
+    """Several quantities of a ring at once: `c1, K = names(ring, "c1 K")`."""
+    return [ring.read(name) for name in text.split()]

@@ -1,0 +1,195 @@
+"""Whether balls agree with a fact: the evidence for classical identities, by Arb.
+
+A name stands for the number that a point gives it, or for its definition, or for its reading.
+Readings are then texts of the kernel's language with the functions of `FUNCTIONS` in them.
+Jacobi's functions are found by inverting Legendre's F, never from theta functions: the identities
+that relate the two are what is to be checked.  A fact is agreed with where the ball of lhs - rhs
+contains zero and is small, at every point.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from operator import add, mul, sub, truediv
+
+from flint import acb, arb, ctx, fmpq
+
+from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
+from rigidsym.proof.kernel.language import Tree, is_name, parse
+
+BITS = 192
+SMALL = arb(2) ** -128
+_ARITHMETIC: Mapping[Tree, Callable[[acb, acb], acb]]
+_ARITHMETIC = {"+": add, "-": sub, "*": mul, "/": truediv}
+STEPS = 32
+
+
+def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
+    """Whether lhs - rhs is enclosed near zero at every point; KernelError for what has no value."""
+    with ctx.workprec(BITS):
+        for point in points:
+            at = Evaluation(context, point)
+            for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
+                left = at.value(lhs)
+                gap = left - at.value(rhs)
+                if not gap.contains(0) or not gap.abs_upper() < SMALL * (1 + left.abs_upper()):
+                    return False
+            at.check()
+    return True
+
+
+class Evaluation:
+    """The balls of the names of a context at one rational point, each found once."""
+
+    def __init__(self, context: Context, point: Mapping[str, str]) -> None:
+        self.context = context
+        self.texts = {**context.reading, **context.definitions}
+        self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1)}
+        for name, number in point.items():
+            if name not in context.generators or _is_formula(context.reading.get(name, "?")):
+                raise KernelError(f"a point gives {name!a}, which is not free")
+            rational = Ring((), {}).read(number).numerator.coeff(1)
+            self.known[name] = acb(fmpq(int(rational.numerator), int(rational.denominator)))
+
+    def check(self) -> None:
+        """Refuse a point at which a hypothesis about names met so far is broken."""
+        for holds, texts in (
+            (lambda value: value.contains(0), self.context.relations),
+            (lambda value: not value.contains(0), self.context.units),
+            (lambda value: not value.real < 0, self.context.nonnegative),
+        ):
+            for text in texts:
+                if {*_names(parse(text))} <= self.known.keys() and not holds(self.value(text)):
+                    raise KernelError(f"the point is not one of the context: {text}")
+
+    def value(self, text: str) -> acb:
+        """The ball of a text; KernelError where it is no expression, or refers to itself."""
+        try:
+            return self._of(parse(text))
+        except (RecursionError, TypeError, ValueError) as error:
+            raise KernelError(f"{text!r} has no value: {error}") from None
+
+    def _of(self, tree: Tree) -> acb:
+        match tree:
+            case int():
+                return acb(tree)
+            case str():
+                return self._named(tree)
+            case ("-", operand):
+                return -self._of(operand)
+            case (base, "**", int(exponent)):
+                return self._of(base) ** exponent
+            case (str(name), "(", *arguments):
+                if name not in FUNCTIONS:
+                    raise KernelError(f"{name} is no function")
+                return FUNCTIONS[name](*map(self._of, arguments))
+        total = self._of(tree[0])
+        for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+            total = _ARITHMETIC[operator](total, self._of(operand))
+        return total
+
+    def _named(self, name: str) -> acb:
+        if name not in self.known:
+            if name not in self.texts:
+                raise KernelError(f"{name!r} has no value")
+            value = self.value(self.texts[name])
+            if name in self.context.generators and not value.imag.contains(0):
+                raise KernelError(f"{name} is not real")  # signs and even powers rest on that
+            self.known[name] = value
+        return self.known[name]
+
+
+def _names(tree: Tree) -> Iterator[str]:
+    """The names in an expression, those of functions and D left out."""
+    match tree:
+        case str() if is_name(tree):
+            yield tree
+        case (_, "(", *arguments):
+            yield from _names(tuple(arguments))
+        case tuple():
+            for part in tree:
+                yield from _names(part)
+
+
+def _is_formula(reading: str) -> bool:
+    """Whether a reading says what the number is, rather than what it is called."""
+    try:
+        parse(reading)
+    except KernelError:
+        return False
+    return True
+
+
+def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
+    """theta_kind(z, q) or its z-derivative (DLMF 20.2(i)); Arb has z in units of pi."""
+
+    def evaluate(z: acb, q: acb) -> acb:
+        tau = q.log() / acb(0, 1) / acb.pi()
+        values = (z / acb.pi()).modular_theta(tau, derivative)
+        return values[kind - 1] / acb.pi() ** derivative
+
+    return evaluate
+
+
+def _nome(m: acb) -> acb:
+    return (-acb.pi() * (1 - m).elliptic_k() / m.elliptic_k()).exp()
+
+
+def _slope(phi: acb, m: acb) -> acb:
+    """dF/dphi."""
+    return 1 / (1 - m * phi.sin() ** 2).sqrt()
+
+
+def _amplitude(u: acb, m: acb) -> acb:
+    """phi with F(phi | m) = u (DLMF 22.16.10, continued), by a step of interval Newton."""
+    phi = _near(u, m)
+    radius = arb(0, SMALL / 2**32)
+    box = acb(phi.real + radius, phi.imag + radius)
+    found = phi - (acb.elliptic_f(phi, m) - u) / _slope(box, m)
+    if not box.contains_interior(found):
+        raise KernelError(f"the amplitude of {u} is not enclosed")
+    return found
+
+
+def _near(u: acb, m: acb) -> acb:
+    """An amplitude that is nearly right: dphi/du = dn along the segment to u, then Newton steps."""
+    phi, step = acb(0), u / STEPS
+    for _ in range(STEPS):
+        half = (phi + step / (2 * _slope(phi, m))).mid()
+        phi = (phi + step / _slope(half, m)).mid()
+    for _ in range(7):
+        phi = (phi - (acb.elliptic_f(phi, m) - u) / _slope(phi, m)).mid()
+    return phi
+
+
+def _incomplete_pi(n: acb, phi: acb, m: acb) -> acb:
+    """Pi(n; phi | m) along the real path from 0, free of poles for n < 1 (DLMF 19.2.7)."""
+
+    def integrand(angle: acb, analytic: bool) -> acb:
+        square = angle.sin() ** 2
+        root = (1 - m * square).sqrt(analytic=analytic)
+        return 1 / ((1 - n * square) * root)
+
+    return acb.integral(integrand, 0, phi)
+
+
+def _pi(n: acb, *rest: acb) -> acb:
+    return _incomplete_pi(n, *rest) if len(rest) == 2 else acb.elliptic_pi(n, *rest)
+
+
+FUNCTIONS: dict[str, Callable[..., acb]] = {
+    "re": lambda x: acb(x.real),
+    "im": lambda x: acb(x.imag),
+    "sqrt": lambda x: x.sqrt(),
+    "exp": lambda x: x.exp(),
+    "arcsc": lambda x, m: acb.elliptic_f(x.atan(), m),
+    "nome": _nome,
+    "elliptic_k": lambda m: m.elliptic_k(),
+    "elliptic_e": lambda m: m.elliptic_e(),
+    "elliptic_pi": _pi,
+    "elliptic_j": lambda u, n, m: (_incomplete_pi(n, _amplitude(u, m), m) - u) / n,
+    "jacobi_sn": lambda u, m: _amplitude(u, m).sin(),
+    "jacobi_cn": lambda u, m: _amplitude(u, m).cos(),
+    "jacobi_dn": lambda u, m: 1 / _slope(_amplitude(u, m), m),
+    "jacobi_epsilon": lambda u, m: acb.elliptic_e_inc(_amplitude(u, m), m),
+    **{f"theta{kind}": _theta(kind) for kind in (1, 2, 3, 4)},
+    **{f"dtheta{kind}": _theta(kind, derivative=1) for kind in (2, 4)},
+}

@@ -1,0 +1,161 @@
+"""Mutants: proved statements made wrong on purpose, to see that the same proof refuses them.
+
+A proof that would also accept a changed sign, index or power proves nothing about them.  Each
+mutant changes one place of one side of one component; it is `refuted` (its normal form is not
+zero), `refused` (it divides by something the hypotheses do not cover) or `equivalent` (it is an
+identity too, as the same decision shows).  What is enclosed instead of proved is judged by the
+same balls: they exclude a mutant, cannot be had for it, or agree with it too.
+"""
+
+import ast
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+from itertools import chain, islice, zip_longest
+
+from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.kernel import Context, Element, Fact, KernelError, Ledger, Ring
+from rigidsym.proof.kernel.ring import Number, at
+
+EACH = 16
+# Long statements are changed near their top: the walk goes by depth.
+PLACES = 30
+# Squares of longer quantities take long to expand and say no more.
+SHORT = 5
+# The replacements of one node of a text, each with the kind of change.
+Variants = Callable[[ast.AST], Iterator[tuple[str, ast.expr]]]
+Edit = Callable[[], str]
+_PARTNERS = {"sn": "cn", "cn": "sn", "s": "c", "c": "s", "m": "m_1"}
+_INDEX = {"1": "2", "2": "3", "3": "1", "a": "b", "b": "d", "d": "a"}
+
+
+def tally(ledger: Ledger, each: int = EACH) -> dict[str, dict[str, int]]:
+    """For every fact decided, how its mutants, at most `each`, are accounted for."""
+    decided = [f for f in ledger.facts.values() if f.rule in ("identity", "assumption")]
+    return {fact.id: _account(ledger, fact, each) for fact in decided}
+
+
+def _account(ledger: Ledger, fact: Fact, each: int) -> dict[str, int]:
+    ring, power = ledger.rings[fact.context], 2 if fact.kind == "root" else 1
+    context = ledger.contexts[fact.context]
+    point = context.check_point(ring, context.witness)
+    found: Counter[str] = Counter()
+    for lhs, rhs in islice(mutants(fact, ring), each):
+        if fact.rule == "identity":
+            fate = decide(ring, lhs, rhs, power, point)
+        else:
+            fate = _enclose(context, replace(fact, lhs=(lhs,), rhs=(rhs,)))
+        found[fate] += 1
+    return dict(sorted(found.items()))
+
+
+def _enclose(context: Context, mutant: Fact) -> str:
+    try:
+        agreed = encloses(context, mutant, mutant.certificate["points"])
+    except KernelError:
+        return "refused"
+    return "equivalent" if agreed else "refuted"
+
+
+def decide(
+    ring: Ring, lhs: str, rhs: str, power: int = 1, point: list[Number] | None = None
+) -> str:
+    """The fate of lhs**power = rhs by its normal form: refuted, refused or equivalent.
+
+    Where the sides differ at a point of the context, that refutes them at once.
+    """
+    try:
+        difference = (ring.read(lhs) ** power - ring.read(rhs)).numerator
+    except KernelError:
+        return "refused"
+    differ = point is not None and at(difference, point)
+    return "refuted" if differ or divide(ring, difference)[1] else "equivalent"
+
+
+def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
+    """(lhs, rhs) of one component each, one place changed; kinds of change take turns."""
+    kinds: dict[str, list[Callable[[], tuple[str, str]]]] = {}
+    known = ring.names
+    sides = list(dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True)))
+    for lhs, rhs in [side for side in sides if side[0] != side[1]] or sides:
+        for kind, edit in _changes(rhs, known):
+            kinds.setdefault(kind, []).append(lambda lhs=lhs, edit=edit: (lhs, edit()))
+        if fact.kind == "equal":
+            for kind, edit in _changes(lhs, known):
+                kinds.setdefault(kind, []).append(lambda rhs=rhs, edit=edit: (edit(), rhs))
+    turns = chain.from_iterable(zip_longest(*kinds.values()))
+    seen: set[tuple[str, str]] = set()
+    for mutant in (turn() for turn in turns if turn is not None):
+        if mutant not in seen:
+            seen.add(mutant)
+            yield mutant
+
+
+def _changes(text: str, known: Mapping[str, Element]) -> Iterator[tuple[str, Edit]]:
+    yield from edits(text, lambda node: variants(node, known))
+    yield "factor", lambda: f"2*({text})"
+    yield "offset", lambda: f"({text}) + 1"
+
+
+def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
+    """Every text that differs from this one in one place: the kind of change, and how to get it."""
+    tree = ast.parse(text, mode="eval")
+    for place, node in enumerate(islice(ast.walk(tree), PLACES)):
+        for kind, changed in variants(node):
+            yield kind, partial(_replaced, text, place, changed)
+
+
+def variants(node: ast.AST, known: Mapping[str, Element]) -> Iterator[tuple[str, ast.expr]]:
+    """Slips of the pen at one node: sign, power, factor, term, index, function, derivative."""
+    match node:
+        case ast.BinOp(left=left, op=ast.Add(), right=right):
+            yield "sign", ast.BinOp(left, ast.Sub(), right)
+            yield "missing term", left
+        case ast.BinOp(left=left, op=ast.Sub(), right=right):
+            yield "sign", ast.BinOp(left, ast.Add(), right)
+            yield "missing term", left
+        case ast.BinOp(left=base, op=ast.Pow(), right=ast.Constant(value=int(exponent))):
+            yield "power", ast.BinOp(base, ast.Pow(), ast.Constant(exponent + 1))
+            yield "root", base if exponent == 2 else ast.BinOp(base, ast.Pow(), _less(exponent))
+        case ast.BinOp(left=left, op=ast.Mult(), right=right):
+            yield "missing factor", left
+            yield "missing factor", right
+        case ast.BinOp(left=left, op=ast.Div(), right=right):
+            yield "missing divisor", left
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            yield "sign", operand
+        case ast.Name(id=name):
+            yield from (("index", ast.Name(other)) for other in _others(name, known))
+            if name in known and len(known[name].numerator) < SHORT:
+                yield "square", ast.BinOp(node, ast.Pow(), ast.Constant(2))
+            yield "double", ast.BinOp(ast.Constant(2), ast.Mult(), node)
+        case ast.Call(args=[argument]):
+            yield "no derivative", argument
+
+
+def _less(exponent: int) -> ast.Constant:
+    return ast.Constant(exponent - 1)
+
+
+def _others(name: str, known: Mapping[str, Element]) -> Iterator[str]:
+    """The same quantity of the next axis, and the function that is easily taken for this one."""
+    axis = re.fullmatch(r"(.*?)([123]|(?<=_)[abd])(_rate|_squared)?", name)
+    candidates = [_PARTNERS.get(name, "")]
+    if axis:
+        candidates.append(axis[1] + _INDEX[axis[2]] + (axis[3] or ""))
+    return (candidate for candidate in candidates if candidate in known)
+
+
+def _replaced(text: str, place: int, changed: ast.expr) -> str:
+    """The text with the node at one place of the walk changed."""
+    tree = ast.parse(text, mode="eval")
+    target = list(ast.walk(tree))[place]
+
+    class Swap(ast.NodeTransformer):
+        def visit(self, node: ast.AST) -> ast.AST:
+            return changed if node is target else super().visit(node)
+
+    return ast.unparse(Swap().visit(tree))

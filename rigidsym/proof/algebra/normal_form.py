@@ -1,0 +1,49 @@
+"""Normal forms, and the cofactors that prove them: found here, multiplied out by the kernel."""
+
+from functools import lru_cache
+from operator import mul
+
+from sympy.polys.rings import PolyElement
+
+from rigidsym.proof.kernel import Ring
+from rigidsym.proof.kernel.ring import Divided
+
+
+def divide(ring: Ring, polynomial: PolyElement) -> Divided:
+    """Cofactors and remainder by a context's relations; remainder 0 means that it vanishes there.
+
+    Where plain division leaves a remainder, each relation is first reduced by those before it: one
+    that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
+    a remainder is no proof of anything.
+    """
+    quotients, remainder = ring.reduce(polynomial)
+    basis, origins = _reduced(ring)
+    if not remainder or basis == ring.relations:
+        return quotients, remainder
+    parts, remainder = polynomial.div(list(basis))
+    return _combined(parts, origins, quotients), remainder
+
+
+@lru_cache(maxsize=128)
+def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement]]]:
+    """The relations, each reduced by those before it, and the cofactors that give them."""
+    basis: list[PolyElement] = []
+    origins: list[list[PolyElement]] = []
+    for k, relation in enumerate(ring.relations):
+        parts, reduced = relation.div(basis) if basis else ([], relation)
+        itself = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
+        known = _combined(parts, origins, itself)
+        if reduced:
+            basis.append(reduced)
+            origins.append([x - y for x, y in zip(itself, known, strict=True)])
+    return tuple(basis), origins
+
+
+def _combined(
+    parts: list[PolyElement], rows: list[list[PolyElement]], like: list[PolyElement]
+) -> list[PolyElement]:
+    """The sum of part * row, entry by entry; `like` gives the zeros where there is no row."""
+    total = [0 * entry for entry in like]
+    for part, row in zip(parts, rows, strict=True):
+        total = [x + y for x, y in zip(total, map(mul, [part] * len(row), row), strict=True)]
+    return total

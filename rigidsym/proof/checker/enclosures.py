@@ -1,0 +1,144 @@
+"""Balls: what an equation says at a point, to thirty digits, with every rounding accounted for.
+
+The names of a context get their values from the point, from definitions, or from readings that
+are formulas.  Two sides agree where the ball of their difference is small and holds 0.
+"""
+
+from collections.abc import Callable
+from operator import add, mul, sub, truediv
+
+from flint import acb, arb, ctx
+
+from rigidsym.proof.checker import elliptic
+from rigidsym.proof.checker.elliptic import between
+from rigidsym.proof.checker.language import NAME, Language, is_formula
+from rigidsym.proof.checker.records import Claim, Hypotheses, Refused
+from rigidsym.proof.checker.theory import rational
+
+PRECISION = 192
+TOLERANCE = "1e-30"
+
+
+def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
+    """Accept an equation at a point of its context where the balls of both sides agree."""
+    with ctx.workprec(PRECISION):
+        values = Values(given, point)
+        for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
+            if not _agree(values.read(lhs), values.read(rhs)):
+                raise Refused(f"balls do not confirm {lhs} = {rhs} at {point}")
+        values.check()
+
+
+def _agree(left: acb, right: acb) -> bool:
+    gap, bound = left - right, arb(TOLERANCE) * (1 + left.abs_lower())
+    narrow = gap.real.rad() <= bound and gap.imag.rad() <= bound
+    return gap.is_finite() and narrow and gap.contains(0)
+
+
+class Values(Language[acb]):
+    """The values of texts at a point; those of names are found when they are asked for."""
+
+    def __init__(self, given: Hypotheses, point: dict[str, str]) -> None:
+        self._given, self._unread = given, {**given.reading, **given.definitions}
+        constants = {"pi": acb.pi(), "I": acb(0, 1)}
+        known = {*given.generators, *self._unread}
+        self._values = {name: constants[name] for name in constants.keys() - known}
+        if taken := point.keys() - {*given.generators}:
+            raise Refused(f"a point gives {min(taken)!a}, which is no generator")
+        if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
+            raise Refused(f"a point gives {forced[0]}, which its reading gives")
+        self._values |= {name: acb(arb(rational(text))) for name, text in point.items()}
+
+    def check(self) -> None:
+        """Refuse the point if a hypothesis about nothing but the names met so far is broken."""
+        given = self._given
+        for texts, holds in (
+            (given.relations, lambda value: value.contains(0)),
+            (given.units, lambda value: not value.contains(0)),
+            (given.nonnegative, lambda value: not value.real < 0),
+        ):
+            for text in texts:
+                if self._values.keys() >= {*NAME.findall(text)} and not holds(self.read(text)):
+                    raise Refused(f"the point does not satisfy what is assumed of {text}")
+
+    def number(self, number: int) -> acb:
+        """A natural number."""
+        return acb(number)
+
+    def name(self, name: str) -> acb:
+        """The value of a name.  While it is being found, the name means nothing."""
+        if name not in self._values:
+            if name not in self._unread:
+                raise Refused(f"{name!r} has no value at the point")
+            value = self.read(self._unread.pop(name))
+            # Signs and even powers are about real numbers.
+            if name in self._given.generators and not value.imag.contains(0):
+                raise Refused(f"{name} is not real at the point")
+            self._values[name] = value
+        return self._values[name]
+
+    def call(self, function: str, arguments: list[acb]) -> acb:
+        """The value of a function, real where its arguments are."""
+        key = function, len(arguments)
+        if key not in FUNCTIONS:
+            raise Refused(f"{function} of {len(arguments)} is no function here")
+        value = FUNCTIONS[key](*arguments)
+        if not value.is_finite():
+            raise Refused(f"{function} has no finite value at the point")
+        return acb(value.real) if all(x.imag == 0 for x in arguments) else value
+
+    def combine(self, operator: str, left: acb, right: acb) -> acb:
+        """Arithmetic of balls."""
+        return {"+": add, "-": sub, "*": mul, "/": truediv}[operator](left, right)
+
+    def negative(self, operand: acb) -> acb:
+        """The opposite."""
+        return -operand
+
+    def power(self, base: acb, exponent: int) -> acb:
+        """A power."""
+        return base**exponent
+
+
+def _theta(index: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
+    """theta_index(z, q) of DLMF 20.2(i), or its derivative in z; FLINT has them of z/pi."""
+
+    def function(z: acb, q: acb) -> acb:
+        tau = between(arb(0), q, arb(1)).log() / acb(0, arb.pi())
+        return acb.modular_theta(z / acb.pi(), tau, derivative)[index - 1] / acb.pi() ** derivative
+
+    return function
+
+
+def _root(x: acb) -> acb:
+    """The root of a real number that is 0 or positive for sure."""
+    if not elliptic.real(x) >= 0:
+        raise Refused("the root of a number that may be negative")
+    return x.sqrt()
+
+
+def _nome(m: acb) -> acb:
+    """exp(-pi K'/K)."""
+    m = between(arb(0), m, arb(1))
+    return (-acb.pi() * acb.elliptic_k(1 - m) / acb.elliptic_k(m)).exp()
+
+
+FUNCTIONS: dict[tuple[str, int], Callable[..., acb]] = {
+    ("sqrt", 1): _root,
+    ("exp", 1): acb.exp,
+    ("re", 1): lambda z: acb(z.real),
+    ("im", 1): lambda z: acb(z.imag),
+    **{(f"theta{index}", 2): _theta(index) for index in (1, 2, 3, 4)},
+    **{(f"dtheta{index}", 2): _theta(index, derivative=1) for index in (2, 4)},
+    ("nome", 1): _nome,
+    ("elliptic_k", 1): lambda m: acb.elliptic_k(between(None, m, arb(1))),
+    ("elliptic_e", 1): lambda m: acb.elliptic_e(between(None, m, arb(1))),
+    ("elliptic_pi", 2): lambda n, m: elliptic.third_kind(n, acb.pi() / 2, m),
+    ("elliptic_pi", 3): elliptic.third_kind,
+    ("elliptic_j", 3): elliptic.third_kind_of_argument,
+    ("arcsc", 2): elliptic.inverse_sc,
+    ("jacobi_sn", 2): lambda u, m: elliptic.jacobi(u, m)[0],
+    ("jacobi_cn", 2): lambda u, m: elliptic.jacobi(u, m)[1],
+    ("jacobi_dn", 2): lambda u, m: elliptic.jacobi(u, m)[2],
+    ("jacobi_epsilon", 2): elliptic.epsilon,
+}

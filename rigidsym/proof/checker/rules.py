@@ -1,0 +1,193 @@
+"""The rules: each raises Refused, or says what grade the fact has if its premises have the best."""
+
+from collections.abc import Callable, Container
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
+
+from flint import fmpq_mpoly
+
+from rigidsym.proof.checker.enclosures import enclose
+from rigidsym.proof.checker.language import is_name
+from rigidsym.proof.checker.records import Claim, Hypotheses, Refused, fits
+from rigidsym.proof.checker.ring import Quotient, Ring
+from rigidsym.proof.checker.theory import Theory
+
+Left = TypeVar("Left")
+Right = TypeVar("Right")
+
+
+@dataclass(slots=True)
+class Accepted:
+    """What has been accepted so far; a fact may rest on nothing else."""
+
+    theories: dict[str, Theory] = field(default_factory=dict)
+    facts: dict[str, Claim] = field(default_factory=dict)
+
+
+def identity(so_far: Accepted, fact: Claim) -> str:
+    """lhs = rhs, since (lhs - rhs) * units = sum of cofactor * relation, for each component.
+
+    It is a root if lhs**2 is in the place of lhs, which is seen to be nonnegative, and a sign if
+    the right sides are seen to be nonnegative.
+    """
+    seen = so_far.theories[fact.context].seen
+    for text in {"root": fact.lhs, "nonnegative": fact.rhs}.get(fact.kind, []):
+        if not seen.show(text):
+            raise Refused(f"{text} is not seen to be nonnegative")
+    ring, gaps = so_far.theories[fact.context].ring, _gaps(so_far, fact)
+    rows = fact.certificate.get("cofactors")
+    if not isinstance(rows, list) or not all(fits(row, list[str]) for row in rows):
+        raise Refused("the certificate holds no table of cofactors")
+    for gap, row in _pairs(gaps, rows):
+        if not _gives(ring, _combination(ring, row), gap):
+            raise Refused("the cofactors do not give the difference of the sides")
+    return "PROVED"
+
+
+def counterexample(so_far: Accepted, fact: Claim) -> str:
+    """lhs = rhs does not follow, since both sides differ at a point of the context."""
+    values: Any = fact.certificate.get("point")
+    if not fits(values, dict[str, str]):
+        raise Refused("the certificate holds no point")
+    at = so_far.theories[fact.context].point(values)
+    if not any(gap.above(*at) for gap in _gaps(so_far, fact)):
+        raise Refused("both sides agree at the point")
+    return "PROVED"
+
+
+def model(so_far: Accepted, fact: Claim) -> str:
+    """By its premises, each hypothesis of the context in rhs holds here, where D reads the same."""
+    if fact.lhs or len(fact.rhs) != 1 or fact.rhs[0] not in so_far.theories:
+        raise Refused("a model is of exactly one context")
+    here, there = so_far.theories[fact.context], so_far.theories[fact.rhs[0]].given
+    given = [gap.above for equation in _equations(so_far, fact) for gap in _gaps(so_far, equation)]
+    if any(here.ring.remainder(zero.above, given) for zero in _zeros(here.ring, there)):
+        raise Refused("a relation, definition or rate does not carry over")
+    for unit in there.units:
+        here.ring.inverse(here.ring.read(unit))
+    if not all(map(here.seen.show, there.nonnegative)):
+        raise Refused("a sign does not carry over")
+    return "PROVED"
+
+
+def transfer(so_far: Accepted, fact: Claim) -> str:
+    """What holds in a context holds, word for word, in each model of it."""
+    there, bridge = (so_far.facts[premise] for premise in fact.premises)
+    if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, [there.context]):
+        raise Refused("the second premise does not make this context a model of the first's")
+    if (fact.kind, fact.lhs, fact.rhs) != (there.kind, there.lhs, there.rhs):
+        raise Refused("the statement is not that of the first premise")
+    return "PROVED"
+
+
+def partition(so_far: Accepted, fact: Claim) -> str:
+    """A name x is zero, positive or, unless it is seen to be nonnegative, negative.
+
+    In time it stays so: the case x = 0 is closed under d/dt, so that D(x) is a multiple of x, and
+    no motion crosses x = 0.  A case may be split further by one premise about it.
+    """
+    whole = so_far.theories[fact.context]
+    cases: Any = fact.certificate.get("cases")
+    if len(fact.lhs) != 1 or not is_name(x := fact.lhs[0]) or not fits(cases, list[str]):
+        raise Refused("a partition is by one name, into a list of cases")
+    signs = "0+" if len(cases) == 2 and whole.seen.show(x) else "0+-"
+    for name, sign in _pairs(cases, [*signs]):
+        if name not in so_far.theories:
+            raise Refused(f"no context {name!r}")
+        if not _is_case(so_far.theories[name].given, whole.given, x, sign):
+            raise Refused(f"{name} is not the case where the sign of {x} is {sign}")
+    if fact.rhs != _leaves(cases, [so_far.facts[premise] for premise in fact.premises]):
+        raise Refused("these are not the cases")
+    return "PROVED"
+
+
+def assumption(so_far: Accepted, fact: Claim) -> str:
+    """Somebody else's result: it can be read here, says where it is from, and may be enclosed."""
+    reference, points = fact.certificate.get("reference"), fact.certificate.get("points", [])
+    if not isinstance(reference, str) or not reference:
+        raise Refused("an assumption needs a reference")
+    if not isinstance(points, list) or not all(fits(point, dict[str, str]) for point in points):
+        raise Refused("points are a list of names with numbers")
+    _gaps(so_far, fact)
+    for point in points:
+        enclose(so_far.theories[fact.context].given, fact, point)
+    return "ENCLOSED" if points else "ASSUMED"
+
+
+# The kinds of statement that a rule makes, from how many premises, and the rule.
+RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str]]] = {
+    "identity": ({"equal", "root", "nonnegative"}, {0}, identity),
+    "counterexample": ({"unequal"}, {0}, counterexample),
+    "model": ({"model"}, range(1000), model),
+    "transfer": ({"equal", "root", "nonnegative"}, {2}, transfer),
+    "partition": ({"partition"}, range(4), partition),
+    "assumption": ({"equal"}, {0}, assumption),
+}
+
+
+def _gaps(so_far: Accepted, fact: Claim) -> list[Quotient]:
+    """lhs - rhs, or lhs**2 - rhs for a root, component by component."""
+    read, power = so_far.theories[fact.context].ring.read, 2 if fact.kind == "root" else 1
+    return [read(lhs) ** power - read(rhs) for lhs, rhs in _pairs(fact.lhs, fact.rhs)]
+
+
+def _combination(ring: Ring, row: list[str]) -> fmpq_mpoly:
+    """The sum of cofactor * relation."""
+    total = ring.one * 0
+    for text, relation in _pairs(row, ring.relations):
+        cofactor = ring.read(text)
+        if cofactor.below != ring.one:
+            raise Refused("a cofactor is not a polynomial")
+        total += cofactor.above * relation
+    return total
+
+
+def _gives(ring: Ring, combination: fmpq_mpoly, gap: Quotient) -> bool:
+    """Whether combination = gap * (a product of units), so that the gap vanishes with it."""
+    if combination == gap.above or not combination or not gap.above:
+        return combination == gap.above  # the product is gap.below
+    factor, rest = divmod(combination * gap.below, gap.above)
+    return not rest and ring.scale(factor) == 1
+
+
+def _equations(so_far: Accepted, fact: Claim) -> list[Claim]:
+    """The premises of a model, if they are equations of its own context."""
+    premises = [so_far.facts[premise] for premise in fact.premises]
+    if any((p.kind, p.context) != ("equal", fact.context) for p in premises):
+        raise Refused("a premise is not an equation of this context")
+    return premises
+
+
+def _zeros(ring: Ring, there: Hypotheses) -> list[Quotient]:
+    """What vanishes in a context, with both readings of its definitions and rates."""
+    read, name, rate = ring.read, ring.name, ring.rate
+    zeros = [name(generator) - name(generator) for generator in there.generators]
+    zeros += [*map(read, there.relations)]
+    zeros += [name(defined) - read(text) for defined, text in there.definitions.items()]
+    if there.rates is not None:
+        rates = {**dict.fromkeys(there.generators, "0"), **there.rates}
+        zeros += [rate(name(moving)) - read(text) for moving, text in rates.items() if text != "?"]
+    return zeros
+
+
+def _is_case(case: Hypotheses, whole: Hypotheses, x: str, sign: str) -> bool:
+    """Whether the case is the whole with one hypothesis more; its name and witness are its own."""
+    more = replace(whole, name=case.name, witness=case.witness)
+    if sign == "0":
+        return case == replace(more, relations=[*whole.relations, x])
+    signed = [*whole.nonnegative, x if sign == "+" else f"-{x}"]
+    return case == replace(more, units=[*whole.units, x], nonnegative=signed)
+
+
+def _leaves(cases: list[str], premises: list[Claim]) -> list[str]:
+    """The cases, or what a premise splits them into."""
+    finer = {premise.context: premise.rhs for premise in premises if premise.kind == "partition"}
+    if len(finer) < len(premises) or not finer.keys() <= {*cases}:
+        raise Refused("a premise is not a partition of a case, or not the only one")
+    return [leaf for case in cases for leaf in finer.get(case, [case])]
+
+
+def _pairs(left: list[Left], right: list[Right]) -> list[tuple[Left, Right]]:
+    if len(left) != len(right):
+        raise Refused(f"{len(left)} items where {len(right)} are due")
+    return list(zip(left, right, strict=True))

@@ -1,0 +1,61 @@
+"""A context, opened: its hypotheses are read, closed under d/dt, and hold at its witness."""
+
+from flint import fmpq
+
+from rigidsym.proof.checker.language import is_name
+from rigidsym.proof.checker.records import Hypotheses, Refused
+from rigidsym.proof.checker.ring import Ring
+from rigidsym.proof.checker.signs import Signs
+
+
+class Theory:
+    """Hypotheses that hold somewhere and, where time flows, go on holding."""
+
+    def __init__(self, given: Hypotheses) -> None:
+        _check_names(given)
+        self.given, self.ring = given, (ring := Ring(given.generators, given.definitions))
+        for unit in given.units:
+            ring.units.append(ring.read(unit).above)
+        ring.relations = [ring.read(relation).above for relation in given.relations]
+        if given.rates is not None:
+            rates = given.rates.items()
+            ring.rates = {name: None if rate == "?" else ring.read(rate) for name, rate in rates}
+        for name in given.definitions:  # now, lest one that nothing uses go unread
+            ring.name(name)
+        self.signs, self.seen = [*map(ring.read, given.nonnegative)], Signs(given)
+        self._check_closed()
+        self.point(given.witness)
+
+    def point(self, values: dict[str, str]) -> list[fmpq]:
+        """The rational point with these coordinates, seen to satisfy every hypothesis."""
+        if values.keys() != {*self.given.generators}:
+            raise Refused("a point gives other names than the generators")
+        at = [rational(values[name]) for name in self.ring.polynomials.names()]
+        if not all(unit(*at) for unit in self.ring.units):
+            raise Refused("a unit is zero at the point")
+        if any(relation(*at) for relation in self.ring.relations):
+            raise Refused("a relation does not hold at the point")
+        if any(sign.above(*at) / sign.below(*at) < 0 for sign in self.signs):
+            raise Refused("a sign is wrong at the point")
+        return at
+
+    def _check_closed(self) -> None:
+        """A relation whose derivative does not vanish with it would hold at one instant only."""
+        ring = self.ring
+        for relation in ring.relations if ring.rates is not None else ():
+            if ring.remainder(ring.rate(ring.over_one(relation)).above):
+                raise Refused(f"{relation} = 0 is not closed under d/dt")
+
+
+def _check_names(given: Hypotheses) -> None:
+    """Each name is a name and means one thing, and only generators have rates of their own."""
+    names = [*given.generators, *given.definitions]
+    if len({*names}) < len(names) or not all(map(is_name, [given.name, *names])) or "D" in names:
+        raise Refused("a name is no name, or means two things")
+    if not (given.rates or {}).keys() <= {*given.generators}:
+        raise Refused("a rate is given to what is not a generator")
+
+
+def rational(text: str) -> fmpq:
+    """The number that a text without names means."""
+    return Ring([], {}).read(text).above.leading_coefficient()

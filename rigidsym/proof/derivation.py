@@ -1,0 +1,116 @@
+"""Running the derivation: chapters into a book, and the book into the sealed ledger."""
+
+import json
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from importlib import import_module, resources
+from pathlib import Path
+from time import perf_counter
+
+from derivations import CHAPTERS
+from rigidsym.errors import InputError
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.kernel import Fact, KernelError
+from rigidsym.view.html.reports import chapter_html, derivation_html
+
+
+class DerivationError(RuntimeError):
+    """A chapter failed: its name and the reason in one line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Chapter:
+    """What one chapter proved, and how long it took."""
+
+    name: str
+    title: str
+    facts: tuple[Fact, ...]
+    seconds: float
+
+    def _repr_html_(self) -> str:
+        return chapter_html(self)
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The chapters that ran and the ledger they wrote, as text."""
+
+    chapters: tuple[Chapter, ...]
+    ledger: str
+
+    def to_json(self) -> str:
+        """The schema rigidsym.derive/1: every claim with its grade and source."""
+        chapters = [
+            {
+                "chapter": chapter.name,
+                "title": chapter.title,
+                "facts": [
+                    {"id": f.id, "statement": statement(f), "grade": f.grade, "source": f.source}
+                    for f in chapter.facts
+                ],
+            }
+            for chapter in self.chapters
+        ]
+        return json.dumps({"schema": "rigidsym.derive/1", "chapters": chapters}, indent=1) + "\n"
+
+    def _repr_html_(self) -> str:
+        return derivation_html(self)
+
+
+def sealed_path() -> Path:
+    """Where the sealed ledger of this installation lies."""
+    return Path(str(resources.files("derivations").joinpath("ledger.json")))
+
+
+def derive(
+    wanted: Iterable[str] = (),
+    progress: Callable[[int, int], None] = lambda done, total: None,
+) -> Derivation:
+    """Run all chapters, or those up to the last one wanted and report the wanted ones.
+
+    Raises InputError for an unknown chapter and DerivationError where a claim is not proved.
+    """
+    chosen = tuple(wanted)
+    for name in chosen:
+        if name not in CHAPTERS:
+            raise InputError("chapter", name, f"must be one of: {', '.join(CHAPTERS)}")
+    last = max(map(CHAPTERS.index, chosen), default=len(CHAPTERS) - 1)
+    book, ran = Book(), []
+    try:
+        for done, name in enumerate(CHAPTERS[: last + 1]):
+            progress(done, last + 1)
+            ran.append(_run(book, name))
+    finally:
+        progress(last + 1, last + 1)
+    reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
+    return Derivation(reported, book.ledger.to_text())
+
+
+def _run(book: Book, name: str) -> Chapter:
+    before, start = len(book.ledger.facts), perf_counter()
+    try:
+        module = import_module(f"derivations.{name}")
+        module.derive(book)
+    except KernelError as error:
+        raise DerivationError(f"chapter {name}: {error}") from None
+    except Exception as error:
+        raise DerivationError(f"chapter {name}: {type(error).__name__}: {error}") from error
+    title = " ".join(re.split(r"[:.]\s", module.__doc__ or name)[0].split())
+    facts = tuple(book.ledger.facts.values())[before:]
+    return Chapter(name, title, facts, perf_counter() - start)
+
+
+def statement(fact: Fact) -> str:
+    """A fact's statement in one line of text."""
+    form = {
+        "equal": "{} = {}",
+        "unequal": "{} != {}",
+        "root": "{} = sqrt({})",
+        "nonnegative": "{} = {} >= 0",
+    }.get(fact.kind)
+    if fact.kind == "partition":
+        return f"{fact.context}, by the sign of {fact.lhs[0]}: one of {', '.join(fact.rhs)}"
+    if form is None:
+        return f"{fact.context} is a model of {fact.rhs[0]}"
+    return "; ".join(form.format(*sides) for sides in zip(fact.lhs, fact.rhs, strict=True))

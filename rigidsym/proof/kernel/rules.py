@@ -1,0 +1,184 @@
+"""The rules of inference: each checks one fact against its premises and its certificate.
+
+It returns the grade that the rule itself gives, or raises; whoever proposes a fact may be lying.
+"""
+
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+from sympy.polys.rings import PolyElement
+
+from rigidsym.proof.kernel.language import KernelError, is_name, parse
+from rigidsym.proof.kernel.ring import Ring, at
+from rigidsym.proof.kernel.statement import Context, Fact, Grade
+
+# Whether balls agree with a fact of a context at points; it is trusted with grade ENCLOSED.
+Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
+
+
+@dataclass(slots=True)
+class Admitted:
+    """What has been admitted so far: all that a rule may look at."""
+
+    encloses: Encloses | None = None
+    contexts: dict[str, Context] = field(default_factory=dict)
+    facts: dict[str, Fact] = field(default_factory=dict)
+    rings: dict[str, Ring] = field(default_factory=dict)
+
+
+def identity(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    numerator(lhs_k - rhs_k) = sum_j cofactor_kj * relation_j     for every component k
+    -----------------------------------------------------------------------------------
+    Gamma |- lhs = rhs
+
+    If lhs >= 0 is visible, and with lhs**2 for lhs:    Gamma |- lhs = sqrt(rhs)
+    If rhs >= 0 is visible:                             Gamma |- lhs = rhs >= 0
+    """
+    ring = admitted.rings[fact.context]
+    visible = {"equal": (), "root": fact.lhs, "nonnegative": fact.rhs}
+    _check_signs(visible[fact.kind], admitted.contexts[fact.context])
+    for difference, row in zip(differences(ring, fact), fact.certificate["cofactors"], strict=True):
+        for cofactor, relation in zip(map(ring.read, row), ring.relations, strict=True):
+            difference -= cofactor.over((0,) * len(ring.units)) * relation
+        if difference:
+            raise KernelError("the cofactors do not give lhs - rhs")
+    return Grade.PROVED
+
+
+def counterexample(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    a rational point of Gamma at which lhs differs from rhs
+    -------------------------------------------------------
+    Gamma |- lhs != rhs at some point
+    """
+    ring = admitted.rings[fact.context]
+    point = admitted.contexts[fact.context].check_point(ring, fact.certificate["point"])
+    if not any(at(difference, point) for difference in differences(ring, fact)):
+        raise KernelError("both sides agree at this point")
+    return Grade.PROVED
+
+
+def model(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    every name of Gamma is a name of Delta, where, by the premises, the relations of Gamma vanish,
+    its units are units, its signs are visible, its definitions hold and D reads the same
+    ----------------------------------------------------------------------------------------------
+    Delta |- model of Gamma
+    """
+    (gamma,) = (admitted.contexts[name] for name in fact.lhs + fact.rhs)
+    delta, ring = admitted.contexts[fact.context], admitted.rings[fact.context]
+    given: list[PolyElement] = []
+    for premise in (admitted.facts[name] for name in fact.premises):
+        if (premise.kind, premise.context) != ("equal", fact.context):
+            raise KernelError(f"{premise.id} is not an equation of {fact.context}")
+        given += filter(None, differences(ring, premise))
+    for generator in gamma.generators:
+        ring.name(generator)
+    for zero in [text for text in _zeros(gamma) if text not in _zeros(delta)]:
+        if ring.reduce(ring.read(zero).numerator, *given)[1]:
+            raise KernelError(f"{zero} = 0 of {gamma.name} does not hold")
+    for unit in gamma.units:
+        ring.inverse(ring.read(unit))
+    _check_signs(gamma.nonnegative, delta)
+    return Grade.PROVED
+
+
+def transfer(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    Gamma |- statement        Delta |- model of Gamma
+    -------------------------------------------------
+    Delta |- statement
+    """
+    there, bridge = (admitted.facts[premise] for premise in fact.premises)
+    if (bridge.kind, bridge.context, bridge.rhs) != ("model", fact.context, (there.context,)):
+        raise KernelError(f"{bridge.id} does not make this context a model of {there.context}")
+    if (fact.kind, fact.lhs, fact.rhs) != (there.kind, there.lhs, there.rhs):
+        raise KernelError(f"this is not the statement of {there.id}")
+    return Grade.PROVED
+
+
+def partition(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    Gamma, x = 0        Gamma, x > 0        Gamma, -x > 0 (not where x >= 0 is visible)
+    -----------------------------------------------------------------------------------
+    Gamma |- exactly one of these contexts, or of those that premises split them into
+    """
+    whole, (x,) = admitted.contexts[fact.context], fact.lhs
+    cases, due = fact.certificate["cases"], whole.cases(x)
+    if len(cases) == 2:
+        _check_signs([x], whole)
+        due = due[:2]
+    for name, case in zip(cases, due, strict=True):
+        found = admitted.contexts[name]
+        if found != replace(case, name=name, witness=found.witness) or not is_name(x):
+            raise KernelError(f"{name} is not this case of {whole.name}")
+    finer: dict[str, tuple[str, ...]] = {}
+    for premise in (admitted.facts[name] for name in fact.premises):
+        if premise.kind != "partition" or premise.context not in {*cases} - finer.keys():
+            raise KernelError(f"{premise.id} is not the only partition of a case")
+        finer[premise.context] = premise.rhs
+    if fact.rhs != tuple(leaf for case in cases for leaf in finer.get(case, (case,))):
+        raise KernelError("these are not the cases")
+    return Grade.PROVED
+
+
+def assumption(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    a reference that states it, and points where balls, if there are points, do not exclude it
+    ------------------------------------------------------------------------------------------
+    Gamma, read as its `reading` says |- statement        (grade ASSUMED, with points ENCLOSED)
+    """
+    context, reference = admitted.contexts[fact.context], fact.certificate.get("reference")
+    if not isinstance(reference, str) or not reference:
+        raise KernelError("an assumption needs a reference")
+    differences(admitted.rings[fact.context], fact)
+    encloses, points = admitted.encloses, fact.certificate.get("points")
+    if points and not (encloses and encloses(context, fact, points)):
+        raise KernelError("balls have to agree at the points")
+    return Grade.ENCLOSED if points else Grade.ASSUMED
+
+
+# The kinds of statement that a rule makes, from how many premises, and the rule.
+RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grade]]] = {
+    "identity": ({"equal", "root", "nonnegative"}, {0}, identity),
+    "counterexample": ({"unequal"}, {0}, counterexample),
+    "model": ({"model"}, range(1000), model),
+    "transfer": ({"equal", "root", "nonnegative"}, {2}, transfer),
+    "partition": ({"partition"}, range(4), partition),
+    "assumption": ({"equal"}, {0}, assumption),
+}
+
+
+def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
+    """The numerators of lhs - rhs (of lhs**2 - rhs for a root): zero where the statement holds."""
+    power = 2 if fact.kind == "root" else 1
+    sides = zip(fact.lhs, fact.rhs, strict=True)
+    return [(ring.read(lhs) ** power - ring.read(rhs)).numerator for lhs, rhs in sides]
+
+
+def _zeros(context: Context) -> list[str]:
+    """What a context says is zero, as texts: relations, definitions and rates that are known."""
+    zeros = [f"{name} - ({text})" for name, text in context.definitions.items()]
+    if context.rates is not None:
+        rates = {**dict.fromkeys(context.generators, "0"), **context.rates}
+        zeros += [f"D({name}) - ({text})" for name, text in rates.items() if text != "?"]
+    return [*context.relations, *zeros]
+
+
+def _check_signs(texts: Iterable[str], context: Context) -> None:
+    """Refuse what is not made of nonnegative things by + * /, and of anything by even powers."""
+    waiting, seen = [*map(parse, texts)], {*map(parse, context.nonnegative)}
+    while waiting:
+        if (tree := waiting.pop()) in seen or isinstance(tree, int):
+            continue
+        seen.add(tree)
+        match tree:
+            case str() if tree in context.definitions:
+                waiting.append(parse(context.definitions[tree]))
+            case (base, "**", int(exponent)):
+                waiting += [base] if exponent % 2 else []
+            case (*front, "+" | "*" | "/", last):
+                waiting += [tuple(front) if len(front) > 1 else front[0], last]
+            case _:
+                raise KernelError(f"{tree} >= 0 is not visible in {context.name}")

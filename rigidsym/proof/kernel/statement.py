@@ -1,0 +1,111 @@
+"""What is assumed and what is stated: contexts, written as differential rings, and facts.
+
+A context is refused when its relations are not closed under d/dt (they could hold at one instant
+only) or its rational witness does not satisfy it (it might be empty, and prove everything).
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import Any
+
+from rigidsym.proof.kernel.language import KernelError, is_name
+from rigidsym.proof.kernel.ring import Number, Ring, at
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """generators, relations = 0, units != 0, nonnegative names >= 0  |-  ...
+
+    `definitions` abbreviate expressions.  `rates` maps generators to time derivatives: what it does
+    not name is constant, "?" says unknown, None is an instant.  `reading` proves nothing.
+    """
+
+    name: str
+    generators: tuple[str, ...]
+    witness: Mapping[str, str]
+    units: tuple[str, ...] = ()
+    definitions: Mapping[str, str] = field(default_factory=dict)
+    relations: tuple[str, ...] = ()
+    rates: Mapping[str, str] | None = None
+    nonnegative: tuple[str, ...] = ()
+    reading: Mapping[str, str] = field(default_factory=dict)
+
+    def open(self) -> Ring:
+        """The ring of this context; raises KernelError unless it is closed and inhabited."""
+        names = [*self.generators, *self.definitions]
+        if len({*names}) < len(names) or not all(map(is_name, [self.name, *names])) or "D" in names:
+            raise KernelError(f"context {self.name!a}: a name is no name, or means two things")
+        if not {*(self.rates or ())} <= {*self.generators}:
+            raise KernelError(f"context {self.name}: a rate of what is no generator")
+        ring = Ring(self.generators, self.definitions)
+        for unit in self.units:
+            ring.units += (ring.read(unit).numerator,)
+        ring.relations = tuple(ring.read(relation).numerator for relation in self.relations)
+        if self.rates is not None:
+            ring.rates = {n: None if t == "?" else ring.read(t) for n, t in self.rates.items()}
+        for name in self.definitions:
+            ring.name(name)
+        self.check_point(ring, self.witness)
+        for relation in ring.relations if self.rates is not None else ():
+            if ring.reduce(ring.rate(ring.element(relation)).numerator)[1]:
+                raise KernelError(f"context {self.name}: {relation} = 0 is not closed under d/dt")
+        return ring
+
+    def check_point(self, ring: Ring, values: Mapping[str, str]) -> list[Number]:
+        """The rational point, if it gives every generator and satisfies all hypotheses."""
+        if missing := sorted(values.keys() ^ {*self.generators}):
+            raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
+        number = Ring((), {}).read  # without generators only rational numbers can be read
+        point = [number(values[str(name)]).numerator.coeff(1) for name in ring.poly.gens]
+        broken = [f"{unit} = 0" for unit in ring.units if not at(unit, point)]
+        broken += [f"{relation} != 0" for relation in ring.relations if at(relation, point)]
+        for text in self.nonnegative:
+            sign = ring.read(text)
+            if at(sign.over(tuple(2 * power for power in sign.powers)), point) < 0:  # p/u as p*u
+                broken.append(f"{text} < 0")
+        if broken:
+            raise KernelError(f"context {self.name}: {broken[0]} at {dict(values)}")
+        return point
+
+    def cases(self, name: str) -> tuple["Context", "Context", "Context"]:
+        """This context where a name is zero, positive, negative; the witness is left as it is."""
+        zero = replace(self, relations=(*self.relations, name))
+        nonzero = replace(self, units=(*self.units, name))
+        positive = replace(nonzero, nonnegative=(*self.nonnegative, name))
+        negative = replace(nonzero, nonnegative=(*self.nonnegative, f"-{name}"))
+        return zero, positive, negative
+
+
+class Grade(StrEnum):
+    """How a statement is known, from worst to best."""
+
+    ASSUMED = "ASSUMED"
+    ENCLOSED = "ENCLOSED"
+    PROVED = "PROVED"
+
+
+def weakest(grades: Iterable[Grade]) -> Grade:
+    """The worst grade: a conclusion is as good as its weakest premise."""
+    return min(grades, key=list(Grade).index)
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """context |- statement.  A value like any other: only `Ledger.add` makes it count.
+
+    By `kind` and componentwise it states: "equal", lhs = rhs; "root", lhs = +sqrt(rhs);
+    "nonnegative", lhs = rhs >= 0; "unequal", both sides differ at some point; "model", the context
+    is a model of that in rhs; "partition", each of its points is in exactly one of those in rhs.
+    """
+
+    id: str
+    context: str
+    kind: str
+    lhs: tuple[str, ...]
+    rhs: tuple[str, ...]
+    rule: str
+    grade: Grade = Grade.PROVED
+    premises: tuple[str, ...] = ()
+    source: tuple[str, ...] = ()
+    certificate: Mapping[str, Any] = field(default_factory=dict)

@@ -1,0 +1,18 @@
+"""The printed equations as values, and the verdict that the ledger gives on each."""
+
+from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading
+from rigidsym.proof.paper.equations import EQUATIONS
+from rigidsym.proof.paper.table import row
+from rigidsym.proof.paper.verdicts import Ruling, Verdict, verdicts
+
+__all__ = [
+    "EQUATIONS",
+    "Condition",
+    "Equation",
+    "Flaw",
+    "Reading",
+    "Ruling",
+    "Verdict",
+    "row",
+    "verdicts",
+]

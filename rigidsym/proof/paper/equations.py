@@ -1,0 +1,15 @@
+"""The paper's equations as printed, misprints kept: values, never functions.
+
+`proved_by` names the facts that together say what the equation says; `refuted_by` names
+counterexamples to the equation as printed, and `conditions` or `repair` what mends it.  Where the
+print can be read in several ways, `readings` says what each implies.  The verdict is computed from
+the ledger by `rigidsym.proof.paper.verdicts`; it is not written here.
+"""
+
+from rigidsym.proof.paper.equation import Equation
+from rigidsym.proof.paper.proof import PROOF
+from rigidsym.proof.paper.section2 import SECTION_2
+from rigidsym.proof.paper.section3 import SECTION_3
+from rigidsym.proof.paper.section4 import SECTION_4
+
+EQUATIONS: tuple[Equation, ...] = (*SECTION_2, *SECTION_3, *SECTION_4, *PROOF)

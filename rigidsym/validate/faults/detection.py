@@ -1,0 +1,56 @@
+"""Whether a stratum notices a fault: its cases are measured until one breaks a bound."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigidsym.engines import Engine
+from rigidsym.validate.faults.fault import Fault
+from rigidsym.validate.faults.mutated_build import spoilt
+from rigidsym.validate.measure import measure
+from rigidsym.validate.oracle import Reference, enclose
+from rigidsym.validate.strata import count, draw
+
+# What is noticed without a measure: an error that is no refusal, and the end of the process.
+RAISED, CRASHED = "raised", "crashed"
+
+
+@dataclass(frozen=True, slots=True)
+class Notice:
+    """The first case of a stratum that a fault breaks a bound in, and the measures that say so."""
+
+    stratum: str
+    index: int
+    measures: tuple[str, ...]
+
+
+def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
+    """The truth about the cases of a stratum."""
+    return [enclose(draw(stratum, index, seed), digits) for index in range(count(stratum, cases))]
+
+
+def notices(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Notice]:
+    """What the strata notice, at most one case of each."""
+    engine = spoilt(fault)
+    found = (first(engine, stratum) for stratum in strata)
+    return [notice for notice in found if notice]
+
+
+def first(engine: Engine, stratum: Sequence[Reference]) -> Notice | None:
+    """The first case in which an engine breaks a bound, or cannot do what it should."""
+    for reference in stratum:
+        if measures := broken(engine, reference):
+            return Notice(reference.sample.stratum, reference.sample.index, measures)
+    return None
+
+
+def broken(engine: Engine, reference: Reference) -> tuple[str, ...]:
+    """The measures by which an engine breaks its bounds in a case."""
+    try:
+        with np.errstate(all="ignore"):
+            errors = measure(reference, engine)
+    except Exception:
+        # Faults may raise anything, and whatever it is, it is noticed.
+        return (RAISED,)
+    return tuple(name for name, found in errors.items() if np.any(found.share > 1))

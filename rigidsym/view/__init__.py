@@ -1,0 +1,1 @@
+"""Everything that shows: HTML, LaTeX's cards, SVG, matplotlib and plotly; one palette."""

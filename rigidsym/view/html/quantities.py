@@ -1,0 +1,33 @@
+"""Numbers and their units, as rows of the tables that show motions and manoeuvres."""
+
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import Any
+
+from rigidsym import inputs
+from rigidsym.view.html.cards import math, muted
+from rigidsym.view.html.markup import Markup
+
+RATE, MOMENTUM = r"\mathrm{rad/s}", r"\mathrm{N\,m\,s}"
+INERTIA = r"\mathrm{kg\,m^2}"
+
+
+def decimal(value: Any) -> str:
+    """Six digits, in LaTeX."""
+    if isinstance(value, inputs.Uncertain):
+        return rf"{decimal(value.middle)} \pm {decimal(value.radius)}"
+    number, _, exponent = inputs.decimal(Fraction(value), 6).lower().partition("e")
+    number = number.rstrip("0").rstrip(".") if "." in number else number
+    number = f"{{{number}}}" if value < 0 else number
+    return rf"{number} \cdot 10^{{{int(exponent)}}}" if exponent else number
+
+
+def vector(values: Iterable[Any]) -> str:
+    """Its components, in LaTeX."""
+    inside = r",\ ".join(map(decimal, values))
+    return f"({inside})"
+
+
+def row(field: str, latex: str, unit: str) -> tuple[Markup, Markup, Markup]:
+    """A name, what it is, and the unit, "" where there is none."""
+    return muted(field), math(latex), math(unit or r"\,")

@@ -1,0 +1,64 @@
+"""Validation reports and derivations as notebooks show them: the verdict first."""
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict
+from typing import Any
+
+from rigidsym.proof.claims import Claim, Claims
+from rigidsym.view.html.cards import badge, bullets, card, code, counted, head, muted, table
+from rigidsym.view.html.markup import Markup, join
+
+PASSED, BROKEN = "passed", "NOT PASSED"
+
+
+def report_html(report: Any) -> str:
+    """Passed or not and why, then the strata: cases, and the worst of each contestant."""
+    data = report.to_data()
+    title = head("Validation", badge(PASSED if data["passed"] else BROKEN), code(data["command"]))
+    names = [contestant["name"] for contestant in data["contestants"]]
+    columns = ("stratum", "cases", "states", *(f"{name}: angle, bound used" for name in names))
+    said = [bullets(data["complaints"])] if data["complaints"] else []
+    unit = muted("worst rotation angle in units of 2⁻⁵³ rad; the largest part used of any bound")
+    return card(title, *said, table(columns, _strata(data)), unit)
+
+
+def _strata(data: Mapping[str, Any]) -> Iterator[tuple[Any, ...]]:
+    for stratum in data["strata"]:
+        cells = [_cell(contestant, stratum["name"]) for contestant in data["contestants"]]
+        yield stratum["name"], stratum["cases"], stratum["states"], *cells
+
+
+def _cell(contestant: Mapping[str, Any], stratum: str) -> Markup:
+    found = contestant["strata"].get(stratum, {}).get("angle")
+    shares = [float(cell["units"]) for cell in contestant["shares"].get(stratum, {}).values()]
+    if found is None or not shares:
+        return join(muted("not asked"))
+    share = _part(max(shares))
+    return join(f"{float(found['units']):.3g}, ", share if max(shares) <= 1 else badge(share))
+
+
+def _part(share: float) -> str:
+    """Per cent, or how many times as much as there is."""
+    if share == float("inf"):
+        return "∞"
+    return f"{share:.0%}" if share < 10 else f"{share:.2g} times"
+
+
+def derivation_html(derivation: Any) -> str:
+    """The chapters that ran, with the facts each of them proved and their grades."""
+    rows = [(code(c.name), c.title, len(c.facts), _grades(c)) for c in derivation.chapters]
+    total = sum(len(chapter.facts) for chapter in derivation.chapters)
+    title = head(f"{counted(total, 'fact')} in {counted(len(derivation.chapters), 'chapter')}")
+    return card(title, table(("chapter", "", "facts", "grades"), rows))
+
+
+def chapter_html(chapter: Any) -> str:
+    """A chapter's title, and its facts."""
+    facts = Claims(Claim(asdict(fact)) for fact in chapter.facts)
+    return join(card(head(chapter.title, _grades(chapter))), Markup(facts._repr_html_()))
+
+
+def _grades(chapter: Any) -> Markup:
+    counts = Counter(str(fact.grade) for fact in chapter.facts)
+    return join(*(join(badge(grade), f" {count} ") for grade, count in sorted(counts.items())))

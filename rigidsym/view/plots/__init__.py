@@ -1,0 +1,1 @@
+"""Plots in two dimensions, by matplotlib."""

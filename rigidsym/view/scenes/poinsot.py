@@ -1,0 +1,115 @@
+"""Poinsot's picture: the ellipsoid of inertia rolls, without slipping, on the invariable plane."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.motion import TorqueFreeMotion
+from rigidsym.quaternions import product, rotated
+from rigidsym.view.geometry import (
+    great_circles,
+    moments,
+    momentum,
+    polhode,
+    regime_colour,
+    upright,
+)
+from rigidsym.view.scenes.scene import (
+    GREY,
+    ball,
+    curves,
+    dot,
+    figure,
+    line,
+    plotly,
+    sketch,
+    skin,
+    with_slider,
+)
+from rigidsym.view.times import chosen
+
+if TYPE_CHECKING:
+    from plotly.graph_objects import Figure
+
+FRAMES = 61
+AROUND = 97
+PATH = 721
+_MESH = (13, 25)
+
+
+@dataclass(frozen=True, slots=True)
+class Rolling:
+    """Rates in space with the momentum along the third axis, rad/s, and the body's attitude there.
+
+    `height` is the distance 2H/K of the invariable plane from the centre; `axes` are the half axes
+    sqrt(2H/c_i) of the ellipsoid.
+    """
+
+    times: np.ndarray
+    q: np.ndarray
+    contact: np.ndarray
+    axes: np.ndarray
+    height: float
+
+
+def rolling(motion: TorqueFreeMotion, times: np.ndarray) -> Rolling:
+    """The motion at some times, seen with its momentum upright."""
+    start = motion(0.0)
+    inertia, body = moments(motion), momentum(motion)
+    front = upright(rotated(start[0], body))
+    q, omega = motion(times)
+    turned = product(front, q)
+    double_energy = float(body @ start[1])
+    axes = np.sqrt(double_energy / inertia)
+    return Rolling(
+        times, turned, rotated(turned, omega), axes, double_energy / float(np.linalg.norm(body))
+    )
+
+
+def rolling_ellipsoid(motion: TorqueFreeMotion, times: Any = None) -> "Figure":
+    """The rolling ellipsoid with polhode and herpolhode; a slider moves `times` (N,), s.
+
+    The space of the picture is that of rates, rad/s, with the momentum upwards: the contact is
+    omega.  Raises InputError for a body at rest, and ImportError without plotly.
+    """
+    go = plotly("rolling_ellipsoid")
+    if not any(motion.exact["omega0"]):
+        raise InputError("omega0", "zero", "the ellipsoid of a body at rest is a point")
+    shown = chosen(motion, times, FRAMES)
+    path = rolling(motion, np.linspace(min(shown[0], 0.0), shown[-1], PATH))
+    steps = rolling(motion, shown)
+    frames = [_moving(go, motion, steps, k) for k in range(len(shown))]
+    fixed = _fixed(go, path, regime_colour(motion.regime))
+    half = 1.08 * max(*steps.axes, float(np.abs(path.contact).max()))
+    labels = [f"ω in space, {k} (rad/s)" for k in "xyz"]
+    title = f"Poinsot's ellipsoid: {motion.regime}"
+    whole = figure([*frames[0], *fixed], title, labels, half)
+    return with_slider(go, whole, shown, range(len(frames[0])), frames)
+
+
+def _moving(go: Any, motion: TorqueFreeMotion, steps: Rolling, k: int) -> list[Any]:
+    """What turns with the body: the ellipsoid, its main sections, the polhode; and the contact."""
+    q, colour = steps.q[k], regime_colour(motion.regime)
+    sections = curves([steps.axes * circle[::2] for circle in great_circles(1.0)])
+    track = polhode(motion, AROUND)
+    return [
+        skin(go, rotated(q, steps.axes * ball(*_MESH)), "#8fa3b8", 0.45),
+        sketch(go, rotated(q, sections), "sections", GREY, 2, showlegend=False),
+        line(go, rotated(q, track), "polhode", colour, 6),
+        line(go, np.stack([0 * steps.contact[k], steps.contact[k]]), "ω", GREY, 4),
+        dot(go, steps.contact[k], "contact", "#d62f5f"),
+    ]
+
+
+def _fixed(go: Any, path: Rolling, colour: str) -> list[Any]:
+    """The herpolhode on the invariable plane."""
+    reach = 1.25 * float(np.hypot(*path.contact.T[:2]).max()) or 0.5 * path.height
+    sides = np.array([-reach, reach])
+    x, y = np.meshgrid(sides, sides)
+    plane = np.stack([x, y, np.full_like(x, path.height)], axis=2)
+    return [
+        skin(go, plane, "#c9a227", 0.28),
+        line(go, path.contact, "herpolhode", "#d62f5f", 4),
+    ]

@@ -1,0 +1,194 @@
+"""What the pictures in three dimensions are made of: lines, surfaces, scenes and the time slider.
+
+Colours other than those of the data are grey and see-through, for light and for dark pages.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from rigidsym.packages import package
+from rigidsym.view.geometry import rounded
+
+GREY, GRID, FAINT = "#808080", "#a6a6a6", "rgba(128,128,128,0.25)"
+AXIS_COLOURS = ("#1f83c4", "#e0682a", "#139a6f")
+WIDTH, HEIGHT = 760, 620
+_FRAME_MS = 60
+
+
+def plotly(user: str) -> Any:
+    """plotly's graph objects; raises ImportError with one line where it is not installed."""
+    return package("plotly.graph_objects", user)
+
+
+def line(go: Any, points: np.ndarray, name: str, colour: str, width: float, **how: Any) -> Any:
+    """A curve (N, 3)."""
+    x, y, z = rounded(points).T
+    style = {"color": colour, "width": width}
+    return go.Scatter3d(x=x, y=y, z=z, mode="lines", name=name, line=style, **how)
+
+
+def sketch(go: Any, points: np.ndarray, name: str, colour: str, width: float, **how: Any) -> Any:
+    """A curve (N, 3) that is only looked at, in four bytes a number."""
+    x, y, z = _single(points).T
+    style = {"color": colour, "width": width}
+    return go.Scatter3d(x=x, y=y, z=z, mode="lines", name=name, line=style, hoverinfo="skip", **how)
+
+
+def curves(parts: Sequence[np.ndarray]) -> np.ndarray:
+    """Several curves as one, with gaps."""
+    gap = np.full((1, 3), np.nan)
+    return np.concatenate([piece for part in parts for piece in (part, gap)][:-1])
+
+
+def dot(go: Any, point: np.ndarray, name: str, colour: str, **how: Any) -> Any:
+    """A point (3,)."""
+    x, y, z = rounded(point).reshape(3, 1)
+    marker = {"color": colour, "size": 5}
+    return go.Scatter3d(x=x, y=y, z=z, mode="markers", name=name, marker=marker, **how)
+
+
+def skin(go: Any, points: np.ndarray, colour: str, opacity: float) -> Any:
+    """A surface (N, M, 3) in one colour, as it may be seen through."""
+    x, y, z = np.moveaxis(_single(points), 2, 0)
+    return go.Surface(
+        x=x,
+        y=y,
+        z=z,
+        colorscale=[[0, colour], [1, colour]],
+        opacity=opacity,
+        showscale=False,
+        hoverinfo="skip",
+        lighting={"ambient": 0.75, "diffuse": 0.4, "specular": 0.05},
+    )
+
+
+def _single(points: np.ndarray) -> np.ndarray:
+    """Six digits and four bytes: what is seen of a surface needs no more."""
+    size = float(np.nanmax(np.abs(points), initial=0.0)) or 1.0
+    return (np.round(points / size, 6) * size + 0.0).astype(np.float32)
+
+
+def ball(rows: int, columns: int) -> np.ndarray:
+    """The unit sphere as a grid (rows, columns, 3)."""
+    polar, around = np.meshgrid(
+        np.linspace(0, np.pi, rows), np.linspace(0, 2 * np.pi, columns), indexing="ij"
+    )
+    sine = np.sin(polar)
+    return np.stack([sine * np.cos(around), sine * np.sin(around), np.cos(polar)], axis=2)
+
+
+def body_axes(go: Any, length: float) -> list[Any]:
+    """The three axes from the middle on."""
+    tips = length * np.eye(3)
+    return [
+        line(go, np.stack([0 * tip, tip]), f"axis {k}", colour, 5, showlegend=False)
+        for k, (tip, colour) in enumerate(zip(tips, AXIS_COLOURS, strict=True), 1)
+    ]
+
+
+def figure(traces: Sequence[Any], title: str, labels: Sequence[str], half: float) -> Any:
+    """A figure whose scene is a cube of half width `half`, axes labelled with units."""
+    # It needs plotly, which whoever calls has.
+    from rigidsym.view.scenes.picture import Picture
+
+    names = ("xaxis", "yaxis", "zaxis")
+    axes = {name: _axis(label, half) for name, label in zip(names, labels, strict=True)}
+    scene = axes | {
+        "aspectmode": "cube",
+        "domain": {"x": [0.0, 1.0], "y": [0.0, 1.0]},
+        "camera": {"center": {"x": 0, "y": 0, "z": -0.12}, "eye": {"x": 1.45, "y": 1.1, "z": 0.75}},
+    }
+    return Picture(
+        data=list(traces),
+        layout={
+            "title": {"text": title, "x": 0.01, "font": {"size": 15}},
+            "scene": scene,
+            "width": WIDTH,
+            "height": HEIGHT,
+            "margin": {"l": 0, "r": 0, "t": 48, "b": 0},
+            "paper_bgcolor": "rgba(0,0,0,0)",
+            "font": {"color": GREY},
+            "legend": {"x": 0, "y": 1, "itemsizing": "constant", "bgcolor": "rgba(0,0,0,0)"},
+            "template": "none",
+        },
+    )
+
+
+def _axis(label: str, half: float) -> dict[str, Any]:
+    return {
+        "title": {"text": label, "font": {"size": 11}},
+        "range": [-half, half],
+        "showbackground": False,
+        "gridcolor": GRID,
+        "showgrid": True,
+        "zeroline": False,
+        "showline": True,
+        "linecolor": GRID,
+        "color": GREY,
+        "nticks": 5,
+        "tickfont": {"size": 10},
+        "exponentformat": "power",
+    }
+
+
+def with_slider(
+    go: Any, figure: Any, times: np.ndarray, moving: Sequence[int], frames: Sequence[Sequence[Any]]
+) -> Any:
+    """The figure with a frame for each time: `moving` are the traces that frames replace."""
+    names = [f"{t:.4g}" for t in times]
+    figure.frames = [
+        go.Frame(name=str(k), data=list(data), traces=list(moving)) for k, data in enumerate(frames)
+    ]
+    steps = [
+        {"label": name, "method": "animate", "args": [[str(k)], _at_once(0)]}
+        for k, name in enumerate(names)
+    ]
+    figure.update_layout(
+        sliders=[
+            {
+                "steps": steps,
+                "currentvalue": {"prefix": "t = ", "suffix": " s", "xanchor": "center"},
+                "x": 0.14,
+                "len": 0.82,
+                "y": 0,
+                "pad": {"t": 12, "b": 8},
+                "ticklen": 0,
+                "minorticklen": 0,
+                "font": {"size": 10},
+                "bgcolor": FAINT,
+                "bordercolor": FAINT,
+            }
+        ],
+        updatemenus=[_buttons()],
+        margin={"b": 70},
+    )
+    return figure
+
+
+def _at_once(duration: int) -> dict[str, Any]:
+    return {
+        "mode": "immediate",
+        "frame": {"duration": duration, "redraw": True},
+        "transition": {"duration": 0},
+    }
+
+
+def _buttons() -> dict[str, Any]:
+    play = {"label": "▶", "method": "animate"}
+    play["args"] = [None, _at_once(_FRAME_MS) | {"fromcurrent": True}]  # type: ignore[assignment]
+    stop = {"label": "❚❚", "method": "animate", "args": [[None], _at_once(0)]}
+    return {
+        "type": "buttons",
+        "direction": "left",
+        "buttons": [play, stop],
+        "showactive": False,
+        "x": 0.12,
+        "y": 0,
+        "xanchor": "right",
+        "yanchor": "top",
+        "pad": {"t": 22, "r": 8},
+        "bgcolor": FAINT,
+        "bordercolor": FAINT,
+    }

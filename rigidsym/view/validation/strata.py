@@ -1,0 +1,131 @@
+"""Tables: contestants by regime and by stratum."""
+
+from typing import Any
+
+from rigidsym.view.html.markup import Markup, lines, tag
+from rigidsym.view.validation.figures import (
+    NOTHING,
+    UNIT,
+    Figure,
+    measures,
+    number,
+    plain,
+    share,
+    units,
+)
+from rigidsym.view.validation.source import Data, anchors, beyond, place
+from rigidsym.view.validation.table import barred, column, figure, row, table
+
+SHOWN = {"angle": "angle", "omega": "rate"}
+
+
+def regimes(data: Data) -> Markup:
+    """The worst errors by regime of motion, contestants side by side."""
+    names = sorted({name for one in data["contestants"] for name in one["regimes"]})
+    cases = anchors(data)
+    rows = (_regime(data, name, cases) for name in names)
+    caption = (
+        f"Worst errors by regime of motion, in units of {UNIT} = {plain(1.0)}: "
+        f"angle (rad) and rate (relative), of {units(data['bounds']['angle'])} allowed; "
+        "κ: condition number of that state"
+    )
+    return tag(
+        "section",
+        tag("h2", "Regimes of motion"),
+        table(caption, _two_lines("regime", data), rows),
+        id="regimes",
+    )
+
+
+def strata(data: Data) -> Markup:
+    """What was tested, how much of the bounds it takes, and every measure of every contestant."""
+    rows = (_stratum(data, stratum) for stratum in data["strata"])
+    names = (one["name"] for one in data["contestants"])
+    head = ["stratum", *names, "cases", "states", "oracles"]
+    caption = (
+        "Largest part of a documented bound that was needed, of all measures; oracles: their "
+        f"disagreement, as part of the {data['agreement']:g} allowed"
+    )
+    return tag(
+        "section",
+        tag("h2", "Strata"),
+        table(caption, [tag("tr", *map(column, head))], rows),
+        *(_all_measures(data, one) for one in data["contestants"]),
+        id="strata",
+    )
+
+
+def _two_lines(first: str, data: Data) -> list[Markup]:
+    groups = [column(one["name"], span=len(SHOWN)) for one in data["contestants"]]
+    under = [column(shown) for _ in groups for shown in SHOWN.values()]
+    return [tag("tr", column(first, rows=2), *groups), tag("tr", *under)]
+
+
+def _regime(data: Data, name: str, cases: dict[str, str]) -> Markup:
+    found = (
+        figure(cell, _part(cell, data["bounds"][measure]), cases, beyond(one))
+        for one in data["contestants"]
+        for measure in SHOWN
+        for cell in [_cell(one, "regimes", name, measure)]
+    )
+    return tag("tr", row(name), *found)
+
+
+def _part(cell: Data | None, bound: float) -> Figure | None:
+    """Of angle and of rates, whose allowance depends on nothing else."""
+    return None if cell is None else number(cell["units"]) / bound
+
+
+def _cell(one: Data, view: str, part: str, measure: str) -> Any:
+    return one[view].get(part, {}).get(measure)
+
+
+def _stratum(data: Data, stratum: Data) -> Markup:
+    oracles = stratum["disagreement"]
+    tested = "number" if stratum["cases"] else "number beyond"
+    apart = "number" if number(oracles) <= 1 else "number beyond"
+    return tag(
+        "tr",
+        row(stratum["name"], tag("small", stratum["about"], class_="about")),
+        *(_largest(one, stratum["name"], data) for one in data["contestants"]),
+        tag("td", stratum["cases"], class_=tested),
+        tag("td", stratum["states"], class_=tested),
+        tag("td", units(oracles), class_=apart),
+    )
+
+
+def _largest(one: Data, stratum: str, data: Data) -> Markup:
+    shares = one["shares"].get(stratum, {})
+    known = [name for name in measures(data) if name in shares]
+    if not known:
+        return tag("td", NOTHING, class_="none", title="not measured")
+    name = max(known, key=lambda known: number(shares[known]["units"]))
+    part, count = shares[name]["units"], shares[name]["count"]
+    title = f"{place(shares[name])}; {count} figures beyond the bound"
+    return barred(share(part), name, part, beyond(one), title)
+
+
+def _all_measures(data: Data, one: Data) -> Markup:
+    cases, names = anchors(data), measures(data)
+    rows = (_every(one, stratum["name"], names, cases) for stratum in data["strata"])
+    caption = f"{one['name']}: the worst of each measure, in units of {UNIT}; κ: condition number"
+    limits = [column(units(data["bounds"][name])) for name in names]
+    head = [
+        tag("tr", column("stratum"), *map(column, names)),
+        tag("tr", column("bound"), *limits, class_="limits"),
+    ]
+    summary = tag("summary", tag("h3", f"{one['name']}: every measure"))
+    return tag("details", summary, table(caption, head, rows), open=not one["peer"])
+
+
+def _every(one: Data, stratum: str, names: list[str], cases: dict[str, str]) -> Markup:
+    found = (
+        figure(_cell(one, "strata", stratum, name), _needed(one, stratum, name), cases, beyond(one))
+        for name in names
+    )
+    return tag("tr", row(stratum), lines(*found))
+
+
+def _needed(one: Data, stratum: str, measure: str) -> Figure | None:
+    cell = _cell(one, "shares", stratum, measure)
+    return None if cell is None else cell["units"]

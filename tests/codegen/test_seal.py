@@ -1,0 +1,324 @@
+"""What is printed is what was derived: the kernel decides, and would notice."""
+
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from rigidsym import InputError, generate
+from rigidsym.codegen import functions as assembled
+from rigidsym.codegen.functions import (
+    attitude,
+    circular,
+    hyperbolic,
+    steady,
+)
+from rigidsym.codegen.functions import (
+    initial_state as start,
+)
+from rigidsym.codegen.ir import Let
+from rigidsym.codegen.passes import expand, share
+from rigidsym.codegen.seal import is_equal, seal, seal_text
+from rigidsym.codegen.seal.states import claims as of_states
+from rigidsym.codegen.special_functions import landen
+from rigidsym.codegen.targets.c import emit as c_emit
+from rigidsym.codegen.targets.c import read_back as c_text
+from rigidsym.codegen.targets.numpy import emit as numpy_emit
+from rigidsym.language.expression import Call, Number, names, parse
+from rigidsym.solution import sealed
+
+
+def test_every_formula_of_the_generated_code_is_decided():
+    everything = assembled.functions(sealed())
+    formulas = [formula for function in everything for formula in function.formulas]
+    states = list(of_states(sealed(), everything))
+    assert len(states) == 2 * (4 + 1 + 2 + 3) + 2  # attitude, norm, phase and rates; half an angle
+    decided = seal(sealed())
+    assert decided > len(formulas) + len(states) + 80  # and the facts
+    assert len(formulas) > 450
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "equal"),
+    [
+        ("a/(b + c)", "1/(c + b)*a", True),
+        ("(a + b)**2", "a*a + 2*a*b + b*b", True),
+        ("sqrt(a*b) + 1", "1 + sqrt(b*a)", True),
+        ("a/(b + c)", "a/(b - c)", False),
+        ("sqrt(a*b)", "sqrt(a*b + 1)", False),
+        ("sqrt(a)*sqrt(a)", "a", False),
+        ("f(a)", "g(a)", False),
+    ],
+)
+def test_equality_is_decided_as_of_rational_functions_of_names_and_calls(left, right, equal):
+    assert is_equal(parse(left), parse(right)) is equal
+
+
+def turned(lets, name):
+    """The lets with another sign in one of them."""
+    lets = tuple(lets)
+    assert any(name in let.targets for let in lets)
+    return tuple(negated(let) if name in let.targets else let for let in lets)
+
+
+def negated(let):
+    return Let(let.targets, Call("neg", (let.expression,)), let.source, let.facts)
+
+
+def where(lets, name):
+    """Whether there is something to spoil."""
+    return any(name in let.targets for let in lets)
+
+
+def spoiling(function, name):
+    """The function, with another sign of one let wherever it gives that."""
+
+    def spoiled(*arguments, **options):
+        lets = tuple(function(*arguments, **options))
+        return turned(lets, name) if where(lets, name) else lets
+
+    return spoiled
+
+
+SIGNS = [
+    (circular, "state_lets", "q_0"),
+    (hyperbolic, "state_lets", "q_0"),
+    (hyperbolic, "state_lets", "Omega_b"),
+    (attitude, "_rows", "row_0_P1_re"),
+    (attitude, "_rows", "row_d_P4_im"),
+    (circular, "gains", "gain_a"),
+    (hyperbolic, "gains", "gain_d"),
+    (attitude, "select", "Lambda"),
+    (attitude, "select", "qbar_a"),
+    (attitude, "select", "p_b"),
+    (attitude, "select", "P1_im"),
+    (attitude, "select", "tau"),
+    (attitude, "specialise", "P4_re"),
+    (attitude, "inlined", "q_a"),
+    (circular, "front", "over_N"),
+    (circular, "front", "W"),
+    (hyperbolic, "secular", "Lambda_rate"),
+    (circular, "parts", "P4_im"),
+    (start, "select", "E_d"),
+    (start, "select", "B_d"),
+    (start, "renamed", "s"),
+    (landen, "select", "S"),
+    (steady, "select", "q2"),
+    (steady, "select", "axis3"),
+    (assembled, "live", "T4_re"),
+    (assembled, "live", "v_error"),
+    (assembled, "products", "K"),
+    (assembled, "share", "L_error"),
+]
+
+
+@pytest.mark.parametrize(("module", "name", "line"), SIGNS, ids=lambda x: getattr(x, "__name__", x))
+def test_another_sign_is_refused(monkeypatch, module, name, line):
+    monkeypatch.setattr(module, name, spoiling(getattr(module, name), line))
+    with pytest.raises(InputError, match=r"what is printed is not what was derived|not seen"):
+        seal(sealed())
+
+
+def swapped(renamed, lets, new):
+    return renamed(lets, new | {"s": new["c"], "c": new["s"]})
+
+
+def swapped_results(renamed, lets, new):
+    return renamed(lets, new | {"s_next": "c", "c_next": "s"})
+
+
+def without_facts(renamed, lets, new):
+    return tuple(Let(let.targets, let.expression, let.source, ()) for let in renamed(lets, new))
+
+
+@pytest.mark.parametrize("how", [swapped, swapped_results, without_facts])
+def test_other_names_are_refused(monkeypatch, how):
+    monkeypatch.setattr(start, "renamed", partial(how, start.renamed))
+    with pytest.raises(InputError, match=r"_start = (landen|kc_1|root_kc|s|c) ?.*"):
+        seal(sealed())
+
+
+def dropping(name):
+    return lambda lets: tuple(let for let in lets if name not in let.targets)
+
+
+def setting_again(lets):
+    """common_1 is another thing after its first use."""
+    lets = share(lets)
+    again = Let(("common_1",), Number(2), ("1",), ())
+    return (*lets, again) if where(lets, "common_1") else lets
+
+
+def shadowing(lets):
+    lets = share(lets)
+    return (Let(("k_1",), parse("2*K"), ("1",), ()), *lets) if where(lets, "row_0_P4_re") else lets
+
+
+def stray(name):
+    def spoiled(lets):
+        lets = share(lets)
+        return (*lets, Let((name,), Number(2), ("1",), ()))
+
+    return spoiled
+
+
+def backwards(lets):
+    return tuple(reversed(share(lets)))
+
+
+def early(lets):
+    """A line before the one it needs."""
+    first, *rest = share(lets)
+    return (*rest, first)
+
+
+def regrouped(lets):
+    """The same in a ring, where the error of a rounding vanishes in any order."""
+    other = parse("p_y - ahead + ahead_other + (-back - ahead_other)")
+    return tuple(
+        replace(let, expression=other) if let.targets == ("ahead_error",) else let
+        for let in share(lets)
+    )
+
+
+def wrong(lets):
+    return tuple(
+        replace(let, expression=parse("mu*phase")) if let.targets == ("B_d",) else let
+        for let in share(lets)
+    )
+
+
+SHARING = [
+    (setting_again, "set again|nothing needs"),
+    (shadowing, "set again"),
+    (stray("stray"), "nothing needs"),
+    (stray("common_99"), "nothing needs"),
+    (backwards, "before it is known"),
+    (early, "before it is known"),
+    (regrouped, "_hyperbolic_angles = ahead_error .* what is printed is not what"),
+    (wrong, "_start = B_d = .*phase: phase: used before it is known"),
+    (lambda lets: dropping("E_a")(share(lets)), "E_a: used before it is known"),
+    (lambda lets: dropping("row_0_P1_re")(share(lets)), "row_0_P1_re: is returned and never set"),
+]
+
+
+@pytest.mark.parametrize(("spoiled", "message"), SHARING)
+def test_other_lines_are_refused(monkeypatch, spoiled, message):
+    monkeypatch.setattr(assembled, "share", spoiled)
+    with pytest.raises(InputError, match=message):
+        seal(sealed())
+
+
+@pytest.mark.parametrize("name", ["E_a", "K_1", "gain_b", "q_0", "X_im"])
+def test_a_line_that_is_dropped_is_missed(monkeypatch, name):
+    live = assembled.live
+    monkeypatch.setattr(assembled, "live", lambda *given: dropping(name)(live(*given)))
+    with pytest.raises(InputError, match=r"used before it is known|is returned and never set"):
+        seal(sealed())
+
+
+def numpy_zero(printed, expression):
+    return "0" if expression == parse("theta4_v*watson") else printed(expression)
+
+
+def c_zero(lowered, expression, extended, number):
+    if expression == parse("theta4_v*watson"):
+        return Call("pair_of", (Number(0),))
+    return lowered(expression, extended, number)
+
+
+def less(fuse, function):
+    """The last factor of what is fused is forgotten."""
+    forgotten = []
+    for let in fuse(function):
+        match let.expression:
+            case Call("fma", (a, _, c)):
+                let = replace(let, expression=Call("fma", (a, Number(1), c)))
+        forgotten.append(let)
+    return tuple(forgotten)
+
+
+def reversed_results(results, function):
+    return ", ".join(reversed(results(function).split(", ")))
+
+
+def blurred(constant_text, constant):
+    return constant_text(replace(constant, hi=constant.hi * (1 + 2**-50)))
+
+
+def moved(function_lines, function, number, signature, ends):
+    """The two results of a function change places."""
+    ends = [line.replace("= s;", "= c;") for line in ends]
+    return function_lines(function, number, signature, ends)
+
+
+def longer(function_lines, function, number, signature, ends):
+    extra = "    const double again = 1.0;"
+    return function_lines(function, number, [*signature, extra], ends)
+
+
+EMITTERS = [
+    ("numpy", numpy_emit, "printed", numpy_zero),
+    ("numpy", numpy_emit, "_results", reversed_results),
+    ("numpy", numpy_emit, "_constant", blurred),
+    ("c", c_emit, "lowered", c_zero),
+    ("c", c_emit, "fuse", less),
+    ("c", c_emit, "constant_text", blurred),
+    ("c", c_emit, "function_lines", moved),
+    ("c", c_emit, "function_lines", longer),
+]
+
+
+@pytest.mark.parametrize(("target", "emitter", "name", "how"), EMITTERS)
+def test_what_an_emitter_spoils_is_refused(monkeypatch, target, emitter, name, how):
+    seal_text(generate(target), sealed())
+    monkeypatch.setattr(emitter, name, partial(how, getattr(emitter, name)))
+    seal(sealed())
+    with pytest.raises(InputError):
+        seal_text(generate(target), sealed())
+
+
+def test_what_fusing_spoils_is_refused(monkeypatch):
+    for module in (c_emit, c_text):
+        monkeypatch.setattr(module, "fuse", partial(less, module.fuse))
+    with pytest.raises(InputError, match="not what was fused"):
+        seal_text(generate("c"), sealed())
+
+
+@pytest.mark.parametrize("target", ["numpy", "c"])
+@pytest.mark.parametrize(
+    ("there", "instead"),
+    [("P4_re = T4_re", "P4_re = T4_im"), ("W = ", "V = "), ("scale", "scala")],
+)
+def test_text_that_was_edited_is_refused(target, there, instead):
+    generated = generate(target)
+    files = {name: text.replace(there, instead) for name, text in generated.files.items()}
+    with pytest.raises(InputError):
+        seal_text(replace(generated, files=files), sealed())
+
+
+def test_sharing_can_be_undone_and_keeps_the_order():
+    for function in assembled.functions(sealed()):
+        known = set(function.parameters) | {c.name for c in assembled.constants()}
+        for let in function.lets:
+            assert set(names(let.expression)) <= known
+            known |= set(let.targets)
+        put_back = [let.targets for let in expand(function.lets)]
+        assert put_back == [formula.targets for formula in function.formulas]
+
+
+def test_provenance_of_what_is_shared_is_the_union_over_its_users():
+    lets = (
+        Let(("u",), parse("(a + b)*c"), ("10",), ("f",)),
+        Let(("v",), parse("(a + b)*d"), ("12",), ("g",)),
+    )
+    common, *_ = share(lets)
+    assert str(common) == "common_1 = a + b"
+    assert (common.source, common.facts) == (("10", "12"), ("f", "g"))
+
+
+def test_a_target_without_a_reader_is_refused():
+    generated = generate("numpy")
+    other = replace(generated, manifest={**generated.manifest, "target": "rust"})
+    with pytest.raises(InputError, match="target = rust: has no reader"):
+        seal_text(other, sealed())

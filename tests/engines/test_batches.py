@@ -1,0 +1,218 @@
+"""`propagate`: which bodies can exist, what is refused or NaN instead, and whose memory it is."""
+
+import math
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rigidsym import InputError, TorqueFreeMotion, inputs, propagate
+from rigidsym.engines import batches
+from rigidsym.generated import torque_free
+
+BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
+FLAT, IMPOSSIBLE = (1, 2, 3.0000000000000004), (1, 1, 5)
+
+
+@pytest.fixture(params=["numpy", "c"])
+def engine(request):
+    return request.param
+
+
+@pytest.mark.parametrize(
+    ("moments", "exists"),
+    [
+        ((0.1, 0.2, 0.1 + 0.2), True),
+        (FLAT, True),
+        ((1, 2, 3.000000000000003), False),
+        (IMPOSSIBLE, False),
+        ((1e-30, 1, 1), True),
+        ((1e-30, 1, 1 + 2**-52), False),
+        ((1e-3, 1, 1 + 1e-3), True),
+        ((1.2e-16, 1, 1 + 2**-52), True),
+        ((5e-324, 5e-324, 1e-323), True),
+        ((5e-324, 5e-324, 1.5e-323), False),
+        ((1.7e308, 1.7e308, 1e308), True),
+        ((1e307, 1e308, 1.5e308), False),
+    ],
+)
+def test_which_bodies_can_exist(moments, exists, engine):
+    """One rule for a body and for bodies, wherever they stand."""
+    for order in ([0, 1, 2], [1, 2, 0], [2, 1, 0]):
+        one = [moments[k] for k in order]
+        if exists:
+            TorqueFreeMotion(one, (0, 0, 0))
+            batches.possible(np.array([BODY, one], float), False)
+        else:
+            with pytest.raises(InputError, match=r"^inertia = .*larger than the sum"):
+                TorqueFreeMotion(one, (0, 0, 0))
+            with pytest.raises(InputError, match=r"^inertia\[2\] = .*larger than the sum"):
+                propagate([BODY, FLAT, one, one], (0, 0, 0), 1.0, engine=engine)
+
+
+moments = st.floats(1e-300, 1e300)
+ulps = st.integers(-9, 9)
+
+
+@settings(max_examples=500, deadline=None)
+@given(moments, st.floats(0, 60), ulps)
+def test_the_rule_for_many_is_the_exact_one(middle, octaves, steps):
+    low = middle * 2.0**-octaves
+    high = middle + low
+    for _ in range(abs(steps)):
+        high = math.nextafter(high, math.copysign(math.inf, steps))
+    exists = inputs.can_exist(*sorted(map(Fraction, (high, middle, low)), reverse=True))
+    assert batches._are_impossible(np.array([[high, low, middle]])).tolist() == [not exists]
+
+
+def test_errors_as_nan_leave_the_others_as_they_are(engine):
+    inertia = np.tile(BODY, (8, 1))
+    omega0, attitude0 = np.tile(RATES, (8, 1)), np.tile((1.0, 0, 0, 0), (8, 1))
+    inertia[1], inertia[2, 0], inertia[3, 1] = IMPOSSIBLE, -1, math.nan
+    attitude0[4] = 0
+    omega0[5], inertia[5] = (1e-200, 1, 1e-200), (1, 2, 2.5)
+    omega0[6] = 1e300
+    t = np.array([0.0, 1.0, math.inf, 5000.0])
+    q, omega = propagate(inertia, omega0, t, attitude0, engine=engine, errors="nan")
+    seen = np.isfinite(q).all(axis=-1)
+    np.testing.assert_array_equal(seen, np.isfinite(omega).all(axis=-1))
+    np.testing.assert_array_equal(seen, ~np.isnan(q).any(axis=-1))
+    near, none = [True, True, False, True], [False] * 4
+    assert seen.tolist() == [
+        near, none, none, none, none, [True, True, False, False],
+        [True, False, False, False] if seen[6, 0] else none, near,
+    ]  # fmt: skip
+    for k in (0, 5, 7):
+        at = np.flatnonzero(seen[k])
+        one = TorqueFreeMotion(inertia[k], omega0[k], engine=engine)
+        np.testing.assert_allclose(q[k, at], one(t[at])[0], rtol=0, atol=1e-15)
+        alone = one(t, errors="nan")[0]
+        np.testing.assert_array_equal(np.isnan(alone[:, 0]), ~seen[k])
+    assert np.isnan(one(1e300, errors="nan")[0]).all()
+    with pytest.raises(InputError, match=r"^inertia\[2, 0\] = -1.0|^inertia\[3, 1\] = nan"):
+        propagate(inertia, omega0, t[:2], attitude0, engine=engine)
+    with pytest.raises(InputError, match=r"^errors = drop: must be 'raise' or 'nan'"):
+        propagate(BODY, RATES, t, engine=engine, errors="drop")
+    with pytest.raises(InputError, match=r"^errors = 7: must be 'raise' or 'nan'"):
+        one(1.0, errors=7)
+
+
+def test_outputs_that_are_inputs_are_refused(engine):
+    rule = r"^out = as given: q and omega must not overlap"
+    for name in ("inertia", "omega0"):
+        arrays = {"inertia": np.array(BODY), "omega0": np.array(RATES)}
+        arrays[name] = memory = np.tile(arrays[name], (40, 1))
+        before = memory.copy()
+        out = np.empty((40, 1, 4)), memory.reshape(40, 1, 3)
+        with pytest.raises(InputError, match=rule):
+            propagate(*arrays.values(), [3.0], out=out, engine=engine)
+        np.testing.assert_array_equal(memory, before)
+    quaternions = np.tile((1.0, 0, 0, 0), (40, 1))
+    out = quaternions.reshape(40, 1, 4), np.empty((40, 1, 3))
+    with pytest.raises(InputError, match=rule):
+        propagate(BODY, RATES, [3.0], quaternions, out=out, engine=engine)
+
+
+def test_the_generated_module_refuses_outputs_that_it_reads():
+    plan = torque_free.plan([BODY] * 5, [RATES] * 5)
+    t, shared = np.arange(3.0), np.empty(500)
+    q, omega = np.empty((5, 3, 4)), np.empty((5, 3, 3))
+    overlapping = shared[:60].reshape(5, 3, 4), shared[50:95].reshape(5, 3, 3)
+    for out, times in (
+        (overlapping, t),
+        ((shared[:60].reshape(5, 3, 4), omega), shared[10:13]),
+        ((q, shared[:45].reshape(5, 3, 3)), shared[44:47]),
+    ):
+        times[:] = t
+        with pytest.raises(ValueError, match=r"^out: q and omega must not overlap"):
+            torque_free.states(plan, times, out)
+    with pytest.raises(ValueError, match=r"^out: q and omega must not overlap"):
+        torque_free.states(plan, 1.0, (np.empty((5, 4)), plan["omega0"]))
+    assert torque_free.states(plan, t, (q, omega))[0] is q
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (4,)], ids=str)
+def test_a_plan_does_not_change_with_what_it_was_made_from(shape):
+    given = [np.tile(x, (*shape, 1)).reshape(*shape, -1) for x in (BODY, RATES, (1.0, 0, 0, 0))]
+    plan = torque_free.plan(*given)
+    before = [torque_free.states(plan, t) for t in (0.0, 1.0)]
+    for array in given:
+        array[...] = 99
+    for t, expected in zip((0.0, 1.0), before, strict=True):
+        states = torque_free.states(plan, t)
+        for got, wanted in zip(states, expected, strict=True):
+            np.testing.assert_array_equal(got, wanted)
+            got[...] = 7
+        for got, wanted in zip(torque_free.states(plan, t), expected, strict=True):
+            np.testing.assert_array_equal(got, wanted)
+
+
+def test_blocks_of_bodies_do_not_show(engine):
+    draw = np.random.default_rng(3)
+    x, y, z = draw.uniform(0.1, 1, (3, 3, 1600))
+    inertia, omega0 = np.stack([y + z, z + x, x + y], -1), draw.normal(size=(1600, 3))
+    t = [0.0, 2.0]
+    q, omega = propagate(inertia, omega0, t, engine=engine)
+    assert q.shape == (3, 1600, 2, 4)
+    for k in ((0, 0), (2, 895), (2, 896), (2, 1599)):
+        one = TorqueFreeMotion(inertia[k], omega0[k[1]], engine=engine)(t)
+        np.testing.assert_allclose(q[k], one[0], rtol=0, atol=2e-15)
+        np.testing.assert_allclose(omega[k], one[1], rtol=0, atol=1e-14)
+    omega0[1599] = 1e300
+    with pytest.raises(
+        InputError, match=r"^omega0\[0, 1599\] = .*rates beyond|^t\[1\] = 2.0.*0, 1599"
+    ):
+        propagate(inertia, omega0, t, engine=engine)
+
+
+def test_memory_beyond_the_output_does_not_grow_with_the_bodies():
+    import tracemalloc
+
+    def peak(count):
+        omega0 = np.tile(RATES, (count, 1))
+        out = np.empty((count, 1, 4)), np.empty((count, 1, 3))
+        tracemalloc.start()
+        try:
+            propagate(BODY, omega0, [3.0], out=out)
+            return tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+
+    peak(10)
+    assert peak(40_000) < 1.1 * peak(10_000) < 64e6
+
+
+@pytest.mark.parametrize(
+    "inertia",
+    [np.array(1.0), {1.0, 2.0, 2.5}, {1.0: 0, 2.0: 0, 2.5: 0}, {1: 1}.keys(), b"abc", np.eye(3)],
+    ids=str,
+)
+def test_what_has_no_order_or_one_number_or_rows_is_no_body(inertia):
+    with pytest.raises(InputError, match=r"^inertia = .*: must be a list of numbers"):
+        TorqueFreeMotion(inertia, RATES)
+    if np.ndim(inertia) < 2:
+        with pytest.raises(InputError, match=r"^inertia = "):
+            propagate(inertia, RATES, 1.0)
+
+
+def test_generators_have_an_order():
+    assert TorqueFreeMotion(iter(BODY), (x for x in RATES)) == TorqueFreeMotion(BODY, RATES)
+
+
+def test_masked_numbers_are_refused_by_name(engine):
+    masked = np.ma.masked_equal([[0.05, 0.03, -0.02], [0.05, 7, -0.02]], 7)
+    with pytest.raises(InputError, match=r"^omega0\[1, 1\] = --: is masked"):
+        propagate(BODY, masked, 1.0, engine=engine)
+    with pytest.raises(InputError, match=r"^t\[1\] = --: is masked"):
+        propagate(BODY, RATES, np.ma.masked_equal([0.0, 7], 7), engine=engine, errors="nan")
+    motion = TorqueFreeMotion(BODY, RATES, engine=engine)
+    with pytest.raises(InputError, match=r"^t\[0\] = --: is masked"):
+        motion(np.ma.masked_equal([7, 0.0], 7))
+    with pytest.raises(InputError, match=r"^omega0\[1\] = masked"):
+        TorqueFreeMotion(BODY, masked[1])
+    with pytest.raises(InputError, match=r"^t\[0\] = masked"):
+        motion.precise(np.ma.masked_equal([7, 0.0], 7))
+    bare = propagate(BODY, np.ma.array([RATES]), 1.0, engine=engine)
+    assert not isinstance(bare[0], np.ma.MaskedArray)

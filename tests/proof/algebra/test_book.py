@@ -1,0 +1,120 @@
+import pytest
+
+from rigidsym.proof.algebra import Book, Part, half_angle, jacobi, join, sign
+from rigidsym.proof.algebra.book import facts, readings
+from rigidsym.proof.kernel import Grade, KernelError
+
+A = Part(
+    {"x": "1", "y": "2"},
+    units=("x",),
+    definitions={"d": "x*y"},
+    relations=("y - 2*x",),
+    rates={"x": "y", "y": "2*y"},
+    nonnegative=("x",),
+    reading={"x": "first"},
+)
+B = Part({"z": "3"}, units=("z", "d"), definitions={"e": "d*z"}, reading={"z": "last"})
+
+
+def test_join_concatenates_in_order():
+    context = join("both", A, B)
+    assert (context.name, context.generators) == ("both", ("x", "y", "z"))
+    assert context.units == ("x", "z", "d")
+    assert list(context.definitions) == ["d", "e"]
+    assert context.relations == A.relations
+    assert context.nonnegative == A.nonnegative
+    assert context.rates == A.rates
+    assert context.reading == {"x": "first", "z": "last"}
+
+
+def test_later_parts_override_values_but_keep_the_order():
+    context = join("both", A, Part({"x": "5", "y": "10"}, reading={"x": "again"}))
+    assert context.generators == ("x", "y")
+    assert context.witness == {"x": "5", "y": "10"}
+    assert context.reading["x"] == "again"
+
+
+def test_static_contexts_have_no_time():
+    book = Book()
+    book.open(join("still", A, static=True))
+    with pytest.raises(KernelError, match="no time derivative"):
+        book.claim("still.rate", {"D(x)": "y"})
+
+
+def test_later_parts_may_use_earlier_names_and_not_conversely():
+    Book().open(join("ordered", A, B))
+    with pytest.raises(KernelError):
+        Book().open(join("alone", B))
+
+
+def test_sign_squares_to_one_and_need_not_be_one():
+    book = Book()
+    book.open(join("s", sign("epsilon", "a sign")))
+    book.claim("s.square", {"epsilon**2": "1"})
+    book.refute("s.one", {"epsilon": "1"}, {"epsilon": "-1"})
+
+
+@pytest.mark.parametrize(
+    ("name", "right", "wrong"),
+    [
+        ("sine", {"D(sin_a)": "w*cos_a"}, {"D(sin_a)": "w*cos_a/2"}),
+        ("cosine", {"D(cos_a)": "-w*sin_a"}, {"D(cos_a)": "w*sin_a"}),
+        ("circle", {"cos_a**2 + sin_a**2": "1"}, {"cos_a**2 - sin_a**2": "1"}),
+    ],
+)
+def test_half_angle_moves_like_an_angle(name, right, wrong):
+    book = Book()
+    book.open(join("turn", Part({"w": "1"}, rates={"w": "?"}), half_angle("a", "w")))
+    book.claim(f"turn.{name}", right)
+    with pytest.raises(KernelError, match="undecided"):
+        book.claim(f"turn.no_{name}", wrong)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        ("(1 - sn**2)*(1 - m*sn**2)", "(1 - sn**2)*(1 - m**2*sn**2)"),
+        ("(1 - sn**2)*dn**2", "sn**2*dn**2"),
+    ],
+)
+def test_jacobi_sn_solves_its_differential_equation(right, wrong):
+    book = Book()
+    functions = jacobi("sn", "cn", "dn", "u", "m", "1")
+    book.open(join("elliptic", Part({"m": "1/2"}), functions))
+    book.claim("elliptic.square", {"D(sn)**2": right})
+    with pytest.raises(KernelError, match="undecided"):
+        book.claim("elliptic.wrong", {"D(sn)**2": wrong})
+
+
+def test_carry_keeps_the_statement_and_its_weakest_grade():
+    book = Book()
+    book.open(join("general", Part({"x": "1", "y": "1"})))
+    book.open(join("special", Part({"x": "1"}, definitions={"y": "x"})))
+    book.claim("general.square", {"(x + y)**2": "x**2 + 2*x*y + y**2"})
+    book.model("special", "general")
+    book.carry("special", ["general.square"])
+    carried = book.ledger.facts["special.square"]
+    assert carried.lhs == ("(x + y)**2",)
+    assert carried.grade == Grade.PROVED
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        *facts("c", "nothing refuted"),
+        *readings("c", "d", "1"),
+        *readings("nowhere", "x", "1"),
+    ],
+    ids=str,
+)
+def test_only_proved_facts_and_readings_are_published(entry):
+    book = Book()
+    book.open(join("c", Part({"x": "1"}, reading={"x": "sin(1)"})))
+    book.claim("c.one", {"x - x": "0"})
+    book.refute("c.refuted", {"x": "2"}, {})
+    good = [*facts("c", "one"), *readings("c", "x", "1")]
+    assert good == [{"fact": "c.one"}, {"context": "c", "reading": "x", "source": ["1"]}]
+    book.publish("good", good)
+    assert book.ledger.published == {"programmes": {"good": good}}
+    with pytest.raises(KernelError, match="neither"):
+        book.publish("bad", [entry])

@@ -1,0 +1,603 @@
+"""Both checkers on the same ledgers: signs, models by premises, partitions, grades."""
+
+import json
+from dataclasses import replace
+from random import Random
+
+import pytest
+from ledgers import EXPRESSIONS, NO_NAMES, NOT_EXPRESSIONS, unchecked, written
+
+from rigidsym.proof.checker import Refused, check
+from rigidsym.proof.checker.language import Forms
+from rigidsym.proof.kernel import Context, Fact, Grade, KernelError, replay
+from rigidsym.proof.kernel.language import parse
+
+
+def accepted(contexts, facts) -> None:
+    text = unchecked(contexts, facts)
+    assert len(replay(text).facts) == check(text) == len(facts)
+
+
+def refused(contexts, facts) -> None:
+    """The last fact is refused by both, and what comes before it by neither."""
+    accepted(contexts, facts[:-1])
+    text = unchecked(contexts, facts)
+    with pytest.raises(KernelError, match=facts[-1].id):
+        replay(text)
+    with pytest.raises(Refused, match=facts[-1].id):
+        check(text)
+
+
+# Signs.
+
+SIGNS = Context(
+    "signs",
+    ("x", "y", "z", "xx"),
+    {"x": "1", "y": "2", "z": "-1", "xx": "3"},
+    units=("x", "y", "z"),
+    definitions={
+        "good": "x + z**2/y",
+        "odd": "z**3",
+        "difference": "x - y",
+        "named": "good*x",
+        "by_bad": "x + odd",
+    },
+    nonnegative=("x", "y", "-z"),
+)
+
+
+def signed(form: str, kind: str = "nonnegative") -> Fact:
+    """form = form >= 0, or form = sqrt(form**2)."""
+    rhs = form if kind == "nonnegative" else f"({form})**2"
+    return Fact("f", "signs", kind, (form,), (rhs,), "identity", certificate={"cofactors": [[]]})
+
+
+@pytest.mark.parametrize("kind", ["nonnegative", "root"])
+@pytest.mark.parametrize(
+    "form",
+    [
+        *("0", "7", "x", "-z", "x + y", "x*y", "x/y", "x**3", "z**2", "(z - 3)**2", "(x*z)**4"),
+        *("good", "named", "named*good**3", "x*(-z)", "1/(x*y)"),
+        *("odd**2", "difference**2*x", "xx**2 + 1/2"),
+    ],
+)
+def test_a_visible_sign(form, kind):
+    accepted([SIGNS], [signed(form, kind)])
+
+
+@pytest.mark.parametrize("kind", ["nonnegative", "root"])
+@pytest.mark.parametrize(
+    "form",
+    [
+        *("z", "-1", "-x", "z**3", "odd", "x - y", "y - x", "x + z", "x*z", "x/z", "z/x", "x + -1"),
+        *("difference", "by_bad", "xx", "0 - 1", "(z**3)**3", "-z**2", "x*-1", "0*z", "z*z"),
+        *("-(z)*z", "x**3 - y", "z**1", "(x - y)**3", "--1"),
+    ],
+)
+def test_an_invisible_sign(form, kind):
+    refused([SIGNS], [signed(form, kind)])
+
+
+@pytest.mark.parametrize(
+    "form", ["x**-2", "x**0", "x**2.0", "x**y", "abs(x)", "True", "'x'", "1e1"]
+)
+def test_what_only_looks_like_a_sign(form):
+    refused([SIGNS], [signed(form)])
+
+
+@pytest.mark.parametrize("name", ["-1", "(w)", "w#", "w\n", "x - w", "\ufb01"], ids=ascii)
+def test_a_definition_cannot_rename_what_is_no_name(name):
+    """With 1 for the text "-1", the sign of -1 would be seen in its definition."""
+    names = ("w", "x", "fi")
+    context = Context("c", names, dict.fromkeys(names, "1"), definitions={name: "1"})
+    text = unchecked([context], [])
+    with pytest.raises(KernelError):
+        replay(text)
+    with pytest.raises(Refused):
+        check(text)
+
+
+def test_a_sign_needs_its_equation():
+    wrong = replace(signed("x"), lhs=("y",))
+    refused([SIGNS], [wrong])
+    refused([SIGNS], [replace(wrong, kind="equal")])
+
+
+def test_every_component_of_a_sign_is_looked_at():
+    both = Fact("f", "signs", "nonnegative", ("x", "z"), ("x", "z"), "identity")
+    refused([SIGNS], [replace(both, certificate={"cofactors": [[], []]})])
+
+
+def test_definitions_that_double_are_seen_in_no_time():
+    doubling = {"a0": "1", **{f"a{k + 1}": f"a{k}*a{k}" for k in range(60)}}
+    context = Context("signs", ("x",), {"x": "1"}, definitions=doubling)
+    text = unchecked([context], [signed("a60")])
+    assert check(text) == 1
+
+
+# The grammar.
+
+PLAIN = Context("plain", ("x",), {"x": "1"}, rates={"x": "3*x"})
+
+
+def trivial(text: str) -> Fact:
+    return Fact(
+        "f", "plain", "equal", (text,), (text,), "identity", certificate={"cofactors": [[]]}
+    )
+
+
+@pytest.mark.parametrize("text", EXPRESSIONS, ids=lambda text: ascii(text[:16]))
+def test_both_read_an_expression(text):
+    accepted([PLAIN], [trivial(text)])
+
+
+@pytest.mark.parametrize("text", NOT_EXPRESSIONS, ids=lambda text: ascii(text[:16]))
+def test_neither_reads_anything_else(text):
+    refused([PLAIN], [trivial(text)])
+
+
+TOKENS = ["x", "y", "D", "if", "2", "0", "10", "1_0", *"+-*/(),", "**", " ", "  ", "#", "."]
+
+
+def by_the_kernel(text: str):
+    """The form that the kernel reads, as the other checker writes forms; None if it refuses."""
+    try:
+        return binary(parse(text))
+    except KernelError:
+        return None
+
+
+def binary(tree):
+    match tree:
+        case int() | str():
+            return tree
+        case ("-", operand):
+            return "-", binary(operand)
+        case (base, "**", int(exponent)):
+            return "**", binary(base), exponent
+        case (function, "(", *arguments):
+            return ("call", function, *map(binary, arguments))
+    form = binary(tree[0])
+    for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
+        form = (operator, form, binary(operand))
+    return form
+
+
+def by_the_other(text: str):
+    try:
+        return Forms().read(text)
+    except Refused:
+        return None
+
+
+def test_both_read_random_texts_in_the_same_way():
+    random = Random(16)
+    texts = ["".join(random.choices(TOKENS, k=random.randint(1, 7))) for _ in range(30_000)]
+    forms = [by_the_kernel(text) for text in texts]
+    assert sum(form is not None for form in forms) > 1000
+    assert forms == [by_the_other(text) for text in texts]
+
+
+def both_refuse(text: str) -> None:
+    with pytest.raises(KernelError) as first:
+        replay(text)
+    with pytest.raises(Refused) as second:
+        check(text)
+    for refusal in (first, second):
+        assert str(refusal.value).isascii()
+        assert str(refusal.value).isprintable()
+
+
+@pytest.mark.parametrize(
+    ("field", "name"),
+    [
+        (field, name)
+        for field in ("name", "generators", "definitions")
+        for name in NO_NAMES
+        if (field, name) != ("name", "D")
+    ],
+    ids=ascii,
+)
+def test_neither_takes_what_is_no_name(field, name):
+    value = {"name": name, "generators": ("x", name), "definitions": {name: "x"}}[field]
+    witness = dict.fromkeys(("x", name) if field == "generators" else ("x",), "1")
+    both_refuse(unchecked([replace(PLAIN, witness=witness, rates=None, **{field: value})], []))
+
+
+@pytest.mark.parametrize("name", [name for name in NO_NAMES if name != "D"], ids=ascii)
+@pytest.mark.parametrize("field", ["id", "context", "rule"])
+def test_neither_takes_an_id_that_is_not_made_of_names(field, name):
+    for value in (name, f"plain.{name}"):
+        both_refuse(unchecked([PLAIN], [replace(trivial("x"), **{field: value})]))
+
+
+def test_neither_lets_an_identity_rest_on_premises():
+    refused([PLAIN], [trivial("x"), replace(trivial("2*x"), id="g", premises=("f",))])
+
+
+# Models and what is transferred by them.
+
+ROOTED = Context("rooted", ("x", "r"), {"x": "3", "r": "3"}, ("r",), relations=("r - x",))
+FREE = Context("free", ("x", "r"), {"x": "3", "r": "4"}, ("r",))
+BOOK = {"reference": "a book"}
+ASSUMED = Fact("e", "free", "equal", ("r",), ("x",), "assumption", Grade.ASSUMED, certificate=BOOK)
+BRIDGE = Fact("m", "free", "model", (), ("rooted",), "model", Grade.ASSUMED, ("e",))
+THERE = Fact(
+    "s",
+    "rooted",
+    "nonnegative",
+    ("r*x",),
+    ("r**2",),
+    "identity",
+    certificate={"cofactors": [["-r"]]},
+)
+HERE = replace(
+    THERE,
+    id="h",
+    context="free",
+    rule="transfer",
+    grade=Grade.ASSUMED,
+    premises=("s", "m"),
+    certificate={},
+)
+BOTH = [ROOTED, FREE]
+
+
+def test_a_model_by_a_premise_carries_a_sign():
+    accepted(BOTH, [ASSUMED, BRIDGE, THERE, HERE])
+
+
+@pytest.mark.parametrize("grade", [grade for grade in Grade if grade != Grade.ASSUMED])
+def test_neither_a_model_nor_what_it_carries_is_better_than_its_premises(grade):
+    refused(BOTH, [ASSUMED, replace(BRIDGE, grade=grade)])
+    refused(BOTH, [ASSUMED, BRIDGE, THERE, replace(HERE, grade=grade)])
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"kind": "equal"},
+        {"kind": "root"},
+        {"rhs": ("x**2",)},
+        {"lhs": ("x*r",)},
+        {"premises": ("m", "s")},
+        {"premises": ("s", "e")},
+        {"premises": ("s",)},
+        {"context": "rooted"},
+        {"grade": Grade.PROVED},
+    ],
+    ids=str,
+)
+def test_only_the_statement_itself_is_carried(change):
+    refused(BOTH, [ASSUMED, BRIDGE, THERE, replace(HERE, **change)])
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [("r**2", "x**2"), ("r", "-x"), ("r + x", "0"), ("x", "x + 0*r"), ("r*x", "x**2"), ("r", "2")],
+)
+def test_a_premise_that_does_not_suffice(lhs, rhs):
+    refused(BOTH, [replace(ASSUMED, lhs=(lhs,), rhs=(rhs,)), BRIDGE])
+
+
+def test_a_model_needs_the_premise():
+    refused(BOTH, [ASSUMED, replace(BRIDGE, premises=(), grade=Grade.PROVED)])
+
+
+def test_a_premise_from_another_context():
+    other = replace(ASSUMED, context="other")
+    refused([*BOTH, replace(FREE, name="other")], [other, BRIDGE])
+    theirs = Fact("e", "rooted", "equal", ("r",), ("x",), "identity")
+    proved = replace(BRIDGE, grade=Grade.PROVED)
+    refused(BOTH, [replace(theirs, certificate={"cofactors": [["1"]]}), proved])
+
+
+@pytest.mark.parametrize(
+    "premise",
+    [
+        Fact("e", "free", "root", ("r",), ("r**2",), "identity", certificate={"cofactors": [[]]}),
+        Fact(
+            "e", "free", "nonnegative", ("r",), ("r",), "identity", certificate={"cofactors": [[]]}
+        ),
+        Fact(
+            "e",
+            "free",
+            "unequal",
+            ("r",),
+            ("x",),
+            "counterexample",
+            certificate={"point": {"x": "3", "r": "4"}},
+        ),
+    ],
+    ids=lambda premise: premise.kind,
+)
+def test_a_premise_that_is_no_equation(premise):
+    contexts = [ROOTED, replace(FREE, nonnegative=("r",))]
+    refused(contexts, [premise, replace(BRIDGE, grade=Grade.PROVED)])
+
+
+def test_a_premise_makes_no_unit_and_no_sign():
+    """r = x says nothing about 1/r, or about the sign of r, where x has neither."""
+    refused([replace(ROOTED, units=("x",)), FREE], [ASSUMED, BRIDGE])
+    refused([replace(ROOTED, nonnegative=("r",)), FREE], [ASSUMED, BRIDGE])
+    accepted(
+        [replace(ROOTED, nonnegative=("r",)), replace(FREE, nonnegative=("r",))],
+        [ASSUMED, BRIDGE],
+    )
+
+
+def test_premises_may_give_definitions_and_rates():
+    theirs = Context("rooted", ("x",), {"x": "3"}, definitions={"r": "x"}, rates={"x": "x"})
+    ours = Context("free", ("x", "r"), {"x": "3", "r": "4"}, rates={"x": "r"})
+    accepted([theirs, ours], [ASSUMED, BRIDGE])
+    refused([theirs, replace(ours, rates={"x": "-r"})], [ASSUMED, BRIDGE])
+    refused([theirs, replace(ours, rates={"x": "?"})], [ASSUMED, BRIDGE])
+
+
+def test_premises_stand_together():
+    theirs = Context("rooted", ("x", "y", "z"), dict.fromkeys("xyz", "1"), relations=("x - z",))
+    ours = Context("free", ("x", "y", "z"), dict.fromkeys("xyz", "1"))
+    first = replace(ASSUMED, id="e1", lhs=("x",), rhs=("y",))
+    second = replace(ASSUMED, id="e2", lhs=("y",), rhs=("z",))
+    accepted([theirs, ours], [first, second, replace(BRIDGE, premises=("e1", "e2"))])
+    refused([theirs, ours], [first, second, replace(BRIDGE, premises=("e1",))])
+
+
+# Partitions.
+
+WHOLE = Context(
+    "whole",
+    ("x", "y"),
+    {"x": "1", "y": "1"},
+    definitions={"w": "x - y"},
+    relations=("y**2 - 1",),
+    rates={},
+    nonnegative=("y",),
+    reading={"x": "first"},
+)
+ZERO = replace(WHOLE, name="zero", witness={"x": "0", "y": "1"}, relations=("y**2 - 1", "x"))
+PLUS = replace(WHOLE, name="plus", units=("x",), nonnegative=("y", "x"))
+MINUS = replace(
+    WHOLE, name="minus", witness={"x": "-1", "y": "1"}, units=("x",), nonnegative=("y", "-x")
+)
+CASES = ("zero", "plus", "minus")
+SPLIT = Fact("p", "whole", "partition", ("x",), CASES, "partition", certificate={"cases": [*CASES]})
+FOUR = [WHOLE, ZERO, PLUS, MINUS]
+
+
+def split(*cases: str, **fields) -> Fact:
+    return replace(SPLIT, rhs=cases, certificate={"cases": [*cases]}, **fields)
+
+
+def test_a_partition():
+    accepted(FOUR, [SPLIT])
+
+
+@pytest.mark.parametrize(
+    "fact",
+    [
+        split("zero", "plus"),  # x >= 0 is not seen
+        split("zero", "minus"),
+        split("plus", "minus"),
+        split("zero"),
+        split(),
+        split("plus", "zero", "minus"),
+        split("zero", "minus", "plus"),
+        split("zero", "plus", "plus"),
+        split("zero", "plus", "minus", "minus"),
+        split("whole", "plus", "minus"),
+        split("zero", "plus", "nowhere"),
+        replace(SPLIT, rhs=("zero", "plus")),
+        replace(SPLIT, rhs=("zero", "plus", "minus", "plus")),
+        replace(SPLIT, rhs=("zero", "minus", "plus")),
+        replace(SPLIT, rhs=()),
+        replace(SPLIT, rhs=("whole",)),
+        replace(SPLIT, lhs=()),
+        replace(SPLIT, lhs=("y",)),
+        replace(SPLIT, lhs=("w",)),
+        replace(SPLIT, lhs=("-x",)),
+        replace(SPLIT, lhs=("x", "x")),
+        replace(SPLIT, certificate={}),
+        replace(SPLIT, certificate={"cases": "zero plus minus"}),
+        replace(SPLIT, certificate={"cases": None}),
+        replace(SPLIT, context="zero"),
+        replace(SPLIT, kind="model"),
+        replace(SPLIT, grade=Grade.ENCLOSED),
+        replace(SPLIT, rule="identity", certificate={"cofactors": [[]]}),
+    ],
+    ids=lambda fact: f"{fact.lhs} {fact.rhs} {fact.certificate}",
+)
+def test_a_wrong_partition(fact):
+    refused(FOUR, [fact])
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"nonnegative": ("x",)},  # one dropped
+        {"nonnegative": ("x", "y")},  # the order changed
+        {"nonnegative": ("y",)},
+        {"nonnegative": ("y", "1*x")},
+        {"nonnegative": ("y", "x", "x")},
+        {"nonnegative": ("y", "x - 1")},  # changed to less
+        {"units": ()},
+        {"units": ("y",)},
+        {"units": ("x", "y")},  # one added
+        {"relations": ()},
+        {"relations": ("y**2 - 1", "x - 1")},
+        {"relations": ("y - 1",)},
+        {"rates": None},
+        {"rates": {"x": "?"}},
+        {"definitions": {"w": "y - x"}},
+        {"definitions": {}},
+        {"reading": {}},
+        {"generators": ("y", "x")},
+        {"generators": ("x", "y", "z"), "witness": dict.fromkeys("xyz", "1")},
+    ],
+    ids=str,
+)
+def test_a_case_with_another_hypothesis(change):
+    refused([WHOLE, ZERO, replace(PLUS, **change), MINUS], [SPLIT])
+
+
+@pytest.mark.parametrize("sign", ["- x", "-(x)", "-1*x", "-x + 0", "y", "0"])
+def test_a_negative_case_with_another_sign(sign):
+    refused([WHOLE, ZERO, PLUS, replace(MINUS, nonnegative=("y", sign))], [SPLIT])
+
+
+def test_by_an_expression():
+    zero = replace(ZERO, witness={"x": "1", "y": "1"}, relations=("y**2 - 1", "x - y"))
+    plus = replace(PLUS, witness={"x": "2", "y": "1"}, units=("x - y",), nonnegative=("y", "x - y"))
+    minus = replace(MINUS, units=("x - y",), nonnegative=("y", "-x - y"))
+    refused([WHOLE, zero, plus, minus], [replace(SPLIT, lhs=("x - y",))])
+
+
+def test_by_a_defined_name():
+    zero = replace(ZERO, witness={"x": "1", "y": "1"}, relations=("y**2 - 1", "w"))
+    plus = replace(PLUS, witness={"x": "2", "y": "1"}, units=("w",), nonnegative=("y", "w"))
+    minus = replace(MINUS, units=("w",), nonnegative=("y", "-w"))
+    accepted([WHOLE, zero, plus, minus], [replace(SPLIT, lhs=("w",))])
+    refused([WHOLE, zero, plus], [split("zero", "plus", lhs=("w",))])
+
+
+def test_two_cases_where_the_sign_is_visible():
+    declared = {"nonnegative": ("y", "x")}
+    whole, zero = replace(WHOLE, **declared), replace(ZERO, **declared)
+    plus = replace(PLUS, nonnegative=("y", "x", "x"))
+    accepted([whole, zero, plus], [split("zero", "plus")])
+    refused([whole, zero, plus], [split("zero")])
+    refused([whole, zero, plus], [split("plus", "zero")])
+
+
+def test_what_moves_through_zero_has_no_cases():
+    moving = replace(WHOLE, rates={"x": "y"})
+    for case in (replace(ZERO, rates=moving.rates), replace(ZERO, rates={"x": "?"})):
+        text = unchecked([replace(moving, rates=case.rates), case], [])
+        with pytest.raises(KernelError):
+            replay(text)
+        with pytest.raises(Refused):
+            check(text)
+
+
+FINER = [
+    replace(PLUS, name="plus0", witness={"x": "1", "y": "1"}, relations=("y**2 - 1", "v")),
+    replace(PLUS, name="plus1", units=("x", "v"), nonnegative=("y", "x", "v")),
+    replace(PLUS, name="plus2", units=("x", "v"), nonnegative=("y", "x", "-v")),
+]
+
+
+def refined() -> tuple[list[Context], Fact, Fact]:
+    """plus split by v = x - 1."""
+    with_v = {"definitions": {"v": "x - 1"}}
+    below = {"x": "1/2", "y": "1"}
+    first, second, third = (replace(context, **with_v) for context in FINER)
+    second = replace(second, witness={"x": "2", "y": "1"})
+    contexts = [replace(context, **with_v) for context in FOUR]
+    contexts += [first, second, replace(third, witness=below)]
+    inner = ("plus0", "plus1", "plus2")
+    fine = Fact("q", "plus", "partition", ("v",), inner, "partition")
+    fine = replace(fine, certificate={"cases": [*inner]})
+    whole = replace(SPLIT, rhs=("zero", *inner, "minus"), premises=("q",))
+    return contexts, fine, whole
+
+
+def test_a_partition_of_a_case():
+    contexts, fine, whole = refined()
+    accepted(contexts, [fine, whole])
+    accepted(contexts, [fine, replace(SPLIT, id="r")])
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"premises": ()},
+        {"rhs": ("zero", "plus0", "plus1", "minus")},
+        {"rhs": ("zero", "plus0", "plus1", "plus1", "minus")},
+        {"rhs": ("zero", "plus0", "plus1", "plus2", "plus2", "minus")},
+        {"rhs": ("zero", "plus", "minus")},
+        {"rhs": ("zero", "minus", "plus0", "plus1", "plus2")},
+        {"rhs": ("zero", "plus", "plus0", "plus1", "plus2", "minus")},
+        {"premises": ("p",)},
+    ],
+    ids=str,
+)
+def test_wrong_leaves(change):
+    contexts, fine, whole = refined()
+    refused(contexts, [fine, replace(whole, **change)])
+
+
+def test_a_premise_about_another_context_splits_nothing():
+    contexts, fine, whole = refined()
+    twin = [replace(context, name=f"{context.name}_") for context in contexts]
+    names = [f"{name}_" for name in fine.rhs]
+    other = replace(fine, context="plus_", rhs=tuple(names), certificate={"cases": names})
+    refused([*contexts, *twin], [other, whole])
+    refused([*contexts, *twin], [other, replace(whole, rhs=CASES)])
+
+
+# What is written may be changed afterwards.
+
+HONEST = unchecked([*BOTH, *refined()[0]], [ASSUMED, BRIDGE, THERE, HERE, *refined()[1:]])
+
+
+@pytest.mark.parametrize(
+    ("fact", "change"),
+    [
+        ("s", {"certificate": {"cofactors": [["r"]]}}),
+        ("s", {"certificate": {"cofactors": [["-2*r"]]}}),
+        ("s", {"rhs": ["2*r**2"]}),
+        ("s", {"lhs": ["r"]}),
+        ("s", {"rule": "sign"}),
+        ("m", {"grade": "PROVED"}),
+        ("m", {"grade": "ENCLOSED"}),
+        ("m", {"premises": ["s"]}),
+        ("m", {"premises": []}),
+        ("h", {"grade": "PROVED"}),
+        ("h", {"premises": ["s", "s"]}),
+        ("h", {"premises": ["e", "m"]}),
+        ("e", {"grade": "ENCLOSED"}),
+        ("e", {"certificate": {"points": []}}),
+        ("p", {"rhs": [*CASES]}),
+        ("p", {"premises": []}),
+        ("q", {"certificate": {"cases": ["plus0", "plus1"]}}),
+    ],
+    ids=str,
+)
+def test_both_refuse_a_tampered_fact(fact, change):
+    assert check(HONEST) == len(replay(HONEST).facts) == 6
+    data = json.loads(HONEST)
+    (entry,) = (entry for entry in data["facts"] if entry["id"] == fact)
+    assert {**entry, **change} != entry
+    entry |= change
+    with pytest.raises(KernelError):
+        replay(written(data))
+    with pytest.raises(Refused):
+        check(written(data))
+
+
+def _dropped():
+    for k, context in enumerate(json.loads(HONEST)["contexts"]):
+        for field in ("units", "relations", "nonnegative"):
+            yield from ((k, field, place) for place in range(len(context[field])))
+
+
+# No fact of this ledger rests on these.
+IDLE = {(0, "units", 0)}
+
+
+@pytest.mark.parametrize(("k", "field", "place"), sorted({*_dropped()} - IDLE))
+def test_both_refuse_a_dropped_hypothesis(k, field, place):
+    data = json.loads(HONEST)
+    del data["contexts"][k][field][place]
+    with pytest.raises(KernelError):
+        replay(written(data))
+    with pytest.raises(Refused):
+        check(written(data))
+
+
+@pytest.mark.parametrize("end", [0, 1, 100, len(HONEST) // 2, -1, -2, -100])
+def test_both_refuse_a_cut_off_file(end):
+    with pytest.raises(KernelError):
+        replay(HONEST[:end])
+    with pytest.raises(Refused):
+        check(HONEST[:end])

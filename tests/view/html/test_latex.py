@@ -1,0 +1,201 @@
+"""LaTeX of the ledger's expressions: read back it has the same value, and renderers read it."""
+
+import json
+import re
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from matplotlib.mathtext import MathTextParser
+
+from rigidsym.language.expression import (
+    Call,
+    Name,
+    Number,
+    Operation,
+    children,
+    evaluate,
+    parse,
+    rebuild,
+)
+from rigidsym.language.latex import MOST_TERMS, of
+from rigidsym.language.statement import condition, hypotheses, statements
+from rigidsym.language.symbols import symbol
+from rigidsym.proof.paper import EQUATIONS
+from rigidsym.solution import ledger_text
+from rigidsym.view.html import claims, latex
+
+LEDGER = json.loads(ledger_text())
+VALUES = {"a": Fraction(3, 7), "c_b": Fraction(-5, 2), "Omega1": Fraction(11, 3)}
+VALUES |= {"sn": Fraction(2, 9), "y_star": Fraction(1, 6), "K_squared": Fraction(8, 5)}
+TOKEN = re.compile(
+    r"\\left\(|\\right\)|\\frac|\\cdot|\\,|[+^{} -]|\d+|"
+    + "|".join(re.escape(symbol(name).latex) for name in sorted(VALUES, key=len, reverse=True))
+)
+BY_LATEX = {symbol(name).latex: value for name, value in VALUES.items()}
+
+
+class Reader:
+    """What LaTeX of this kind says, as a number: side by side is times."""
+
+    def __init__(self, text):
+        self.tokens = [t for t in TOKEN.findall(text) if t not in (" ", r"\,", r"\cdot")]
+        assert "".join(TOKEN.findall(text)) == text
+        self.k = 0
+
+    def peek(self):
+        return self.tokens[self.k] if self.k < len(self.tokens) else ""
+
+    def take(self, expected=None):
+        token = self.peek()
+        assert token
+        assert expected in (None, token)
+        self.k += 1
+        return token
+
+    def sum(self):
+        total, sign = Fraction(0), 1
+        if self.peek() == "-":
+            sign = -1
+            self.take()
+        total += sign * self.product()
+        while self.peek() in ("+", "-"):
+            sign = 1 if self.take() == "+" else -1
+            total += sign * self.product()
+        return total
+
+    def product(self):
+        value = self.power()
+        while self.peek() not in ("", "+", "-", "}", r"\right)"):
+            value *= self.power()
+        return value
+
+    def power(self):
+        base = self.atom()
+        if self.peek() != "^":
+            return base
+        self.take()
+        return base ** self.braced()
+
+    def braced(self):
+        self.take("{")
+        value = self.sum()
+        self.take("}")
+        return int(value) if value.denominator == 1 else value
+
+    def atom(self):
+        token = self.take()
+        if token in BY_LATEX:
+            return BY_LATEX[token]
+        if token.isdigit():
+            return Fraction(token)
+        if token == r"\frac":
+            return Fraction(self.braced()) / self.braced()
+        assert token == r"\left("
+        # A power of a name that has an exponent already.
+        value = self.sum()
+        self.take(r"\right)")
+        return value
+
+
+leaves = st.one_of(st.integers(0, 9).map(Number), st.sampled_from([*VALUES]).map(Name))
+expressions = st.recursive(
+    leaves,
+    lambda inner: st.one_of(
+        st.builds(Operation, st.sampled_from("+-*/"), inner, inner),
+        st.builds(lambda base, n: Operation("**", base, Number(n)), inner, st.integers(1, 4)),
+        st.builds(lambda x: Call("neg", (x,)), inner),
+    ),
+    max_leaves=MOST_TERMS,
+)
+
+
+def exact(expression):
+    """The same with rational numbers, whose quotients are exact."""
+    if isinstance(expression, Number):
+        return Number(Fraction(expression.value))
+    return rebuild(expression, tuple(map(exact, children(expression))))
+
+
+@given(expressions)
+def test_latex_says_what_the_expression_says(expression):
+    try:
+        value = evaluate(exact(expression), VALUES, {})
+    except ZeroDivisionError:
+        return
+    assert Reader(of(expression)).sum() == value
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("-1/2*q3**2*Omega1*c1", r"-\frac{1}{2} q_{3}^{2} c_{1} \Omega_{1}"),
+        ("c1**1", "c_{1}"),
+        ("D(Omega1)", r"\dot{\Omega}_{1}"),
+        ("D(K_squared)", r"\frac{d}{dt} K^{2}"),
+        ("D(a - b)", r"\frac{d}{dt} \left(a - b\right)"),
+        ("K_squared**2", r"\left(K^{2}\right)^{2}"),
+        ("sin_phi2**2*c1", r"c_{1} \sin^{2} \phi_{2}"),
+        ("lambda_", r"\lambda"),
+        ("lambda__squared", r"\lambda^{2}"),
+        ("qbar_0", r"\bar{q}_{0}"),
+        ("phi1_rate", r"\dot{\phi}_{1}"),
+        ("P4_im", r"\operatorname{Im} P_{4}"),
+        ("y_star", r"y^{\star}"),
+        ("minus_s_i*2", r"2 \left(-s_{i}\right)"),
+        ("am(u, m)", r"\mathrm{am}\left(u, m\right)"),
+    ],
+)  # fmt: skip
+def test_examples(text, shown):
+    assert latex(text) == shown
+
+
+def test_long_sums_are_shown_in_part_and_say_so():
+    long = latex(" + ".join(f"a*q{k}" for k in range(40)))
+    assert r"\cdots" in long
+    assert long.count("+") == MOST_TERMS - 1
+    assert long.endswith("q_{39}")
+
+
+@pytest.mark.parametrize("context", LEDGER["contexts"], ids=lambda c: c["name"])
+def test_in_a_context_no_two_names_look_alike(context):
+    names = [*context["generators"], *context["definitions"]]
+    assert len({symbol(name).latex for name in names}) == len(names)
+
+
+def test_what_facts_state_and_suppose_can_be_rendered():
+    reader, formulas = MathTextParser("path"), set()
+    for claim in claims().values():
+        formulas |= {*statements(claim.fact)}
+        formulas |= {text for texts in hypotheses(claim.context).values() for text in texts}
+    for formula in sorted(text for text in formulas if len(text) < 250):
+        reader.parse(f"${formula}$")
+    assert len(formulas) > 1000
+    assert all(text.count("{") == text.count("}") for text in formulas)
+    assert all(
+        len(re.findall(r"\\left\b", t)) == len(re.findall(r"\\right\b", t)) for t in formulas
+    )
+
+
+def test_conditions_are_formulas_or_words():
+    texts = [c.text for e in EQUATIONS for c in e.conditions]
+    reader = MathTextParser("path")
+    for text in texts:
+        found = condition(text)
+        assert found is None or reader.parse(f"${found}$")
+    assert condition("c_i != c_j") == r"c_{i} \neq c_{j}"
+    assert condition("R(0) M(0) = M(0) R(0)") is None
+    assert condition("somewhere") is None
+
+
+def test_what_is_no_expression_is_refused():
+    with pytest.raises(ValueError, match="not part of an expression"):
+        latex("a if b else c")
+    with pytest.raises(TypeError, match="not an expression"):
+        of(None)
+
+
+def test_numbers_before_parsing_are_exact():
+    assert parse("1/3") == Operation("/", Number(1), Number(3))
+    assert latex("1/3") == r"\frac{1}{3}"

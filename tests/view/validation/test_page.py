@@ -1,0 +1,151 @@
+"""The HTML report: whole, escaped, without anything from outside, and the same every time."""
+
+import copy
+import re
+from html.parser import HTMLParser
+
+import pytest
+from validation_reports import STRATA, direct, failed, passed, with_peer
+
+from rigidsym.view.validation import page
+from rigidsym.view.validation.axis import fitted
+
+VOID = {"meta", "br"}
+HOSTILE = """</title><script src="https://x.example/y.js">&'"""
+
+
+@pytest.fixture
+def data():
+    return passed()
+
+
+class Elements(HTMLParser):
+    """Elements with their attributes, refusing what is not closed in order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.found, self.words = [], [], []
+        self.feed(text)
+        self.close()
+        assert self.open == []
+
+    def handle_starttag(self, tag, attrs):
+        assert len(dict(attrs)) == len(attrs), attrs
+        self.found.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+    def all(self, tag, class_=None):
+        wanted = ((name, given) for name, given in self.found if name == tag)
+        return [a for _, a in wanted if class_ is None or class_ in a.get("class", "").split()]
+
+
+def test_a_page_is_well_formed_and_loads_nothing(data):
+    text = page(with_peer(data))
+    elements = Elements(text)
+    assert text.startswith("<!DOCTYPE html>\n<html lang=")
+    assert not {"script", "link", "img", "iframe", "object"} & {name for name, _ in elements.found}
+    links = [given["href"] for _, given in elements.found if "href" in given]
+    anchors = [given["id"] for _, given in elements.found if "id" in given]
+    assert links
+    assert {link.removeprefix("#") for link in links} <= set(anchors)
+    assert len(anchors) == len(set(anchors))
+    assert not any("src" in given for _, given in elements.found)
+    assert not re.search(r"url\(|@import|https?:", text)
+
+
+def test_everybody_and_every_stratum_and_plot_is_there(data):
+    elements = Elements(page(with_peer(data)))
+    words = set(map(str.strip, elements.words))
+    assert {"numpy", "peer rk", *STRATA} <= words
+    assert {stratum["about"] for stratum in data["strata"]} <= words
+    figures = {given.get("id") for given in elements.all("figure")}
+    assert {"plot-distance", "plot-turned", "plot-condition"} <= figures
+    assert len(elements.all("svg", "plot")) == 2 * 3 + 2 * len(STRATA)
+    drawn = elements.all("circle", "mark") + elements.all("polygon", "mark")
+    views = ("distance", "turned", "condition")
+    cells = [one[v][m] for one in data["contestants"] for v in views for m in ("angle", "omega")]
+    assert len(drawn) == sum(map(len, cells))
+    assert len(elements.all("line", "bound")) == len(elements.all("svg", "plot"))
+    assert all("scope" in given for given in elements.all("th"))
+    assert len(elements.all("table")) == len(elements.all("caption"))
+
+
+def test_worst_cases_come_with_inputs_and_a_command(data):
+    words = "".join(Elements(page(data)).words)
+    for case in data["worst"]:
+        assert case["replay"] in words
+        assert all(number in words for number in (*case["inertia"], *case["times"]))
+    assert data["command"] in words
+
+
+def test_a_pass_says_so_and_shows_no_failures(data):
+    words = "".join(Elements(page(data)).words)
+    assert "Passed numpy stays within every documented bound" in words
+    assert "Failures" not in words
+
+
+def test_failures_come_first():
+    data = failed()
+    text = page(data)
+    assert text.index('id="failures"') < text.index('id="regimes"')
+    words = "".join(Elements(text).words)
+    assert "Failed numpy: 1 failure" in words
+    assert data["failures"][0]["line"] in words
+    assert data["failures"][0]["simplest"]["replay"] in words
+
+
+def test_a_campaign_that_proves_nothing_says_why_it_fails(data):
+    data["passed"], data["complaints"] = False, ["uniform: nothing was tested"]
+    words = "".join(Elements(page(data)).words)
+    assert "Failed numpy: 1 failure" in words
+    assert words.count("uniform: nothing was tested") == 2
+
+
+def test_names_cannot_break_out(data):
+    with_peer(data, HOSTILE)
+    data["strata"][0]["about"] = data["run"]["python"] = data["command"] = HOSTILE
+    data["worst"][0]["regime"] = data["worst"][0]["replay"] = HOSTILE
+    elements = Elements(page(data))
+    assert not elements.all("script")
+    assert "".join(elements.words).count(HOSTILE) > 5
+
+
+def test_the_same_data_give_the_same_page(data):
+    text = page(data)
+    assert text == page(copy.deepcopy(data))
+    assert text == page(direct())
+
+
+def test_nothing_measured_is_no_reason_to_break(data):
+    """A campaign that was stopped before it had anything."""
+    for one in data["contestants"]:
+        for view in ("strata", "shares", "regimes"):
+            one[view] = {}
+        for view in ("distance", "turned", "condition"):
+            one[view] = {"angle": {}, "omega": {}}
+        one["sizes"] = {}
+    data |= {"worst": [], "passed": False}
+    assert "not measured" in "".join(Elements(page(data)).words)
+
+
+def test_an_axis_has_places_for_what_logarithms_have_not():
+    axis = fitted([-3.5, 2.0, float("-inf"), float("inf")], 0.0, 100.0, 10.0)
+    assert (axis.low, axis.high) == (-4, 2)
+    assert (axis.at(-4), axis.at(2)) == (10, 90)
+    assert (axis.at(float("-inf")), axis.at(float("inf"))) == (5, 95)
+    assert fitted([1.0, 2.0], 0.0, 100.0, 10.0).at(1.0) == 0
+
+
+def test_an_axis_keeps_room_for_what_is_not_tiny():
+    axis = fitted([-250.0, 0.0], 0.0, 100.0, 10.0)
+    assert axis.at(-250) == 0
+    assert axis.at(-20) == pytest.approx(22)
+    assert axis.at(-10) == pytest.approx(61)
+    assert axis.ticks == [-200, -20, -15, -10, -5, 0]
