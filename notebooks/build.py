@@ -12,8 +12,9 @@ for which it is another by now, and all of them with `-m slow`.
 A new notebook: write cells, "# %%" and "# %% [markdown]", in NN_name.py or how_to_name.py and run
 the command, which adds the head.  It runs within a minute and writes nothing to stderr; it prints
 numbers rounded to what is certain, draws with matplotlib or plotly, and its last cell asserts ids
-and grades of facts.  `rigidsym.view.html` shows facts and verdicts, `rigidsym.view.scenes` motions, each
-with a still for readers without scripts; `support` and `figures` have what notebooks alone need.
+and grades of facts.  `rigidsym.view.html` shows facts and verdicts, `rigidsym.view.scenes` motions,
+each with a still for readers without scripts; `support` and `figures` have what notebooks alone
+need.
 """
 
 import argparse

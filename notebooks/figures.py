@@ -1,6 +1,7 @@
 """Drawings that several notebooks share, by matplotlib.  They illustrate and prove nothing.
 
-The curves are those of `rigidsym.view.scenes`; what is here is a flat drawing that can be drawn upon.
+The curves are those of `rigidsym.view.geometry`; what is here is a flat drawing that can be drawn
+upon.
 """
 
 from typing import Any

@@ -7,7 +7,7 @@ from rigidsym.cli.arguments import Command, as_count, as_path, as_seconds
 from rigidsym.cli.output import progress, table
 from rigidsym.errors import InputError
 
-# The arguments of `rigidsym.io.aem` that are text.
+# The arguments of `rigidsym.io.attitude_ephemeris` that are text.
 _MESSAGE = {
     "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed"),
     "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),

@@ -35,9 +35,10 @@ Digital Library of Mathematical Functions (DLMF), and the fact of the ledger tha
 (`reading`: the standard function that a quantity is); exact sums, products and differences of
 doubles are Knuth's (The Art of Computer Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
-are hypotheses; these are ENCLOSED.  Kernels (Landen's ladder, nome, theta series, angles and their
-reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the bounds in exact or ball
-arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:"""
+are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
+and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
+bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
+mpmath:"""
 
 
 def kernels() -> list[str]:

@@ -18,7 +18,7 @@ Digital Library of Mathematical Functions (DLMF), and the fact of the ledger tha
 doubles are Knuth's (The Art of Computer Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Kernels (Landen's ladder, nome, theta series, angles and their
-reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the bounds in exact or ball
+reduction) are truncated as follows; `rigidsym.codegen.kernels` proves the bounds in exact or ball
 arithmetic, and `pytest tests/codegen/kernels` holds them against mpmath:
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
   nome                           relative, below 1.6e-38

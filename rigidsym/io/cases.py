@@ -31,7 +31,7 @@ class Case:
 
 def paper_case() -> Case:
     """The paper's spacecraft, as it ships with the package."""
-    return parse_case(resources.files("rigidsym").joinpath(PAPER).read_text("utf-8"))
+    return parse_case(resources.files("rigidsym.io").joinpath(PAPER).read_text("utf-8"))
 
 
 def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:

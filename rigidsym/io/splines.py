@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.io.track import Track
+from rigidsym.io.tracks import Track
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import RotationSpline

@@ -102,7 +102,7 @@ _CASE = {
 def _paper() -> str:
     from importlib import resources
 
-    return resources.files("rigidsym").joinpath(PAPER).read_text("utf-8")
+    return resources.files("rigidsym.io").joinpath(PAPER).read_text("utf-8")
 
 
 def _case() -> str:

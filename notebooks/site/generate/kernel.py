@@ -10,7 +10,8 @@ What [every fact](../trust.md) rests on.
 
 ## The six rules
 
-As the docstrings of `rigidsym.proof.kernel.rules` draw them: premises above the line, conclusion below.
+As the docstrings of `rigidsym.proof.kernel.rules` draw them: premises above the line, conclusion
+below.
 """
 _ASSUMED = """## The assumptions
 

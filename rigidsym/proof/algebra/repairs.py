@@ -1,9 +1,9 @@
 """Repairs: a refuted statement, mended by one small edit of what is printed.
 
-The edits are those of `rigidsym.proof.algebra.mutants`, and more kinds: a sign, a derivative, a factor or
-divisor of the context or its square are put in.  Those that fail at a rational point of the context
-are dropped; the rest are decided by normal form.  What is left is a proved repair: it is an
-identity of the same hypotheses.
+The edits are those of `rigidsym.proof.algebra.mutants`, and more kinds: a sign, a derivative, a
+factor or divisor of the context or its square are put in.  Those that fail at a rational point of
+the context are dropped; the rest are decided by normal form.  What is left is a proved repair:
+it is an identity of the same hypotheses.
 """
 
 import ast

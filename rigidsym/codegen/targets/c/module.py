@@ -72,7 +72,7 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
     whole = joined(
         [
             Lines.plain(_INCLUDES + "\n"),
-            Lines.plain(_part("pairs.c") + "\n"),
+            Lines.plain(_part("double_double.c") + "\n"),
             Lines.plain(_part("exact.c") + "\n"),
             *emit.module(functions, constants),
             Lines.plain(_part("arithmetic.c") + "\n\n"),
@@ -113,7 +113,7 @@ def _frame(by_name: dict[str, Function]) -> str:
     )
     for branch in ("circular", "hyperbolic"):
         places[f"@{branch} given@"] = ", ".join(by_name[f"_{branch}_plan"].parameters)
-    text = _part("frame.c")
+    text = _part("runtime.c")
     for mark, meaning in places.items():
         text = text.replace(mark, meaning)
     return _limited(text)

@@ -33,11 +33,11 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
     text = header.text("numpy")
     pieces = [
         Lines.plain(_HEAD.format(text=text) + "\n"),
-        Lines.plain(_part("pairs.py", "# --- pairs ---\n")),
+        Lines.plain(_part("double_double.py", "# --- pairs ---\n")),
         _GAP,
         *emit.module(emit.own(functions), constants),
         Lines(tuple(_limits()), {}),
-        Lines.plain(_part("frame.py", "# --- frame ---\n")),
+        Lines.plain(_part("runtime.py", "# --- frame ---\n")),
     ]
     whole = joined(pieces)
     files, digest = header.sealed({FILE: "\n".join(whole.text) + "\n"}, "numpy")

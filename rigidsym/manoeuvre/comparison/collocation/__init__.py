@@ -9,7 +9,11 @@ from rigidsym.packages import require
 require("optimal control", "casadi", extra="optimal")
 
 from rigidsym.manoeuvre.comparison.collocation.guess import Guess, guessed  # noqa: E402
-from rigidsym.manoeuvre.comparison.collocation.solver import Optimum, Posed, optimum
+from rigidsym.manoeuvre.comparison.collocation.solver import (  # noqa: E402
+    Optimum,
+    Posed,
+    optimum,
+)
 from rigidsym.manoeuvre.comparison.collocation.task import Cost, Model, Task  # noqa: E402
 
 __all__ = ["Cost", "Guess", "Model", "Optimum", "Posed", "Task", "guessed", "optimum"]

@@ -14,7 +14,7 @@ import numpy as np
 
 from rigidsym.errors import InputError
 from rigidsym.io import epochs
-from rigidsym.io.track import Track
+from rigidsym.io.tracks import Track
 
 # 6.6.1: characters in a line.
 LONGEST_LINE = 254
