@@ -132,7 +132,7 @@ assert refused
 # As mathematics, with their grades:
 
 # %%
-from rigidsym.view.html import claims
+from rigidsym.proof.claims import claims
 
 mine = claims(book.ledger)
 assert {mine[name].grade for name in ("mine.constant", "mine.form")} == {"PROVED"}

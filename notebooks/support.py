@@ -13,14 +13,15 @@ import sympy
 from IPython.display import HTML, Markdown, Math
 
 from derivations import CHAPTERS
+from rigidsym.language.latex import latex
 from rigidsym.language.symbols import symbol
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.su2 import Complex, Matrix
+from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Element, Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.solution import ledger_text
-from rigidsym.view.html import Claim, claims, latex
 
 
 def derived(*chapters: str) -> Ledger:

@@ -7,6 +7,8 @@ Quaternions are scalar first, unit, body to inertial: q' = q (0, omega) / 2 with
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from rigidsym._version import __version__
+
 if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
@@ -15,7 +17,6 @@ if TYPE_CHECKING:
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
 
-__version__ = "0.1.0"
 __all__ = [
     "Generated",
     "InputError",
@@ -23,6 +24,7 @@ __all__ = [
     "PrincipalAxes",
     "Regime",
     "TorqueFreeMotion",
+    "__version__",
     "generate",
     "plan",
     "principal_axes",

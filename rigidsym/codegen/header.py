@@ -4,7 +4,7 @@ import hashlib
 import json
 from pathlib import Path
 
-from rigidsym import __version__
+from rigidsym._version import __version__
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.special_functions import (
     angles,

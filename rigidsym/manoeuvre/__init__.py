@@ -3,13 +3,13 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from rigidsym.packages import require
+from rigidsym.errors import require
 
 if TYPE_CHECKING:
     from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
+    from rigidsym.manoeuvre.picture import directions_of
     from rigidsym.manoeuvre.planning import Plan, plan, solve
     from rigidsym.manoeuvre.transfer import Transfer
-    from rigidsym.view.scenes.directions import directions_of
 
 __all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "directions_of", "plan", "solve"]
 
@@ -19,7 +19,7 @@ _HOMES = {
     "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",
     "Plan": "rigidsym.manoeuvre.planning",
     "Transfer": "rigidsym.manoeuvre.transfer",
-    "directions_of": "rigidsym.view.scenes.directions",
+    "directions_of": "rigidsym.manoeuvre.picture",
     "plan": "rigidsym.manoeuvre.planning",
     "solve": "rigidsym.manoeuvre.planning",
 }

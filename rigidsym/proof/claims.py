@@ -179,3 +179,12 @@ def _name(name: str) -> str:
 def _source(fact: Mapping[str, Any]) -> str:
     numbers = [f"({x})" if x[:1].isdigit() else x for x in fact["source"]]
     return ", ".join((*numbers, fact["rule"]))
+
+
+def load_ipython_extension(ipython: Any) -> None:
+    """Let IPython show bare facts and ledgers of the kernel, which knows nothing of showing."""
+    html = ipython.display_formatter.formatters["text/html"]
+    html.for_type_by_name("rigidsym.proof.kernel.statement", "Fact", fact_html)
+    html.for_type_by_name(
+        "rigidsym.proof.kernel.ledger", "Ledger", lambda x: claims(x)._repr_html_()
+    )

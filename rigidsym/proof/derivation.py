@@ -3,7 +3,7 @@
 import json
 import re
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from importlib import import_module, resources
 from pathlib import Path
 from time import perf_counter
@@ -11,6 +11,7 @@ from time import perf_counter
 from derivations import CHAPTERS
 from rigidsym.errors import InputError
 from rigidsym.proof.algebra import Book
+from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Fact, KernelError
 from rigidsym.view.html.reports import chapter_html, derivation_html
 
@@ -29,7 +30,8 @@ class Chapter:
     seconds: float
 
     def _repr_html_(self) -> str:
-        return chapter_html(self)
+        facts = Claims(Claim(asdict(fact)) for fact in self.facts)
+        return chapter_html(self, facts._repr_html_())
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,8 @@ from dataclasses import asdict, dataclass, field, fields
 from itertools import islice
 from typing import Any
 
-from rigidsym import __version__, inputs
+from rigidsym import inputs
+from rigidsym._version import __version__
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
 from rigidsym.validate.executors import Place

@@ -7,8 +7,8 @@ from itertools import product
 
 import numpy as np
 
-from rigidsym.motion import TorqueFreeMotion
 from rigidsym.solution.polhode import Regime
+from rigidsym.view.protocols import Motion
 from rigidsym.view.times import once
 
 DIGITS = 11
@@ -16,17 +16,17 @@ CIRCLE = 97
 DENSE = 12
 
 
-def moments(motion: TorqueFreeMotion) -> np.ndarray:
+def moments(motion: Motion) -> np.ndarray:
     """The principal moments, kg m^2."""
     return np.array([float(x) for x in motion.exact["inertia"]])
 
 
-def momentum(motion: TorqueFreeMotion) -> np.ndarray:
+def momentum(motion: Motion) -> np.ndarray:
     """The angular momentum at t = 0 in body axes, kg m^2/s."""
     return moments(motion) * [float(x) for x in motion.exact["omega0"]]
 
 
-def polhode(motion: TorqueFreeMotion, count: int) -> np.ndarray:
+def polhode(motion: Motion, count: int) -> np.ndarray:
     """The body rates all around the polhode (count, 3), rad/s; one point where constant."""
     if motion.regime.steady:
         return motion([0.0])[1]
@@ -77,7 +77,7 @@ def separatrix(inertia: Iterable[Fraction], size: float) -> list[np.ndarray]:
     return circles
 
 
-def members(motion: TorqueFreeMotion, size: float, count: int) -> Iterator[TorqueFreeMotion]:
+def members(motion: Motion, size: float, count: int) -> Iterator[Motion]:
     """Motions of the same body and |M|, `count` about each end of the outer axes.
 
     They start between axis and separatrix, in the plane of the axes of largest and least inertia.
@@ -95,7 +95,7 @@ def members(motion: TorqueFreeMotion, size: float, count: int) -> Iterator[Torqu
         start[a], start[d] = sign * size * math.cos(angle), sign * size * math.sin(angle)
         if axis != edge:
             omega = (start / moments(motion)).tolist()
-            yield TorqueFreeMotion(inertia, omega, allow_nonphysical=True)
+            yield motion.replace(omega0=omega)
 
 
 def regime_colour(regime: Regime) -> str:

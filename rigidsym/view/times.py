@@ -1,7 +1,7 @@
 """How long to look at a motion: periods of the rates, and turns where they have none."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -9,9 +9,7 @@ from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.precise import PreciseMotion
 from rigidsym.solution.polhode import Regime
-
-if TYPE_CHECKING:
-    from rigidsym.motion import TorqueFreeMotion
+from rigidsym.view.protocols import Motion
 
 DIGITS = 15
 # On the separatrix this many times 1/lambda on both sides are all that can be seen of it.
@@ -22,7 +20,7 @@ A_TURN = 12
 AT_REST = 10.0
 
 
-def period(motion: "TorqueFreeMotion") -> float:
+def period(motion: Motion) -> float:
     """The time 4 K(m)/lambda after which the rates come back; infinite on the separatrix, s.
 
     Zero where the rates are constant.
@@ -35,7 +33,7 @@ def period(motion: "TorqueFreeMotion") -> float:
     return 2 * math.pi / (_mean(1.0, known["k_c"]) * known["lambda_"])
 
 
-def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
+def once(motion: Motion) -> tuple[float, float]:
     """From when to when the whole polhode is run through once, s."""
     found = period(motion)
     if math.isfinite(found):
@@ -45,7 +43,7 @@ def once(motion: "TorqueFreeMotion") -> tuple[float, float]:
     return middle - far, middle + far
 
 
-def chosen(motion: "TorqueFreeMotion", times: Any, count: int) -> np.ndarray:
+def chosen(motion: Motion, times: Any, count: int) -> np.ndarray:
     """The times given as doubles, or `count` by `grid`; InputError for fewer than two, s."""
     if times is None:
         return grid(motion, count)
@@ -55,7 +53,7 @@ def chosen(motion: "TorqueFreeMotion", times: Any, count: int) -> np.ndarray:
     return found
 
 
-def grid(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
+def grid(motion: Motion, count: int) -> np.ndarray:
     """Times from zero on that show what there is to see: two periods, or a few turns, s."""
     first, last = once(motion)
     most = min(MOST_TURNS, count / A_TURN) * _turn(motion)
@@ -68,13 +66,13 @@ def grid(motion: "TorqueFreeMotion", count: int) -> np.ndarray:
     return np.linspace(0.0, end, count)
 
 
-def _turn(motion: "TorqueFreeMotion") -> float:
+def _turn(motion: Motion) -> float:
     """The time of one turn at the first rate, s."""
     rate = math.hypot(*map(float, motion.exact["omega0"]))
     return 2 * math.pi / rate if rate else AT_REST / 3
 
 
-def _constants(motion: "TorqueFreeMotion") -> dict[str, float]:
+def _constants(motion: Motion) -> dict[str, float]:
     given = motion.exact
     exact: Any = PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
     found = exact.constants(("lambda_", "u", "k_c"), DIGITS)

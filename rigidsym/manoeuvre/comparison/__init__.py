@@ -5,7 +5,7 @@ first guesses of optimisers, and leaves to future work "a comparison with a quat
 technique": this is that work, on random manoeuvres from rest to rest.
 """
 
-from rigidsym.packages import require
+from rigidsym.errors import require
 
 require("comparing manoeuvres", "scipy", "erfa", "ppigrf", "matplotlib")
 require("comparing manoeuvres", "casadi", extra="optimal")

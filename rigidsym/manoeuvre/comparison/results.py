@@ -8,7 +8,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from rigidsym import __version__
+from rigidsym._version import __version__
 from rigidsym.io.files import write_bytes, write_text
 from rigidsym.manoeuvre.comparison import flights, optima, tables
 from rigidsym.manoeuvre.comparison.cases import IMPULSE
@@ -19,11 +19,11 @@ from rigidsym.manoeuvre.comparison.collocation.solver import (
     TOLERANCE,
 )
 from rigidsym.manoeuvre.comparison.page import page
+from rigidsym.manoeuvre.comparison.picture import picture
 from rigidsym.manoeuvre.comparison.record import Record
 from rigidsym.manoeuvre.comparison.statistics import summary
 from rigidsym.manoeuvre.flight.settings import Controller, Wheels
 from rigidsym.view.plots import histories as drawing
-from rigidsym.view.plots.spreads import picture
 
 SCHEMA = "rigidsym.comparison/1"
 PACKAGES = ("casadi", "numpy", "scipy")

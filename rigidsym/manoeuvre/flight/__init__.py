@@ -5,7 +5,7 @@ spacecraft in its body axes; SI units.  The inertial frame is the geocentric cel
 third axis is the Earth's, to a tenth of a degree).
 """
 
-from rigidsym.packages import require
+from rigidsym.errors import require
 
 require("flying a manoeuvre", "scipy", "erfa", "ppigrf")
 

@@ -7,6 +7,8 @@ import numpy as np
 
 from rigidsym.manoeuvre.flight.control import Reference
 from rigidsym.manoeuvre.flight.rotation import angle, matrix
+from rigidsym.manoeuvre.flight.summary import rows
+from rigidsym.view.html.flights import run_html
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +99,4 @@ class Run:
         }
 
     def _repr_html_(self) -> str:
-        from rigidsym.manoeuvre.flight.summary import rows
-        from rigidsym.view.html.flights import run_html
-
         return run_html(self, rows(self))

@@ -2,15 +2,47 @@
 
 from collections.abc import Mapping
 from math import degrees, radians
-from typing import Any
+from typing import Any, Protocol
 
-from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Timing
 
 _SETTLED = Timing().settled
 
 
-def rows(run: Run, settled: float = _SETTLED) -> list[tuple[str, str]]:
+class Measured(Protocol):
+    """A flight, by what is measured on it."""
+
+    @property
+    def arrival(self) -> float:
+        """When the target takes the track's place, s."""
+        ...
+
+    def tracking(self) -> dict[str, float]:
+        """Angles of error until arrival, rad."""
+        ...
+
+    def holding(self, settled: float) -> dict[str, Any]:
+        """Angles of error after arrival, rad, and since when they stay within `settled`, s."""
+        ...
+
+    def effort(self) -> dict[str, list[float]]:
+        """Peaks and integrals of the wheels' torques, by axis."""
+        ...
+
+    def disturbance_peak(self) -> dict[str, float]:
+        """The greatest size of each disturbing torque, N m."""
+        ...
+
+    def momentum_defect(self) -> float:
+        """What the disturbances leave unexplained, N m s."""
+        ...
+
+    def energy_defect(self) -> float:
+        """What the work of torques leaves unexplained, J."""
+        ...
+
+
+def rows(run: Measured, settled: float = _SETTLED) -> list[tuple[str, str]]:
     """Pairs of name and figure; `settled` is what counts as settled, degrees from the target."""
     error, target, effort = run.tracking(), run.holding(radians(settled)), run.effort()
     return [
@@ -29,7 +61,7 @@ def rows(run: Run, settled: float = _SETTLED) -> list[tuple[str, str]]:
     ]
 
 
-def checks(run: Run) -> list[tuple[str, str]]:
+def checks(run: Measured) -> list[tuple[str, str]]:
     """What physics leaves to explain: rounding, which differs from machine to machine."""
     return [
         ("momentum unexplained", f"{run.momentum_defect():.1e} N m s"),

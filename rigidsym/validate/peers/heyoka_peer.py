@@ -7,7 +7,7 @@ import numpy as np
 from rigidsym.engines import States
 from rigidsym.validate.peers.equations import rates
 from rigidsym.validate.peers.initial_state import Start, both_ways
-from rigidsym.validate.peers.packages import needed
+from rigidsym.validate.peers.protocol import needed
 
 # It takes 1.3 us for a radian of omega0 t.
 _REACH = 1e4

@@ -11,7 +11,7 @@ import numpy as np
 from rigidsym.engines import EngineError, States
 from rigidsym.errors import InputError
 from rigidsym.validate.peers.initial_state import Start, checked
-from rigidsym.validate.peers.packages import needed
+from rigidsym.validate.peers.protocol import needed
 
 _CLASSES = {
     "rotation": "org.hipparchus.geometry.euclidean.threed.Rotation",

@@ -1,8 +1,10 @@
 """What every peer does, and what it is honest about."""
 
+from importlib import import_module, metadata
 from typing import Any, Protocol
 
 from rigidsym.engines import States
+from rigidsym.errors import InputError
 
 
 class Peer(Protocol):
@@ -43,3 +45,11 @@ class Peer(Protocol):
     def states(self, plan: Any, t: Any) -> States:
         """(q, omega), (N, 4) and (N, 3), at times t (N,) in any order, of any sign."""
         ...
+
+
+def needed(peer: str, module: str, package: str) -> tuple[Any, str]:
+    """A module and the version of its package; raises InputError where it cannot be imported."""
+    try:
+        return import_module(module), metadata.version(package)
+    except ImportError:
+        raise InputError("peer", peer, f"needs the package {package} (extra bench)") from None

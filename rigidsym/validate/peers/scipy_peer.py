@@ -9,7 +9,7 @@ import numpy as np
 from rigidsym.engines import States
 from rigidsym.validate.peers.equations import rates
 from rigidsym.validate.peers.initial_state import Start, both_ways
-from rigidsym.validate.peers.packages import needed
+from rigidsym.validate.peers.protocol import needed
 
 # The farthest time of the short strata; 300 rad take some tenths of a second in Python.
 _REACH = 300.0

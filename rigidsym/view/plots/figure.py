@@ -5,7 +5,7 @@ from collections.abc import Generator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from rigidsym.packages import package
+from rigidsym.errors import package
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

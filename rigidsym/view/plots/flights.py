@@ -4,8 +4,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.view.plots import histories as drawing
+from rigidsym.view.protocols import Flight
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,7 +22,7 @@ _SOURCES = {
 
 
 @drawing.defaults()
-def attitude(run: Run) -> "Figure":
+def attitude(run: Flight) -> "Figure":
     """The natural motion's quaternion, thin and dashed, and the one flown, thick."""
     figure, axes = drawing.blank()
     colours = (drawing.SCALAR, *drawing.AXES)
@@ -36,7 +36,7 @@ def attitude(run: Run) -> "Figure":
 
 
 @drawing.defaults()
-def torques(run: Run) -> "Figure":
+def torques(run: Flight) -> "Figure":
     """What the wheels exert on the body, by axis."""
     figure, axes = drawing.blank()
     names = tuple(f"$N_{{c{k}}}$" for k in (1, 2, 3))
@@ -49,7 +49,7 @@ def torques(run: Run) -> "Figure":
 
 
 @drawing.defaults()
-def disturbances(run: Run) -> "Figure":
+def disturbances(run: Flight) -> "Figure":
     """Size of each disturbing torque."""
     figure, axes = drawing.blank()
     for name, torque in run.disturbances.items():
@@ -61,7 +61,7 @@ def disturbances(run: Run) -> "Figure":
     return _finished(figure, axes, run)
 
 
-def _finished(figure: "Figure", axes: Any, run: Run) -> "Figure":
+def _finished(figure: "Figure", axes: Any, run: Flight) -> "Figure":
     if run.t[0] < run.arrival < run.t[-1]:
         drawing.mark(axes, run.arrival, "target reached")
     if axes.lines:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.packages import require
+from rigidsym.errors import require
 from rigidsym.view.plots import figure as flat
 from rigidsym.view.plots.figure import defaults
 from rigidsym.view.plots.motion import AXES

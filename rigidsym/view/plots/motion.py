@@ -14,12 +14,12 @@ from rigidsym.view.geometry import (
     separatrix,
 )
 from rigidsym.view.plots.figure import blank
+from rigidsym.view.protocols import Motion
 from rigidsym.view.times import chosen
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from rigidsym.motion import TorqueFreeMotion
 
 SAMPLES = 801
 AROUND = 401
@@ -29,7 +29,7 @@ SCALAR = "#777777"
 SEPARATRIX = regime_colour(Regime.SEPARATRIX)
 
 
-def plot(motion: "TorqueFreeMotion", times: Any = None) -> "Figure":
+def plot(motion: Motion, times: Any = None) -> "Figure":
     """Three plots: omega(t), q(t), and the momentum on its sphere in body axes."""
     figure = blank("plot", 10.5, 5.2)
     t = chosen(motion, times, SAMPLES)
@@ -65,7 +65,7 @@ def _lines(
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
 
 
-def _sphere(axes: Any, motion: "TorqueFreeMotion", omega: np.ndarray) -> None:
+def _sphere(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     """The sphere |M| = K with its circles, the separatrix, the polhode, and what of it is run."""
     size = float(np.linalg.norm(momentum(motion)))
     # A body at rest has no such sphere: one of unit radius carries the axes.
@@ -82,7 +82,7 @@ def _sphere(axes: Any, motion: "TorqueFreeMotion", omega: np.ndarray) -> None:
     axes.set_title(f"momentum sphere, body axes\n|M| = {size:.4g} kg m²/s", fontsize=10)
 
 
-def _polhode(axes: Any, motion: "TorqueFreeMotion", omega: np.ndarray) -> None:
+def _polhode(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     """All of the polhode thin, what is run through of it thick, and where that begins."""
     whole = moments(motion) * polhode(motion, AROUND)
     run = moments(motion) * omega

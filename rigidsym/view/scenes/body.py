@@ -4,9 +4,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import rotated
 from rigidsym.view.geometry import moments, momentum
+from rigidsym.view.protocols import Motion
 from rigidsym.view.scenes.scene import (
     AXIS_COLOURS,
     GREY,
@@ -40,7 +40,7 @@ def edges(inertia: np.ndarray) -> np.ndarray:
     return np.maximum(np.sqrt(squares / np.max(squares)), THINNEST)
 
 
-def tumbling_body(motion: TorqueFreeMotion, times: Any = None) -> "Figure":
+def tumbling_body(motion: Motion, times: Any = None) -> "Figure":
     """The body in inertial space, with the path of one axis; a slider moves `times` (N,), s.
 
     The axis is the body axis nearest to the momentum at t = 0, which flips where a motion nears
@@ -85,7 +85,7 @@ def _moving(go: Any, q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int
     ]
 
 
-def _momentum(go: Any, motion: TorqueFreeMotion) -> list[Any]:
+def _momentum(go: Any, motion: Motion) -> list[Any]:
     """The direction of the momentum, which stays; nothing for a body at rest."""
     vector = rotated(motion(0.0)[0], momentum(motion))
     length = float(np.linalg.norm(vector))

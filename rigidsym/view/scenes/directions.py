@@ -1,70 +1,62 @@
-"""Where the momentum of a transfer can lie: the cone of directions, and the motions found on it."""
+"""Directions of momenta on a sphere: where they can begin, and the ways that they take."""
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from rigidsym.engines import engine
-from rigidsym.manoeuvre.directions import Arcs, arcs, is_symmetry
-from rigidsym.manoeuvre.problem import Problem, problem
 from rigidsym.view.geometry import moments, momentum, polhode, separatrix
+from rigidsym.view.protocols import Motion
 from rigidsym.view.scenes.scene import GREY, body_axes, curves, dot, figure, line, plotly
 from rigidsym.view.scenes.sphere import SEPARATRIX, globe
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
-    from rigidsym.manoeuvre.planning import Plan
-    from rigidsym.manoeuvre.transfer import Transfer
-
-AN_ARC, AROUND, ON_THE_WAY = 49, 121, 361
+AROUND, ON_THE_WAY = 121, 361
 CONE = "#c9a227"
 # Colours of transfers, told apart by all readers; more of them begin anew.
 COLOURS = ("#d62f5f", "#1f83c4", "#139a6f", "#e0682a", "#7a5cc4")
 
 
-def directions_of(plan: "Plan") -> "Figure":
-    """The sphere of momentum directions, in the body axes of the start, of a plan.
+class Transfer(Protocol):
+    """A motion that is followed for some time."""
 
-    On it are the cone, from whose directions alone a natural motion can arrive; of each transfer
-    the polhode, thin, and the way of the momentum on it, thick, from a dot on the cone on.  A turn
-    that is a symmetry of the body allows every direction: it has one of each polhode drawn.
-    Raises ImportError without plotly.
-    """
+    @property
+    def motion(self) -> Motion:
+        """What it is a part of."""
+        ...
+
+    @property
+    def duration(self) -> float:
+        """From t = 0 on, s."""
+        ...
+
+
+def scene(
+    inertia: Sequence[Fraction],
+    cone: tuple[str, Sequence[np.ndarray]],
+    transfers: Mapping[str, Transfer],
+    title: str,
+) -> "Figure":
+    """The unit sphere with its separatrix, the curves of a cone by their name, and transfers."""
     go = plotly("directions_of")
-    asked = plan.manoeuvre
-    posed = problem(asked.inertia, asked.start, asked.target, engine("numpy"))
     traces = globe(go, 1.0)
-    circles = separatrix(asked.inertia, 1.0)
+    circles = separatrix(inertia, 1.0)
     if circles:
         traces.append(line(go, curves(circles), "separatrix", SEPARATRIX, 2))
-    traces += _cone(go, posed)
-    for k, transfer in enumerate(plan.transfers):
-        if transfer.momentum:
-            traces += _transfer(go, transfer, f"transfer {k + 1}", COLOURS[k % len(COLOURS)])
+    name, parts = cone
+    if parts:
+        traces.append(line(go, curves(parts), name, CONE, 7))
+    for k, (called, transfer) in enumerate(transfers.items()):
+        traces += _transfer(go, transfer, called, COLOURS[k % len(COLOURS)])
     traces += body_axes(go, 1.15)
     labels = [f"M{k}/|M|" for k in "₁₂₃"]
-    return figure(traces, f"Momenta that arrive in {plan.best.duration:g} s", labels, 1.15)
+    return figure(traces, title, labels, 1.15)
 
 
-def cone(curves_of: Arcs) -> list[np.ndarray]:
-    """The arcs as curves (N, 3)."""
-    return [
-        curves_of.direction(np.linspace(begin, end, AN_ARC), np.full(AN_ARC, k))
-        for k, (begin, end) in enumerate(curves_of.ends)
-    ]
-
-
-def _cone(go: Any, posed: Problem) -> Iterator[Any]:
-    """Nothing for a sphere, whose momentum has the direction of its rates."""
-    parts = cone(arcs(posed))
-    if parts:
-        name = "one of each polhode" if is_symmetry(posed) else "cone of directions"
-        yield line(go, curves(parts), name, CONE, 7)
-
-
-def _transfer(go: Any, transfer: "Transfer", name: str, colour: str) -> Iterator[Any]:
+def _transfer(go: Any, transfer: Transfer, name: str, colour: str) -> Iterator[Any]:
     motion = transfer.motion
     size = float(np.linalg.norm(momentum(motion)))
     rates = motion(np.linspace(0, transfer.duration, ON_THE_WAY))[1]

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import product, rotated
 from rigidsym.view.geometry import (
     great_circles,
@@ -16,6 +15,7 @@ from rigidsym.view.geometry import (
     regime_colour,
     upright,
 )
+from rigidsym.view.protocols import Motion
 from rigidsym.view.scenes.scene import (
     GREY,
     ball,
@@ -54,7 +54,7 @@ class Rolling:
     height: float
 
 
-def rolling(motion: TorqueFreeMotion, times: np.ndarray) -> Rolling:
+def rolling(motion: Motion, times: np.ndarray) -> Rolling:
     """The motion at some times, seen with its momentum upright."""
     start = motion(0.0)
     inertia, body = moments(motion), momentum(motion)
@@ -68,7 +68,7 @@ def rolling(motion: TorqueFreeMotion, times: np.ndarray) -> Rolling:
     )
 
 
-def rolling_ellipsoid(motion: TorqueFreeMotion, times: Any = None) -> "Figure":
+def rolling_ellipsoid(motion: Motion, times: Any = None) -> "Figure":
     """The rolling ellipsoid with polhode and herpolhode; a slider moves `times` (N,), s.
 
     The space of the picture is that of rates, rad/s, with the momentum upwards: the contact is
@@ -89,7 +89,7 @@ def rolling_ellipsoid(motion: TorqueFreeMotion, times: Any = None) -> "Figure":
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 
-def _moving(go: Any, motion: TorqueFreeMotion, steps: Rolling, k: int) -> list[Any]:
+def _moving(go: Any, motion: Motion, steps: Rolling, k: int) -> list[Any]:
     """What turns with the body: the ellipsoid, its main sections, the polhode; and the contact."""
     q, colour = steps.q[k], regime_colour(motion.regime)
     sections = curves([steps.axes * circle[::2] for circle in great_circles(1.0)])

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.packages import package
+from rigidsym.errors import package
 from rigidsym.view.geometry import rounded
 
 GREY, GRID, FAINT = "#808080", "#a6a6a6", "rgba(128,128,128,0.25)"

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.motion import TorqueFreeMotion
 from rigidsym.solution.polhode import Regime
 from rigidsym.view.geometry import (
     great_circles,
@@ -17,6 +16,7 @@ from rigidsym.view.geometry import (
     regime_colour,
     separatrix,
 )
+from rigidsym.view.protocols import Motion
 from rigidsym.view.scenes.scene import (
     GREY,
     GRID,
@@ -38,7 +38,7 @@ AROUND = 121
 SEPARATRIX = regime_colour(Regime.SEPARATRIX)
 
 
-def momentum_sphere(motion: TorqueFreeMotion, family: int = 5) -> "Figure":
+def momentum_sphere(motion: Motion, family: int = 5) -> "Figure":
     """The sphere |M| = K in body axes with polhodes coloured by regime, and this motion's own.
 
     `family` polhodes about each end of each axis; on the separatrix K^2 = 2H c_b.  Momenta in
@@ -65,7 +65,7 @@ def globe(go: Any, radius: float) -> list[Any]:
     return [skin(go, 0.985 * radius * ball(19, 37), GREY, 0.18), circles]
 
 
-def _family(go: Any, motion: TorqueFreeMotion, size: float, count: int) -> Iterator[Any]:
+def _family(go: Any, motion: Motion, size: float, count: int) -> Iterator[Any]:
     """One trace for each regime."""
     found: dict[Regime, list[np.ndarray]] = {}
     for other in members(motion, size, count):
@@ -74,7 +74,7 @@ def _family(go: Any, motion: TorqueFreeMotion, size: float, count: int) -> Itera
         yield line(go, curves(parts), str(regime), regime_colour(regime), 2.5)
 
 
-def _own(go: Any, motion: TorqueFreeMotion) -> Iterator[Any]:
+def _own(go: Any, motion: Motion) -> Iterator[Any]:
     """The polhode of the motion itself, and where it begins."""
     colour = regime_colour(motion.regime)
     if not motion.regime.steady:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.packages import package
+from rigidsym.errors import package
 
 SIZE, DPI = (6.6, 5.4), 90
 GREY = "#808080"

@@ -19,12 +19,12 @@ from rigidsym.language.expression import (
     parse,
     rebuild,
 )
-from rigidsym.language.latex import MOST_TERMS, of
+from rigidsym.language.latex import MOST_TERMS, latex, of
 from rigidsym.language.statement import condition, hypotheses, statements
 from rigidsym.language.symbols import symbol
+from rigidsym.proof.claims import claims
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.solution import ledger_text
-from rigidsym.view.html import claims, latex
 
 LEDGER = json.loads(ledger_text())
 VALUES = {"a": Fraction(3, 7), "c_b": Fraction(-5, 2), "Omega1": Fraction(11, 3)}

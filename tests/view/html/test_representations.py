@@ -14,12 +14,12 @@ from derivations import lie_algebra
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.proof.algebra import Book
+from rigidsym.proof.claims import Claim, claims, load_ipython_extension
 from rigidsym.proof.derivation import Chapter, Derivation
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import EQUATIONS, Ruling, verdicts
 from rigidsym.solution import ledger_text
 from rigidsym.validate.report import Failure, ValidationReport
-from rigidsym.view.html import Claim, claims, load_ipython_extension
 from rigidsym.view.html.cards import TINTS
 
 REPORT = whole()
@@ -162,7 +162,7 @@ def test_a_report_that_fails_says_why():
 PROGRAM = """
 import hashlib
 from rigidsym.io.cases import paper_case
-from rigidsym.view.html import claims
+from rigidsym.proof.claims import claims
 from rigidsym.view.scenes import momentum_sphere, rolling_ellipsoid, tumbling_body
 motion = paper_case().motion
 shown = [c._repr_html_() + c._repr_latex_() for c in [*claims().values()][::9]]

@@ -4,7 +4,7 @@ Units: time 1 for the duration, moments of inertia over the largest, so that rat
 the duration, impulses in the largest moment over the duration; attitudes from the start's axes.
 """
 
-from rigidsym.packages import require
+from rigidsym.errors import require
 
 require("optimal control", "casadi", extra="optimal")
 

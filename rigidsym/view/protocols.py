@@ -1,0 +1,74 @@
+"""What pictures ask of what they show; `TorqueFreeMotion` and flights are such things."""
+
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import Any, Protocol
+
+import numpy as np
+
+from rigidsym.solution.polhode import Regime
+
+
+class Motion(Protocol):
+    """A motion: its exact numbers, its regime, and states at times."""
+
+    @property
+    def exact(self) -> Mapping[str, tuple[Fraction, ...]]:
+        """Inertia, omega0 and attitude0."""
+        ...
+
+    @property
+    def regime(self) -> Regime:
+        """The kind of motion."""
+        ...
+
+    def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+        """Attitude and body rates, (N, 4) and (N, 3) at N times in s."""
+        ...
+
+    def replace(self, **changes: Any) -> "Motion":
+        """The motion with other inputs."""
+        ...
+
+
+class Track(Protocol):
+    """Attitudes along a flight."""
+
+    @property
+    def q(self) -> np.ndarray:
+        """(N, 4)."""
+        ...
+
+
+class Flight(Protocol):
+    """A flight at its samples, N of them; vectors in body axes."""
+
+    @property
+    def arrival(self) -> float:
+        """When the target takes the track's place, s."""
+        ...
+
+    @property
+    def t(self) -> np.ndarray:
+        """(N,), s."""
+        ...
+
+    @property
+    def q(self) -> np.ndarray:
+        """Attitude flown (N, 4)."""
+        ...
+
+    @property
+    def track(self) -> Track:
+        """What was to be followed."""
+        ...
+
+    @property
+    def torque(self) -> np.ndarray:
+        """Of the wheels on the body (N, 3), N m."""
+        ...
+
+    @property
+    def disturbances(self) -> Mapping[str, np.ndarray]:
+        """Torques by name, (N, 3) each, N m."""
+        ...
