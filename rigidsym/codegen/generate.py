@@ -2,16 +2,13 @@
 
 import hashlib
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from rigidsym.codegen.functions import constants, functions
-from rigidsym.codegen.lines import Module
-from rigidsym.codegen.targets.c import module as c_module
-from rigidsym.codegen.targets.numpy import module as numpy_module
-from rigidsym.errors import InputError
+from rigidsym.codegen.targets import builder
 from rigidsym.io.files import write_text
 from rigidsym.solution import Solution, sealed
 
@@ -35,20 +32,12 @@ class Generated:
         return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
 
 
-TARGETS: dict[str, Callable[..., Module]] = {
-    "numpy": numpy_module.build,
-    "c": c_module.build,
-}
-
-
 def generate(target: str, solution: Solution | None = None) -> Generated:
     """The numeric module of a target, from the sealed ledger unless a solution is given.
 
     Raises InputError (a ValueError) for an unknown target.
     """
-    if not isinstance(target, str) or target not in TARGETS:
-        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
-    module = TARGETS[target](functions(solution or sealed()), constants())
+    module = builder(target)(functions(solution or sealed()), constants())
     digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}
     manifest = {"target": target, "digest": module.digest, "sha256": digests}
     return Generated(module.files, module.places(), manifest)

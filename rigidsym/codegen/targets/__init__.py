@@ -1,1 +1,38 @@
-"""One folder a target, with all that is its own: emitter, runtime, and how it is read back."""
+"""The languages that modules are written in: one folder each, with all that is its own.
+
+The folder of a target `x` has
+
+    module.py      build(functions, constants).  Input: functions of lets and the numbers they
+                   name.  Output: the module, its files and the let behind each derived line.
+    read_back.py   check(files, functions, constants).  Input: the files as printed, and what they
+                   print.  Output: how many lines read back as their lets.
+
+and whatever these use: an emitter, a runtime written by hand.  TARGETS lists it.
+"""
+
+from collections.abc import Callable, Mapping
+from importlib import import_module
+
+from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.lines import Module
+from rigidsym.errors import InputError
+
+Build = Callable[[tuple[Function, ...], tuple[Constant, ...]], Module]
+Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...]], int]
+
+TARGETS = ["numpy", "c"]
+
+
+def builder(target: str) -> Build:
+    """The `build` of a target; raises InputError for an unknown one."""
+    if not isinstance(target, str) or target not in TARGETS:
+        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
+    return import_module(f"{__name__}.{target}.module").build
+
+
+def reader(target: str) -> Check:
+    """The `check` of a target; raises InputError for one that cannot be read back."""
+    try:
+        return import_module(f"{__name__}.{target}.read_back").check
+    except ModuleNotFoundError:
+        raise InputError("target", target, "has no read_back.py: it cannot be sealed") from None
