@@ -143,7 +143,7 @@ mine
 #
 # 1. Put `book.open` and `book.claim` into the chapter of `derivations` where they belong (a new
 #    chapter goes into `CHAPTERS` in `derivations/__init__.py`).
-# 2. If the paper prints the equation, name the fact in its section of `rigidsym/paper`; the errata
+# 2. If the paper prints the equation, name the fact in its section of `rigidsym/proof/paper`; the errata
 #    then know about it.
 # 3. `rigidsym derive` proves everything again and seals the ledger; `rigidsym check` and
 #    `rigidsym check --independent` replay it.

@@ -9,6 +9,7 @@ PAGES = ROOT / "notebooks" / "site" / "pages"
 CONTENTS = ("index.md", "guide.md")
 PATHS = (
     ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
     *sorted(path for path in PAGES.glob("*.md") if path.name not in CONTENTS),
 )
 TEXTS = {path.name: path.read_text("utf-8") for path in PATHS}

@@ -21,6 +21,7 @@ ROOT = SITE.parents[1]
 # Where the site shows what a link into the repository leads to.
 SHOWN = {
     "README.md": "index.md",
+    "CONTRIBUTING.md": "contributing.md",
     "notebooks": "guide.md",
     "rules.py": "reference/kernel.md",
     "ledger.json": "reference/kernel.md",
@@ -77,6 +78,7 @@ def _copy(package: str, name: str, folder: Path) -> None:
 
 def _stage_guide(source: Path, notebooks: Sequence[Path]) -> None:
     """README, pages and notebooks, with links between them; how-tos come after the chapters."""
+    shutil.copyfile(ROOT / "CONTRIBUTING.md", source / "contributing.md")
     pages = [path.name for path in source.glob("*.md") if path.name != "index.md"]
     below = SHOWN | {name: name for name in pages}
     below |= {path.name: f"guide/{path.name}" for path in notebooks}

@@ -5,7 +5,7 @@ import re
 from collections import Counter
 
 import pytest
-from document_texts import ROOT, TEXTS, rows, words
+from document_texts import ROOT, TEXTS, blocks, rows, words
 
 import rigidsym
 from rigidsym.codegen.header import MEASURED_FILE
@@ -108,10 +108,20 @@ def test_times_in_the_readme_are_those_of_a_page(command, page):
 
 
 def test_the_rooms_of_the_house_are_those_that_are_there():
-    rooms = re.findall(r"^(\w+/[\w.]*)/? ", TEXTS["contributing.md"], re.MULTILINE)
-    assert [room for room in rooms if not (ROOT / room).exists()] == []
-    packages = {f"rigidsym/{path.parent.name}" for path in ROOT.glob("rigidsym/*/__init__.py")}
-    assert packages <= set(rooms)
+    (text,) = (text for text in blocks("text", "CONTRIBUTING.md"))
+    folders = set(re.findall(r"^ {2}(\w+)/ ", text, re.MULTILINE))
+    assert folders == {path.parent.name for path in ROOT.glob("rigidsym/*/__init__.py")}
+    modules = set(re.findall(r"\b\w+\.py\b", re.search(r".*what a user imports", text)[0]))
+    assert modules == {x.name for x in ROOT.glob("rigidsym/*.py") if not x.name.startswith("_")}
+
+
+def test_every_schema_is_on_the_page_of_what_is_stable():
+    written = {
+        schema
+        for path in (ROOT / "rigidsym").rglob("*.py")
+        for schema in re.findall(r"\"(rigidsym\.\w+/\d+)\"", path.read_text("utf-8"))
+    }
+    assert {row[0].strip("`") for row in rows("stability.md") if "/" in row[0]} == written
 
 
 def test_the_changelog_has_this_version():

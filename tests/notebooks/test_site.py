@@ -67,6 +67,7 @@ def pages(html):
 def test_all_pages_are_there(html):
     expected = {"index", "guide", "trust", "errata", "guide/01_sample", "guide/satellite",
                 "use", "proofs", "digits", "code", "accuracy", "validation", "contributing",
+                "glossary", "stability",
                 "reference/api", "reference/command", "reference/formats", "reference/kernel",
                 "manoeuvres", "reference/api/rigidsym", "reference/api/rigidsym.manoeuvre",
                 "reference/api/rigidsym.io"}  # fmt: skip
