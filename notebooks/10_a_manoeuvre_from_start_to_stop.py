@@ -280,9 +280,9 @@ assert np.allclose([one.omega0 * T for T, one in scaled.items()], best.omega0 * 
 
 # %%
 quick = rigidsym.plan(**ours, max_rate="0.05").best
-gentle = rigidsym.plan(**ours, max_impulse="5e-4").best
+gentle = rigidsym.plan(**ours, max_burst="5e-4").best
 try:
-    rigidsym.plan(**ours, duration=60, max_impulse="5e-4")
+    rigidsym.plan(**ours, duration=60, max_burst="5e-4")
     refused = ""
 except rigidsym.InputError as error:
     refused = error.rule
@@ -299,7 +299,7 @@ assert refused
 # The motions are still the same ones.
 
 # %%
-from rigidsym.manoeuvre.bursts import burns
+from rigidsym.manoeuvre.bursts import Bursts
 
 tumbling = (0.01, 0.02, -0.01)  # rad/s
 durations = np.geomspace(40, 600, 141)
@@ -307,7 +307,7 @@ durations = np.geomspace(40, 600, 141)
 
 def costs(spin, durations):
     """Of the motions found (N m s), a row for each duration."""
-    bursts = burns(posed, rigidsym.plan(**ours, duration=120, start_spin=spin).manoeuvre)
+    bursts = Bursts.of(posed, rigidsym.plan(**ours, duration=120, start_spin=spin).manoeuvre)
     sizes = [bursts.sizes(found, T).sum(axis=1) / T for T in durations.tolist()]
     return inertia.max() * np.array(sizes)
 
@@ -338,8 +338,8 @@ assert len({*curves.argmin(axis=1)}) == 3
 #
 # A half turn about a principal axis is the manoeuvre that everyone tries first, and an edge: the turn
 # is a symmetry of the body, $RJR^\mathsf{T}=J$, so $A=0$ and the cone is the whole sphere. The transfers
-# then come in rings of equal cost, all round a polhode: with a motion $q(t)$, the product $x(t)=q(t)\,p$
-# with the turn $p$ is a motion, too. The plan names one of each ring.
+# then come in families of equal cost, all round a polhode: with a motion $q(t)$, the product $x(t)=q(t)\,p$
+# with the turn $p$ is a motion, too. The plan names one of each family.
 
 # %%
 show(ledger, "manoeuvre.symmetry", "ring.euler")
@@ -590,7 +590,7 @@ assert angles.max() < 1e-7
 # * **Wheels**: a turn about a fixed axis, as a rule: it needs less torque in most manoeuvres, this one
 #   among them. The natural motion as a reference costs a small torque all the way; feed
 #   $\Omega\times h$ forward then.
-# * **An optimiser**: for thrusters that are to burn the least fuel, start it here if it stays near its
+# * **An optimiser**: for thrusters that are to burst the least fuel, start it here if it stays near its
 #   guess; by its default an interior-point method hardly minds where it starts. `rigidsym compare` has
 #   the figures.
 # * **On board**: `generate("c")` has no allocation and needs libm alone; see

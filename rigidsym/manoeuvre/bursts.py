@@ -17,7 +17,7 @@ _ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
-class Burns:
+class Bursts:
     """The bursts at the ends of motions, and their limits, for a duration of 1 s.
 
     before, after (3,): momenta outside of the motion, over the largest moment.  max_rate,
@@ -29,6 +29,25 @@ class Burns:
     after: np.ndarray
     max_rate: float
     max_burst: float
+
+    @classmethod
+    def of(cls, problem: Problem, manoeuvre: Manoeuvre) -> "Bursts":
+        """The bursts of a manoeuvre."""
+        largest = max(manoeuvre.inertia)
+
+        def momentum(spin: tuple) -> np.ndarray:
+            return np.array(
+                [float(c * w / largest) for c, w in zip(manoeuvre.inertia, spin, strict=True)]
+            )
+
+        rate, burst = manoeuvre.limits.max_rate, manoeuvre.limits.max_burst
+        return cls(
+            problem,
+            momentum(manoeuvre.start_spin),
+            momentum(manoeuvre.target_spin),
+            np.inf if rate is None else float(rate),
+            np.inf if burst is None else float(burst / largest),
+        )
 
     @cached_property
     def spin(self) -> float:
@@ -84,22 +103,3 @@ def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndar
         found[:, square == 0] = [[0.0], [np.inf]]
     never = np.isnan(found[0]) | (found[1] <= 0)
     return np.where(never, np.inf, np.maximum(found[0], 0)), np.where(never, 0.0, found[1])
-
-
-def burns(problem: Problem, manoeuvre: Manoeuvre) -> Burns:
-    """The bursts of a manoeuvre."""
-    largest = max(manoeuvre.inertia)
-
-    def momentum(spin: tuple) -> np.ndarray:
-        return np.array(
-            [float(c * w / largest) for c, w in zip(manoeuvre.inertia, spin, strict=True)]
-        )
-
-    rate, impulse = manoeuvre.limits.max_rate, manoeuvre.limits.max_impulse
-    return Burns(
-        problem,
-        momentum(manoeuvre.start_spin),
-        momentum(manoeuvre.target_spin),
-        np.inf if rate is None else float(rate),
-        np.inf if impulse is None else float(impulse / largest),
-    )

@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from rigidsym.manoeuvre import one_parameter_families as rings
-from rigidsym.manoeuvre.bursts import Burns
+from rigidsym.manoeuvre import one_parameter_families
+from rigidsym.manoeuvre.bursts import Bursts
 from rigidsym.manoeuvre.families import families, least
 
 _GROWTH = 1.5
 _ROUNDING = 1e-12
 
 
-def cheapest(bursts: Burns, duration: float, count: int) -> np.ndarray:
+def cheapest(bursts: Bursts, duration: float, count: int) -> np.ndarray:
     """The cheapest motions within the limits, rates (N, 3), N at most `count`.
 
     From rest to rest a motion costs twice its momentum (facts manoeuvre.first_burst,
@@ -22,8 +22,8 @@ def cheapest(bursts: Burns, duration: float, count: int) -> np.ndarray:
     bound = min(least(bursts.problem) + spins, most)
     while True:
         known = families(bursts.problem, bound)
-        if rings.matter(bursts):
-            known = rings.cheapest(bursts, known, duration)
+        if one_parameter_families.matter(bursts):
+            known = one_parameter_families.cheapest(bursts, known, duration)
         allowed = known[bursts.allowed(known, duration)]
         costs = bursts.sizes(allowed, duration).sum(axis=1)
         order = np.argsort(costs, kind="stable")[:count]

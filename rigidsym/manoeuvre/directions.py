@@ -61,7 +61,8 @@ def arcs(problem: Problem) -> Arcs:
 
 
 def is_symmetry(problem: Problem) -> bool:
-    """Whether the turn leaves the inertia as it is, so that motions come in rings of equal cost.
+    """Whether the turn leaves the inertia as it is, so that motions come in one-parameter
+    families of equal cost.
 
     Facts manoeuvre.symmetry, ring.euler.
     """

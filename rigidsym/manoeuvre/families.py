@@ -31,7 +31,7 @@ def least(problem: Problem) -> float:
 def families(problem: Problem, bound: float) -> np.ndarray:
     """All rates (N, 3) that arrive with a momentum up to `bound`, by momentum.
 
-    Of a ring of motions of equal cost, which a turn that is a symmetry of the body has, it is one.
+    Of a one-parameter family, which a turn that is a symmetry of the body has, it is one motion.
     Raises TooManyError where there are more than can be looked at.
     """
     near = np.concatenate([_spins(problem, bound), starts(problem, bound)])
@@ -60,7 +60,7 @@ def _refined(problem: Problem, near: np.ndarray) -> tuple[np.ndarray, np.ndarray
 
 
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Those that arrive, each once, by momentum; of motions of a ring, one."""
+    """Those that arrive, each once, by momentum; of a one-parameter family, one."""
     # Of those that are the same the one that arrives best stays.
     order = np.argsort(angles, kind="stable")
     rates = rates[order][_arrive(problem, rates[order], angles[order])]

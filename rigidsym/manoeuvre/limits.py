@@ -9,8 +9,8 @@ from typing import NoReturn
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre import one_parameter_families as rings
-from rigidsym.manoeuvre.bursts import Burns
+from rigidsym.manoeuvre import one_parameter_families
+from rigidsym.manoeuvre.bursts import Bursts
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.families import families, least
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
@@ -25,7 +25,7 @@ _LARGEST = 30.0
 _SHOWN = Context(prec=6, rounding=ROUND_UP)
 
 
-def shortest(bursts: Burns, asked: Manoeuvre) -> Fraction:
+def shortest(bursts: Bursts, asked: Manoeuvre) -> Fraction:
     """The shortest duration in s that the limits allow; raises InputError where none does."""
     found = _shortest(bursts)
     if found == 0:
@@ -36,7 +36,7 @@ def shortest(bursts: Burns, asked: Manoeuvre) -> Fraction:
     return Fraction(found * (1 + _ROOM))
 
 
-def refuse(bursts: Burns, asked: Manoeuvre) -> NoReturn:
+def refuse(bursts: Bursts, asked: Manoeuvre) -> NoReturn:
     """Raise InputError: which limit binds in the duration, and which duration would do."""
     duration = float(asked.duration or 0)
     found = _shortest(bursts)
@@ -48,13 +48,13 @@ def refuse(bursts: Burns, asked: Manoeuvre) -> NoReturn:
 
 
 def _refuse(
-    bursts: Burns, asked: Manoeuvre, can_be_kept: Callable[[Burns], bool], rule: str
+    bursts: Bursts, asked: Manoeuvre, can_be_kept: Callable[[Bursts], bool], rule: str
 ) -> NoReturn:
     """Raise InputError about the limits that cannot be kept even alone, or about both."""
     limits = asked.limits
     alone = {
         "max_rate": (limits.max_rate, replace(bursts, max_burst=np.inf)),
-        "max_impulse": (limits.max_impulse, replace(bursts, max_rate=np.inf)),
+        "max_burst": (limits.max_burst, replace(bursts, max_rate=np.inf)),
     }
     there = {name: (value, one) for name, (value, one) in alone.items() if value is not None}
     binding = [name for name, (_, one) in there.items() if not can_be_kept(one)] or [*there]
@@ -62,13 +62,13 @@ def _refuse(
     raise InputError(" and ".join(binding), values, rule)
 
 
-def _shortest(bursts: Burns) -> float:
+def _shortest(bursts: Bursts) -> float:
     """The shortest duration, s: motions of larger momentum than those looked at need longer."""
     bound = least(bursts.problem)
     while True:
         known = families(bursts.problem, bound)
-        if rings.matter(bursts):
-            known = rings.least(bursts, known, bursts.shortest)
+        if one_parameter_families.matter(bursts):
+            known = one_parameter_families.least(bursts, known, bursts.shortest)
         found = float(np.min(bursts.shortest(known), initial=np.inf))
         if found <= bound / bursts.most(1.0) * (1 + _ROOM) or bound > _LARGEST:
             return found

@@ -25,7 +25,7 @@ class Limits:
 
     max_rate: Fraction | None = None
     "Of the body rates at any time of the motion, |omega|, rad/s."
-    max_impulse: Fraction | None = None
+    max_burst: Fraction | None = None
     "Of either burst, the change of the momentum that it makes, N m s."
 
 
@@ -58,7 +58,7 @@ class Manoeuvre:
         data: dict[str, Any] = {name: _texts(getattr(self, name)) for name in _NEEDED}
         data["duration"] = None if self.duration is None else inputs.exact_text(self.duration)
         data["spin"] = {"start": _texts(self.start_spin), "target": _texts(self.target_spin)}
-        given = {"max_rate": self.limits.max_rate, "max_impulse": self.limits.max_impulse}
+        given = {"max_rate": self.limits.max_rate, "max_burst": self.limits.max_burst}
         data["limits"] = {
             k: inputs.exact_text(value) for k, value in given.items() if value is not None
         }
@@ -78,12 +78,12 @@ def manoeuvre(
     start_spin: Any = REST,
     target_spin: Any = REST,
     max_rate: Any = None,
-    max_impulse: Any = None,
+    max_burst: Any = None,
 ) -> Manoeuvre:
     """A manoeuvre from numbers as users give them; raises InputError for the first bad one."""
-    given = {"max_rate": max_rate, "max_impulse": max_impulse, "duration": duration}
+    given = {"max_rate": max_rate, "max_burst": max_burst, "duration": duration}
     exact = {name: None if x is None else above_zero(name, x) for name, x in given.items()}
-    length, limits = exact["duration"], Limits(exact["max_rate"], exact["max_impulse"])
+    length, limits = exact["duration"], Limits(exact["max_rate"], exact["max_burst"])
     if length is None and limits == Limits():
         raise InputError("duration", "missing", "give one, or a limit that decides it")
     return Manoeuvre(
@@ -132,7 +132,7 @@ def parse(tables: Mapping[str, Any], others: frozenset[str] = frozenset()) -> Ma
     """A manoeuvre from the tables of a file; numbers may be floats or strings of decimals."""
     toml_file.check_keys("manoeuvre", tables, _OWN | others, _NEEDED)
     spin = _table(tables, "spin", {"start", "target"})
-    limits = _table(tables, "limits", {"max_rate", "max_impulse"})
+    limits = _table(tables, "limits", {"max_rate", "max_burst"})
     return manoeuvre(
         *(tables[key] for key in _NEEDED),
         tables.get("duration"),

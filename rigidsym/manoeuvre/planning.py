@@ -10,7 +10,7 @@ import numpy as np
 from rigidsym import engines, inputs
 from rigidsym.errors import InputError, PrecisionError
 from rigidsym.io.files import remove, write_text
-from rigidsym.manoeuvre.bursts import burns
+from rigidsym.manoeuvre.bursts import Bursts
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
 from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
@@ -120,7 +120,7 @@ def plan(
     start_spin: Any = REST,
     target_spin: Any = REST,
     max_rate: Any = None,
-    max_impulse: Any = None,
+    max_burst: Any = None,
     families: int = 1,
     engine: str = "c",
 ) -> Plan:
@@ -129,7 +129,7 @@ def plan(
     inertia (3,): principal moments, kg m^2.  start, target (4,): quaternions, scalar first, body
     to inertial; either sign of the target is reached.  duration: s; None for the shortest that the
     limits allow.  start_spin, target_spin (3,): body rates before and after, rad/s.  max_rate:
-    of |omega| on the way, rad/s.  max_impulse: of either burst, N m s.  families: how many
+    of |omega| on the way, rad/s.  max_burst: of either burst, N m s.  families: how many
     transfers to give, the cheapest first; there are infinitely many.  engine: as for
     `TorqueFreeMotion`.
 
@@ -151,7 +151,7 @@ def plan(
         start_spin=start_spin,
         target_spin=target_spin,
         max_rate=max_rate,
-        max_impulse=max_impulse,
+        max_burst=max_burst,
     )
     return solve(asked, families, engine)
 
@@ -167,7 +167,7 @@ def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
 
 def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
     posed = problem(asked.inertia, asked.start, asked.target, engines.engine(engine))
-    bursts = burns(posed, asked)
+    bursts = Bursts.of(posed, asked)
     duration = shortest(bursts, asked) if asked.duration is None else asked.duration
     asked = replace(asked, duration=duration)
     chosen = cheapest(bursts, float(duration), count)

@@ -13,7 +13,7 @@ _ROUNDS = 12
 _ROUNDING, _LEAST = 3e-15, 3e-16
 # States are right to some 1e-16, be turns as small as they may.
 _SMALLEST = 1e-3
-# Where motions come in rings the derivatives have rank two.
+# Where motions come in one-parameter families the derivatives have rank two.
 _SINGULAR = 1e-9
 _LONGEST = 0.3
 _TOLERANCES = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15}

@@ -21,7 +21,7 @@ def asked(body, turn, limits, spin, duration=None, families=1):
     rate, impulse = limits
     # Of the largest moment, so that every body can turn.
     impulse = None if impulse is None else impulse * max(body) / 0.0506
-    given = {"max_rate": rate, "max_impulse": impulse, "start_spin": spin, "target_spin": spin}
+    given = {"max_rate": rate, "max_burst": impulse, "start_spin": spin, "target_spin": spin}
     return plan(body, START, turn, duration, **given, families=families), rate, impulse
 
 
@@ -50,8 +50,8 @@ def test_the_shortest_duration_keeps_to_the_limits_and_a_shorter_one_does_not(
 
 
 def test_both_limits_are_named_where_both_bind():
-    with pytest.raises(InputError, match=r"^max_rate and max_impulse = 0\.001, 1e-05: no natural"):
-        plan(BODIES[0], START, TURNS[0], 1, max_rate=1e-3, max_impulse=1e-5)
+    with pytest.raises(InputError, match=r"^max_rate and max_burst = 0\.001, 1e-05: no natural"):
+        plan(BODIES[0], START, TURNS[0], 1, max_rate=1e-3, max_burst=1e-5)
 
 
 def test_all_families_keep_to_the_limits():
@@ -67,16 +67,16 @@ def test_all_families_keep_to_the_limits():
 
 def test_spins_beyond_a_limit_have_no_duration():
     with pytest.raises(InputError, match="found no natural motion that keeps to it"):
-        plan(BODIES[0], START, TURNS[0], max_impulse=1e-6, start_spin=(0.1, 0.05, 0.02))
+        plan(BODIES[0], START, TURNS[0], max_burst=1e-6, start_spin=(0.1, 0.05, 0.02))
 
 
 def test_limits_that_only_together_cannot_be_kept_are_both_named():
     turn = (np.cos(np.pi / 3), 0, 0, np.sin(np.pi / 3))
     spins = {"start_spin": (0, 0, 0.1), "target_spin": (0, 0, 0.1)}
-    for one in ({"max_impulse": 1e-3}, {"max_rate": 0.05}):
+    for one in ({"max_burst": 1e-3}, {"max_rate": 0.05}):
         assert plan(BODIES[0], START, turn, **one, **spins).best.residual <= 1e-12
-    with pytest.raises(InputError, match=r"^max_rate and max_impulse = 0\.05, 0\.001: found no"):
-        plan(BODIES[0], START, turn, max_impulse=1e-3, max_rate=0.05, **spins)
+    with pytest.raises(InputError, match=r"^max_rate and max_burst = 0\.05, 0\.001: found no"):
+        plan(BODIES[0], START, turn, max_burst=1e-3, max_rate=0.05, **spins)
 
 
 def test_what_takes_no_time_is_refused_without_a_duration():

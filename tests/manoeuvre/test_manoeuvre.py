@@ -35,8 +35,8 @@ REFUSED = [
     ({"spin": {"start": [0, 0]}}, "spin.start = .*: must have 3 numbers, not 2"),
     ({"spin": {"target": ["1e61", 0, 0]}}, "spin.target = .*: must not be beyond 1e60"),
     ({"limits": {"max_rate": 0}}, "max_rate = 0: must be above zero"),
-    ({"limits": {"max_impulse": "1e61"}}, "max_impulse = .*: must be from 1e-60 to 1e60"),
-    ({"limits": {"max_torque": 1}}, "limits = max_torque: is not one of: max_impulse, max_rate"),
+    ({"limits": {"max_burst": "1e61"}}, "max_burst = .*: must be from 1e-60 to 1e60"),
+    ({"limits": {"max_torque": 1}}, "limits = max_torque: is not one of: max_burst, max_rate"),
 ]
 
 
@@ -49,7 +49,7 @@ def test_numbers_mean_exactly_what_they_say():
 
 
 def test_the_data_of_a_manoeuvre_parse_to_the_same():
-    asked = parse(GIVEN | {"limits": {"max_impulse": 0.1}, "spin": {"target": [0.1, "1/3", 0]}})
+    asked = parse(GIVEN | {"limits": {"max_burst": 0.1}, "spin": {"target": [0.1, "1/3", 0]}})
     assert parse(asked.to_data()) == asked
 
 

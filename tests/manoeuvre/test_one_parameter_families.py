@@ -69,7 +69,7 @@ def test_a_ring_has_motions_that_keep_a_limit_when_its_cheapest_does_not():
     given = {"start_spin": (5.0, 1.0, 4.5), "target_spin": (5.0, -2.0, -3.0)}
     free = plan((1, 2, 2.5), START, HALF[1], 1, **given).best
     most = float(np.linalg.norm(free.bursts, axis=1).max()) * 0.99
-    limited = plan((1, 2, 2.5), START, HALF[1], 1, **given, max_impulse=most).best
+    limited = plan((1, 2, 2.5), START, HALF[1], 1, **given, max_burst=most).best
     assert limited.cost > free.cost
     assert limited.momentum == pytest.approx(free.momentum, rel=1e-6)
     assert np.linalg.norm(limited.bursts, axis=1).max() <= most * (1 + 1e-11)

@@ -74,7 +74,7 @@ def test_nothing_to_do_is_said(short, capsys):
         (SHORT.replace("duration = 20", "duration = nan"), "duration = nan: must be finite"),
         (SHORT.replace("0.9", "inf"), "target[0] = inf: must be finite"),
         (SHORT + "[limits]\nmax_rate = 1e-3", "max_rate = 0.001: no natural motion of 20 s keeps"),
-        (SHORT + "[limits]\nmax_rate = '1'\nx = 1", "limits = x: is not one of: max_impulse,"),
+        (SHORT + "[limits]\nmax_rate = '1'\nx = 1", "limits = x: is not one of: max_burst,"),
         (SHORT + "spin = 3", "spin = 3: must be a table of start, target"),
         ("inertia = [", "manoeuvre = the file: is not TOML"),
     ],

@@ -19,7 +19,7 @@ _KEYS = {
     "target": "the same; either sign of it is reached",
     "duration": "of the natural motion, s; without it the shortest that the limits allow",
     "spin": "optional: body rates before (`start`) and after (`target`), rad/s",
-    "limits": "optional: `max_rate` of |omega| on the way, rad/s, and `max_impulse` of either "
+    "limits": "optional: `max_rate` of |omega| on the way, rad/s, and `max_burst` of either "
     "burst, N m s",
     "orbit": "circular: altitude, angles, and the instant of t = 0",
     "wheels": "three, along the principal axes: what each can do, and what it stores at t = 0",
@@ -66,7 +66,7 @@ def _track() -> Any:
 
 
 _ASKED = "what was asked for, as in the file, numbers exact"
-_LIMITS = "`max_rate`, rad/s, and `max_impulse`, N m s, where they are given"
+_LIMITS = "`max_rate`, rad/s, and `max_burst`, N m s, where they are given"
 FORMATS = (
     Format(
         planning.SCHEMA,

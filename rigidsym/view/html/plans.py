@@ -17,7 +17,7 @@ _ASKED = (
     ("start_spin", r"\Omega(0^-)", RATE),
     ("target_spin", r"\Omega(T^+)", RATE),
 )
-_LIMITS = (("max_rate", RATE), ("max_impulse", MOMENTUM))
+_LIMITS = (("max_rate", RATE), ("max_burst", MOMENTUM))
 _ROUNDING = 1e-12
 
 

@@ -33,12 +33,12 @@ def test_a_plan_shows_what_was_asked_and_all_transfers():
 
 
 def test_limits_and_spins_are_shown_where_they_are_given():
-    found = planned(max_rate="0.3", max_impulse="0.01", target_spin=(0, 0, "0.01"))
+    found = planned(max_rate="0.3", max_burst="0.01", target_spin=(0, 0, "0.01"))
     shown = well_formed(found._repr_html_())
     assert r"\Omega(T^+) = (0,\ 0,\ 0.01)" in shown
     assert "start_spin" not in shown
     assert "max_rate" in shown
-    assert "max_impulse" in shown
+    assert "max_burst" in shown
 
 
 def test_a_transfer_shows_its_bursts_and_its_residual():
