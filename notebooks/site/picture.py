@@ -23,8 +23,9 @@ from rigidsym.io.files import write_text
 from rigidsym.quaternions import rotated
 from rigidsym.solution.polhode import Regime
 from rigidsym.validate.peers import peer
-from rigidsym.view.geometry import moments, momentum, polhode, regime_colour, separatrix
+from rigidsym.view.geometry import moments, momentum, polhode, separatrix
 from rigidsym.view.plots.motion import AXES, SCALAR
+from rigidsym.view.regimes import REGIMES
 from rigidsym.view.scenes.body import edges
 from rigidsym.view.scenes.sphere import members
 
@@ -74,14 +75,14 @@ def _sphere(axes: Any, motion: TorqueFreeMotion) -> None:
     for k in range(3):
         _axis(axes, k)
     for other in members(motion, size, 5):
-        _curve(axes, _track(other, size), regime_colour(other.regime), 1.0)
+        _curve(axes, _track(other, size), REGIMES[other.regime], 1.0)
     for circle in separatrix(motion.exact["inertia"], 1.0):
-        _curve(axes, circle, regime_colour(Regime.SEPARATRIX), 1.6)
-    colour, start = regime_colour(motion.regime), BODY @ momentum(motion) / size
+        _curve(axes, circle, REGIMES[Regime.SEPARATRIX], 1.6)
+    colour, start = REGIMES[motion.regime], BODY @ momentum(motion) / size
     _curve(axes, _track(motion, size), colour, 3.6)
     axes.plot(*start[:2], "o", color=colour, markersize=8, markeredgecolor="white")
     for regime in (Regime.LARGEST, Regime.SMALLEST, Regime.SEPARATRIX):
-        axes.plot([], [], color=regime_colour(regime), label=str(regime))
+        axes.plot([], [], color=REGIMES[regime], label=str(regime))
     axes.plot([], [], "o-", color=colour, linewidth=3.6, label="the paper's spacecraft, from t = 0")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, 0.03), frameon=False)
     axes.set(aspect="equal", xlim=(-1.08, 1.2), ylim=(-1.04, 1.25), anchor="C")

@@ -31,7 +31,7 @@ def matter(bursts: Bursts) -> bool:
 
 
 def cheapest(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
-    """Of the family of each motion, rates (N, 3), the one within the limits whose bursts cost least.
+    """Of the family of each motion, rates (N, 3), the cheapest one within the limits.
 
     Where none is within them, the one that is nearest to the limits.
     """

@@ -7,7 +7,6 @@ from itertools import product
 
 import numpy as np
 
-from rigidsym.solution.polhode import Regime
 from rigidsym.view.protocols import Motion
 from rigidsym.view.times import once
 
@@ -96,18 +95,6 @@ def members(motion: Motion, size: float, count: int) -> Iterator[Motion]:
         if axis != edge:
             omega = (start / moments(motion)).tolist()
             yield motion.replace(omega0=omega)
-
-
-def regime_colour(regime: Regime) -> str:
-    """The colour of a regime, seen on light and on dark."""
-    return {
-        Regime.LARGEST: "#1f83c4",
-        Regime.SMALLEST: "#e0682a",
-        Regime.SEPARATRIX: "#c0399f",
-        Regime.SYMMETRIC: "#139a6f",
-        Regime.SPIN: "#b58a00",
-        Regime.SPHERICAL: "#b58a00",
-    }.get(regime, "#7f8c9b")
 
 
 def rounded(values: np.ndarray) -> np.ndarray:

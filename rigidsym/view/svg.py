@@ -7,10 +7,9 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from rigidsym.view.palette import SERIES
+
 WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 760, 250, 70, 90, 28, 42
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000")
-# The same hues on a dark ground.
-COLOURS_ON_DARK = ("#56b4e9", "#f0894a", "#2cc295", "#e6a3c7", "#d9b84a")
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +65,7 @@ def _panel(panel: Panel, offset: int) -> str:
     parts.append(_text(16, middle, panel.y_label, "middle", turned))
     for k, (name, line) in enumerate(lines.items()):
         points = " ".join(f"{x_of(x):.2f},{y_of(y):.2f}" for x, y in line)
-        colour = COLOURS[k % len(COLOURS)]
+        colour = SERIES[k % len(SERIES)]
         parts.append(
             f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
         )

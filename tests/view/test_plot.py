@@ -24,7 +24,7 @@ def test_every_regime_is_drawn(name):
     assert figure.get_suptitle() == str(motion.regime)
     t = rates.lines[0].get_xdata()
     q, omega = motion(t)
-    assert [line.get_label() for line in rates.lines] == [rf"$ω_{k}$" for k in (1, 2, 3)]
+    assert [line.get_label() for line in rates.lines] == ["Ω₁", "Ω₂", "Ω₃"]
     assert [line.get_label() for line in attitude.lines] == [rf"$q_{k}$" for k in range(4)]
     assert np.array_equal(np.stack([line.get_ydata() for line in rates.lines], 1), omega)
     assert np.array_equal(np.stack([line.get_ydata() for line in attitude.lines], 1), q)

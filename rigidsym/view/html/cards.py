@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 from rigidsym.view.html.markup import Markup, join, tag
+from rigidsym.view.palette import BAD, FAIR, GOOD, OPEN
 
-GOOD, FAIR, BAD, OPEN = "#0a9e73", "#d29a00", "#e0552b", "#7f8c9b"
 TINTS = {
     "PROVED": GOOD,
     "ENCLOSED": FAIR,

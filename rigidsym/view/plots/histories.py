@@ -9,17 +9,16 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rigidsym.errors import require
+from rigidsym.view.labels import TIME_AXIS
+from rigidsym.view.palette import AXES
 from rigidsym.view.plots import figure as flat
 from rigidsym.view.plots.figure import defaults
-from rigidsym.view.plots.motion import AXES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 require("drawing", "matplotlib")
 
-# Of a scalar part, beside the colours of the axes 1, 2, 3.
-SCALAR = "#555555"
 FLOWN: dict[str, Any] = {"linewidth": 2.0}
 WANTED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
 
@@ -29,7 +28,7 @@ def blank(height: float = 4.2) -> tuple["Figure", Any]:
     """A figure that shows itself in a notebook, and its axes over time."""
     figure = flat.blank("drawing", 8.0, height)
     axes = figure.add_subplot()
-    axes.set_xlabel("time (s)")
+    axes.set_xlabel(TIME_AXIS)
     # What happens at the first time is not hidden by the axis.
     axes.margins(x=0.01)
     axes.locator_params(axis="x", nbins=10, steps=[1, 2, 5, 10])

@@ -10,11 +10,13 @@ from rigidsym.view.geometry import (
     moments,
     momentum,
     polhode,
-    regime_colour,
     separatrix,
 )
+from rigidsym.view.labels import ATTITUDE, ATTITUDE_AXIS, MOMENTUM, RATES, RATES_AXIS, TIME_AXIS
+from rigidsym.view.palette import AXES, SCALAR
 from rigidsym.view.plots.figure import blank
 from rigidsym.view.protocols import Motion
+from rigidsym.view.regimes import REGIMES
 from rigidsym.view.times import chosen
 
 if TYPE_CHECKING:
@@ -23,10 +25,6 @@ if TYPE_CHECKING:
 
 SAMPLES = 801
 AROUND = 401
-# Okabe and Ito's colours, told apart by all readers.
-AXES = ("#0072b2", "#d55e00", "#009e73")
-SCALAR = "#777777"
-SEPARATRIX = regime_colour(Regime.SEPARATRIX)
 
 
 def plot(motion: Motion, times: Any = None) -> "Figure":
@@ -37,10 +35,10 @@ def plot(motion: Motion, times: Any = None) -> "Figure":
     layout = figure.add_gridspec(2, 2, width_ratios=(1.25, 1))
     rates = figure.add_subplot(layout[0, 0])
     attitude = figure.add_subplot(layout[1, 0], sharex=rates)
-    _lines(rates, t, omega, "ω", "body rates ω (rad/s)", AXES, 1)
-    _lines(attitude, t, q, "q", "attitude q", (SCALAR, *AXES), 0)
+    _lines(rates, t, omega, RATES, RATES_AXIS, AXES)
+    _lines(attitude, t, q, ATTITUDE, ATTITUDE_AXIS, (SCALAR, *AXES))
     rates.tick_params(labelbottom=False)
-    attitude.set_xlabel("t (s)")
+    attitude.set_xlabel(TIME_AXIS)
     attitude.set_ylim(-1.08, 1.08)
     _sphere(figure.add_subplot(layout[:, 1], projection="3d"), motion, omega)
     figure.suptitle(str(motion.regime), fontsize=11)
@@ -51,13 +49,12 @@ def _lines(
     axes: Any,
     t: np.ndarray,
     values: np.ndarray,
-    letter: str,
+    names: tuple[str, ...],
     label: str,
     colours: tuple[str, ...],
-    first: int,
 ) -> None:
-    for k, (column, colour) in enumerate(zip(values.T, colours, strict=True), first):
-        axes.plot(t, column, color=colour, linewidth=1.4, label=f"${letter}_{k}$")
+    for column, name, colour in zip(values.T, names, colours, strict=True):
+        axes.plot(t, column, color=colour, linewidth=1.4, label=name)
     axes.set_ylabel(label)
     axes.margins(x=0)
     axes.grid(alpha=0.25)
@@ -73,7 +70,9 @@ def _sphere(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     for circle in great_circles(radius):
         axes.plot(*circle.T, color="#8888", linewidth=0.6)
     for circle in separatrix(motion.exact["inertia"], radius) if size else []:
-        (line,) = axes.plot(*circle.T, color=SEPARATRIX, linewidth=0.9, linestyle="--")
+        (line,) = axes.plot(
+            *circle.T, color=REGIMES[Regime.SEPARATRIX], linewidth=0.9, linestyle="--"
+        )
         line.set_label("separatrix")
     if size:
         _polhode(axes, motion, omega)
@@ -86,7 +85,7 @@ def _polhode(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     """All of the polhode thin, what is run through of it thick, and where that begins."""
     whole = moments(motion) * polhode(motion, AROUND)
     run = moments(motion) * omega
-    colour = regime_colour(motion.regime)
+    colour = REGIMES[motion.regime]
     axes.plot(*whole.T, color=colour, linewidth=1.0, alpha=0.55)
     axes.plot(*run.T, color=colour, linewidth=2.0, label="polhode")
     axes.plot(*run[:1].T, "o", color=colour, markersize=5, label="first time")
@@ -96,7 +95,7 @@ def _body_axes(axes: Any, radius: float) -> None:
     for k, colour in enumerate(AXES):
         tip = np.eye(3)[k] * radius * 1.25
         axes.plot(*zip(np.zeros(3), tip, strict=True), color=colour, linewidth=1.2)
-        axes.text(*(1.1 * tip), f"$M_{k + 1}$", color=colour, ha="center", va="center")
+        axes.text(*(1.1 * tip), MOMENTUM[k], color=colour, ha="center", va="center")
 
 
 def _dress(axes: Any, radius: float) -> None:

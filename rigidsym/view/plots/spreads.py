@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rigidsym.view.palette import BLUE, ORANGE
 from rigidsym.view.plots import histories
 
 if TYPE_CHECKING:
@@ -45,8 +46,8 @@ def _dots(axes: Any, rows: Mapping[str, Sequence[float]]) -> None:
     """A row for each name, the first on top; dots are spread a little, in the order of cases."""
     for place, values in enumerate(rows.values()):
         offsets = 0.5 * (np.arange(len(values)) + 0.5) / len(values) - 0.25
-        axes.plot(values, place + offsets, "o", color=histories.AXES[0], markersize=3, alpha=0.7)
-        axes.vlines(np.median(values), place - 0.35, place + 0.35, color=histories.AXES[1], lw=2)
+        axes.plot(values, place + offsets, "o", color=BLUE, markersize=3, alpha=0.7)
+        axes.vlines(np.median(values), place - 0.35, place + 0.35, color=ORANGE, lw=2)
     axes.set_yticks(range(len(rows)), [*rows], fontsize=9)
     axes.invert_yaxis()
     axes.grid(axis="x", alpha=0.25)

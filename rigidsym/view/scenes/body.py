@@ -6,10 +6,9 @@ import numpy as np
 
 from rigidsym.quaternions import rotated
 from rigidsym.view.geometry import moments, momentum
+from rigidsym.view.palette import AXES, GREY, SIDES
 from rigidsym.view.protocols import Motion
 from rigidsym.view.scenes.scene import (
-    AXIS_COLOURS,
-    GREY,
     dot,
     figure,
     line,
@@ -28,7 +27,6 @@ _CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1
 # Two triangles a side, sides in the order of the axes they lie across.
 _TRIANGLES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)]
 _TRIANGLES += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
-_SIDES = ("#1f83c4", "#7fb8de", "#e0682a", "#f0b28f", "#139a6f", "#86c9b2")
 
 
 def edges(inertia: np.ndarray) -> np.ndarray:
@@ -53,7 +51,7 @@ def tumbling_body(motion: Motion, times: Any = None) -> "Figure":
     size, axis = edges(moments(motion)), int(np.argmax(np.abs(momentum(motion))))
     tip = np.eye(3)[axis] * (0.5 * size[axis] + 0.3)
     frames = [_moving(go, attitude, size, tip, axis) for attitude in q]
-    trail = line(go, rotated(path, tip), f"path of axis {axis + 1}", AXIS_COLOURS[axis], 3)
+    trail = line(go, rotated(path, tip), f"path of axis {axis + 1}", AXES[axis], 3)
     fixed = [trail, *_momentum(go, motion)]
     half = 1.1 * max(float(np.linalg.norm(size)) / 2, float(np.max(tip)), 0.75)
     labels = [f"{k} (inertial)" for k in "xyz"]
@@ -72,12 +70,12 @@ def _moving(go: Any, q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int
         i=i,
         j=j,
         k=k,
-        facecolor=[colour for colour in _SIDES for _ in range(2)],
+        facecolor=[colour for colour in SIDES for _ in range(2)],
         flatshading=True,
         hoverinfo="skip",
         lighting={"ambient": 0.8, "diffuse": 0.35, "specular": 0.1},
     )
-    end, colour = rotated(q, tip), AXIS_COLOURS[axis]
+    end, colour = rotated(q, tip), AXES[axis]
     return [
         box,
         line(go, np.stack([0 * end, end]), f"axis {axis + 1}", colour, 6),

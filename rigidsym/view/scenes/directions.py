@@ -7,17 +7,16 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from rigidsym.view.geometry import moments, momentum, polhode, separatrix
+from rigidsym.view.labels import DIRECTION_AXES
+from rigidsym.view.palette import CONE, GREY, TRANSFERS
 from rigidsym.view.protocols import Motion
-from rigidsym.view.scenes.scene import GREY, body_axes, curves, dot, figure, line, plotly
+from rigidsym.view.scenes.scene import body_axes, curves, dot, figure, line, plotly
 from rigidsym.view.scenes.sphere import SEPARATRIX, globe
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
 AROUND, ON_THE_WAY = 121, 361
-CONE = "#c9a227"
-# Colours of transfers, told apart by all readers; more of them begin anew.
-COLOURS = ("#d62f5f", "#1f83c4", "#139a6f", "#e0682a", "#7a5cc4")
 
 
 class Transfer(Protocol):
@@ -50,10 +49,9 @@ def scene(
     if parts:
         traces.append(line(go, curves(parts), name, CONE, 7))
     for k, (called, transfer) in enumerate(transfers.items()):
-        traces += _transfer(go, transfer, called, COLOURS[k % len(COLOURS)])
+        traces += _transfer(go, transfer, called, TRANSFERS[k % len(TRANSFERS)])
     traces += body_axes(go, 1.15)
-    labels = [f"M{k}/|M|" for k in "₁₂₃"]
-    return figure(traces, title, labels, 1.15)
+    return figure(traces, title, DIRECTION_AXES, 1.15)
 
 
 def _transfer(go: Any, transfer: Transfer, name: str, colour: str) -> Iterator[Any]:

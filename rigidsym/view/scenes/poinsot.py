@@ -12,12 +12,13 @@ from rigidsym.view.geometry import (
     moments,
     momentum,
     polhode,
-    regime_colour,
     upright,
 )
+from rigidsym.view.labels import SPACE_RATES_AXES
+from rigidsym.view.palette import CONE, ELLIPSOID, GREY, MARK
 from rigidsym.view.protocols import Motion
+from rigidsym.view.regimes import REGIMES
 from rigidsym.view.scenes.scene import (
-    GREY,
     ball,
     curves,
     dot,
@@ -81,25 +82,24 @@ def rolling_ellipsoid(motion: Motion, times: Any = None) -> "Figure":
     path = rolling(motion, np.linspace(min(shown[0], 0.0), shown[-1], PATH))
     steps = rolling(motion, shown)
     frames = [_moving(go, motion, steps, k) for k in range(len(shown))]
-    fixed = _fixed(go, path, regime_colour(motion.regime))
+    fixed = _fixed(go, path, REGIMES[motion.regime])
     half = 1.08 * max(*steps.axes, float(np.abs(path.contact).max()))
-    labels = [f"ω in space, {k} (rad/s)" for k in "xyz"]
     title = f"Poinsot's ellipsoid: {motion.regime}"
-    whole = figure([*frames[0], *fixed], title, labels, half)
+    whole = figure([*frames[0], *fixed], title, SPACE_RATES_AXES, half)
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 
 def _moving(go: Any, motion: Motion, steps: Rolling, k: int) -> list[Any]:
     """What turns with the body: the ellipsoid, its main sections, the polhode; and the contact."""
-    q, colour = steps.q[k], regime_colour(motion.regime)
+    q, colour = steps.q[k], REGIMES[motion.regime]
     sections = curves([steps.axes * circle[::2] for circle in great_circles(1.0)])
     track = polhode(motion, AROUND)
     return [
-        skin(go, rotated(q, steps.axes * ball(*_MESH)), "#8fa3b8", 0.45),
+        skin(go, rotated(q, steps.axes * ball(*_MESH)), ELLIPSOID, 0.45),
         sketch(go, rotated(q, sections), "sections", GREY, 2, showlegend=False),
         line(go, rotated(q, track), "polhode", colour, 6),
         line(go, np.stack([0 * steps.contact[k], steps.contact[k]]), "ω", GREY, 4),
-        dot(go, steps.contact[k], "contact", "#d62f5f"),
+        dot(go, steps.contact[k], "contact", MARK),
     ]
 
 
@@ -110,6 +110,6 @@ def _fixed(go: Any, path: Rolling, colour: str) -> list[Any]:
     x, y = np.meshgrid(sides, sides)
     plane = np.stack([x, y, np.full_like(x, path.height)], axis=2)
     return [
-        skin(go, plane, "#c9a227", 0.28),
-        line(go, path.contact, "herpolhode", "#d62f5f", 4),
+        skin(go, plane, CONE, 0.28),
+        line(go, path.contact, "herpolhode", MARK, 4),
     ]

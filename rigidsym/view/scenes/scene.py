@@ -10,9 +10,8 @@ import numpy as np
 
 from rigidsym.errors import package
 from rigidsym.view.geometry import rounded
+from rigidsym.view.palette import AXES, FAINT, GREY, GRID
 
-GREY, GRID, FAINT = "#808080", "#a6a6a6", "rgba(128,128,128,0.25)"
-AXIS_COLOURS = ("#1f83c4", "#e0682a", "#139a6f")
 WIDTH, HEIGHT = 760, 620
 _FRAME_MS = 60
 
@@ -84,7 +83,7 @@ def body_axes(go: Any, length: float) -> list[Any]:
     tips = length * np.eye(3)
     return [
         line(go, np.stack([0 * tip, tip]), f"axis {k}", colour, 5, showlegend=False)
-        for k, (tip, colour) in enumerate(zip(tips, AXIS_COLOURS, strict=True), 1)
+        for k, (tip, colour) in enumerate(zip(tips, AXES, strict=True), 1)
     ]
 
 

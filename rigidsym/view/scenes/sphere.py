@@ -13,13 +13,13 @@ from rigidsym.view.geometry import (
     moments,
     momentum,
     polhode,
-    regime_colour,
     separatrix,
 )
+from rigidsym.view.labels import MOMENTUM_AXES
+from rigidsym.view.palette import GREY, GRID
 from rigidsym.view.protocols import Motion
+from rigidsym.view.regimes import REGIMES
 from rigidsym.view.scenes.scene import (
-    GREY,
-    GRID,
     ball,
     body_axes,
     curves,
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
 AROUND = 121
-SEPARATRIX = regime_colour(Regime.SEPARATRIX)
+SEPARATRIX = REGIMES[Regime.SEPARATRIX]
 
 
 def momentum_sphere(motion: Motion, family: int = 5) -> "Figure":
@@ -54,9 +54,8 @@ def momentum_sphere(motion: Motion, family: int = 5) -> "Figure":
     if circles:
         traces.append(line(go, curves(circles), "separatrix", SEPARATRIX, 5))
     traces += [*_own(go, motion), *body_axes(go, 1.15 * size)]
-    labels = [f"M{k} (kg m²/s)" for k in "₁₂₃"]
     title = f"Momentum sphere, |M| = {size:.4g} kg m²/s"
-    return figure(traces, title, labels, 1.15 * size)
+    return figure(traces, title, MOMENTUM_AXES, 1.15 * size)
 
 
 def globe(go: Any, radius: float) -> list[Any]:
@@ -71,12 +70,12 @@ def _family(go: Any, motion: Motion, size: float, count: int) -> Iterator[Any]:
     for other in members(motion, size, count):
         found.setdefault(other.regime, []).append(moments(motion) * polhode(other, AROUND))
     for regime, parts in found.items():
-        yield line(go, curves(parts), str(regime), regime_colour(regime), 2.5)
+        yield line(go, curves(parts), str(regime), REGIMES[regime], 2.5)
 
 
 def _own(go: Any, motion: Motion) -> Iterator[Any]:
     """The polhode of the motion itself, and where it begins."""
-    colour = regime_colour(motion.regime)
+    colour = REGIMES[motion.regime]
     if not motion.regime.steady:
         points = moments(motion) * polhode(motion, 2 * AROUND - 1)
         yield line(go, points, "this motion", colour, 8)

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from rigidsym.errors import package
+from rigidsym.view.palette import GREY
 
 SIZE, DPI = (6.6, 5.4), 90
-GREY = "#808080"
 # plotly's widths are in pixels, matplotlib's in points; on a smaller picture lines are thinner.
 _THINNER = 0.4
 

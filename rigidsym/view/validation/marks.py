@@ -3,8 +3,8 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rigidsym.view import svg as plot
 from rigidsym.view.html.markup import Markup, join, tag
+from rigidsym.view.palette import SERIES, SERIES_ON_DARK
 
 RADIUS = 4.0
 # Corners around the centre, in radii; none for a circle.
@@ -21,7 +21,7 @@ SHAPES: tuple[Sequence[tuple[float, float]], ...] = (
 
 def colour(k: int) -> str:
     """The class of what is drawn in the colour of contestant k."""
-    return f"c{k % len(plot.COLOURS)}"
+    return f"c{k % len(SERIES)}"
 
 
 def mark(k: int, x: float, y: float, title: str) -> Markup:
@@ -36,7 +36,7 @@ def legend(contestants: Sequence[Mapping[str, Any]]) -> Markup:
 
 def palette() -> str:
     """The colours as a style sheet, on light and on dark ground."""
-    light, dark = (_rules(colours) for colours in (plot.COLOURS, plot.COLOURS_ON_DARK))
+    light, dark = (_rules(colours) for colours in (SERIES, SERIES_ON_DARK))
     return f"{light}\n@media screen and (prefers-color-scheme: dark) {{\n{dark}\n}}"
 
 

@@ -1,0 +1,33 @@
+"""One palette for everything that is drawn: every colour, by what it stands for.
+
+Colours of data are seen on light and on dark ground, and are told apart by all readers (after Okabe
+and Ito).
+"""
+
+BLUE, ORANGE, GREEN, RED, VIOLET = "#1f83c4", "#e0682a", "#139a6f", "#d62f5f", "#7a5cc4"
+GOLD, MAGENTA = "#b58a00", "#c0399f"
+GREY, GRID, FAINT, OPEN = "#808080", "#a6a6a6", "rgba(128,128,128,0.25)", "#7f8c9b"
+
+AXES = (BLUE, ORANGE, GREEN)
+"The axes 1, 2, 3, and components along them."
+SCALAR = GREY
+"A scalar part, beside the axes."
+SIDES = (BLUE, "#7fb8de", ORANGE, "#f0b28f", GREEN, "#86c9b2")
+"The two ends of each axis of a body."
+CONE, MARK = "#c9a227", RED
+"Where something has to lie, and a point that is looked at."
+ELLIPSOID = "#8fa3b8"
+TRANSFERS = (RED, BLUE, GREEN, ORANGE, VIOLET)
+"Several of one kind; more of them begin anew."
+DISTURBANCES = {
+    "drag": BLUE,
+    "gravity_gradient": GREEN,
+    "radiation": GOLD,
+    "dipole": MAGENTA,
+}
+GOOD, FAIR, BAD = "#0a9e73", "#d29a00", "#e0552b"
+"Verdicts."
+SERIES = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000")
+"Curves of a report, on white."
+SERIES_ON_DARK = ("#56b4e9", "#f0894a", "#2cc295", "#e6a3c7", "#d9b84a")
+"The same hues on a dark ground."
