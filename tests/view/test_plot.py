@@ -17,15 +17,15 @@ def test_every_regime_is_drawn(name):
     motion = MOTIONS[name]
     figure = motion.plot()
     rates, attitude, sphere = figure.axes
-    assert rates.get_ylabel() == "body rates ω (rad/s)"
-    assert attitude.get_ylabel() == "attitude q"
+    assert rates.get_ylabel() == "body rates Ω (rad/s)"
+    assert attitude.get_ylabel() == "attitude q, body to inertial"
     assert attitude.get_xlabel() == "t (s)"
     assert "kg m²/s" in sphere.get_title()
     assert figure.get_suptitle() == str(motion.regime)
     t = rates.lines[0].get_xdata()
     q, omega = motion(t)
     assert [line.get_label() for line in rates.lines] == ["Ω₁", "Ω₂", "Ω₃"]
-    assert [line.get_label() for line in attitude.lines] == [rf"$q_{k}$" for k in range(4)]
+    assert [line.get_label() for line in attitude.lines] == ["q₀", "q₁", "q₂", "q₃"]
     assert np.array_equal(np.stack([line.get_ydata() for line in rates.lines], 1), omega)
     assert np.array_equal(np.stack([line.get_ydata() for line in attitude.lines], 1), q)
 

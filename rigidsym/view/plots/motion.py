@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 SAMPLES = 801
 AROUND = 401
+SEPARATRIX = REGIMES[Regime.SEPARATRIX]
 
 
 def plot(motion: Motion, times: Any = None) -> "Figure":
@@ -70,9 +71,7 @@ def _sphere(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     for circle in great_circles(radius):
         axes.plot(*circle.T, color="#8888", linewidth=0.6)
     for circle in separatrix(motion.exact["inertia"], radius) if size else []:
-        (line,) = axes.plot(
-            *circle.T, color=REGIMES[Regime.SEPARATRIX], linewidth=0.9, linestyle="--"
-        )
+        (line,) = axes.plot(*circle.T, color=SEPARATRIX, linewidth=0.9, linestyle="--")
         line.set_label("separatrix")
     if size:
         _polhode(axes, motion, omega)
