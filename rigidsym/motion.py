@@ -16,11 +16,10 @@ from rigidsym.engines import batches
 from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.solution.polhode import Regime
+    from rigidsym.view.plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))

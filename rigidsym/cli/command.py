@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from rigidsym._version import __version__
 from rigidsym.cli import code, manoeuvres, proofs, reproduction, states, validation
 from rigidsym.cli.arguments import Parser
 from rigidsym.cli.output import BARS, discard_output, prepare_output
@@ -44,7 +45,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def parser() -> argparse.ArgumentParser:
     """All commands and their arguments."""
     whole = Parser(prog="rigidsym", description="Exact torque-free motion of a rigid body.")
-    whole.add_argument("--version", action="version", version=f"%(prog)s {_version()}")
+    whole.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def command(name: str, run: Callable[[Any], int], summary: str) -> argparse.ArgumentParser:
@@ -55,9 +56,3 @@ def parser() -> argparse.ArgumentParser:
     for group in _GROUPS:
         group.add(command)
     return whole
-
-
-def _version() -> str:
-    import rigidsym
-
-    return rigidsym.__version__

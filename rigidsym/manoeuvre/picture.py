@@ -11,7 +11,7 @@ from rigidsym.manoeuvre.problem import problem
 from rigidsym.view.scenes.directions import scene
 
 if TYPE_CHECKING:
-    from plotly.graph_objects import Figure
+    from rigidsym.view.scenes.scene import Figure
 
 AN_ARC = 49
 

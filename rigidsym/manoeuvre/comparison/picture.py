@@ -9,7 +9,7 @@ from rigidsym.manoeuvre.comparison.statistics import least
 from rigidsym.view.plots.spreads import Panel, spreads
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from rigidsym.view.plots.figure import Figure
 
 _SHOWN = Task(Model.THRUSTERS, Cost.FUEL)
 

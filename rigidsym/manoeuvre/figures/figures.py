@@ -17,7 +17,7 @@ from rigidsym.view.plots import flights as pictures
 from rigidsym.view.plots import histories as drawing
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from rigidsym.view.plots.figure import Figure
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rigidsym.errors import package
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Figure
 
 
 @contextmanager

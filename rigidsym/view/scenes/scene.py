@@ -4,13 +4,16 @@ Colours other than those of the data are grey and see-through, for light and for
 """
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rigidsym.errors import package
 from rigidsym.view.geometry import rounded
 from rigidsym.view.palette import AXES, FAINT, GREY, GRID
+
+if TYPE_CHECKING:
+    from plotly.graph_objects import Figure as Figure
 
 WIDTH, HEIGHT = 760, 620
 _FRAME_MS = 60

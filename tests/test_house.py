@@ -1,0 +1,117 @@
+"""Imports run downwards only, in no circle, and the two wings meet in the ledger alone."""
+
+import pytest
+from house import circle, imported, imports, modules, room
+
+GRAPH = imports()
+# What each part of the house may import, itself and `_version` aside; the longest name that fits a
+# module counts.  Names are of folders, with all that is in them, and of modules.
+FOUNDATION = "errors language quaternions"
+NUMBERS = f"{FOUNDATION} inputs solution precise"
+ALLOWED = {
+    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode",
+    "rigidsym.__main__": "cli",
+    "rigidsym._version": "",
+    "rigidsym.errors": "",
+    "rigidsym.quaternions": "",
+    "rigidsym.language": "",
+    "rigidsym.generated": "",
+    "rigidsym.inputs": "errors",
+    "rigidsym.principal": "errors inputs quaternions",
+    "rigidsym.motion": f"{NUMBERS} engines view",
+    # What is true.
+    "rigidsym.proof.kernel": "",
+    "rigidsym.proof.checker": "",
+    "rigidsym.proof.algebra": "proof.kernel",
+    "rigidsym.proof.paper": "language view.html",
+    "rigidsym.proof.claims": "io.ledger language view.html",
+    "rigidsym.proof.derivation": "derivations errors proof view.html",
+    "rigidsym.proof": "",
+    "derivations": "proof.algebra proof.kernel",
+    # What is computed from it.
+    "rigidsym.solution": "errors io.ledger language",
+    "rigidsym.precise": f"{FOUNDATION} inputs solution",
+    "rigidsym.precise.comparison": f"{NUMBERS} io.cases view.svg",
+    "rigidsym.codegen": f"{FOUNDATION} codegen io.files solution",
+    "rigidsym.codegen.functions": f"{FOUNDATION} codegen solution",
+    "rigidsym.codegen.special_functions": f"{FOUNDATION} codegen solution",
+    "rigidsym.codegen.targets": f"{FOUNDATION} codegen",
+    # The kernel decides that what is printed is what was derived: the other bridge.
+    "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
+    "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
+    "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
+    "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
+    # What shows it, and what reads and writes files.
+    "rigidsym.view": NUMBERS,
+    "rigidsym.view.html": f"{FOUNDATION} inputs view.palette",
+    "rigidsym.view.plots": f"{NUMBERS} view",
+    "rigidsym.view.scenes": f"{NUMBERS} view",
+    "rigidsym.view.validation": "validate.bounds view",
+    "rigidsym.io": "errors io",
+    "rigidsym.io.attitude_ephemeris": "errors io motion",
+    "rigidsym.io.cases": "errors inputs io motion view.html",
+    "rigidsym.io.splines": "errors io motion",
+    "rigidsym.io.tables": "inputs io precise",
+    "rigidsym.io.tracks": "errors io motion",
+    "rigidsym.cli": f"{NUMBERS} codegen derivations engines generated io manoeuvre motion proof "
+    "validate view",
+}
+# Of other packages: who alone imports them.
+OTHERS = {
+    "matplotlib": ("rigidsym.view",),
+    "plotly": ("rigidsym.view",),
+    "sympy": ("rigidsym.proof", "derivations"),
+    "casadi": ("rigidsym.manoeuvre.comparison",),
+}
+
+
+def rule(module):
+    """The longest name in ALLOWED that a module is or lies in."""
+    while module not in ALLOWED:
+        module = module.rpartition(".")[0]
+    return module
+
+
+def lies_in(module, names):
+    return any(module == name or module.startswith(f"{name}.") for name in names)
+
+
+def full(names):
+    return [name if name == "derivations" else f"rigidsym.{name}" for name in names.split()]
+
+
+@pytest.mark.parametrize("module", GRAPH)
+def test_a_module_imports_what_its_room_may(module):
+    own = rule(module)
+    allowed = [*full(ALLOWED[own]), "rigidsym._version"]
+    beyond = {
+        other for other in GRAPH[module] if rule(other) != own and not lies_in(other, allowed)
+    }
+    assert beyond == set()
+
+
+def test_nothing_is_imported_in_a_circle():
+    assert circle(GRAPH) == []
+
+
+def test_every_rule_is_about_something():
+    assert {rule(module) for module in GRAPH} == {*ALLOWED}
+
+
+@pytest.mark.parametrize("package", OTHERS)
+def test_a_package_is_imported_where_it_belongs(package):
+    users = {
+        name
+        for name, path in modules().items()
+        for other in imported(path)
+        if other.split(".")[0] == package
+    }
+    assert users
+    assert {name for name in users if not lies_in(name, OTHERS[package])} == set()
+
+
+def test_the_kernel_imports_the_polynomials_of_sympy_alone():
+    kernel = {name: path for name, path in modules().items() if room(name) == "proof.kernel"}
+    taken = {other for path in kernel.values() for other in imported(path) if "sympy" in other}
+    assert taken
+    assert all(other.startswith("sympy.polys") for other in taken)
