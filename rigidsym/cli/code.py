@@ -65,16 +65,16 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
 
 def _trace(options: Any) -> int:
     from rigidsym.codegen.trace import TraceError, lines_of_equation, origin_of_line
+    from rigidsym.proof.paper import EQUATIONS
 
     if (options.place is None) == (options.equation is None):
         given = options.place or options.equation or "nothing"
         raise InputError("trace", given, "takes either FILE:LINE or --equation NUMBER")
     try:
-        found = (
-            lines_of_equation(options.equation)
-            if options.place is None
-            else origin_of_line(options.place)
-        )
+        if options.place is not None:
+            found = origin_of_line(options.place)
+        else:
+            found = lines_of_equation(options.equation, {e.number for e in EQUATIONS})
     except TraceError as error:
         say(f"rigidsym trace: {error}")
         return 1

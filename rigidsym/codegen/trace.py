@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -45,9 +45,12 @@ def origin_of_line(place: str) -> list[str]:
     return [code, *(f"{what}: {text}" for what, text in said.items() if text)]
 
 
-def lines_of_equation(number: str) -> list[str]:
-    """FILE:LINE and code for every generated line that an equation stands behind; raises TraceError
-    where there is no such line, or no such equation."""
+def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
+    """FILE:LINE and code for every generated line that an equation stands behind.
+
+    printed: the numbers of the paper, which say whether there is such an equation.  Raises
+    TraceError where there is no such line.
+    """
     wanted = number.strip().strip("()")
     found = [
         f"{name}:{line}: {_code(lines[line - 1])}"
@@ -56,17 +59,14 @@ def lines_of_equation(number: str) -> list[str]:
         if wanted in place["equations"]
     ]
     if not found:
-        raise TraceError(_missing(wanted))
+        raise TraceError(_missing(wanted, printed))
     return found
 
 
-def _missing(number: str) -> str:
+def _missing(number: str, printed: Collection[str]) -> str:
     """What is wrong with a number behind which there are no lines."""
-    # Only here are the printed equations needed.
-    from rigidsym.proof.paper import EQUATIONS
-
     shown = f"({number})" if number[:1].isdigit() else number
-    if number in {equation.number for equation in EQUATIONS}:
+    if number in printed:
         return f"no generated line rests on {shown}, which the paper prints"
     return f"{shown or 'an empty number'} is no equation of the paper, and no source of a line"
 
