@@ -51,7 +51,7 @@ from rigidsym.precise import METHODS, PreciseMotion
 from rigidsym.precise.balls import ball, working
 from rigidsym.proof.kernel import Grade
 from rigidsym.solution import sealed
-from rigidsym.solution.compiled import run
+from rigidsym.solution.formulas import sequence
 from support import derived, grades, show, table
 
 BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"
@@ -119,7 +119,7 @@ def theta_constants(motion):
     with working(200):
         plan = {name: ball(text) for name, text in digits.items()}
         inertia = {f"c_{x}": ball(given[0][k]) for x, k in zip("abd", polhode.axes, strict=True)}
-        found = run("theta", {**plan, **inertia, **signs}, METHODS["theta"]().table())
+        found = sequence("theta").evaluate({**plan, **inertia, **signs}, METHODS["theta"]().table())
     doubles = {name: float(found[name]) for name in (*names, *wanted)}
     return {**doubles, **signs, "nome_m": np.sqrt(doubles["nome_1"])}, polhode
 
@@ -169,12 +169,12 @@ identity = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
 def by_thetas(motion, t):
     """All that `circular_state` computes at times t; in front of it stands what (37) asks for."""
     constants, polhode = theta_constants(motion)
-    begin = run("circular_state", {**constants, **identity, "t": 0.0}, functions)
+    begin = sequence("circular_state").evaluate({**constants, **identity, "t": 0.0}, functions)
     q0, *vector = map(float, motion.attitude0)
     start = {"q_0": q0} | {f"q_{x}": vector[k] for x, k in zip("abd", polhode.axes, strict=True)}
-    found = run("pull_back", {**begin, **start}, functions)
+    found = sequence("pull_back").evaluate({**begin, **start}, functions)
     front = {name: found[name] for name in identity}
-    return run("circular_state", {**constants, **front, "t": t}, functions)
+    return sequence("circular_state").evaluate({**constants, **front, "t": t}, functions)
 
 
 t = np.linspace(0, 180, 1801)

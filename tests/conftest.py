@@ -15,7 +15,7 @@ def pytest_configure(config):
 
     Tests start hundreds of processes, each of which would compile all that it imports again.
     """
-    if sys.dont_write_bytecode:
+    if sys.dont_write_bytecode and hasattr(config, "cache"):
         sys.dont_write_bytecode = False
         sys.pycache_prefix = str(config.cache.mkdir("bytecode"))
         os.environ.pop("PYTHONDONTWRITEBYTECODE", None)

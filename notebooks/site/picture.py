@@ -25,6 +25,7 @@ from rigidsym.solution.polhode import Regime
 from rigidsym.validate.peers import peer
 from rigidsym.view.geometry import moments, momentum, polhode, separatrix
 from rigidsym.view.plots.motion import AXES, SCALAR
+from rigidsym.view.protocols import Motion
 from rigidsym.view.regimes import REGIMES
 from rigidsym.view.scenes.body import edges
 from rigidsym.view.scenes.sphere import members
@@ -90,7 +91,7 @@ def _sphere(axes: Any, motion: TorqueFreeMotion) -> None:
     axes.set_title("All motions of one body, on its momentum sphere")
 
 
-def _track(motion: TorqueFreeMotion, size: float) -> np.ndarray:
+def _track(motion: Motion, size: float) -> np.ndarray:
     return moments(motion) * polhode(motion, 121) / size
 
 

@@ -5,18 +5,9 @@ printed into a generated Python module can be read back and compared.
 """
 
 import ast
-import operator
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
-OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-    "**": operator.pow,
-}
 _SYMBOL: dict[type, str] = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**"}
 _BINDING = {"+": 1, "-": 1, "*": 2, "/": 2, "neg": 3, "**": 4}
 
@@ -143,25 +134,6 @@ def names(expression: Expression) -> Iterator[str]:
         yield expression.name
     for part in children(expression):
         yield from names(part)
-
-
-def evaluate(
-    expression: Expression,
-    values: Mapping[str, Any],
-    functions: Mapping[str, Callable[..., Any]],
-) -> Any:
-    """The value over any number type; raises KeyError for an unknown name or function."""
-    match expression:
-        case Number(value):
-            return value
-        case Name(name):
-            return values[name]
-        case Call("neg", (operand,)):
-            return -evaluate(operand, values, functions)
-    parts = [evaluate(part, values, functions) for part in children(expression)]
-    if isinstance(expression, Operation):
-        return OPERATORS[expression.operator](*parts)
-    return functions[expression.function](*parts)
 
 
 def by_products(expression: Expression) -> Expression:

@@ -11,8 +11,9 @@ import numpy as np
 from scipy.special import elliprf
 
 from rigidsym.manoeuvre.problem import Problem
-from rigidsym.solution.compiled import steps_to
+from rigidsym.solution.formulas import sequence
 
+_FUNCTIONS = {"sqrt": np.sqrt, "power": np.power}
 _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
 
@@ -56,7 +57,7 @@ def _circulating(
     c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int], order: tuple[int, int, int]
 ) -> np.ndarray:
     about_high = axes[0] == order[2]
-    known = _programme(c, rates, axes, 1 if about_high else -1)
+    known = _constants(c, rates, axes, 1 if about_high else -1)
     sn, cn, dn = known["sn"], known["cn"], known["dn"]
     quarter = elliprf(0.0, np.clip(known["m_1"], 0.0, 1.0), 1.0)
     within = sn * elliprf(cn * cn, dn * dn, 1.0)
@@ -64,19 +65,17 @@ def _circulating(
     return np.array([u, quarter, known["lambda_"], known["sigma"] * (2 if about_high else 1)])
 
 
-def _programme(
+def _constants(
     c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int], rho: int
 ) -> dict[str, Any]:
     """What the ledger's formulas of a plan give for arrays; chi is 1 for all, so that phases are
     counted from the same point."""
-    known: dict[str, Any] = {"__builtins__": {}, "sqrt": np.sqrt, "power": np.power, "chi": 1}
-    known |= {"rho": rho, "epsilon": 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1}
+    known: dict[str, Any] = {"chi": 1, "rho": rho}
+    known["epsilon"] = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     known["sigma"] = np.where(rates[:, axes[0]] < 0, -1, 1)
     for name, k in zip("abd", axes, strict=True):
         known |= {f"c_{name}": c[k], f"Omega_{name}": rates[:, k]}
-    for name, code, _ in steps_to(_WANTED, "plan"):
-        known[name] = eval(code, known)
-    return known
+    return sequence("plan").up_to(_WANTED).evaluate(known, _FUNCTIONS)
 
 
 @np.errstate(divide="ignore", invalid="ignore")

@@ -18,12 +18,9 @@ from functools import lru_cache
 from queue import Empty, SimpleQueue
 from threading import Lock, Thread
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from flint import arb, arf
-
-if TYPE_CHECKING:
-    from rigidsym.precise.motion import PreciseMotion
 
 _CODE = "import sys; sys.path[:] = {path!r}; from rigidsym.precise.apart import serve; serve()"
 # How often a wait looks up, where an interrupt does not end it.
@@ -33,7 +30,19 @@ GLANCE = 0.1
 Parts = tuple[tuple[int, int], tuple[int, int]] | None
 
 
-def numbers(motion: "PreciseMotion", asked: Any, bits: int, end: float | None) -> list[arb]:
+class Numbered(Protocol):
+    """A motion that finds numbers in this very process."""
+
+    def __hash__(self) -> int:
+        """Equal motions are one."""
+        ...
+
+    def numbers_here(self, asked: Any, bits: int) -> list[arb]:
+        """What is asked, from balls of so many bits."""
+        ...
+
+
+def numbers(motion: Numbered, asked: Any, bits: int, end: float | None) -> list[arb]:
     """`motion.numbers_here(asked, bits)`; TimeoutError where the clock comes to `end` first.
 
     It is computed here where no other process can be started.
@@ -149,7 +158,7 @@ def serve() -> None:
         told.flush()
 
 
-def _answer(motion: "PreciseMotion", asked: Any, bits: int) -> Sequence[Parts] | Exception:
+def _answer(motion: Numbered, asked: Any, bits: int) -> Sequence[Parts] | Exception:
     try:
         return [_parts(value) for value in _known(motion).numbers_here(asked, bits)]
     except Exception as error:
@@ -157,7 +166,7 @@ def _answer(motion: "PreciseMotion", asked: Any, bits: int) -> Sequence[Parts] |
 
 
 @lru_cache(maxsize=2)
-def _known(motion: "PreciseMotion") -> "PreciseMotion":
+def _known(motion: Numbered) -> Numbered:
     """The motion that was asked for before, with its constants, rather than an equal one."""
     return motion
 

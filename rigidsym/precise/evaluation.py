@@ -1,23 +1,43 @@
 """The formulas of the solution over balls, with the constants of one motion at one precision."""
 
-from collections.abc import Callable, Iterable, Mapping
-from fractions import Fraction
+from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
+from rigidsym.language.sequence import FormulaSequence
 from rigidsym.precise.balls import ball, power
-from rigidsym.solution.compiled import Step, run, steps, steps_to, used
-from rigidsym.solution.formulas import AXES
-from rigidsym.solution.polhode import Regime
-
-if TYPE_CHECKING:
-    from rigidsym.precise.motion import PreciseMotion
+from rigidsym.solution.formulas import AXES, sequence
+from rigidsym.solution.polhode import Polhode, Regime
 
 State = tuple[list[Any], list[Any]]
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
 _BY_THETA = ("theta", "theta_state", "pull_back")
+
+
+class Given(Protocol):
+    """A motion as it is given, rationals or uncertain numbers, and its kind."""
+
+    @property
+    def inertia(self) -> tuple[Any, ...]:
+        """Principal moments (3,)."""
+        ...
+
+    @property
+    def omega0(self) -> tuple[Any, ...]:
+        """Body rates at t = 0 (3,)."""
+        ...
+
+    @property
+    def attitude0(self) -> tuple[Any, ...]:
+        """Attitude at t = 0 (4,), of any length but zero."""
+        ...
+
+    @property
+    def polhode(self) -> Polhode:
+        """Regime and axes."""
+        ...
 
 
 class Evaluation:
@@ -27,7 +47,7 @@ class Evaluation:
     neither the separatrix nor symmetric bodies.
     """
 
-    def __init__(self, given: "PreciseMotion", functions: Mapping[str, Callable[..., Any]]) -> None:
+    def __init__(self, given: Given, functions: Mapping[str, Callable[..., Any]]) -> None:
         self.given, self.functions = given, functions
         regime = given.polhode.regime
         self._by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
@@ -54,12 +74,13 @@ class Evaluation:
             return lambda *arguments: function(*map(ball, arguments))
 
         functions = {name: of(function) for name, function in self.functions.items()}
-        return functions | {"power": power, "__builtins__": {}}
+        return functions | {"power": power}
 
     @cached_property
     def _plan(self) -> dict[str, Any]:
-        """What the programmes of a state need of it."""
-        return self._planned(used(*(_BY_THETA if self._by_theta else ("state",))))
+        """What the formula sequences of a state need of it."""
+        wanted = [sequence(n).used for n in (_BY_THETA if self._by_theta else ("state",))]
+        return self._planned(frozenset().union(*wanted))
 
     def _planned(self, wanted: frozenset[str]) -> dict[str, Any]:
         polhode, given = self.given.polhode, self.given
@@ -70,7 +91,7 @@ class Evaluation:
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
         known = {**signs, **begin, **PARAMETER.get(polhode.regime, {})}
-        return self._exactly(steps_to(wanted, "plan"), known)
+        return self._exactly(sequence("plan").up_to(wanted), known)
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
@@ -81,29 +102,23 @@ class Evaluation:
         }
         if not self._by_theta:
             return constants
-        constants |= run("theta", constants, self.functions)
+        constants |= sequence("theta").evaluate(constants, self.functions)
         # psi of the theta form does not start at zero: the quaternion in front has to make up.
         identity = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
-        begin = run("theta_state", {**constants, **identity, "t": ball(0)}, self.functions)
+        begin = sequence("theta_state").evaluate(
+            {**constants, **identity, "t": ball(0)}, self.functions
+        )
         start = {f"q_{x}": plan[f"q_{x}"] for x in ("0", *AXES)}
-        front = run("pull_back", {**begin, **start}, self.functions)
+        front = sequence("pull_back").evaluate({**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
 
-    def _exactly(self, formulas: Iterable[Step], values: Mapping[str, Any]) -> dict[str, Any]:
+    def _exactly(self, formulas: FormulaSequence, values: Mapping[str, Any]) -> dict[str, Any]:
         """Every formula; exactly, as long as all it uses is rational."""
-        known = dict(values)
-        for result, code, names in formulas:
-            if result in known:
-                continue
-            used = {name: known[name] for name in names}
-            if not all(isinstance(value, (int, Fraction)) for value in used.values()):
-                used = {name: ball(value) for name, value in used.items()}
-            known[result] = eval(code, self._converting, used)
-        return known
+        return formulas.evaluate_exactly(values, self._converting, ball)
 
     def _moving(self, time: Any) -> State:
-        programme = "theta_state" if self._by_theta else "state"
-        known = run(programme, {**self._constants, "t": time}, self.functions)
+        formulas = sequence("theta_state" if self._by_theta else "state")
+        known = formulas.evaluate({**self._constants, "t": time}, self.functions)
         q, omega = [known["q_0"], 0, 0, 0], [0, 0, 0]
         for x, k in zip(AXES, self.given.polhode.axes, strict=True):
             q[k + 1], omega[k] = known[f"q_{x}"], known[f"Omega_{x}"]
@@ -112,5 +127,5 @@ class Evaluation:
     def _steady(self, time: Any) -> State:
         rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
         begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
-        known = self._exactly(steps("steady"), {**rates, **begin, "t": time})
+        known = self._exactly(sequence("steady"), {**rates, **begin, "t": time})
         return [ball(known[f"q{k}"]) for k in range(4)], self.start[1]

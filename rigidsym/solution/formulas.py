@@ -23,6 +23,7 @@ from rigidsym.language.expression import (
     rebuild,
     to_text,
 )
+from rigidsym.language.sequence import FormulaSequence
 
 AXES = ("a", "b", "d")
 _BY_FUNCTIONS = (
@@ -150,6 +151,12 @@ def ledger_data(text: str) -> dict[str, Any]:
 def sealed() -> Solution:
     """The solution of the sealed ledger."""
     return load(ledger_text())
+
+
+@cache
+def sequence(name: str) -> FormulaSequence:
+    """A formula sequence of the sealed ledger, ready to be evaluated."""
+    return FormulaSequence((f.name, f.expression) for f in sealed().programmes[name])
 
 
 def load(text: str) -> Solution:

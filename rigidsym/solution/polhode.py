@@ -6,8 +6,9 @@ from enum import StrEnum
 from fractions import Fraction
 from itertools import combinations
 
-from rigidsym.language.expression import evaluate
-from rigidsym.solution.formulas import sealed
+from rigidsym.solution.formulas import sequence
+
+_EXCESS = frozenset({"E_b"})
 
 
 class Regime(StrEnum):
@@ -74,10 +75,7 @@ def excess(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
-    formulas = {f.name: f.expression for f in sealed().programmes["plan"]}
-    for name in ("c_ab", "c_bd", "E_b"):
-        values[name] = evaluate(formulas[name], values, {})
-    return values["E_b"]
+    return sequence("plan").up_to(_EXCESS).evaluate(values, {"power": pow})["E_b"]
 
 
 def _steady_regime(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Regime:

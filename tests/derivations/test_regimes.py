@@ -7,9 +7,10 @@ from pathlib import Path
 from random import Random
 
 import pytest
+from values import value
 
 import derivations
-from rigidsym.language.expression import evaluate, parse
+from rigidsym.language.expression import parse
 from rigidsym.solution.polhode import Regime, classify
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
@@ -62,28 +63,28 @@ def valuation(point):
     context = CONTEXTS["sorted_body"]
     values = dict(zip(context["generators"], map(Fraction, point), strict=True))
     for name, text in context["definitions"].items():
-        values[name] = evaluate(parse(text), values, {})
+        values[name] = of_text(text, values)
     return values
 
 
-def value(text, values):
-    return evaluate(parse(text), values, {})
+def of_text(text, values):
+    return value(parse(text), values)
 
 
 def holds(name, values):
     """Whether a point satisfies all that a context assumes."""
     context = CONTEXTS[name]
     return (
-        all(value(text, values) != 0 for text in context["units"])
-        and all(value(text, values) == 0 for text in context["relations"])
-        and all(value(text, values) >= 0 for text in context["nonnegative"])
+        all(of_text(text, values) != 0 for text in context["units"])
+        and all(of_text(text, values) == 0 for text in context["relations"])
+        and all(of_text(text, values) >= 0 for text in context["nonnegative"])
     )
 
 
 def walk(values, name="sorted_body"):
     """The leaf that the decisions of the tree lead to."""
     while name in SPLITS:
-        sign = value(*SPLITS[name]["lhs"], values)
+        sign = of_text(*SPLITS[name]["lhs"], values)
         cases = SPLITS[name]["certificate"]["cases"]
         name = cases[0 if sign == 0 else 1 if sign > 0 else 2]
     return name
@@ -134,8 +135,8 @@ def test_what_a_leaf_declares_holds_at_its_points(leaf, by_leaf):
     for values in by_leaf[leaf]:
         for fact in facts:
             for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True):
-                assert value(lhs, values) == value(rhs, values)
-                assert fact["kind"] == "equal" or value(lhs, values) >= 0
+                assert of_text(lhs, values) == of_text(rhs, values)
+                assert fact["kind"] == "equal" or of_text(lhs, values) >= 0
 
 
 @pytest.mark.parametrize("leaf", LEAVES)

@@ -7,7 +7,7 @@ from mpmath import mp, workdps
 from textbook import FAMILIES, OCTANTS, ORDERS, Motion, conjugate, distance, draw, multiply
 
 from rigidsym.precise import PreciseMotion
-from rigidsym.solution.compiled import run
+from rigidsym.solution.formulas import sequence
 
 TURNS = (Fraction(37, 100), Fraction(-9, 10), Fraction(17, 10))
 FORMS = ["circular", "hyperbolic"]
@@ -44,23 +44,23 @@ class Programmes:
         m |= {"A_a": motion.B_a / motion.c_a, "A_d": motion.B_d / motion.c_d}
         m["B_b"] = mp.sqrt(motion.B_d**2 + motion.m * motion.B_a**2)
         m |= {"A_b": m["B_b"] / motion.c_b, "p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
-        shift = run("shift", m, FUNCTIONS)
+        shift = sequence("shift").evaluate(m, FUNCTIONS)
         m["beta"] = mp.ellipf(mp.asin(shift["s_beta"]), m["m_c"])
-        m |= run(form, m, FUNCTIONS)
+        m |= sequence(form).evaluate(m, FUNCTIONS)
         begin = self.at(mp.mpf(0))
         norm = mp.sqrt(sum(mp.mpf(x.numerator) ** 2 for x in attitude))
         front = {f"qbar_{x}": begin[f"qbar_{x}"] for x in "0abd"}
         front |= {name: attitude[k].numerator / norm for name, k in self.places("q")}
-        m |= run("pull_back", {**m, **front}, FUNCTIONS)
+        m |= sequence("pull_back").evaluate({**m, **front}, FUNCTIONS)
 
     def places(self, q):
         a, b, d = self.motion.axes
         return ((f"{q}_0", 0), (f"{q}_a", 1 + a), (f"{q}_b", 1 + b), (f"{q}_d", 1 + d))
 
     def at(self, t):
-        known = run(f"{self.form}_state", {**self.known, "t": t}, FUNCTIONS)
+        known = sequence(f"{self.form}_state").evaluate({**self.known, "t": t}, FUNCTIONS)
         known["u"] = (1 + self.motion.k_1) * known["u_1"]
-        return known | run("rates", known, FUNCTIONS)
+        return known | sequence("rates").evaluate(known, FUNCTIONS)
 
     def state(self, t):
         known, q, omega = self.at(t), [0] * 4, [0] * 3

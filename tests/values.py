@@ -1,0 +1,9 @@
+"""Values of single expressions."""
+
+from rigidsym.language.sequence import FormulaSequence
+
+
+def value(expression, values, functions=()):
+    """Of an expression, over any numbers."""
+    known = {"power": pow, **dict(functions)}
+    return FormulaSequence([("value", expression)]).evaluate(values, known)["value"]
