@@ -57,9 +57,9 @@ from collections import Counter
 
 from IPython.display import display
 
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import EQUATIONS, Ruling, verdicts
-from rigidsym.solution import ledger_text
 from support import grades, sealed, table
 
 ledger = sealed()

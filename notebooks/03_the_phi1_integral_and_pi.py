@@ -135,8 +135,8 @@ assert grades(ledger, "pole_plus.denominator", "pole_minus.denominator") == {Gra
 # other meaning of $\mu$.
 
 # %%
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.paper import verdicts
-from rigidsym.solution import ledger_data, ledger_text
 
 verdict = {v.equation.number: v for v in verdicts(ledger_data(ledger_text()))}
 everything = sealed()

@@ -372,8 +372,8 @@ show(ledger, "theta_form.qbar_0", "theta_form.Lambda", "descended.psi_0", "regul
 # An independent checker, which shares no code with the kernel, reads the same ledger:
 
 # %%
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.checker import check
-from rigidsym.solution import ledger_text
 
 accepted = check(ledger_text())
 print(f"{accepted} facts accepted by the independent checker")

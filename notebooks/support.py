@@ -13,6 +13,7 @@ import sympy
 from IPython.display import HTML, Markdown, Math
 
 from derivations import CHAPTERS
+from rigidsym.io.ledger import ledger_text
 from rigidsym.language.latex import latex
 from rigidsym.language.symbols import symbol
 from rigidsym.proof.algebra import Book
@@ -21,7 +22,6 @@ from rigidsym.proof.algebra.su2 import Complex, Matrix
 from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Element, Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.solution import ledger_text
 
 
 def derived(*chapters: str) -> Ledger:

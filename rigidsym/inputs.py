@@ -139,10 +139,10 @@ def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain,
     return tuple(number(f"{field}[{k}]", item) for k, item in enumerate(items))
 
 
-def sequence(field: str, values: Any) -> Sequence[Any]:
-    """The items of a list, tuple or one-dimensional array; raises InputError for anything else."""
+def sequence(field: str, values: Any, ndim: int = 1) -> Sequence[Any]:
+    """The items of a list, tuple or array of `ndim` axes; raises InputError for anything else."""
     unordered = isinstance(values, str | bytes | Set | Mapping)
-    if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", 1) != 1:
+    if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
         raise InputError(field, written(values, repr), "must be a list of numbers")
     return list(values)
 

@@ -72,7 +72,7 @@ def principal_axes(tensor: Any) -> PrincipalAxes:
 
 
 def _entries(tensor: Any) -> np.ndarray:
-    rows = inputs.sequence("tensor", tensor)
+    rows = inputs.sequence("tensor", tensor, ndim=2)
     if len(rows) != 3:
         raise InputError("tensor", f"{len(rows)} rows", "must have 3 rows of 3 numbers")
     names = [f"tensor[{i}]" for i in range(3)]

@@ -81,7 +81,7 @@ def _check_independently(path: Path | None) -> int:
 
 def _ledger_text(path: Path | None) -> str:
     from rigidsym.io.files import read_text
-    from rigidsym.solution import ledger_text
+    from rigidsym.io.ledger import ledger_text
 
     return ledger_text() if path is None else read_text("ledger", path)
 
@@ -89,8 +89,8 @@ def _ledger_text(path: Path | None) -> str:
 def _errata(options: Any) -> int:
     import json
 
+    from rigidsym.io.ledger import ledger_data
     from rigidsym.proof.paper import row, verdicts
-    from rigidsym.solution import ledger_data
 
     ruled = verdicts(ledger_data(_ledger_text(None)))
     if options.json:

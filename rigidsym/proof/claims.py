@@ -143,7 +143,7 @@ def claims(ledger: Any = None) -> Claims:
 
 def _data(ledger: Any) -> Mapping[str, Any]:
     if ledger is None:
-        from rigidsym.solution import ledger_text
+        from rigidsym.io.ledger import ledger_text
 
         return json.loads(ledger_text())
     if is_dataclass(ledger):

@@ -1,12 +1,5 @@
 """The derived solution as data, read from the ledger: the formulas every number comes from."""
 
-from rigidsym.solution.formulas import (
-    Formula,
-    Solution,
-    ledger_data,
-    ledger_text,
-    load,
-    sealed,
-)
+from rigidsym.solution.formulas import Formula, Solution, load, sealed, sequence
 
-__all__ = ["Formula", "Solution", "ledger_data", "ledger_text", "load", "sealed"]
+__all__ = ["Formula", "Solution", "load", "sealed", "sequence"]

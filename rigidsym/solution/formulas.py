@@ -5,14 +5,13 @@ that are not backed by a proved fact, or that use a name before it is known, are
 """
 
 import hashlib
-import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from importlib import resources
 from typing import Any
 
 from rigidsym.errors import LedgerError
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -125,26 +124,6 @@ class Solution:
 
     programmes: Mapping[str, tuple[Formula, ...]]
     digest: str
-
-
-def ledger_text() -> str:
-    """The sealed ledger that came with this installation."""
-    try:
-        return resources.files("derivations").joinpath("ledger.json").read_text("utf-8")
-    except (OSError, ModuleNotFoundError) as error:
-        raise LedgerError(f"ledger: {error}: run `rigidsym derive` to write it") from None
-
-
-def ledger_data(text: str) -> dict[str, Any]:
-    """A ledger as plain data; raises LedgerError unless it has the parts of one."""
-    try:
-        data = json.loads(text)
-        for part, key in (("facts", "id"), ("contexts", "name")):
-            if any(not isinstance(entry[key], str) for entry in data[part]):
-                raise LedgerError(f"ledger: {part} have no {key}")
-    except (KeyError, TypeError, json.JSONDecodeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
-    return data
 
 
 @cache

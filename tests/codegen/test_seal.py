@@ -6,15 +6,13 @@ from functools import partial
 import pytest
 
 from rigidsym import InputError, generate
-from rigidsym.codegen import functions as assembled
 from rigidsym.codegen.functions import (
+    assembly,
     attitude,
     circular,
     hyperbolic,
+    initial_state,
     steady,
-)
-from rigidsym.codegen.functions import (
-    initial_state as start,
 )
 from rigidsym.codegen.ir import Let
 from rigidsym.codegen.passes import expand, share
@@ -29,7 +27,7 @@ from rigidsym.solution import sealed
 
 
 def test_every_formula_of_the_generated_code_is_decided():
-    everything = assembled.functions(sealed())
+    everything = assembly.functions(sealed())
     formulas = [formula for function in everything for formula in function.formulas]
     states = list(of_states(sealed(), everything))
     assert len(states) == 2 * (4 + 1 + 2 + 3) + 2  # attitude, norm, phase and rates; half an angle
@@ -99,16 +97,16 @@ SIGNS = [
     (circular, "front", "W"),
     (hyperbolic, "secular", "Lambda_rate"),
     (circular, "parts", "P4_im"),
-    (start, "select", "E_d"),
-    (start, "select", "B_d"),
-    (start, "renamed", "s"),
+    (initial_state, "select", "E_d"),
+    (initial_state, "select", "B_d"),
+    (initial_state, "renamed", "s"),
     (landen, "select", "S"),
     (steady, "select", "q2"),
     (steady, "select", "axis3"),
-    (assembled, "live", "T4_re"),
-    (assembled, "live", "v_error"),
-    (assembled, "products", "K"),
-    (assembled, "share", "L_error"),
+    (assembly, "live", "T4_re"),
+    (assembly, "live", "v_error"),
+    (assembly, "products", "K"),
+    (assembly, "share", "L_error"),
 ]
 
 
@@ -133,7 +131,7 @@ def without_facts(renamed, lets, new):
 
 @pytest.mark.parametrize("how", [swapped, swapped_results, without_facts])
 def test_other_names_are_refused(monkeypatch, how):
-    monkeypatch.setattr(start, "renamed", partial(how, start.renamed))
+    monkeypatch.setattr(initial_state, "renamed", partial(how, initial_state.renamed))
     with pytest.raises(InputError, match=r"_start = (landen|kc_1|root_kc|s|c) ?.*"):
         seal(sealed())
 
@@ -204,15 +202,15 @@ SHARING = [
 
 @pytest.mark.parametrize(("spoiled", "message"), SHARING)
 def test_other_lines_are_refused(monkeypatch, spoiled, message):
-    monkeypatch.setattr(assembled, "share", spoiled)
+    monkeypatch.setattr(assembly, "share", spoiled)
     with pytest.raises(InputError, match=message):
         seal(sealed())
 
 
 @pytest.mark.parametrize("name", ["E_a", "K_1", "gain_b", "q_0", "X_im"])
 def test_a_line_that_is_dropped_is_missed(monkeypatch, name):
-    live = assembled.live
-    monkeypatch.setattr(assembled, "live", lambda *given: dropping(name)(live(*given)))
+    live = assembly.live
+    monkeypatch.setattr(assembly, "live", lambda *given: dropping(name)(live(*given)))
     with pytest.raises(InputError, match=r"used before it is known|is returned and never set"):
         seal(sealed())
 
@@ -260,7 +258,7 @@ def longer(function_lines, function, number, signature, ends):
 EMITTERS = [
     ("numpy", numpy_emit, "printed", numpy_zero),
     ("numpy", numpy_emit, "_results", reversed_results),
-    ("numpy", numpy_emit, "_constant", blurred),
+    ("numpy", numpy_emit, "constant_text", blurred),
     ("c", c_emit, "lowered", c_zero),
     ("c", c_emit, "fuse", less),
     ("c", c_emit, "constant_text", blurred),
@@ -298,8 +296,8 @@ def test_text_that_was_edited_is_refused(target, there, instead):
 
 
 def test_sharing_can_be_undone_and_keeps_the_order():
-    for function in assembled.functions(sealed()):
-        known = set(function.parameters) | {c.name for c in assembled.constants()}
+    for function in assembly.functions(sealed()):
+        known = set(function.parameters) | {c.name for c in assembly.constants()}
         for let in function.lets:
             assert set(names(let.expression)) <= known
             known |= set(let.targets)
@@ -320,5 +318,5 @@ def test_provenance_of_what_is_shared_is_the_union_over_its_users():
 def test_a_target_without_a_reader_is_refused():
     generated = generate("numpy")
     other = replace(generated, manifest={**generated.manifest, "target": "rust"})
-    with pytest.raises(InputError, match="target = rust: has no reader"):
+    with pytest.raises(InputError, match="target = rust: has no read_back"):
         seal_text(other, sealed())

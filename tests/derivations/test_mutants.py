@@ -5,10 +5,10 @@ from collections import Counter
 
 import pytest
 
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import Book, Part, join
 from rigidsym.proof.algebra.mutants import mutants, tally
 from rigidsym.proof.paper import verdicts
-from rigidsym.solution import ledger_text
 
 LEDGER = json.loads(ledger_text())
 FATES = {"refuted", "refused", "equivalent"}

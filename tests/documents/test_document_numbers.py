@@ -10,8 +10,9 @@ from document_texts import ROOT, TEXTS, blocks, rows, words
 import rigidsym
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.codegen.seal import seal
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.paper import Ruling, verdicts
-from rigidsym.solution import ledger_text, sealed
+from rigidsym.solution import sealed
 from rigidsym.validate.campaign import CASES, SEED
 from rigidsym.validate.faults import all_faults
 from rigidsym.validate.second_oracle import SHARE, is_due

@@ -344,7 +344,7 @@ def test_a_library_that_lacks_a_function_is_refused(tmp_path):
 def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
     refusing = STUB.replace("plan_init(void) {{ return 2; }}", "plan_init(void) {{ return 8; }}")
     sources = {"torque_free.h": "", "torque_free.c": refusing.format(digest="b" * 64)}
-    monkeypatch.setattr(build, "_sources", lambda: sources)
+    monkeypatch.setattr(build, "package_sources", lambda: sources)
     with pytest.raises(LibraryError, match=r"^the C module refuses: inertia: refused$"):
         build.library([])
 
@@ -353,7 +353,7 @@ def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
 def test_options_that_reorder_sums_are_told(monkeypatch):
     options = "-fassociative-math -fno-signed-zeros -fno-trapping-math"
     monkeypatch.setenv("CC", f"{SYSTEM} {options}")
-    monkeypatch.setattr(build, "_sources", OF_THE_PACKAGE)
+    monkeypatch.setattr(build, "package_sources", OF_THE_PACKAGE)
     with pytest.raises((LibraryError, compiler.CompilerError), match=r"reorder"):
         build.library([])
 

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from matplotlib.mathtext import MathTextParser
 from values import value
 
+from rigidsym.io.ledger import ledger_text
 from rigidsym.language.expression import (
     Call,
     Name,
@@ -24,7 +25,6 @@ from rigidsym.language.statement import condition, hypotheses, statements
 from rigidsym.language.symbols import symbol
 from rigidsym.proof.claims import claims
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.solution import ledger_text
 
 LEDGER = json.loads(ledger_text())
 VALUES = {"a": Fraction(3, 7), "c_b": Fraction(-5, 2), "Omega1": Fraction(11, 3)}
@@ -112,7 +112,7 @@ expressions = st.recursive(
 
 
 def exact(expression):
-    """The same with names for whole numbers, so that quotients are exact, and what the names mean."""
+    """The same with names for whole numbers, so that quotients are exact, and their meaning."""
     if isinstance(expression, Number):
         name = f"number_{expression.value}"
         return Name(name), {name: Fraction(expression.value)}

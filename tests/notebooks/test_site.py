@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from sample_notebook import notebook
 
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.kernel.rules import RULES
 from rigidsym.proof.paper import verdicts
-from rigidsym.solution import ledger_data, ledger_text
 
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra docs)")
 NEEDED = ("sphinx", "myst_nb", "furo", "sphinx_copybutton", "latex2mathml", "ziamath", "plotly",

@@ -11,6 +11,7 @@ from values import value
 
 import rigidsym
 from rigidsym.errors import LedgerError
+from rigidsym.io.ledger import ledger_text
 from rigidsym.language.expression import (
     Call,
     Name,
@@ -20,7 +21,7 @@ from rigidsym.language.expression import (
     parse,
     to_text,
 )
-from rigidsym.solution import ledger_text, load, sealed
+from rigidsym.solution import load, sealed
 
 PACKAGE = Path(rigidsym.__path__[0])
 LEDGER = json.loads(ledger_text())

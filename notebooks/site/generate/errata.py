@@ -4,8 +4,8 @@ import re
 from collections.abc import Iterator, Mapping
 
 from generate.text import code, plain, table
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.paper import Flaw, Ruling, Verdict, verdicts
-from rigidsym.solution import ledger_data, ledger_text
 
 _HEAD = """# The paper's errata
 

@@ -1,8 +1,8 @@
 """The page of rules and assumptions: what every proof rests on, from the code and the ledger."""
 
 from generate.text import code, fenced, plain, table
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.proof.kernel.rules import RULES
-from rigidsym.solution import ledger_data, ledger_text
 
 _HEAD = """# Rules and assumptions
 

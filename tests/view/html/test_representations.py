@@ -13,12 +13,12 @@ from validation_reports import whole
 from derivations import lie_algebra
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
+from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.claims import Claim, claims, load_ipython_extension
 from rigidsym.proof.derivation import Chapter, Derivation
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import EQUATIONS, Ruling, verdicts
-from rigidsym.solution import ledger_text
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.view.html.cards import TINTS
 

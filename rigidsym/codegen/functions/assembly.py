@@ -1,0 +1,80 @@
+"""From the solution to the functions a target prints.
+
+A motion's constants come from extended numbers: `_start` finds the invariants and the descended
+functions at t = 0, and, by the modulus, `_circular_plan` or `_hyperbolic_plan` the rest.  States
+are doubles, in two functions for each branch: `_<branch>_angles` finds what changes with time, and
+`_<branch>_state` the state from that.
+"""
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import mpmath
+
+from rigidsym.codegen.functions.circular import circular
+from rigidsym.codegen.functions.hyperbolic import hyperbolic
+from rigidsym.codegen.functions.initial_state import excess, start
+from rigidsym.codegen.functions.steady import steady
+from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.passes import live, products, share
+from rigidsym.codegen.special_functions import angles, exponential, landen, nome, reduction
+from rigidsym.solution import Solution
+
+
+def functions(solution: Solution) -> tuple[Function, ...]:
+    """All functions, in an order in which each calls those before it."""
+    return tuple(map(finished, stated(solution)))
+
+
+def stated(solution: Solution) -> tuple[Function, ...]:
+    """All functions as ledger and kernels state them, before anything is left out or shared."""
+    return (
+        exponential.function(),
+        excess(solution),
+        start(solution),
+        landen.step(solution),
+        landen.ladder(),
+        nome.root_ratio(),
+        angles.half_turns(),
+        angles.logarithm(),
+        *circular(solution),
+        *hyperbolic(solution),
+        *steady(solution),
+    )
+
+
+def finished(function: Function) -> Function:
+    """The function with what its results need alone, shared and without powers."""
+    formulas = live(function.lets, function.results)
+    done = replace(function, lets=share(products(formulas)), formulas=formulas)
+    numbers = {constant.name for constant in constants() if constant.lo is not None}
+    return replace(done, extended=function.extended | (numbers & done.used()))
+
+
+@cache
+def constants() -> tuple[Constant, ...]:
+    """The named numbers that functions use."""
+    with mpmath.workdps(60):
+        pi, log_2 = (
+            _in_two(name, value) for name, value in (("pi", mpmath.pi), ("log_2", mpmath.ln2))
+        )
+    halves = (
+        Constant("pi_hi", pi.hi, None, "pi"),
+        Constant("pi_lo", pi.lo or 0.0, None, "pi - pi_hi"),
+    )
+    never = Constant("never", 1e300, None, "the exponent of what has vanished")
+    return (
+        pi,
+        *halves,
+        log_2,
+        never,
+        *angles.constants(),
+        *reduction.constants(),
+        *exponential.constants(),
+    )
+
+
+def _in_two(name: str, value: Any) -> Constant:
+    hi = float(value)
+    return Constant(name, hi, float(value - hi), name)

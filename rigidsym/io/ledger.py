@@ -1,0 +1,27 @@
+"""The sealed ledger as a file: what the proof wing writes and the number wing reads."""
+
+import json
+from importlib import resources
+from typing import Any
+
+from rigidsym.errors import LedgerError
+
+
+def ledger_text() -> str:
+    """The sealed ledger that came with this installation."""
+    try:
+        return resources.files("derivations").joinpath("ledger.json").read_text("utf-8")
+    except (OSError, ModuleNotFoundError) as error:
+        raise LedgerError(f"ledger: {error}: run `rigidsym derive` to write it") from None
+
+
+def ledger_data(text: str) -> dict[str, Any]:
+    """A ledger as plain data; raises LedgerError unless it has the parts of one."""
+    try:
+        data = json.loads(text)
+        for part, key in (("facts", "id"), ("contexts", "name")):
+            if any(not isinstance(entry[key], str) for entry in data[part]):
+                raise LedgerError(f"ledger: {part} have no {key}")
+    except (KeyError, TypeError, json.JSONDecodeError) as error:
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
+    return data
