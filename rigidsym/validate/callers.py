@@ -27,6 +27,8 @@ COMPANY = np.array(
     ]
 )
 REFUSED = (1, 2, 8)
+# The largest exponent by which all of these may grow, or shrink.
+LARGEST = 1020
 
 
 def differing(engine: Engine, body: Any, times: np.ndarray) -> Iterator[tuple[States, States]]:
@@ -67,12 +69,11 @@ def _aliased(engine: Engine, body: Any, times: np.ndarray, name: int) -> States 
 def _mixed(engine: Engine, body: Any, times: np.ndarray) -> tuple[States, States]:
     """The states of a body among others, and its own; NaN on both sides where they are refused."""
     inertia, omega0, attitude0 = body
-    # Powers of two, so that regimes stay what they are.
-    sizes = (np.ldexp(1.0, np.frexp(np.max(np.abs(x)))[1] - 1) for x in (inertia, omega0))
-    moments, rates = (COMPANY[:, k] * size for k, size in enumerate(sizes))
+    moments, rates = (COMPANY[:, k] * _size(x) for k, x in enumerate((inertia, omega0)))
     moments = np.vstack([batches.possible(moments, False, lenient=True), inertia])
     rates = np.vstack([rates, omega0])
-    q, omega = engine.propagate(moments, rates, attitude0, times, errors="nan")
+    out = _written(len(moments), len(times))
+    q, omega = engine.propagate(moments, rates, attitude0, times, out, errors="nan")
     none = np.isnan(q).all(axis=(1, 2)) & np.isnan(omega).all(axis=(1, 2))
     wanted = [k in REFUSED for k in range(len(moments))]
     alone = engine.states(engine.plan(*body), times)
@@ -82,6 +83,18 @@ def _mixed(engine: Engine, body: Any, times: np.ndarray) -> tuple[States, States
     expected = [engine.states(engine.plan(moments[k], rates[k], attitude0), times) for k in others]
     found = [(q[k], omega[k]) for k in others]
     return _joined(found), _joined(expected)
+
+
+def _size(values: np.ndarray) -> float:
+    """A power of two, so that regimes stay what they are: that of the largest of these numbers, or
+    the nearest that COMPANY times it is no infinity and has all of its digits."""
+    exponent = int(np.frexp(np.max(np.abs(values)))[1]) - 1
+    return 2.0 ** max(-LARGEST, min(exponent, LARGEST))
+
+
+def _written(bodies: int, times: int) -> States:
+    """Outputs full of numbers: memory anew may hold the NaN of an earlier call, or none."""
+    return np.ones((bodies, times, 4)), np.ones((bodies, times, 3))
 
 
 def _joined(states: list[States]) -> States:

@@ -5,42 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from rigidsym.validate import entry_points as routes
+from rigidsym.validate import entry_points
+from rigidsym.validate.bounds import BOUNDS, MEASURES, ULP
 from rigidsym.validate.oracle import Reference, lengths
 from rigidsym.validate.quadrature_residual import arc, residual
 from rigidsym.validate.strata import Sample
-
-ULP = 2.0**-53
-# The documented bound on angle (rad) and rates (relative), of bodies that can exist, at all times.
-BOUND = 2e-15
-BOUNDS = {
-    "angle": BOUND,
-    "omega": BOUND,
-    "norm": 1e-15,
-    # Times the condition of H and K^2: what an error of BOUND in the rates makes of them.
-    "energy": BOUND,
-    "momentum": BOUND,
-    # Two states are in these, each with an error of half the angle.
-    "residual": 2 * BOUND,
-    "jump": BOUND,
-    # The given state itself, but for the rounding of the quaternion's length.
-    "start": 3e-16,
-    "routes": 2 * BOUND,
-}
-MEASURES = tuple(BOUNDS)
-# Those whose bound is times a condition.
-CONDITIONED = ("energy", "momentum")
-MEANINGS = {
-    "angle": "rotation angle from the true attitude, on the right sheet (rad)",
-    "omega": "|difference from the true rates| / |omega|",
-    "norm": "| |q| - 1 |",
-    "energy": "relative drift of H",
-    "momentum": "relative drift of K^2",
-    "residual": "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian",
-    "jump": "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains",
-    "start": "angle, or relative rates, from the given state at t = 0",
-    "routes": "one time, a grid, a batch, many times, reused arrays: from states at the same times",
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,9 +58,9 @@ def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str,
         "jump": _errors("jump", times, _jump(q, q_later, omega, later - times)),
         "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
     }
-    # Peers have one way only.
-    if sample.index % routes.SHARE == 0 and hasattr(engine, "grid"):
-        apart = routes.differences(engine, plan, body, times, rate)
+    # Peers have one entry point only.
+    if entry_points.is_due(sample.index) and hasattr(engine, "grid"):
+        apart = entry_points.differences(engine, plan, body, times, rate)
         found["routes"] = _errors("routes", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)
     # Where t = 0 is not asked for there is no start.

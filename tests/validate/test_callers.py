@@ -6,14 +6,13 @@ import pytest
 from rigidsym import inputs
 from rigidsym.engines import ENGINES, batches, exactly
 from rigidsym.engines.numpy_engine import NumpyEngine
-from rigidsym.validate import callers
-from rigidsym.validate import entry_points as routes
-from rigidsym.validate.faults import FAULTS
+from rigidsym.validate import callers, entry_points
 from rigidsym.validate.faults.mutated_build import spoilt
+from rigidsym.validate.faults.tables import BY_HAND
 
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
 TIMES = np.array([0.0, 1.0, -30.0])
-KEEPS_RATES = next(f for f in FAULTS if f.line == "numpy: the caller's rates kept in a plan")
+KEEPS_RATES = next(f for f in BY_HAND if f.line == "numpy: the caller's rates kept in a plan")
 
 
 class Unchecked(NumpyEngine):
@@ -30,16 +29,16 @@ class Reading(Unchecked):
     """The same, writing states before all inputs are read."""
 
     def propagate(self, inertia, omega0, attitude0, t, out=None, errors="raise"):
-        if out is None:
-            return super().propagate(inertia, omega0, attitude0, t, None, errors)
+        if out is None or errors == "nan":
+            return super().propagate(inertia, omega0, attitude0, t, out, errors)
         for k in range(len(omega0)):
             plan = self.module.plan(inertia[k], omega0[k], attitude0[k])
             out[0][k], out[1][k] = self.module.states(plan, t)
         return out
 
 
-def apart(engine):
-    return [routes._apart(*both) for both in callers.differing(engine, BODY, TIMES)]
+def apart(engine, body=BODY):
+    return [entry_points._apart(*both) for both in callers.differing(engine, body, TIMES)]
 
 
 @pytest.mark.parametrize("name", ENGINES)
@@ -47,6 +46,27 @@ def test_engines_refuse_outputs_that_are_inputs_and_change_nothing(name):
     overwritten, mixed = apart(exactly(name))
     assert overwritten == 0
     assert mixed < 4e-15
+
+
+@pytest.mark.parametrize("size", [2.0**-1073, 2.0**-300, 2.0**1018])
+@pytest.mark.parametrize("name", ENGINES)
+def test_bodies_of_every_size_have_company(name, size):
+    body = (np.array([16.0, 16.0, 1.0]) * size, *BODY[1:])
+    assert max(apart(exactly(name), body)) < 4e-15
+
+
+class Keeping(NumpyEngine):
+    """An engine that leaves the caller's memory as it is where a body is refused."""
+
+    def propagate(self, inertia, omega0, attitude0, t, out=None, errors="raise"):
+        found = super().propagate(inertia, omega0, attitude0, t, None, errors)
+        for given, states in zip(out or found, found, strict=True):
+            np.copyto(given, states, where=~np.isnan(states))
+        return out or found
+
+
+def test_states_that_are_not_written_are_noticed():
+    assert np.isnan(apart(Keeping())[-1])
 
 
 def test_a_plan_that_keeps_memory_is_noticed():

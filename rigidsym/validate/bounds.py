@@ -1,0 +1,33 @@
+"""The documented bounds: what is measured of states, in which unit, and how wrong they may be."""
+
+ULP = 2.0**-53
+# The documented bound on angle (rad) and rates (relative), of bodies that can exist, at all times.
+BOUND = 2e-15
+BOUNDS = {
+    "angle": BOUND,
+    "omega": BOUND,
+    "norm": 1e-15,
+    # Times the condition of H and K^2: what an error of BOUND in the rates makes of them.
+    "energy": BOUND,
+    "momentum": BOUND,
+    # Two states are in these, each with an error of half the angle.
+    "residual": 2 * BOUND,
+    "jump": BOUND,
+    # The given state itself, but for the rounding of the quaternion's length.
+    "start": 3e-16,
+    "routes": 2 * BOUND,
+}
+MEASURES = tuple(BOUNDS)
+# Those whose bound is times a condition.
+CONDITIONED = ("energy", "momentum")
+MEANINGS = {
+    "angle": "rotation angle from the true attitude, with the right double-cover sign (rad)",
+    "omega": "|difference from the true rates| / |omega|",
+    "norm": "| |q| - 1 |",
+    "energy": "relative drift of H",
+    "momentum": "relative drift of K^2",
+    "residual": "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian",
+    "jump": "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains",
+    "start": "angle, or relative rates, from the given state at t = 0",
+    "routes": "one time, a grid, a batch, many times, reused arrays: from states at the same times",
+}
