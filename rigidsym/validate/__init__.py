@@ -1,10 +1,11 @@
 """Validation of the generated modules, and of one's own: strata of cases, oracles, error measures,
 reports."""
 
+from rigidsym.validate.bounds import BOUNDS, MEANINGS
 from rigidsym.validate.examination import examine
 from rigidsym.validate.finding import Finding, look
 from rigidsym.validate.implementations import check_target
-from rigidsym.validate.measure import BOUNDS, MEANINGS, Errors
+from rigidsym.validate.measure import Errors
 from rigidsym.validate.peers import PEERS, Peer
 from rigidsym.validate.report import Failure, ValidationReport, Worst
 from rigidsym.validate.strata import STRATA, Sample, Stratum, draw

@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from rigidsym.validate import campaign as campaigns
+from rigidsym.validate.bounds import MEASURES
 from rigidsym.validate.campaign import Campaign
 from rigidsym.validate.finding import Finding, look
 from rigidsym.validate.implementations import PEER
-from rigidsym.validate.measure import MEASURES
 from rigidsym.validate.peers.user_integrator import Own, own
 from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from rigidsym.validate.measure import CONDITIONED, MEASURES, ULP
+from rigidsym.validate.bounds import CONDITIONED, MEASURES, ULP
 from rigidsym.validate.tally import DRAWN
 
 HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "routes")

@@ -12,7 +12,7 @@ from rigidsym.codegen import generate
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.errors import InputError
 from rigidsym.io.files import write_text
-from rigidsym.validate.measure import ULP
+from rigidsym.validate.bounds import ULP
 from rigidsym.validate.report import ValidationReport
 from rigidsym.validate.strata import STRATA
 from rigidsym.validate.tally import DRAWN

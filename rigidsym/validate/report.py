@@ -9,12 +9,12 @@ from typing import Any
 
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
+from rigidsym.validate.bounds import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES, Campaign
 from rigidsym.validate.case_file import file_name, hexadecimal
 from rigidsym.validate.finding import Finding
 from rigidsym.validate.implementations import PEER
 from rigidsym.validate.markdown import markdown
-from rigidsym.validate.measure import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP
 from rigidsym.validate.strata import STRATA, count, in_doubles
 from rigidsym.validate.tally import DRAWN, Cell, Tally
 from rigidsym.view.html.reports import BROKEN, PASSED, report_html

@@ -11,9 +11,9 @@ from rigidsym import engines
 from rigidsym.errors import InputError
 from rigidsym.validate import campaign as campaigns
 from rigidsym.validate import checkpoint, executors
+from rigidsym.validate.bounds import MEASURES
 from rigidsym.validate.campaign import Campaign, Progress
 from rigidsym.validate.finding import look
-from rigidsym.validate.measure import MEASURES
 from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.shrink import simplest

@@ -19,11 +19,11 @@ from rigidsym.validate import (
     case_file,
     checkpoint,
     executors,
-    measure,
     session,
     validate,
     validation,
 )
+from rigidsym.validate.bounds import BOUNDS
 from rigidsym.validate.campaign import CHUNK, Progress, campaign, run, tallied
 from rigidsym.validate.checkpoint import Checkpoint
 from rigidsym.validate.finding import look
@@ -101,7 +101,7 @@ def test_an_interrupt_while_the_report_is_made_loses_no_case(tmp_path, monkeypat
 
 
 def test_a_case_that_fails_in_both_modules_leaves_a_file_of_each(tmp_path, monkeypatch):
-    monkeypatch.setitem(measure.BOUNDS, "angle", 1e-18)
+    monkeypatch.setitem(BOUNDS, "angle", 1e-18)
     session.write(validate(cases=1, strata=["uniform"]), tmp_path)
     files_written = sorted(path.parent.name for path in tmp_path.rglob("*.toml"))
     assert files_written == ["c", "numpy"]
@@ -312,8 +312,8 @@ def test_a_fraction_next_to_a_simple_number_becomes_that_number():
 
 def test_a_failure_is_made_simpler_as_a_failure_of_the_same_measure(monkeypatch):
     """A body at rest breaks the bound on the angle here, and never that on rates."""
-    monkeypatch.setitem(measure.BOUNDS, "omega", 1e-19)
-    monkeypatch.setitem(measure.BOUNDS, "angle", 1e-18)
+    monkeypatch.setitem(BOUNDS, "omega", 1e-19)
+    monkeypatch.setitem(BOUNDS, "angle", 1e-18)
     report = validate(["numpy"], cases=1, strata=["uniform"])
     (failure,) = report.failures
     assert failure.measure == "omega"

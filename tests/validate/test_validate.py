@@ -11,9 +11,10 @@ from rigidsym import InputError
 from rigidsym.engines import EngineError, engine
 from rigidsym.validate import implementations as contestants
 from rigidsym.validate import validate
+from rigidsym.validate.bounds import BOUNDS, MEASURES
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES
 from rigidsym.validate.finding import look
-from rigidsym.validate.measure import BOUNDS, MEASURES, measure
+from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import distance, enclose
 from rigidsym.validate.report import ValidationReport
 from rigidsym.validate.strata import STRATA, Sample, count, draw

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
-from rigidsym.validate.measure import MEASURES, ULP
+from rigidsym.validate.bounds import MEASURES, ULP
 
 Figure = float | str
 NOTHING = "\N{EN DASH}"

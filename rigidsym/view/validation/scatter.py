@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rigidsym.validate.measure import ULP
+from rigidsym.validate.bounds import ULP
 from rigidsym.view.html.markup import Markup, join, lines, tag
 from rigidsym.view.validation import figures, source
 from rigidsym.view.validation.axis import Axis, fitted
