@@ -1,7 +1,7 @@
-"""What the number wing may use: programmes of proved formulas, in order of evaluation.
+"""What the number wing may use: sequences of proved formulas, in order of evaluation.
 
-`plan` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns the
-constants and a time into rates and attitude, `steady` serves the motions with constant rates.
+`constants` turns inertia, rates and attitude at t = 0 into constants of the motion, `state` turns
+them and a time into rates and attitude, `steady` serves the motions with constant rates.
 `theta` adds the constants of the theta form, `theta_state` is a state by it, and `pull_back` finds
 the constant unit quaternion in front from one attitude.  `circular` and `circular_state` do the
 same with every theta as a function of its own, `hyperbolic` and `hyperbolic_state` in the
@@ -41,8 +41,8 @@ def _by_functions(context: str) -> list[Entry]:
     ]
 
 
-PROGRAMMES: dict[str, list[Entry]] = {
-    "plan": [
+SEQUENCES: dict[str, list[Entry]] = {
+    "constants": [
         *DIFFERENCES,
         *INVARIANTS,
         *facts("attitude", "K"),
@@ -116,6 +116,6 @@ PROGRAMMES: dict[str, list[Entry]] = {
 
 
 def derive(book: Book) -> None:
-    """Publish the programmes; an entry that is not proved is refused."""
-    for programme, entries in PROGRAMMES.items():
-        book.publish(programme, entries)
+    """Publish the sequences; an entry that is not proved is refused."""
+    for sequence, entries in SEQUENCES.items():
+        book.publish(sequence, entries)

@@ -95,13 +95,13 @@ def theta3(z, p, terms=2 * TERMS):
 # %% [markdown]
 # ## The constants of the paper's spacecraft
 #
-# The ledger publishes *programmes*: proved formulas in the order in which they can be evaluated.
-# The programme `theta` leads from amplitudes to the constants of the form above. We run it over
+# The ledger publishes *formula sequences*: proved formulas in the order in which they can be evaluated.
+# The sequence `theta` leads from amplitudes to the constants of the form above. We run it over
 # Arb's balls, sixty digits wide, and look at what comes out. (The nome of the parameter $m$ is
 # `q`; that of $k_1^2$, after one step of Landen's descent, is its square, `nome_1`.)
 
 # %%
-for formula in sealed().programmes["theta"]:
+for formula in sealed().sequences["theta"]:
     print(f"{formula.name:7} = {to_text(formula.expression)}")
 
 # %%
@@ -149,11 +149,11 @@ table({"n": n, "$p^{n^2}$": f"{p ** (n * n):.2e}"} for n in range(5))
 # %% [markdown]
 # ## The whole attitude, from the ledger's own text
 #
-# The programme `circular_state` is the boxed formula, component by component. The last column names
+# The sequence `circular_state` is the boxed formula, component by component. The last column names
 # the fact behind each line, or the context that says what a letter stands for.
 
 # %%
-for formula in sealed().programmes["circular_state"]:
+for formula in sealed().sequences["circular_state"]:
     line = f"{formula.name:6} = {to_text(formula.expression)}"
     print(f"{line:80} {formula.fact}")
 
@@ -479,7 +479,7 @@ assert grades(ledger, *landen) == {Grade.PROVED}
 # Next: the same formulas to fifty digits and more, with a guarantee for each of them.
 
 # %%
-by_name = {formula.name: formula.fact for formula in sealed().programmes["circular_state"]}
+by_name = {formula.name: formula.fact for formula in sealed().sequences["circular_state"]}
 proved = {fact for fact in by_name.values() if not fact.startswith("reading")}
 assert {f"theta_form.qbar_{x}" for x in "0abd"} < proved
 assert grades(ledger, *proved) == {Grade.PROVED}

@@ -339,14 +339,14 @@ print(", ".join(f"{count} facts {grade}" for grade, count in grades.most_common(
 assert set(grades) == {Grade.PROVED, Grade.ENCLOSED}
 
 # %% [markdown]
-# Which of them stand behind the digits above? The ledger *publishes* programmes, lists of facts in
+# Which of them stand behind the digits above? The ledger *publishes* sequences, lists of facts in
 # the order of evaluation; the numbers come from these and from nothing else. An entry is a
 # proved fact or a *reading*, which says what standard function a symbol stands for, as that of
 # `T4_re` in the context `theta_form` does.
 
 # %%
-programmes = ledger.published["programmes"]
-used = [*programmes["plan"], *programmes["theta"], *programmes["theta_state"]]
+sequences = ledger.published["sequences"]
+used = [*sequences["constants"], *sequences["theta"], *sequences["theta_state"]]
 facts = [entry["fact"] for entry in used if "fact" in entry]
 readings = [entry for entry in used if "reading" in entry]
 print(f"{len(facts)} formulas, {len(readings)} readings")

@@ -121,7 +121,7 @@ assert read_back == len(places)
 from dataclasses import replace
 
 old = source[place["line"] - 1]
-new = old.replace("pair_add_xx(K,", "pair_sub_xx(K,")
+new = old.replace("dd_add_xx(K,", "dd_sub_xx(K,")
 spoilt = {**generated.files, "torque_free.c": "\n".join(source).replace(old, new) + "\n"}
 try:
     seal_text(replace(generated, files=spoilt), solution())
@@ -139,7 +139,7 @@ assert noticed
 #
 # ## A program
 #
-# Two calls are enough for flight code: make a plan once, then ask for states. Both return 0, or a
+# Two calls are enough for flight code: prepare a motion once, then ask for states. Both return 0, or a
 # code that `torque_free_message` puts into words.
 
 # %%
@@ -152,9 +152,9 @@ int main(void)
     const double inertia[3] = {0.0109, 0.04, 0.0506}; /* kg m^2 */
     const double omega0[3] = {0.05, 0.03, -0.02};     /* rad/s */
     const double attitude0[4] = {1, 0, 0, 0};         /* scalar first, body to inertial */
-    torque_free_plan plan;
+    torque_free_motion plan;
     double q[4], omega[3];
-    int code = torque_free_plan_init(&plan, inertia, omega0, attitude0);
+    int code = torque_free_motion_init(&plan, inertia, omega0, attitude0);
     for (int k = 0; code == 0 && k <= 1000; k++) {
         code = torque_free_state_at(&plan, 3.6 * k, q, omega);
         printf("%.17g %.17g %.17g %.17g\n", q[0], q[1], q[2], q[3]);

@@ -45,14 +45,14 @@ import re
 
 functions = re.findall(r"^[a-z][\w ]* \*?(torque_free_\w+)\(", header, re.M)
 print(*functions, sep="\n")
-assert {"torque_free_plan_init", "torque_free_state_at"} <= set(functions)
+assert {"torque_free_motion_init", "torque_free_state_at"} <= set(functions)
 
 # %% [markdown]
-# * `torque_free_plan_init` once for a motion: some microseconds, all the decisions.
+# * `torque_free_motion_init` once for a motion: some microseconds, all the decisions.
 # * `torque_free_state_at` for a time; `_states_at` for an array of times; `_states_on_grid` for a
 #   uniform grid, which needs no sine per sample; `_propagate` for many bodies.
 # * Each returns 0 or a code that `torque_free_message` explains. Nothing is printed, nothing
-#   allocated, nothing kept: a plan may be shared by threads.
+#   allocated, nothing kept: a prepared motion may be shared by threads.
 #
 # ## How to compile
 #
@@ -61,7 +61,7 @@ assert {"torque_free_plan_init", "torque_free_state_at"} <= set(functions)
 # refused:
 #
 # * `-ffast-math`, and x87 arithmetic on old 32-bit targets (take `-msse2 -mfpmath=sse`), at once;
-# * what no macro tells, `-fassociative-math` say, by `torque_free_plan_init`, which tries.
+# * what no macro tells, `-fassociative-math` say, by `torque_free_motion_init`, which tries.
 
 # %%
 import shutil
@@ -75,9 +75,9 @@ int main(void)
 {
     const double inertia[3] = {0.0109, 0.04, 0.0506}, omega0[3] = {0.05, 0.03, -0.02};
     const double attitude0[4] = {1, 0, 0, 0};
-    torque_free_plan plan;
+    torque_free_motion plan;
     double q[4], omega[3];
-    int code = torque_free_plan_init(&plan, inertia, omega0, attitude0);
+    int code = torque_free_motion_init(&plan, inertia, omega0, attitude0);
     if (code == 0)
         code = torque_free_state_at(&plan, 180.0, q, omega);
     if (code != 0)

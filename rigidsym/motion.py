@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
-_OF_THIS_PROCESS = ("_plan", "_engine", "_precise", "_boxed")
+_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
 
@@ -71,7 +71,7 @@ class TorqueFreeMotion:
         # Past __setattr__, which refuses.
         vars(self).update(given)
 
-    # Engines need no fractions of floats, which take longer to make than a plan.
+    # Engines need no fractions of floats, which take longer to make than a motion is prepared.
     @cached_property
     def inertia(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
         """The principal moments exactly, in kg m^2."""
@@ -145,10 +145,10 @@ class TorqueFreeMotion:
         spin about the middle axis, may have left it; `precise` follows all.  With errors="nan" such
         times have states of NaN.
         """
-        plan = self._plan
+        prepared = self._prepared
         times = t if type(t) is float and math.isfinite(t) else _doubles(t, errors)
         try:
-            return self._engine.states(plan, times, out, errors)
+            return self._engine.states(prepared, times, out, errors)
         except ValueError as error:
             raise _refused(error, {"t": times, "errors": errors}) from None
 
@@ -173,9 +173,9 @@ class TorqueFreeMotion:
         times = {"start": _number("start", start), "step": _number("step", step)}
         if isinstance(count, bool) or not isinstance(count, Integral) or not 0 <= count <= _MOST:
             raise InputError("count", repr(count), "must be a whole number from 0 to 2^53")
-        plan, count = self._plan, int(count)
+        prepared, count = self._prepared, int(count)
         run = self._engine.grid
-        return _refusing(lambda: run(plan, *times.values(), count, out), t=_Samples(**times))
+        return _refusing(lambda: run(prepared, *times.values(), count, out), t=_Samples(**times))
 
     @cached_property
     def _engine(self) -> engines.Engine:
@@ -192,14 +192,14 @@ class TorqueFreeMotion:
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
-    def _plan(self) -> Any:
+    def _prepared(self) -> Any:
         if floats := self._floats:
-            return _refusing(lambda: self._engine.plan(*floats.values()), **floats)
+            return _refusing(lambda: self._engine.prepare(*floats.values()), **floats)
         given = self.exact
         doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
         if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
-            return _refusing(lambda: self._engine.exact_plan(*given.values()), **doubles)
-        return _refusing(lambda: self._engine.plan(*doubles.values()), **doubles)
+            return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **doubles)
+        return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
 
     @property
     def regime(self) -> "Regime":

@@ -138,21 +138,21 @@ def test_the_generated_module_sees_the_regime_that_exact_arithmetic_sees(stratum
         sample = draw(stratum, index, seed=11)
         values = (sample.inertia, sample.omega0, sample.attitude0)
         inertia, omega0, attitude0 = (list(map(float, x)) for x in values)
-        plan = torque_free.plan(inertia, omega0, attitude0)
+        prepared = torque_free.prepare(inertia, omega0, attitude0)
         negligible = torque_free.NEGLIGIBLE * max(map(abs, omega0))
         told = [x if abs(x) >= negligible else 0.0 for x in omega0]
         exact = classify(*(list(map(Fraction, x)) for x in (inertia, told)))
-        ((branch, _, _),) = plan["groups"]
+        ((branch, _, _),) = prepared["groups"]
         assert (branch == "steady") == exact.regime.steady
         if not exact.regime.steady:
-            assert inertia[plan["axes"][0, 0]] == inertia[exact.axes[0]]
+            assert inertia[prepared["axes"][0, 0]] == inertia[exact.axes[0]]
 
 
 def test_exact_decision_survives_total_cancellation():
     """One ulp on either side of an exact separatrix is circulation about different axes."""
     for omega, axis in ((1.0, 2), (math.nextafter(1.0, 2), 2), (math.nextafter(1.0, 0), 0)):
-        plan = torque_free.plan((1.0, 2.0, 2.25), (0.75, 0.5, omega))
-        assert plan["axes"][0, 0] == axis
+        prepared = torque_free.prepare((1.0, 2.0, 2.25), (0.75, 0.5, omega))
+        assert prepared["axes"][0, 0] == axis
     exact = Fraction(math.nextafter(1.0, 0))
     motion = TorqueFreeMotion((1.0, 2.0, 2.25), (0.75, 0.5, float(exact)))
     q, _ = motion([40.0, 100.0])

@@ -95,10 +95,10 @@ def test_engines_agree_on_the_time():
 
 def test_grids_end_there_too():
     c = exactly("c")
-    plan = c.plan(GENERAL, (5e-324, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0))
-    assert c.grid(plan, 0.0, 1.0, 500)[0].shape == (500, 4)
+    prepared = c.prepare(GENERAL, (5e-324, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0))
+    assert c.grid(prepared, 0.0, 1.0, 500)[0].shape == (500, 4)
     with pytest.raises(ValueError, match=r"^t: nearer to the separatrix"):
-        c.grid(plan, 0.0, 10.0, 500)
+        c.grid(prepared, 0.0, 10.0, 500)
 
 
 def test_one_of_many_does_not_stop_the_others(engine):

@@ -157,7 +157,7 @@ def _errors(axes: Any, motion: TorqueFreeMotion) -> None:
     axes.axhline(BOUND, color="black", linewidth=1, linestyle="--")
     t = np.logspace(0, 4, 101)
     integrator = peer("dop853")
-    found, _ = integrator.states(integrator.plan(INERTIA, OMEGA0, ATTITUDE0), t)
+    found, _ = integrator.states(integrator.prepare(INERTIA, OMEGA0, ATTITUDE0), t)
     axes.loglog(t, error(motion, t, found), color=GREY, linewidth=1.6)
     axes.text(2e4, 2e-11, "a good integrator: SciPy's DOP853 at its best", color=GREY)
     axes.text(8e11, 4e-15, "documented bound, 2e-15 rad", ha="right")

@@ -22,10 +22,10 @@ DIGEST = "@digest@"
 MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
 _DOMAIN = """\
-Domain: positive principal moments of inertia, none below 2^{thinnest} of another; finite rates and
-attitude; |omega0 t| up to 2^{farthest} rad, and less for motions that binary64 cannot tell from the
-separatrix, or from spin about the middle axis.  What lies outside is refused.  Numbers mean their
-exact binary64 values.
+Domain: positive principal moments of inertia, none below 2^{min_moment_ratio} of another; finite
+rates and attitude; |omega0 t| up to 2^{max_angle} rad, and less for motions that binary64 cannot
+tell from the separatrix, or from spin about the middle axis.  What lies outside is refused.
+Numbers mean their exact binary64 values.
 Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
 kg m^2; t in s.
@@ -41,8 +41,8 @@ bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` hol
 mpmath:"""
 
 
-def kernels() -> list[str]:
-    """The error bounds of the kernels, a line each."""
+def special_functions() -> list[str]:
+    """The error bounds of the special functions, a line each."""
     sine = circle.sine_bound(circle.sine_coefficients(reduction.TERMS))
     cosine = circle.cosine_bound(circle.cosine_coefficients(reduction.TERMS))
     return [
@@ -75,7 +75,7 @@ def _up(value: float) -> str:
 
 def text(target: str) -> str:
     """The whole paragraph, with places for the digest and what was measured."""
-    bounds = [*kernels(), *([_exponential()] if target == "c" else [])]
+    bounds = [*special_functions(), *([_exponential()] if target == "c" else [])]
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
     domain = _DOMAIN.format(**{limit.name: limit.exponent for limit in LIMITS})
     return "\n".join([domain, *bounds, "", MEASURED, "", *ends])

@@ -15,9 +15,11 @@ class Limit:
 LIMITS = (
     Limit("negligible", -400, "rates below this share of the largest are taken for zero"),
     Limit("decisive", -70, "of others' share in a tilt, below which those may be taken for zero"),
-    Limit("faintest", -900, "of E_b in inner units; nearer to the separatrix is taken for it"),
+    Limit(
+        "min_discriminant", -900, "of E_b in inner units; nearer to the separatrix is taken for it"
+    ),
     Limit("tolerated", -60, "of the momentum, by which that, or middle-axis spin, may be wrong"),
-    Limit("thinnest", -200, "of one principal moment over another"),
-    Limit("farthest", 46, "of |omega0 t|, rad"),
-    Limit("fastest", 990, "of a rate, rad/s: exact products with it are still held"),
+    Limit("min_moment_ratio", -200, "of one principal moment over another"),
+    Limit("max_angle", 46, "of |omega0 t|, rad"),
+    Limit("max_rate", 990, "of a rate, rad/s: exact products with it are still held"),
 )

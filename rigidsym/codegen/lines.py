@@ -54,10 +54,10 @@ def comment(let: Let) -> str:
     return "; ".join(filter(None, (equations, " ".join(let.facts))))
 
 
-def flat_results(plan: Function) -> list[str]:
-    """The results of a plan as doubles: those that are split as two."""
+def flat_results(function: Function) -> list[str]:
+    """The results of a function as doubles: those that are split as two."""
     return [
         flat
-        for name in plan.results
-        for flat in ((f"{name}_hi", f"{name}_lo") if name in plan.split else (name,))
+        for name in function.results
+        for flat in ((f"{name}_hi", f"{name}_lo") if name in function.split else (name,))
     ]

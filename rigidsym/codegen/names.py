@@ -7,9 +7,9 @@ DIFFERENCES = ("c_ab", "c_ad", "c_bd")
 RATES = tuple(f"Omega_{x}" for x in AXES)
 ATTITUDE = ("q_0", "q_a", "q_b", "q_d")
 SIGNS = ("epsilon", "sigma", "rho", "chi")
-# What the start of a motion hands to the plan of either branch.
+# What the start of a motion hands to the constants of either branch.
 AMPLITUDES = tuple(f"A_{x}" for x in AXES)
-STARTED = ("K", *AMPLITUDES, "B_a", "B_d", "k_1", "kc_1", "mu", "psi_0", "s", "c", "d")
+INITIAL = ("K", *AMPLITUDES, "B_a", "B_d", "k_1", "kc_1", "mu", "psi_0", "s", "c", "d")
 STATE = (*ATTITUDE, *RATES)
 # e^(i Lambda t) theta_4 and theta_1, and what multiplies them in each component.
 PARTS = ("P4_re", "P4_im", "P1_re", "P1_im")

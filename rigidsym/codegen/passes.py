@@ -24,7 +24,7 @@ _SHARED = "common_"
 def select(
     formulas: Iterable[Formula], results: Iterable[str], given: Iterable[str]
 ) -> tuple[Let, ...]:
-    """Input: a programme, the names wanted and the names given.  Output: the lets in between."""
+    """Input: a sequence, the names wanted and the names given.  Output: the lets in between."""
     known, wanted, kept = set(given), set(results), []
     for formula in reversed(tuple(formulas)):
         if formula.name in wanted and formula.name not in known:

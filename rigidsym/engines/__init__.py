@@ -1,4 +1,4 @@
-"""Engines: what turns plans and times into states, by NumPy or by C compiled on this machine.
+"""Engines: what turns prepared motions and times into states, by NumPy or by C compiled here.
 
 Both follow one protocol, and their states at given times agree within the errors they are measured
 to have.

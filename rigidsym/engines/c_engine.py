@@ -14,69 +14,69 @@ from rigidsym.engines.library import Library
 from rigidsym.engines.protocol import EngineError, Outputs, States
 
 # Doubles, whose memory the caller owns; nobody writes to it once it is made.
-Plan = ctypes.Array
+Prepared = ctypes.Array
 _DOUBLE = ctypes.sizeof(c_double)
 # One state, q before omega.
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
-# A plan takes as long as this many states.
-_PLAN = 256
+# A prepared motion takes as long as this many states.
+_PREPARATION = 256
 # Codes of torque_free.h that many inputs can be meant by, and those of times.
 _NOT_FINITE, _SEPARATRIX, _TIME = 1, 5, 6
 
 
 class CEngine:
-    """torque_free.c as an `Engine`; plans and the engine may be shared by threads."""
+    """torque_free.c as an `Engine`; prepared motions and the engine may be shared by threads."""
 
-    __slots__ = ("_library", "_plan_type", "_state_at")
+    __slots__ = ("_library", "_prepared_type", "_state_at")
 
     def __init__(self, library: Library) -> None:
         self._library = library
         self._state_at = library.state_at
-        # An array of doubles is aligned as a plan has to be.
-        self._plan_type = c_double * -(-library.plan_size() // _DOUBLE)
+        # An array of doubles is aligned as a prepared motion has to be.
+        self._prepared_type = c_double * -(-library.motion_size() // _DOUBLE)
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Plan:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Prepared:
         """See `Engine`."""
         given = arrays.named(inertia, omega0, attitude0)
-        return self._planned(self._library.plan_init, _vectors(given, ()))
+        return self._made(self._library.motion_init, _vectors(given, ()))
 
-    def plan_from_pairs(
+    def prepare_from_double_doubles(
         self,
         inertia: Any,
         differences: Any,
         omega0: Any,
         attitude0: Any,
-        excess: Any,
+        discriminant: Any,
         unit: float,
-    ) -> Plan:
+    ) -> Prepared:
         """Constants of one motion from sums of two doubles: (3, 2) thrice, (4, 2) and (2,).
 
-        Scaled as torque_free.h says, rates times `unit` rad/s; excess is K^2 - 2 H c_b.
+        Scaled as torque_free.h says, rates times `unit` rad/s; discriminant is K^2 - 2 H c_b.
         """
         named = {"inertia": inertia, "differences": differences, "omega0": omega0}
-        named |= {"attitude0": attitude0, "excess": excess}
+        named |= {"attitude0": attitude0, "discriminant": discriminant}
         given = _vectors({name: np.asarray(value, float) for name, value in named.items()}, (2,))
-        return self._planned(self._library.plan_init_pairs, given, unit)
+        return self._made(self._library.motion_init_double_doubles, given, unit)
 
-    def exact_plan(
+    def prepare_exactly(
         self,
         inertia: Sequence[Fraction],
         omega0: Sequence[Fraction],
         attitude0: Sequence[Fraction],
-    ) -> Plan:
+    ) -> Prepared:
         """See `Engine`."""
         # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_inputs import exact_pairs
+        from rigidsym.engines.exact_inputs import exact_inputs
 
-        return self.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
+        return self.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
 
-    def _planned(
+    def _made(
         self, init: Callable[..., int], given: Mapping[str, np.ndarray], *unit: float
-    ) -> Plan:
-        plan = self._plan_type()
-        if code := init(plan, *(array.ctypes.data for array in given.values()), *unit):
+    ) -> Prepared:
+        prepared = self._prepared_type()
+        if code := init(prepared, *(array.ctypes.data for array in given.values()), *unit):
             raise self._refused(code, given)
-        return plan
+        return prepared
 
     def _refused(
         self, code: int, given: Mapping[str, np.ndarray], body: int | None = None
@@ -88,9 +88,9 @@ class CEngine:
         field, _, rule = self._library.message(code).decode().rpartition(": ")
         return EngineError(field or "engine", rule, body)
 
-    def _refused_times(self, code: int, plan: Plan, t: np.ndarray) -> EngineError:
+    def _refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
         """What a code means for these times, with the index of the first that it is meant by."""
-        last, flat = self._library.last_time(plan), t.reshape(-1)
+        last, flat = self._library.last_time(prepared), t.reshape(-1)
         endless, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
         if endless.size:
             return EngineError("t", arrays.BAD_TIMES, time=int(endless[0]))
@@ -99,42 +99,44 @@ class CEngine:
             rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
         return EngineError("t", rule, time=int(late[0]) if late.size else None)
 
-    def states(self, plan: Plan, t: Any, out: Outputs = None, errors: str = "raise") -> States:
+    def states(
+        self, prepared: Prepared, t: Any, out: Outputs = None, errors: str = "raise"
+    ) -> States:
         """See `Engine`."""
         if arrays.is_lenient(errors):
-            return self._lenient(plan, arrays.times(t), out)
+            return self._lenient(prepared, arrays.times(t), out)
         if out is None and isinstance(t, float):
-            return self._state(plan, t)
+            return self._state(prepared, t)
         t = arrays.times(t)
         q, omega = arrays.outputs(out, t.shape, t)
         inputs = t.ctypes.data, q.ctypes.data, omega.ctypes.data
 
         def part(begin: int, end: int) -> int:
             places = _offset(inputs, begin, (1, 4, 3))
-            return self._library.states_at(plan, end - begin, *places)
+            return self._library.states_at(prepared, end - begin, *places)
 
         if code := max(_shared(part, t.size)):
-            raise self._refused_times(code, plan, t)
+            raise self._refused_times(code, prepared, t)
         return q, omega
 
-    def _lenient(self, plan: Plan, t: np.ndarray, out: Outputs) -> States:
+    def _lenient(self, prepared: Prepared, t: np.ndarray, out: Outputs) -> States:
         """States where there are any, else NaN."""
         q, omega = arrays.outputs(out, t.shape, t)
-        near = np.isfinite(t) & (np.abs(t) <= self._library.last_time(plan))
-        self.states(plan, np.where(near, t, 0.0), (q, omega))
+        near = np.isfinite(t) & (np.abs(t) <= self._library.last_time(prepared))
+        self.states(prepared, np.where(near, t, 0.0), (q, omega))
         q[~near] = omega[~near] = np.nan
         return q, omega
 
-    def _state(self, plan: Plan, t: float) -> States:
+    def _state(self, prepared: Prepared, t: float) -> States:
         """The state at one time, by the shortest way there is from Python to C and back."""
         state: Any = _State()
         place = addressof(state)
-        if code := self._state_at(plan, t, place, place + _OMEGA):
-            raise self._refused_times(code, plan, np.array(t))
+        if code := self._state_at(prepared, t, place, place + _OMEGA):
+            raise self._refused_times(code, prepared, np.array(t))
         return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
 
     def grid(
-        self, plan: Plan, start: float, step: float, count: int, out: Outputs = None
+        self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
         """See `Engine`."""
         q, omega = arrays.outputs(out, (arrays.count(count),))
@@ -142,11 +144,11 @@ class CEngine:
 
         def part(begin: int, end: int) -> int:
             places = _offset(outputs, begin, (4, 3))
-            return self._library.states_on_grid(plan, start, step, begin, end - begin, *places)
+            return self._library.states_on_grid(prepared, start, step, begin, end - begin, *places)
 
         if code := max(_shared(part, count)):
-            first = _first_beyond(start, step, self._library.last_time(plan))
-            refused = self._refused_times(code, plan, np.array(start + first * step))
+            first = _first_beyond(start, step, self._library.last_time(prepared))
+            refused = self._refused_times(code, prepared, np.array(start + first * step))
             raise EngineError(refused.field, refused.rule, time=min(first, count - 1))
         return q, omega
 
@@ -165,7 +167,7 @@ class CEngine:
         states = arrays.outputs(out, (*shape, *t.shape), t, *given.values())
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
         count = math.prod(shape)
-        parts = threads.threads(count * (t.size + _PLAN))
+        parts = threads.threads(count * (t.size + _PREPARATION))
         if count < parts and not lenient:
             self._one_by_one(bodies, t, states)
         else:
@@ -184,7 +186,7 @@ class CEngine:
     ) -> None:
         """Body k of a batch by itself; errors have its index."""
         try:
-            self.states(self.plan(*(array[k] for array in bodies.values())), t, out)
+            self.states(self.prepare(*(array[k] for array in bodies.values())), t, out)
         except EngineError as error:
             raise EngineError(error.field, error.rule, k, error.time) from None
 
@@ -212,10 +214,10 @@ class CEngine:
             )
             return begin + failed.value if code else None
 
-        count, piece = len(bodies["inertia"]), max(1, threads.PIECE // (t.size + _PLAN))
+        count, piece = len(bodies["inertia"]), max(1, threads.PIECE // (t.size + _PREPARATION))
         for body in threads.in_parts(part, count, parts, piece):
             if body is not None:
-                # Once more, because a plan knows which times are too late.
+                # Once more, because a prepared motion knows which times are too late.
                 self._one(body, bodies, t)
 
 

@@ -15,9 +15,9 @@ from typing import NamedTuple
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.generated import torque_free
-from rigidsym.solution.polhode import excess
+from rigidsym.solution.polhode import discriminant
 
-Pair = tuple[float, float]
+DoubleDouble = tuple[float, float]
 
 # Moments closer than this part of the smallest are taken for equal: products of two differences
 # would leave binary64, and so would the rates that could tell the circulations apart.  A motion is
@@ -25,36 +25,36 @@ Pair = tuple[float, float]
 INDISTINCT = Fraction(1, 2**250)
 
 
-class ExactPairs(NamedTuple):
-    """The arguments of `plan_from_pairs`."""
+class ExactInputs(NamedTuple):
+    """The arguments of `prepare_from_double_doubles`."""
 
-    inertia: list[Pair]
-    differences: list[Pair]
-    omega0: list[Pair]
-    attitude0: list[Pair]
-    excess: Pair
+    inertia: list[DoubleDouble]
+    differences: list[DoubleDouble]
+    omega0: list[DoubleDouble]
+    attitude0: list[DoubleDouble]
+    discriminant: DoubleDouble
     unit: float
 
 
-def exact_pairs(
+def exact_inputs(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
-) -> ExactPairs:
+) -> ExactInputs:
     """Scale by powers of two and round to pairs; raises InputError for what is out of range."""
     moments = _merged(_over_power_of_two(inertia)[0])
     rates, exponent = _over_power_of_two(omega0)
     quaternion, _ = _over_power_of_two(attitude0)
-    if min(moments) < torque_free.THINNEST:
+    if min(moments) < torque_free.MIN_MOMENT_RATIO:
         rule = "principal moments differ by more than binary64 can follow"
         raise InputError("inertia", inputs.shown(inertia), rule)
     if not -1074 <= exponent <= 1020:
         raise InputError("omega0", inputs.shown(omega0), "is beyond the range of binary64")
     differences = [moments[k] - moments[(k + 1) % 3] for k in range(3)]
     given = moments, differences, rates, quaternion
-    decides = pair(excess(moments, rates))
-    return ExactPairs(*([pair(x) for x in xs] for xs in given), decides, 2.0**exponent)
+    decides = pair(discriminant(moments, rates))
+    return ExactInputs(*([pair(x) for x in xs] for xs in given), decides, 2.0**exponent)
 
 
-def pair(value: Fraction) -> Pair:
+def pair(value: Fraction) -> DoubleDouble:
     """The nearest double, but zero for zero alone, and the nearest double to what is left.
 
     >>> pair(Fraction(1, 10))

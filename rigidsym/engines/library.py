@@ -15,9 +15,9 @@ _ARITHMETIC = 8
 _SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "digest": (c_char_p, ()),
     "message": (c_char_p, (c_int,)),
-    "plan_size": (c_size_t, ()),
-    "plan_init": (c_int, (c_void_p, *_BODY)),
-    "plan_init_pairs": (c_int, (c_void_p, *_BODY, *(c_void_p,) * 2, c_double)),
+    "motion_size": (c_size_t, ()),
+    "motion_init": (c_int, (c_void_p, *_BODY)),
+    "motion_init_double_doubles": (c_int, (c_void_p, *_BODY, *(c_void_p,) * 2, c_double)),
     "state_at": (c_int, (c_void_p, c_double, *_OUT)),
     "states_at": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT)),
     "states_on_grid": (c_int, (c_void_p, c_double, c_double, c_size_t, c_size_t, *_OUT)),
@@ -36,9 +36,9 @@ class Library:
 
     digest: Callable[..., bytes]
     message: Callable[..., bytes]
-    plan_size: Callable[..., int]
-    plan_init: Callable[..., int]
-    plan_init_pairs: Callable[..., int]
+    motion_size: Callable[..., int]
+    motion_init: Callable[..., int]
+    motion_init_double_doubles: Callable[..., int]
     state_at: Callable[..., int]
     states_at: Callable[..., int]
     states_on_grid: Callable[..., int]
@@ -59,10 +59,10 @@ def load(path: Path, sources: Mapping[str, str]) -> Library:
 
 
 def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError where no plan will be made: options in $CC can do that."""
-    plan = (c_double * -(-library.plan_size() // ctypes.sizeof(c_double)))()
+    """Raise LibraryError where no prepared will be made: options in $CC can do that."""
+    prepared = (c_double * -(-library.motion_size() // ctypes.sizeof(c_double)))()
     one = (c_double * 4)(1.0, 1.0, 1.0, 1.0)
-    if library.plan_init(plan, one, one, one) == _ARITHMETIC:
+    if library.motion_init(prepared, one, one, one) == _ARITHMETIC:
         raise LibraryError(f"the C module refuses: {library.message(_ARITHMETIC).decode()}")
 
 

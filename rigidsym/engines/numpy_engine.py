@@ -12,7 +12,7 @@ from rigidsym.engines import arrays
 from rigidsym.engines.protocol import EngineError, Outputs, States
 from rigidsym.generated import torque_free
 
-# Bodies at a time: a plan takes 4 KB of memory for each while it is made.
+# Bodies at a time: a prepared motion takes 4 KB of memory for each while it is made.
 _BODIES = 4096
 
 
@@ -22,11 +22,11 @@ class NumpyEngine:
 
     module: Any = torque_free
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> dict[str, Any]:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> dict[str, Any]:
         """See `Engine`."""
-        return self.module.plan(inertia, omega0, attitude0)
+        return self.module.prepare(inertia, omega0, attitude0)
 
-    def exact_plan(
+    def prepare_exactly(
         self,
         inertia: Sequence[Fraction],
         omega0: Sequence[Fraction],
@@ -34,29 +34,29 @@ class NumpyEngine:
     ) -> dict[str, Any]:
         """See `Engine`."""
         # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_inputs import exact_pairs
+        from rigidsym.engines.exact_inputs import exact_inputs
 
-        return self.module.plan_from_pairs(*exact_pairs(inertia, omega0, attitude0))
+        return self.module.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
 
     def states(
-        self, plan: dict[str, Any], t: Any, out: Outputs = None, errors: str = "raise"
+        self, prepared: dict[str, Any], t: Any, out: Outputs = None, errors: str = "raise"
     ) -> States:
         """See `Engine`."""
         if out is not None:
             times = np.asarray(t, float)
-            arrays.outputs(out, (*plan["shape"], *times.shape), times)
-        return self.module.states(plan, t, out, errors)
+            arrays.outputs(out, (*prepared["shape"], *times.shape), times)
+        return self.module.states(prepared, t, out, errors)
 
     def grid(
         self,
-        plan: dict[str, Any],
+        prepared: dict[str, Any],
         start: float,
         step: float,
         count: int,
         out: Outputs = None,
     ) -> States:
         """See `Engine`; at the doubles nearest to these times."""
-        return self.states(plan, start + step * np.arange(arrays.count(count)), out)
+        return self.states(prepared, start + step * np.arange(arrays.count(count)), out)
 
     def propagate(
         self,
@@ -67,7 +67,7 @@ class NumpyEngine:
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:
-        """See `Engine`; plans are made for a block of bodies at a time."""
+        """See `Engine`; prepared motions are made for a block of bodies at a time."""
         given = arrays.named(inertia, omega0, attitude0)
         arrays.is_lenient(errors)
         shape, t = arrays.batch(given), arrays.times(t)
@@ -80,8 +80,8 @@ class NumpyEngine:
             index = np.unravel_index(range(count)[some], shape) if shape else ()
             bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
             try:
-                plan = self.module.plan(*bodies, errors)
-                self.module.states(plan, t, tuple(x[some] for x in rows), errors)
+                prepared = self.module.prepare(*bodies, errors)
+                self.module.states(prepared, t, tuple(x[some] for x in rows), errors)
             except ValueError as error:
                 raise _of_batch(error, first) from None
         return q, omega

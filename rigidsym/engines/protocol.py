@@ -33,11 +33,11 @@ class Engine(Protocol):
     errors="nan" bodies and times that are refused have states of NaN instead.
     """
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
         """Constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
         ...
 
-    def exact_plan(
+    def prepare_exactly(
         self,
         inertia: Sequence[Fraction],
         omega0: Sequence[Fraction],
@@ -46,11 +46,13 @@ class Engine(Protocol):
         """Constants of one motion from exact numbers, which are not rounded to float64 first."""
         ...
 
-    def states(self, plan: Any, t: Any, out: Outputs = None, errors: str = "raise") -> States:
+    def states(self, prepared: Any, t: Any, out: Outputs = None, errors: str = "raise") -> States:
         """(q, omega): (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
         ...
 
-    def grid(self, plan: Any, start: float, step: float, count: int, out: Outputs = None) -> States:
+    def grid(
+        self, prepared: Any, start: float, step: float, count: int, out: Outputs = None
+    ) -> States:
         """(q, omega), (count, 4) and (count, 3), at the times start + k step.
 
         C takes these times exactly, NumPy the doubles nearest to them.

@@ -15,7 +15,7 @@
 #endif
 
 /* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
-   that breaks this shows in a macro: torque_free_plan_init looks, too. */
+   that breaks this shows in a macro: torque_free_motion_init looks, too. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
@@ -35,7 +35,7 @@ typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
    errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
    sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
    and Rideau, ACM TOMS 49(1), 2023). */
-typedef struct { double hi, lo; } pair;
+typedef struct { double hi, lo; } double_double;
 
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
 #define fused(a, b, c) fma((a), (b), (c))
@@ -104,131 +104,131 @@ static inline double choose(double x, double y, double one, double other)
     return x <= y ? one : other;
 }
 
-static inline pair pair_of(double a)
+static inline double_double dd_of(double a)
 {
-    const pair x = {a, 0.0};
+    const double_double x = {a, 0.0};
     return x;
 }
 
 /* a + b exactly (Knuth). */
-static inline pair two_sum(double a, double b)
+static inline double_double two_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
     const double d = s - c;
-    const pair x = {s, (a - d) + (b - c)};
+    const double_double x = {s, (a - d) + (b - c)};
     return x;
 }
 
 /* a + b exactly, for |a| >= |b| (Dekker). */
-static inline pair quick_sum(double a, double b)
+static inline double_double quick_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
-    const pair x = {s, b - c};
+    const double_double x = {s, b - c};
     return x;
 }
 
 /* a b exactly. */
-static inline pair two_product(double a, double b)
+static inline double_double two_product(double a, double b)
 {
     const double p = a * b;
-    const pair x = {p, product_error(a, b, p)};
+    const double_double x = {p, product_error(a, b, p)};
     return x;
 }
 
-static inline pair pair_neg(pair x)
+static inline double_double dd_neg(double_double x)
 {
-    const pair y = {-x.hi, -x.lo};
+    const double_double y = {-x.hi, -x.lo};
     return y;
 }
 
-static inline pair pair_add_xx(pair x, pair y)
+static inline double_double dd_add_xx(double_double x, double_double y)
 {
-    const pair s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-    const pair v = quick_sum(s.hi, s.lo + t.hi);
+    const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+    const double_double v = quick_sum(s.hi, s.lo + t.hi);
     return quick_sum(v.hi, v.lo + t.lo);
 }
 
-static inline pair pair_add_xd(pair x, double y)
+static inline double_double dd_add_xd(double_double x, double y)
 {
-    const pair s = two_sum(x.hi, y);
+    const double_double s = two_sum(x.hi, y);
     return quick_sum(s.hi, s.lo + x.lo);
 }
 
-static inline pair pair_add_dx(double x, pair y) { return pair_add_xd(y, x); }
-static inline pair pair_sub_xx(pair x, pair y) { return pair_add_xx(x, pair_neg(y)); }
-static inline pair pair_sub_xd(pair x, double y) { return pair_add_xd(x, -y); }
-static inline pair pair_sub_dx(double x, pair y) { return pair_add_xd(pair_neg(y), x); }
+static inline double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
+static inline double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
+static inline double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
+static inline double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
 
-static inline pair pair_mul_xx(pair x, pair y)
+static inline double_double dd_mul_xx(double_double x, double_double y)
 {
-    const pair p = two_product(x.hi, y.hi);
+    const double_double p = two_product(x.hi, y.hi);
     return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-static inline pair pair_mul_xd(pair x, double y)
+static inline double_double dd_mul_xd(double_double x, double y)
 {
-    const pair p = two_product(x.hi, y);
+    const double_double p = two_product(x.hi, y);
     return quick_sum(p.hi, p.lo + x.lo * y);
 }
 
-static inline pair pair_mul_dx(double x, pair y) { return pair_mul_xd(y, x); }
+static inline double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
 
-static inline pair pair_div_xx(pair x, pair y)
+static inline double_double dd_div_xx(double_double x, double_double y)
 {
     const double q = x.hi / y.hi;
-    const pair r = pair_mul_xd(y, q);
+    const double_double r = dd_mul_xd(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
 }
 
-static inline pair pair_div_xd(pair x, double y)
+static inline double_double dd_div_xd(double_double x, double y)
 {
     const double q = x.hi / y;
-    const pair r = two_product(y, q);
+    const double_double r = two_product(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
 }
 
-static inline pair pair_div_dx(double x, pair y) { return pair_div_xx(pair_of(x), y); }
+static inline double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
 
-static inline pair pair_sqrt(pair x)
+static inline double_double dd_sqrt(double_double x)
 {
     const double s = sqrt(x.hi);
-    const pair r = two_product(s, s);
+    const double_double r = two_product(s, s);
     const double rest = (x.hi - r.hi) + (x.lo - r.lo);
     return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
 }
 
-static inline pair pair_size(pair x) { return x.hi < 0.0 ? pair_neg(x) : x; }
-static inline double pair_rounded(pair x) { return x.hi + x.lo; }
-static inline pair pair_choose(double x, double y, pair one, pair other)
+static inline double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
+static inline double dd_rounded(double_double x) { return x.hi + x.lo; }
+static inline double_double dd_choose(double x, double y, double_double one, double_double other)
 {
     return x <= y ? one : other;
 }
 
-static inline pair scaled(pair x, int exponent)
+static inline double_double scaled(double_double x, int exponent)
 {
-    const pair y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
+    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
     return y;
 }
 
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
-static inline double pair_exponent(pair x)
+static inline double dd_exponent(double_double x)
 {
     int e;
     return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
 }
 
-static inline pair pair_mantissa(pair x) { return scaled(x, -(int)pair_exponent(x)); }
+static inline double_double dd_mantissa(double_double x) { return scaled(x, -(int)dd_exponent(x)); }
 /* An exact number is the sum of non-overlapping doubles, smallest first (Shewchuk, Discrete and
-   Computational Geometry 18, 1997).  32 parts hold any value of `excess`. */
+   Computational Geometry 18, 1997).  32 parts hold any value of `discriminant`. */
 typedef struct { int size; double part[32]; } exact;
 
 static void exact_grow(exact *x, double a)
 {
     int size = 0;
     for (int i = 0; i < x->size; i++) {
-        const pair s = two_sum(a, x->part[i]);
+        const double_double s = two_sum(a, x->part[i]);
         if (s.lo < 0.0 || s.lo > 0.0)
             x->part[size++] = s.lo;
         a = s.hi;
@@ -256,33 +256,33 @@ static exact exact_mul_xx(exact x, exact y)
     exact z = {0, {0.0}};
     for (int i = 0; i < x.size; i++)
         for (int j = 0; j < y.size; j++) {
-            const pair p = two_product(x.part[i], y.part[j]);
+            const double_double p = two_product(x.part[i], y.part[j]);
             exact_grow(&z, p.lo);
             exact_grow(&z, p.hi);
         }
     return z;
 }
 
-static pair exact_to_pair(exact x)
+static double_double exact_to_dd(exact x)
 {
-    pair sum = {0.0, 0.0};
+    double_double sum = {0.0, 0.0};
     for (int i = 0; i < x.size; i++)
-        sum = pair_add_xd(sum, x.part[i]);
+        sum = dd_add_xd(sum, x.part[i]);
     return sum;
 }
-static const pair pi = {3.141592653589793, 1.2246467991473532e-16}; /* pi */
+static const double_double pi = {3.141592653589793, 1.2246467991473532e-16}; /* pi */
 static const double pi_hi = 3.141592653589793; /* pi */
 static const double pi_lo = 1.2246467991473532e-16; /* pi - pi_hi */
-static const pair log_2 = {0.6931471805599453, 2.3190468138462996e-17}; /* log_2 */
+static const double_double log_2 = {0.6931471805599453, 2.3190468138462996e-17}; /* log_2 */
 static const double never = 1e+300; /* the exponent of what has vanished */
-static const pair over_3 = {0.3333333333333333, 1.850371707708594e-17}; /* 1/3 */
-static const pair over_5 = {0.2, -1.1102230246251566e-17}; /* 1/5 */
-static const pair over_7 = {0.14285714285714285, 7.93016446160826e-18}; /* 1/7 */
-static const pair over_9 = {0.1111111111111111, 6.1679056923619804e-18}; /* 1/9 */
-static const pair over_11 = {0.09090909090909091, -2.523234146875356e-18}; /* 1/11 */
-static const pair over_13 = {0.07692307692307693, -4.270088556250602e-18}; /* 1/13 */
-static const pair over_15 = {0.06666666666666667, 9.251858538542971e-19}; /* 1/15 */
-static const pair over_17 = {0.058823529411764705, 8.163404592832033e-19}; /* 1/17 */
+static const double_double over_3 = {0.3333333333333333, 1.850371707708594e-17}; /* 1/3 */
+static const double_double over_5 = {0.2, -1.1102230246251566e-17}; /* 1/5 */
+static const double_double over_7 = {0.14285714285714285, 7.93016446160826e-18}; /* 1/7 */
+static const double_double over_9 = {0.1111111111111111, 6.1679056923619804e-18}; /* 1/9 */
+static const double_double over_11 = {0.09090909090909091, -2.523234146875356e-18}; /* 1/11 */
+static const double_double over_13 = {0.07692307692307693, -4.270088556250602e-18}; /* 1/13 */
+static const double_double over_15 = {0.06666666666666667, 9.251858538542971e-19}; /* 1/15 */
+static const double_double over_17 = {0.058823529411764705, 8.163404592832033e-19}; /* 1/17 */
 static const double over_19 = 0.05263157894736842; /* 1/19 */
 static const double over_21 = 0.047619047619047616; /* 1/21 */
 static const double over_23 = 0.043478260869565216; /* 1/23 */
@@ -334,66 +334,70 @@ static inline double exponential(double x)
 }
 
 /* K^2 - 2 H c_b over any numbers. */
-static pair excess_pair(pair c_a, pair c_d, pair c_ab, pair c_bd, pair Omega_a, pair Omega_d)
+static double_double discriminant_dd(double_double c_a, double_double c_d, double_double c_ab, double_double c_bd,
+    double_double Omega_a, double_double Omega_d)
 {
-    const pair E_b = pair_sub_xx(pair_mul_xx(pair_mul_xx(c_a, c_ab), pair_mul_xx(Omega_a, Omega_a)), pair_mul_xx(pair_mul_xx(c_d, c_bd), pair_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    const double_double E_b = dd_sub_xx(dd_mul_xx(dd_mul_xx(c_a, c_ab), dd_mul_xx(Omega_a, Omega_a)), dd_mul_xx(dd_mul_xx(c_d, c_bd), dd_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
     return E_b;
 }
 
 /* K^2 - 2 H c_b over any numbers. */
-static exact excess_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
+static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
 {
     const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
     return E_b;
 }
 
-/* Invariants, amplitudes and the descended functions at t = 0; E_b comes from `_excess`. */
-static void start(pair c_a, pair c_b, pair c_d, pair c_ab, pair c_ad, pair c_bd, pair Omega_a,
-    pair Omega_b, pair Omega_d, pair E_b, double epsilon, double sigma, double rho,
-    double chi, pair *K_out, pair *A_a_out, pair *A_b_out, pair *A_d_out, pair *B_a_out,
-    pair *B_d_out, pair *k_1_out, pair *kc_1_out, pair *mu_out, pair *psi_0_out,
-    pair *s_out, pair *c_out, pair *d_out)
+/* Invariants, amplitudes, descended functions at t = 0; E_b is of `_discriminant`. */
+static void initial_state(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
+    double_double c_ad, double_double c_bd, double_double Omega_a, double_double Omega_b,
+    double_double Omega_d, double_double E_b, double epsilon, double sigma, double rho,
+    double chi, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
+    double_double *A_d_out, double_double *B_a_out, double_double *B_d_out,
+    double_double *k_1_out, double_double *kc_1_out, double_double *mu_out,
+    double_double *psi_0_out, double_double *s_out, double_double *c_out,
+    double_double *d_out)
 {
-    const pair common_1 = pair_mul_xx(Omega_a, Omega_a); /* (6), (15); regular.H regular.E_d */
-    const pair common_2 = pair_mul_xx(Omega_b, Omega_b); /* (6), (15); regular.H regular.E_a regular.E_d */
-    const pair common_3 = pair_mul_xx(Omega_d, Omega_d); /* (6), (15); regular.H regular.E_a */
-    const pair H = pair_div_xd(pair_add_xx(pair_add_xx(pair_mul_xx(c_a, common_1), pair_mul_xx(c_b, common_2)), pair_mul_xx(c_d, common_3)), 2.0); /* (6), (15); regular.H */
-    const pair common_4 = pair_mul_xx(c_b, c_ab); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b */
-    const pair common_5 = pair_mul_xx(c_d, c_ad); /* (6), (15), (10), (13), (14); regular.E_a regular.A_d */
-    const pair E_a = pair_add_xx(pair_mul_xx(common_4, common_2), pair_mul_xx(common_5, common_3)); /* (6), (15); regular.E_a */
-    const pair common_6 = pair_mul_xx(c_a, c_ad); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
-    const pair E_d = pair_add_xx(pair_mul_xx(common_6, common_1), pair_mul_xx(pair_mul_xx(c_b, c_bd), common_2)); /* (6), (15); regular.E_d */
-    const pair M_a = pair_mul_xx(c_a, Omega_a); /* (8); attitude.M_a */
-    const pair M_b = pair_mul_xx(c_b, Omega_b); /* (8); attitude.M_b */
-    const pair M_d = pair_mul_xx(c_d, Omega_d); /* (8); attitude.M_d */
-    const pair K = pair_sqrt(pair_add_xx(pair_add_xx(pair_mul_xx(M_a, M_a), pair_mul_xx(M_b, M_b)), pair_mul_xx(M_d, M_d))); /* (6), (15); attitude.K */
-    const pair A_a = pair_sqrt(pair_div_xx(E_d, common_6)); /* (10), (13), (14); regular.A_a */
-    const pair A_b = pair_sqrt(pair_div_xx(E_a, common_4)); /* (10), (13), (14); regular.A_b */
-    const pair A_d = pair_sqrt(pair_div_xx(E_a, common_5)); /* (10), (13), (14); regular.A_d */
-    const pair common_7 = pair_mul_xx(c_ab, E_d); /* (10), (13), (14); regular.lambda_ regular.m_1 */
-    const pair lambda_ = pair_sqrt(pair_div_xx(common_7, pair_mul_xx(pair_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
-    const pair m = pair_div_xx(pair_mul_xx(E_a, c_bd), pair_mul_xx(E_d, c_ab)); /* (10), (13), (14); regular.m */
-    const pair m_1 = pair_div_xx(pair_mul_xx(c_ad, E_b), common_7); /* (10), (13), (14); regular.m_1 */
+    const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* (6), (15); regular.H regular.E_d */
+    const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* (6), (15); regular.H regular.E_a regular.E_d */
+    const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* (6), (15); regular.H regular.E_a */
+    const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* (6), (15); regular.H */
+    const double_double common_4 = dd_mul_xx(c_b, c_ab); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b */
+    const double_double common_5 = dd_mul_xx(c_d, c_ad); /* (6), (15), (10), (13), (14); regular.E_a regular.A_d */
+    const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* (6), (15); regular.E_a */
+    const double_double common_6 = dd_mul_xx(c_a, c_ad); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
+    const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* (6), (15); regular.E_d */
+    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* (8); attitude.M_a */
+    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* (8); attitude.M_b */
+    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* (8); attitude.M_d */
+    const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* (6), (15); attitude.K */
+    const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* (10), (13), (14); regular.A_a */
+    const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* (10), (13), (14); regular.A_b */
+    const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* (10), (13), (14); regular.A_d */
+    const double_double common_7 = dd_mul_xx(c_ab, E_d); /* (10), (13), (14); regular.lambda_ regular.m_1 */
+    const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
+    const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* (10), (13), (14); regular.m */
+    const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* (10), (13), (14); regular.m_1 */
     const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const pair k_c = pair_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
-    const pair common_8 = pair_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next */
-    const pair k_1 = pair_div_xx(m, pair_mul_xx(common_8, common_8)); /* DLMF 22.7.1; descended.k_1 */
-    const pair mu = pair_div_xd(pair_mul_xx(lambda_, common_8), 2.0); /* DLMF 22.7.2; descended.mu */
-    const pair common_9 = pair_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
-    const pair psi_0 = pair_div_xx(pair_add_xx(pair_mul_dx(2.0, H), pair_mul_xx(K, A_a)), pair_add_xx(K, common_9)); /* (33), (34); descended.psi_0 */
-    const pair sn = pair_div_xx(pair_mul_dx(chi, Omega_b), A_b); /* (12); regular.sn */
-    const pair cn = pair_div_xx(pair_mul_dx(chi * tau, Omega_d), A_d); /* (12); regular.cn */
-    const pair dn = pair_div_xx(pair_mul_dx(sigma, Omega_a), A_a); /* (12); regular.dn */
-    const pair B_a = common_9; /* (27); theta_form.B_a */
-    const pair B_d = pair_mul_xx(c_d, A_d); /* (28); theta_form.B_d */
-    const pair root_kc = pair_sqrt(k_c); /* DLMF 22.7.1; landen.root_kc */
-    const pair kc_1 = pair_div_xx(pair_mul_dx(2.0, root_kc), common_8); /* DLMF 22.7.1; landen.kc_next */
-    const pair common_10 = pair_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
-    const pair common_11 = pair_mul_xx(pair_add_dx(1.0, k_1), common_10); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
-    const pair s = pair_div_xx(pair_mul_dx(2.0, sn), common_11); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
-    const pair v = pair_sqrt(pair_mul_xx(common_11, pair_add_xx(dn, k_c))); /* DLMF 22.7.4; landen.v */
-    const pair c = pair_div_xx(pair_mul_dx(2.0, cn), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
-    const pair d = pair_div_xx(v, common_10); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
+    const double_double k_c = dd_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
+    const double_double common_8 = dd_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next */
+    const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* DLMF 22.7.1; descended.k_1 */
+    const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* DLMF 22.7.2; descended.mu */
+    const double_double common_9 = dd_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
+    const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), dd_add_xx(K, common_9)); /* (33), (34); descended.psi_0 */
+    const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* (12); regular.sn */
+    const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* (12); regular.cn */
+    const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* (12); regular.dn */
+    const double_double B_a = common_9; /* (27); theta_form.B_a */
+    const double_double B_d = dd_mul_xx(c_d, A_d); /* (28); theta_form.B_d */
+    const double_double root_kc = dd_sqrt(k_c); /* DLMF 22.7.1; landen.root_kc */
+    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* DLMF 22.7.1; landen.kc_next */
+    const double_double common_10 = dd_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
+    const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
+    const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
+    const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* DLMF 22.7.4; landen.v */
+    const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
+    const double_double d = dd_div_xx(v, common_10); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
     *K_out = K;
     *A_a_out = A_a;
     *A_b_out = A_b;
@@ -410,25 +414,26 @@ static void start(pair c_a, pair c_b, pair c_d, pair c_ab, pair c_ad, pair c_bd,
 }
 
 /* One step of Landen's descending transformation. */
-static void landen(pair k, pair kc, pair s, pair c, pair d, pair r, pair Y, pair *k_next_out,
-    pair *kc_next_out, pair *s_next_out, pair *c_next_out, pair *d_next_out,
-    pair *r_next_out, pair *Y_next_out)
+static void landen(double_double k, double_double kc, double_double s, double_double c, double_double d,
+    double_double r, double_double Y, double_double *k_next_out,
+    double_double *kc_next_out, double_double *s_next_out, double_double *c_next_out,
+    double_double *d_next_out, double_double *r_next_out, double_double *Y_next_out)
 {
-    const pair common_1 = pair_add_dx(1.0, kc); /* DLMF 22.7.1; landen.k_next landen.kc_next landen.r_next */
-    const pair common_2 = pair_div_xx(k, common_1); /* DLMF 22.7.1; landen.k_next */
-    const pair k_next = pair_mul_xx(common_2, common_2); /* DLMF 22.7.1; landen.k_next */
-    const pair root_kc = pair_sqrt(kc); /* DLMF 22.7.1; landen.root_kc */
-    const pair kc_next = pair_div_xx(pair_mul_dx(2.0, root_kc), common_1); /* DLMF 22.7.1; landen.kc_next */
-    const pair common_3 = pair_add_dx(1.0, k_next); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next */
-    const pair common_4 = pair_add_dx(1.0, d); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
-    const pair common_5 = pair_mul_xx(common_3, common_4); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
-    const pair s_next = pair_div_xx(pair_mul_dx(2.0, s), common_5); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
-    const pair v = pair_sqrt(pair_mul_xx(common_5, pair_add_xx(d, kc))); /* DLMF 22.7.4; landen.v */
-    const pair c_next = pair_div_xx(pair_mul_dx(2.0, c), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
-    const pair d_next = pair_div_xx(v, common_4); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
-    const pair r_next = pair_div_xx(pair_mul_xx(r, k), pair_mul_xx(common_1, common_1)); /* DLMF 22.7.1; landen.r_next */
-    const pair S = pair_sqrt(pair_add_xx(pair_mul_xx(common_3, common_3), pair_mul_xx(pair_mul_dx(4.0, r_next), pair_mul_xx(Y, Y)))); /* DLMF 22.7.2; landen.S */
-    const pair Y_next = pair_div_xx(pair_mul_dx(2.0, Y), pair_add_xx(common_3, S)); /* DLMF 22.7.2; landen.Y_next */
+    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 22.7.1; landen.k_next landen.kc_next landen.r_next */
+    const double_double common_2 = dd_div_xx(k, common_1); /* DLMF 22.7.1; landen.k_next */
+    const double_double k_next = dd_mul_xx(common_2, common_2); /* DLMF 22.7.1; landen.k_next */
+    const double_double root_kc = dd_sqrt(kc); /* DLMF 22.7.1; landen.root_kc */
+    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 22.7.1; landen.kc_next */
+    const double_double common_3 = dd_add_dx(1.0, k_next); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next */
+    const double_double common_4 = dd_add_dx(1.0, d); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
+    const double_double common_5 = dd_mul_xx(common_3, common_4); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
+    const double_double s_next = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
+    const double_double v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* DLMF 22.7.4; landen.v */
+    const double_double c_next = dd_div_xx(dd_mul_dx(2.0, c), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
+    const double_double d_next = dd_div_xx(v, common_4); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
+    const double_double r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* DLMF 22.7.1; landen.r_next */
+    const double_double S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* DLMF 22.7.2; landen.S */
+    const double_double Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* DLMF 22.7.2; landen.Y_next */
     *k_next_out = k_next;
     *kc_next_out = kc_next;
     *s_next_out = s_next;
@@ -439,25 +444,26 @@ static void landen(pair k, pair kc, pair s, pair c, pair d, pair r, pair Y, pair
 }
 
 /* K(k^2), and the descended s, c and Y; 5 steps leave k^2 < 2^-106 of (0, 1/2]. */
-static void ladder(pair k, pair kc, pair s, pair c, pair d, pair r, pair Y, pair *K0_out, pair *s5_out,
-    pair *c5_out, pair *Y5_out)
+static void ladder(double_double k, double_double kc, double_double s, double_double c, double_double d,
+    double_double r, double_double Y, double_double *K0_out, double_double *s5_out,
+    double_double *c5_out, double_double *Y5_out)
 {
-    pair k1, kc1, s1, c1, d1, r1, Y1;
+    double_double k1, kc1, s1, c1, d1, r1, Y1;
     landen(k, kc, s, c, d, r, Y, &k1, &kc1, &s1, &c1, &d1, &r1, &Y1); /* DLMF 22.7.2 */
-    pair k2, kc2, s2, c2, d2, r2, Y2;
+    double_double k2, kc2, s2, c2, d2, r2, Y2;
     landen(k1, kc1, s1, c1, d1, r1, Y1, &k2, &kc2, &s2, &c2, &d2, &r2, &Y2); /* DLMF 22.7.2 */
-    pair k3, kc3, s3, c3, d3, r3, Y3;
+    double_double k3, kc3, s3, c3, d3, r3, Y3;
     landen(k2, kc2, s2, c2, d2, r2, Y2, &k3, &kc3, &s3, &c3, &d3, &r3, &Y3); /* DLMF 22.7.2 */
-    pair k4, kc4, s4, c4, d4, r4, Y4;
+    double_double k4, kc4, s4, c4, d4, r4, Y4;
     landen(k3, kc3, s3, c3, d3, r3, Y3, &k4, &kc4, &s4, &c4, &d4, &r4, &Y4); /* DLMF 22.7.2 */
-    pair k5, kc5, s5, c5, d5, r5, Y5;
+    double_double k5, kc5, s5, c5, d5, r5, Y5;
     landen(k4, kc4, s4, c4, d4, r4, Y4, &k5, &kc5, &s5, &c5, &d5, &r5, &Y5); /* DLMF 22.7.2 */
-    const pair K5 = pair_div_xd(pi, 2.0); /* DLMF 19.6.1 */
-    const pair K4 = pair_mul_xx(pair_add_dx(1.0, k5), K5); /* DLMF 19.8.12; landen.K */
-    const pair K3 = pair_mul_xx(pair_add_dx(1.0, k4), K4); /* DLMF 19.8.12; landen.K */
-    const pair K2 = pair_mul_xx(pair_add_dx(1.0, k3), K3); /* DLMF 19.8.12; landen.K */
-    const pair K1 = pair_mul_xx(pair_add_dx(1.0, k2), K2); /* DLMF 19.8.12; landen.K */
-    const pair K0 = pair_mul_xx(pair_add_dx(1.0, k1), K1); /* DLMF 19.8.12; landen.K */
+    const double_double K5 = dd_div_xd(pi, 2.0); /* DLMF 19.6.1 */
+    const double_double K4 = dd_mul_xx(dd_add_dx(1.0, k5), K5); /* DLMF 19.8.12; landen.K */
+    const double_double K3 = dd_mul_xx(dd_add_dx(1.0, k4), K4); /* DLMF 19.8.12; landen.K */
+    const double_double K2 = dd_mul_xx(dd_add_dx(1.0, k3), K3); /* DLMF 19.8.12; landen.K */
+    const double_double K1 = dd_mul_xx(dd_add_dx(1.0, k2), K2); /* DLMF 19.8.12; landen.K */
+    const double_double K0 = dd_mul_xx(dd_add_dx(1.0, k1), K1); /* DLMF 19.8.12; landen.K */
     *K0_out = K0;
     *s5_out = s5;
     *c5_out = c5;
@@ -465,288 +471,290 @@ static void ladder(pair k, pair kc, pair s, pair c, pair d, pair r, pair Y, pair
 }
 
 /* k/sqrt(q) where q is the nome of modulus k, kc its complement, k^2 <= 1/2. */
-static pair root_ratio(pair k, pair kc)
+static double_double root_ratio(double_double k, double_double kc)
 {
-    const pair root_kc = pair_sqrt(kc); /* DLMF 19.8.12 */
-    const pair common_1 = pair_add_dx(1.0, kc); /* DLMF 19.8.12, DLMF 20.9.1; landen.k_next landen.kc_next */
-    const pair common_2 = pair_div_xx(k, common_1); /* DLMF 19.8.12; landen.k_next */
-    const pair k_next = pair_mul_xx(common_2, common_2); /* DLMF 19.8.12; landen.k_next */
-    const pair kc_next = pair_div_xx(pair_mul_dx(2.0, root_kc), common_1); /* DLMF 19.8.12; landen.kc_next */
-    const pair root = pair_add_dx(1.0, pair_sqrt(kc_next)); /* DLMF 20.9.1 */
-    const pair f = pair_mul_xx(pair_mul_xx(pair_mul_dx(2.0, pair_add_dx(1.0, kc_next)), root), root); /* DLMF 20.9.1 */
-    const pair e = pair_div_xx(pair_mul_xx(k_next, k_next), f); /* DLMF 20.9.1 */
-    const pair e2 = pair_mul_xx(e, e); /* DLMF 20.9.1 */
-    const pair e4 = pair_mul_xx(e2, e2); /* DLMF 20.9.1 */
-    const pair r = pair_div_xx(common_1, pair_sqrt(pair_sqrt(pair_div_xx(pair_add_dx(1.0, pair_mul_xx(e4, pair_add_dx(2.0, pair_mul_xx(e4, pair_add_dx(15.0, pair_mul_xd(e4, 150.0)))))), f)))); /* DLMF 20.9.1 */
+    const double_double root_kc = dd_sqrt(kc); /* DLMF 19.8.12 */
+    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 19.8.12, DLMF 20.9.1; landen.k_next landen.kc_next */
+    const double_double common_2 = dd_div_xx(k, common_1); /* DLMF 19.8.12; landen.k_next */
+    const double_double k_next = dd_mul_xx(common_2, common_2); /* DLMF 19.8.12; landen.k_next */
+    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 19.8.12; landen.kc_next */
+    const double_double root = dd_add_dx(1.0, dd_sqrt(kc_next)); /* DLMF 20.9.1 */
+    const double_double f = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, dd_add_dx(1.0, kc_next)), root), root); /* DLMF 20.9.1 */
+    const double_double e = dd_div_xx(dd_mul_xx(k_next, k_next), f); /* DLMF 20.9.1 */
+    const double_double e2 = dd_mul_xx(e, e); /* DLMF 20.9.1 */
+    const double_double e4 = dd_mul_xx(e2, e2); /* DLMF 20.9.1 */
+    const double_double r = dd_div_xx(common_1, dd_sqrt(dd_sqrt(dd_div_xx(dd_add_dx(1.0, dd_mul_xx(e4, dd_add_dx(2.0, dd_mul_xx(e4, dd_add_dx(15.0, dd_mul_xd(e4, 150.0)))))), f)))); /* DLMF 20.9.1 */
     return r;
 }
 
 /* theta/pi where s and c >= 0 are the sine and cosine of theta. */
-static pair half_turns(pair s, pair c)
+static double_double half_turns(double_double s, double_double c)
 {
-    const pair t1 = pair_div_xx(s, pair_add_dx(1.0, c)); /* DLMF 4.21.28 */
-    const pair t2 = pair_div_xx(t1, pair_add_dx(1.0, pair_sqrt(pair_add_dx(1.0, pair_mul_xx(t1, t1))))); /* DLMF 4.21.28 */
-    const pair t3 = pair_div_xx(t2, pair_add_dx(1.0, pair_sqrt(pair_add_dx(1.0, pair_mul_xx(t2, t2))))); /* DLMF 4.21.28 */
-    const pair t4 = pair_div_xx(t3, pair_add_dx(1.0, pair_sqrt(pair_add_dx(1.0, pair_mul_xx(t3, t3))))); /* DLMF 4.21.28 */
-    const pair z = pair_neg(pair_mul_xx(t4, t4)); /* DLMF 4.24.3 */
-    const double z_d = pair_rounded(z); /* DLMF 4.24.3 */
+    const double_double t1 = dd_div_xx(s, dd_add_dx(1.0, c)); /* DLMF 4.21.28 */
+    const double_double t2 = dd_div_xx(t1, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t1, t1))))); /* DLMF 4.21.28 */
+    const double_double t3 = dd_div_xx(t2, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t2, t2))))); /* DLMF 4.21.28 */
+    const double_double t4 = dd_div_xx(t3, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t3, t3))))); /* DLMF 4.21.28 */
+    const double_double z = dd_neg(dd_mul_xx(t4, t4)); /* DLMF 4.24.3 */
+    const double z_d = dd_rounded(z); /* DLMF 4.24.3 */
     const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* DLMF 4.24.3 */
-    const pair series = pair_add_dx(1.0, pair_mul_xx(z, pair_add_xx(over_3, pair_mul_xx(z, pair_add_xx(over_5, pair_mul_xx(z, pair_add_xx(over_7, pair_mul_xx(z, pair_add_xx(over_9, pair_mul_xx(z, pair_add_xx(over_11, pair_mul_xx(z, pair_add_xx(over_13, pair_mul_xx(z, pair_add_xx(over_15, pair_mul_xx(z, pair_add_xx(over_17, pair_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.24.3 */
-    const pair angle = pair_div_xx(pair_mul_xx(pair_mul_dx(16.0, t4), series), pi); /* DLMF 4.24.3 */
+    const double_double series = dd_add_dx(1.0, dd_mul_xx(z, dd_add_xx(over_3, dd_mul_xx(z, dd_add_xx(over_5, dd_mul_xx(z, dd_add_xx(over_7, dd_mul_xx(z, dd_add_xx(over_9, dd_mul_xx(z, dd_add_xx(over_11, dd_mul_xx(z, dd_add_xx(over_13, dd_mul_xx(z, dd_add_xx(over_15, dd_mul_xx(z, dd_add_xx(over_17, dd_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.24.3 */
+    const double_double angle = dd_div_xx(dd_mul_xx(dd_mul_dx(16.0, t4), series), pi); /* DLMF 4.24.3 */
     return angle;
 }
 
 /* log(x) for x > 0. */
-static pair logarithm(pair x)
+static double_double logarithm(double_double x)
 {
-    const double e = pair_exponent(x); /* DLMF 4.8 */
-    const pair f = pair_sqrt(pair_mantissa(x)); /* DLMF 4.8 */
-    const pair t4 = pair_div_xx(pair_sub_xd(f, 1.0), pair_add_xd(f, 1.0)); /* DLMF 4.38.5 */
-    const pair z = pair_mul_xx(t4, t4); /* DLMF 4.38.5 */
-    const double z_d = pair_rounded(z); /* DLMF 4.38.5 */
+    const double e = dd_exponent(x); /* DLMF 4.8 */
+    const double_double f = dd_sqrt(dd_mantissa(x)); /* DLMF 4.8 */
+    const double_double t4 = dd_div_xx(dd_sub_xd(f, 1.0), dd_add_xd(f, 1.0)); /* DLMF 4.38.5 */
+    const double_double z = dd_mul_xx(t4, t4); /* DLMF 4.38.5 */
+    const double z_d = dd_rounded(z); /* DLMF 4.38.5 */
     const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* DLMF 4.38.5 */
-    const pair series = pair_add_dx(1.0, pair_mul_xx(z, pair_add_xx(over_3, pair_mul_xx(z, pair_add_xx(over_5, pair_mul_xx(z, pair_add_xx(over_7, pair_mul_xx(z, pair_add_xx(over_9, pair_mul_xx(z, pair_add_xx(over_11, pair_mul_xx(z, pair_add_xx(over_13, pair_mul_xx(z, pair_add_xx(over_15, pair_mul_xx(z, pair_add_xx(over_17, pair_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.38.5 */
-    const pair log_x = pair_add_xx(pair_mul_dx(e, log_2), pair_mul_xx(pair_mul_dx(4.0, t4), series)); /* DLMF 4.38.5 */
+    const double_double series = dd_add_dx(1.0, dd_mul_xx(z, dd_add_xx(over_3, dd_mul_xx(z, dd_add_xx(over_5, dd_mul_xx(z, dd_add_xx(over_7, dd_mul_xx(z, dd_add_xx(over_9, dd_mul_xx(z, dd_add_xx(over_11, dd_mul_xx(z, dd_add_xx(over_13, dd_mul_xx(z, dd_add_xx(over_15, dd_mul_xx(z, dd_add_xx(over_17, dd_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.38.5 */
+    const double_double log_x = dd_add_xx(dd_mul_dx(e, log_2), dd_mul_xx(dd_mul_dx(4.0, t4), series)); /* DLMF 4.38.5 */
     return log_x;
 }
 
-/* The constants of a motion on the circular branch, from `_start`. */
-static void circular_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B_d, pair k_1, pair kc_1,
-    pair mu, pair psi_0, pair s, pair c, pair d, pair q_0, pair q_a, pair q_b, pair q_d,
-    double epsilon, double sigma, double rho, double chi, double unit,
-    torque_free_circular *plan)
+/* The constants of a motion on the circular branch, from `_initial_state`. */
+static void circular_constants(double_double K, double_double A_a, double_double A_b, double_double A_d,
+    double_double B_a, double_double B_d, double_double k_1, double_double kc_1,
+    double_double mu, double_double psi_0, double_double s, double_double c,
+    double_double d, double_double q_0, double_double q_a, double_double q_b,
+    double_double q_d, double epsilon, double sigma, double rho, double chi, double unit,
+    torque_free_circular *motion)
 {
-    const pair r = root_ratio(k_1, kc_1); /* DLMF 20.9.1 */
-    const pair root_r = pair_sqrt(r); /* (27); scaling.root_r */
-    const pair Q = pair_div_xx(k_1, r); /* (27); scaling.Q */
-    const pair Y = pair_div_xx(B_d, pair_mul_xx(pair_add_xx(K, B_a), root_r)); /* (28); scaling.Y */
-    pair K_1, sin_v, cos_v, Y_b;
+    const double_double r = root_ratio(k_1, kc_1); /* DLMF 20.9.1 */
+    const double_double root_r = dd_sqrt(r); /* (27); scaling.root_r */
+    const double_double Q = dd_div_xx(k_1, r); /* (27); scaling.Q */
+    const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* (28); scaling.Y */
+    double_double K_1, sin_v, cos_v, Y_b;
     ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* DLMF 19.8.12 */
-    const pair root_h = pair_sqrt(pair_add_xx(pair_mul_xx(Y_b, Y_b), Q)); /* (28); scaling.root_h */
-    const pair h_plus = pair_add_xx(root_h, Y_b); /* (28); scaling.h_plus */
-    const pair h_minus = pair_sub_xx(root_h, Y_b); /* (28); scaling.h_minus */
-    const pair g = pair_div_xx(pi, pair_mul_dx(2.0, K_1)); /* (10) */
-    const pair up1 = h_plus; /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down1 = h_minus; /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up1 = pair_mul_xx(h_plus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down1 = pair_mul_xx(h_minus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up2 = pair_mul_xx(up1, step_up1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up2 = pair_mul_xx(step_up1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down2 = pair_mul_xx(down1, step_down1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down2 = pair_mul_xx(step_down1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up3 = pair_mul_xx(up2, step_up2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up3 = pair_mul_xx(step_up2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down3 = pair_mul_xx(down2, step_down2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down3 = pair_mul_xx(step_down2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up4 = pair_mul_xx(up3, step_up3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up4 = pair_mul_xx(step_up3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down4 = pair_mul_xx(down3, step_down3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down4 = pair_mul_xx(step_down3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up5 = pair_mul_xx(up4, step_up4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up5 = pair_mul_xx(step_up4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down5 = pair_mul_xx(down4, step_down4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down5 = pair_mul_xx(step_down4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up6 = pair_mul_xx(up5, step_up5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up6 = pair_mul_xx(step_up5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down6 = pair_mul_xx(down5, step_down5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down6 = pair_mul_xx(step_down5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up7 = pair_mul_xx(up6, step_up6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up7 = pair_mul_xx(step_up6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down7 = pair_mul_xx(down6, step_down6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down7 = pair_mul_xx(step_down6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up8 = pair_mul_xx(up7, step_up7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up8 = pair_mul_xx(step_up7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down8 = pair_mul_xx(down7, step_down7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down8 = pair_mul_xx(step_down7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up9 = pair_mul_xx(up8, step_up8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_up9 = pair_mul_xx(step_up8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down9 = pair_mul_xx(down8, step_down8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair step_down9 = pair_mul_xx(step_down8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair up10 = pair_mul_xx(up9, step_up9); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair down10 = pair_mul_xx(down9, step_down9); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p1 = pair_add_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d1 = pair_sub_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p2 = pair_add_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d2 = pair_sub_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p3 = pair_add_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d3 = pair_sub_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p4 = pair_add_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d4 = pair_sub_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p5 = pair_add_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d5 = pair_sub_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p6 = pair_add_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d6 = pair_sub_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p7 = pair_add_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d7 = pair_sub_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p8 = pair_add_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d8 = pair_sub_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair p10 = pair_add_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair d10 = pair_sub_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_1 = pair_mul_dx(4.0, d4); /* (34), DLMF 20.2.4, DLMF 20.2.1 */
-    const pair zeta = pair_div_xx(pair_mul_xx(g, pair_add_xx(pair_sub_xx(pair_add_xx(pair_sub_xx(pair_mul_dx(2.0, d2), common_1), pair_mul_dx(6.0, d6)), pair_mul_dx(8.0, d8)), pair_mul_dx(10.0, d10))), pair_sub_xx(pair_add_xx(pair_sub_xx(pair_add_xx(pair_sub_dx(1.0, p2), p4), p6), p8), p10)); /* (34), DLMF 20.2.4 */
-    const pair T4_re_0 = pair_sub_dx(1.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_re_1 = pair_add_xx(pair_neg(p2), pair_mul_dx(3.0, p6)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_re_2 = pair_mul_dx(2.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_re_3 = pair_mul_dx(-4.0, p6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_im_0 = pair_mul_dx(rho, pair_add_xx(pair_mul_dx(-2.0, d2), pair_mul_dx(2.0, d6))); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_im_1 = pair_mul_dx(rho, common_1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_im_2 = pair_mul_dx(rho, pair_mul_dx(-8.0, d6)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_re_0 = pair_add_xx(pair_sub_xx(pair_sub_xx(p1, p3), p5), p7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_2 = pair_mul_dx(4.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_re_1 = pair_add_xx(pair_add_xx(pair_mul_dx(-2.0, p3), pair_mul_dx(2.0, p5)), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_re_2 = pair_sub_xx(pair_mul_dx(4.0, p5), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_re_3 = pair_mul_dx(-8.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_im_0 = pair_mul_dx(rho, pair_add_xx(pair_add_xx(pair_sub_xx(pair_neg(d1), d3), d5), d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_3 = pair_mul_dx(4.0, d7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_im_1 = pair_mul_dx(rho, pair_sub_xx(pair_add_xx(pair_mul_dx(2.0, d3), pair_mul_dx(2.0, d5)), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_im_2 = pair_mul_dx(rho, pair_sub_xx(pair_mul_dx(-4.0, d5), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T1_im_3 = pair_mul_dx(rho, pair_mul_dx(8.0, d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair Q2 = pair_mul_xx(Q, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair Q4 = pair_mul_xx(Q2, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair Q6 = pair_mul_xx(Q4, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_4 = pair_mul_xx(Q4, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
-    const pair Q9 = pair_mul_xx(common_4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair Q12 = pair_mul_xx(Q6, Q6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair Q16 = pair_mul_xx(Q12, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair Q20 = pair_mul_xx(Q16, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_5 = pair_mul_dx(2.0, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const pair common_6 = pair_mul_dx(2.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const pair even_0 = pair_add_xx(pair_sub_dx(1.0, common_5), common_6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_7 = pair_mul_dx(16.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair even_1 = pair_sub_xx(pair_mul_dx(4.0, Q4), common_7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair even_2 = common_7; /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_8 = pair_mul_dx(2.0, Q); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const pair odd_0 = pair_sub_xx(common_8, pair_mul_dx(6.0, Q9)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair odd_1 = pair_mul_dx(8.0, Q9); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair sine_even_0 = pair_add_xx(pair_add_xx(pair_sub_xx(pair_sub_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair common_9 = pair_mul_dx(4.0, Q12); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair sine_even_1 = pair_sub_xx(pair_sub_xx(pair_mul_dx(4.0, Q6), common_9), pair_mul_dx(12.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair sine_even_2 = pair_mul_dx(16.0, Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair sine_odd_0 = pair_sub_xx(pair_add_xx(pair_add_xx(pair_mul_dx(-2.0, Q2), pair_mul_dx(2.0, Q6)), common_9), pair_mul_dx(4.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair sine_odd_1 = pair_add_xx(pair_mul_dx(-8.0, Q12), pair_mul_dx(8.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair two = pair_add_xx(pair_add_xx(pair_add_xx(pair_add_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.2 */
-    const pair even_sum = pair_add_xx(pair_add_dx(1.0, common_5), common_6); /* DLMF 20.2.3 */
-    const pair common_10 = pair_mul_dx(2.0, Q9); /* DLMF 20.2.3 */
-    const pair odd_sum = pair_add_xx(pair_add_xx(common_8, common_10), pair_mul_xx(common_10, Q16)); /* DLMF 20.2.3 */
-    const pair three = pair_add_xx(even_sum, odd_sum); /* DLMF 20.2.3 */
-    const pair four = pair_sub_xx(even_sum, odd_sum); /* DLMF 20.2.4 */
-    const pair h2_plus = pair_mul_xx(h_plus, h_plus); /* DLMF 20.7.14 */
-    const pair h2_minus = pair_mul_xx(h_minus, h_minus); /* DLMF 20.7.14 */
-    const pair side_plus = pair_mul_xx(h2_plus, pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q2, h2_plus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q4, h2_plus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q6, h2_plus), pair_add_dx(1.0, pair_mul_xx(common_4, h2_plus))))))))); /* DLMF 20.7.14 */
-    const pair side_minus = pair_mul_xx(h2_minus, pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q2, h2_minus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q4, h2_minus), pair_add_dx(1.0, pair_mul_xx(pair_mul_xx(Q6, h2_minus), pair_add_dx(1.0, pair_mul_xx(common_4, h2_minus))))))))); /* DLMF 20.7.14 */
-    const pair watson = pair_add_xx(pair_add_dx(1.0, side_plus), side_minus); /* DLMF 20.7.14 */
-    const pair Lambda = pair_add_xx(pair_div_xd(psi_0, 2.0), pair_mul_xx(pair_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
-    const pair Lambda_rate = pair_div_xx(Lambda, pi); /* (33), (34) */
-    const pair v = half_turns(sin_v, cos_v); /* (12) */
-    const pair v_rate = pair_div_xx(pair_mul_xx(mu, g), pi); /* (10), (20) */
-    const pair x = pair_sub_dx(1.0, pair_mul_dx(2.0, pair_mul_xx(sin_v, sin_v))); /* DLMF 4.21.27 */
-    const pair x2 = pair_mul_xx(x, x); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const pair T4_re = pair_add_xx(T4_re_0, pair_mul_xx(x, pair_add_xx(T4_re_1, pair_mul_xx(x, pair_add_xx(T4_re_2, pair_mul_xx(x, T4_re_3)))))); /* (18), DLMF 20.2.4 */
-    const pair T4_im = pair_mul_xx(pair_mul_xx(sin_v, cos_v), pair_add_xx(T4_im_0, pair_mul_xx(x, pair_add_xx(T4_im_1, pair_mul_xx(x, T4_im_2))))); /* (18), DLMF 20.2.4 */
-    const pair T1_re = pair_mul_xx(sin_v, pair_add_xx(T1_re_0, pair_mul_xx(x, pair_add_xx(T1_re_1, pair_mul_xx(x, pair_add_xx(T1_re_2, pair_mul_xx(x, T1_re_3))))))); /* (18), DLMF 20.2.1 */
-    const pair T1_im = pair_mul_xx(cos_v, pair_add_xx(T1_im_0, pair_mul_xx(x, pair_add_xx(T1_im_1, pair_mul_xx(x, pair_add_xx(T1_im_2, pair_mul_xx(x, T1_im_3))))))); /* (18), DLMF 20.2.1 */
-    const pair sum_even = pair_add_xx(even_0, pair_mul_xx(x2, pair_add_xx(even_1, pair_mul_xx(x2, even_2)))); /* DLMF 20.2.4 */
-    const pair sum_odd = pair_mul_xx(x, pair_add_xx(odd_0, pair_mul_xx(x2, odd_1))); /* DLMF 20.2.4 */
-    const pair theta4_v = pair_sub_xx(sum_even, sum_odd); /* (10), DLMF 20.2.4 */
-    const pair P4_re = T4_re; /* (18); theta_form.P4_re */
-    const pair P4_im = T4_im; /* (18); theta_form.P4_im */
-    const pair P1_re = T1_re; /* (18); theta_form.P1_re */
-    const pair P1_im = T1_im; /* (18); theta_form.P1_im */
-    const pair W = pair_mul_xx(theta4_v, watson); /* (1), DLMF 20.7.14 */
-    const pair N = pair_sqrt(W); /* (1); theta_form.N_of_W */
-    const pair qbar_0 = pair_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
-    const pair qbar_a = pair_div_xx(pair_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
-    const pair qbar_b = pair_div_xx(pair_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
+    const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* (28); scaling.root_h */
+    const double_double h_plus = dd_add_xx(root_h, Y_b); /* (28); scaling.h_plus */
+    const double_double h_minus = dd_sub_xx(root_h, Y_b); /* (28); scaling.h_minus */
+    const double_double g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* (10) */
+    const double_double up1 = h_plus; /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down1 = h_minus; /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up1 = dd_mul_xx(h_plus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down1 = dd_mul_xx(h_minus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up2 = dd_mul_xx(up1, step_up1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up2 = dd_mul_xx(step_up1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down2 = dd_mul_xx(down1, step_down1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down2 = dd_mul_xx(step_down1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up3 = dd_mul_xx(up2, step_up2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up3 = dd_mul_xx(step_up2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down3 = dd_mul_xx(down2, step_down2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down3 = dd_mul_xx(step_down2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up4 = dd_mul_xx(up3, step_up3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up4 = dd_mul_xx(step_up3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down4 = dd_mul_xx(down3, step_down3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down4 = dd_mul_xx(step_down3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up5 = dd_mul_xx(up4, step_up4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up5 = dd_mul_xx(step_up4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down5 = dd_mul_xx(down4, step_down4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down5 = dd_mul_xx(step_down4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up6 = dd_mul_xx(up5, step_up5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up6 = dd_mul_xx(step_up5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down6 = dd_mul_xx(down5, step_down5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down6 = dd_mul_xx(step_down5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up7 = dd_mul_xx(up6, step_up6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up7 = dd_mul_xx(step_up6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down7 = dd_mul_xx(down6, step_down6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down7 = dd_mul_xx(step_down6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up8 = dd_mul_xx(up7, step_up7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up8 = dd_mul_xx(step_up7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down8 = dd_mul_xx(down7, step_down7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down8 = dd_mul_xx(step_down7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up9 = dd_mul_xx(up8, step_up8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up9 = dd_mul_xx(step_up8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down9 = dd_mul_xx(down8, step_down8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down9 = dd_mul_xx(step_down8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up10 = dd_mul_xx(up9, step_up9); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down10 = dd_mul_xx(down9, step_down9); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p1 = dd_add_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d1 = dd_sub_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p2 = dd_add_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d2 = dd_sub_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p3 = dd_add_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d3 = dd_sub_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p4 = dd_add_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d4 = dd_sub_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p5 = dd_add_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d5 = dd_sub_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p6 = dd_add_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d6 = dd_sub_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p7 = dd_add_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d7 = dd_sub_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p8 = dd_add_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d8 = dd_sub_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p10 = dd_add_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d10 = dd_sub_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_1 = dd_mul_dx(4.0, d4); /* (34), DLMF 20.2.4, DLMF 20.2.1 */
+    const double_double zeta = dd_div_xx(dd_mul_xx(g, dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_xx(dd_mul_dx(2.0, d2), common_1), dd_mul_dx(6.0, d6)), dd_mul_dx(8.0, d8)), dd_mul_dx(10.0, d10))), dd_sub_xx(dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, p2), p4), p6), p8), p10)); /* (34), DLMF 20.2.4 */
+    const double_double T4_re_0 = dd_sub_dx(1.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re_1 = dd_add_xx(dd_neg(p2), dd_mul_dx(3.0, p6)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re_2 = dd_mul_dx(2.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re_3 = dd_mul_dx(-4.0, p6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_im_0 = dd_mul_dx(rho, dd_add_xx(dd_mul_dx(-2.0, d2), dd_mul_dx(2.0, d6))); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_im_1 = dd_mul_dx(rho, common_1); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_im_2 = dd_mul_dx(rho, dd_mul_dx(-8.0, d6)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_0 = dd_add_xx(dd_sub_xx(dd_sub_xx(p1, p3), p5), p7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_2 = dd_mul_dx(4.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_1 = dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, p3), dd_mul_dx(2.0, p5)), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_2 = dd_sub_xx(dd_mul_dx(4.0, p5), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_3 = dd_mul_dx(-8.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_0 = dd_mul_dx(rho, dd_add_xx(dd_add_xx(dd_sub_xx(dd_neg(d1), d3), d5), d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_3 = dd_mul_dx(4.0, d7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_1 = dd_mul_dx(rho, dd_sub_xx(dd_add_xx(dd_mul_dx(2.0, d3), dd_mul_dx(2.0, d5)), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_2 = dd_mul_dx(rho, dd_sub_xx(dd_mul_dx(-4.0, d5), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_3 = dd_mul_dx(rho, dd_mul_dx(8.0, d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q2 = dd_mul_xx(Q, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q4 = dd_mul_xx(Q2, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q6 = dd_mul_xx(Q4, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_4 = dd_mul_xx(Q4, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
+    const double_double Q9 = dd_mul_xx(common_4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q12 = dd_mul_xx(Q6, Q6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q16 = dd_mul_xx(Q12, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q20 = dd_mul_xx(Q16, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_5 = dd_mul_dx(2.0, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double common_6 = dd_mul_dx(2.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double even_0 = dd_add_xx(dd_sub_dx(1.0, common_5), common_6); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_7 = dd_mul_dx(16.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double even_1 = dd_sub_xx(dd_mul_dx(4.0, Q4), common_7); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double even_2 = common_7; /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_8 = dd_mul_dx(2.0, Q); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double odd_0 = dd_sub_xx(common_8, dd_mul_dx(6.0, Q9)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double odd_1 = dd_mul_dx(8.0, Q9); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_0 = dd_add_xx(dd_add_xx(dd_sub_xx(dd_sub_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_9 = dd_mul_dx(4.0, Q12); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_1 = dd_sub_xx(dd_sub_xx(dd_mul_dx(4.0, Q6), common_9), dd_mul_dx(12.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_2 = dd_mul_dx(16.0, Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_odd_0 = dd_sub_xx(dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, Q2), dd_mul_dx(2.0, Q6)), common_9), dd_mul_dx(4.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_odd_1 = dd_add_xx(dd_mul_dx(-8.0, Q12), dd_mul_dx(8.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double two = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.2 */
+    const double_double even_sum = dd_add_xx(dd_add_dx(1.0, common_5), common_6); /* DLMF 20.2.3 */
+    const double_double common_10 = dd_mul_dx(2.0, Q9); /* DLMF 20.2.3 */
+    const double_double odd_sum = dd_add_xx(dd_add_xx(common_8, common_10), dd_mul_xx(common_10, Q16)); /* DLMF 20.2.3 */
+    const double_double three = dd_add_xx(even_sum, odd_sum); /* DLMF 20.2.3 */
+    const double_double four = dd_sub_xx(even_sum, odd_sum); /* DLMF 20.2.4 */
+    const double_double h2_plus = dd_mul_xx(h_plus, h_plus); /* DLMF 20.7.14 */
+    const double_double h2_minus = dd_mul_xx(h_minus, h_minus); /* DLMF 20.7.14 */
+    const double_double side_plus = dd_mul_xx(h2_plus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_plus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_plus))))))))); /* DLMF 20.7.14 */
+    const double_double side_minus = dd_mul_xx(h2_minus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_minus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_minus))))))))); /* DLMF 20.7.14 */
+    const double_double watson = dd_add_xx(dd_add_dx(1.0, side_plus), side_minus); /* DLMF 20.7.14 */
+    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
+    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* (33), (34) */
+    const double_double v = half_turns(sin_v, cos_v); /* (12) */
+    const double_double v_rate = dd_div_xx(dd_mul_xx(mu, g), pi); /* (10), (20) */
+    const double_double x = dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_v, sin_v))); /* DLMF 4.21.27 */
+    const double_double x2 = dd_mul_xx(x, x); /* DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re = dd_add_xx(T4_re_0, dd_mul_xx(x, dd_add_xx(T4_re_1, dd_mul_xx(x, dd_add_xx(T4_re_2, dd_mul_xx(x, T4_re_3)))))); /* (18), DLMF 20.2.4 */
+    const double_double T4_im = dd_mul_xx(dd_mul_xx(sin_v, cos_v), dd_add_xx(T4_im_0, dd_mul_xx(x, dd_add_xx(T4_im_1, dd_mul_xx(x, T4_im_2))))); /* (18), DLMF 20.2.4 */
+    const double_double T1_re = dd_mul_xx(sin_v, dd_add_xx(T1_re_0, dd_mul_xx(x, dd_add_xx(T1_re_1, dd_mul_xx(x, dd_add_xx(T1_re_2, dd_mul_xx(x, T1_re_3))))))); /* (18), DLMF 20.2.1 */
+    const double_double T1_im = dd_mul_xx(cos_v, dd_add_xx(T1_im_0, dd_mul_xx(x, dd_add_xx(T1_im_1, dd_mul_xx(x, dd_add_xx(T1_im_2, dd_mul_xx(x, T1_im_3))))))); /* (18), DLMF 20.2.1 */
+    const double_double sum_even = dd_add_xx(even_0, dd_mul_xx(x2, dd_add_xx(even_1, dd_mul_xx(x2, even_2)))); /* DLMF 20.2.4 */
+    const double_double sum_odd = dd_mul_xx(x, dd_add_xx(odd_0, dd_mul_xx(x2, odd_1))); /* DLMF 20.2.4 */
+    const double_double theta4_v = dd_sub_xx(sum_even, sum_odd); /* (10), DLMF 20.2.4 */
+    const double_double P4_re = T4_re; /* (18); theta_form.P4_re */
+    const double_double P4_im = T4_im; /* (18); theta_form.P4_im */
+    const double_double P1_re = T1_re; /* (18); theta_form.P1_re */
+    const double_double P1_im = T1_im; /* (18); theta_form.P1_im */
+    const double_double W = dd_mul_xx(theta4_v, watson); /* (1), DLMF 20.7.14 */
+    const double_double N = dd_sqrt(W); /* (1); theta_form.N_of_W */
+    const double_double qbar_0 = dd_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
+    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
+    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
     const double common_11 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d */
-    const pair qbar_d = pair_div_xx(pair_mul_dx(common_11, P1_re), N); /* (18), (25); theta_form.qbar_d */
-    const pair p_0 = pair_add_xx(pair_add_xx(pair_add_xx(pair_mul_xx(q_0, qbar_0), pair_mul_xx(q_a, qbar_a)), pair_mul_xx(q_b, qbar_b)), pair_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
-    const pair p_a = pair_add_xx(pair_sub_xx(pair_mul_xx(q_a, qbar_0), pair_mul_xx(q_0, qbar_a)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_d, qbar_b), pair_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
-    const pair p_b = pair_add_xx(pair_sub_xx(pair_mul_xx(q_b, qbar_0), pair_mul_xx(q_0, qbar_b)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_a, qbar_d), pair_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
-    const pair p_d = pair_add_xx(pair_sub_xx(pair_mul_xx(q_d, qbar_0), pair_mul_xx(q_0, qbar_d)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_b, qbar_a), pair_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
-    const pair over_N = pair_div_dx(1.0, pair_sqrt(watson)); /* (1), DLMF 20.7.14 */
-    const pair row_0_P4_re = pair_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
-    const pair row_0_P4_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
-    const pair row_0_P1_re = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_d, common_11))); /* (37); attitude.q_0 */
-    const pair row_0_P1_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
-    const pair row_a_P4_re = pair_mul_xx(over_N, p_a); /* (37); attitude.q_a */
-    const pair row_a_P4_im = pair_mul_xx(over_N, pair_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
-    const pair row_a_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_b, common_11))); /* (37); attitude.q_a */
-    const pair row_a_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
-    const pair row_b_P4_re = pair_mul_xx(over_N, p_b); /* (37); attitude.q_b */
-    const pair row_b_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
-    const pair row_b_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_a, common_11)))); /* (37); attitude.q_b */
-    const pair row_b_P1_im = pair_mul_xx(over_N, pair_mul_xd(p_0, chi)); /* (37); attitude.q_b */
-    const pair row_d_P4_re = pair_mul_xx(over_N, p_d); /* (37); attitude.q_d */
-    const pair row_d_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
-    const pair row_d_P1_re = pair_mul_xx(over_N, pair_mul_xd(p_0, common_11)); /* (37); attitude.q_d */
-    const pair row_d_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_a, chi))); /* (37); attitude.q_d */
+    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_11, P1_re), N); /* (18), (25); theta_form.qbar_d */
+    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
+    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
+    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
+    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
+    const double_double over_N = dd_div_dx(1.0, dd_sqrt(watson)); /* (1), DLMF 20.7.14 */
+    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
+    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
+    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* (37); attitude.q_0 */
+    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
+    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); attitude.q_a */
+    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
+    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* (37); attitude.q_a */
+    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
+    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); attitude.q_b */
+    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
+    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* (37); attitude.q_b */
+    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); attitude.q_b */
+    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); attitude.q_d */
+    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
+    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* (37); attitude.q_d */
+    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); attitude.q_d */
     const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const pair gain_a = pair_mul_xd(pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(four, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
-    const pair gain_b = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
-    const pair gain_d = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(four, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
-    plan->v_rate_hi = v_rate.hi;
-    plan->v_rate_lo = v_rate.lo;
-    plan->v_hi = v.hi;
-    plan->v_lo = v.lo;
-    plan->Lambda_rate_hi = Lambda_rate.hi;
-    plan->Lambda_rate_lo = Lambda_rate.lo;
-    plan->T4_re_0 = pair_rounded(T4_re_0);
-    plan->T4_re_1 = pair_rounded(T4_re_1);
-    plan->T4_re_2 = pair_rounded(T4_re_2);
-    plan->T4_re_3 = pair_rounded(T4_re_3);
-    plan->T4_im_0 = pair_rounded(T4_im_0);
-    plan->T4_im_1 = pair_rounded(T4_im_1);
-    plan->T4_im_2 = pair_rounded(T4_im_2);
-    plan->T1_re_0 = pair_rounded(T1_re_0);
-    plan->T1_re_1 = pair_rounded(T1_re_1);
-    plan->T1_re_2 = pair_rounded(T1_re_2);
-    plan->T1_re_3 = pair_rounded(T1_re_3);
-    plan->T1_im_0 = pair_rounded(T1_im_0);
-    plan->T1_im_1 = pair_rounded(T1_im_1);
-    plan->T1_im_2 = pair_rounded(T1_im_2);
-    plan->T1_im_3 = pair_rounded(T1_im_3);
-    plan->even_0 = pair_rounded(even_0);
-    plan->even_1 = pair_rounded(even_1);
-    plan->even_2 = pair_rounded(even_2);
-    plan->odd_0 = pair_rounded(odd_0);
-    plan->odd_1 = pair_rounded(odd_1);
-    plan->sine_even_0 = pair_rounded(sine_even_0);
-    plan->sine_even_1 = pair_rounded(sine_even_1);
-    plan->sine_even_2 = pair_rounded(sine_even_2);
-    plan->sine_odd_0 = pair_rounded(sine_odd_0);
-    plan->sine_odd_1 = pair_rounded(sine_odd_1);
-    plan->row_0_P4_re = pair_rounded(row_0_P4_re);
-    plan->row_0_P4_im = pair_rounded(row_0_P4_im);
-    plan->row_0_P1_re = pair_rounded(row_0_P1_re);
-    plan->row_0_P1_im = pair_rounded(row_0_P1_im);
-    plan->row_a_P4_re = pair_rounded(row_a_P4_re);
-    plan->row_a_P4_im = pair_rounded(row_a_P4_im);
-    plan->row_a_P1_re = pair_rounded(row_a_P1_re);
-    plan->row_a_P1_im = pair_rounded(row_a_P1_im);
-    plan->row_b_P4_re = pair_rounded(row_b_P4_re);
-    plan->row_b_P4_im = pair_rounded(row_b_P4_im);
-    plan->row_b_P1_re = pair_rounded(row_b_P1_re);
-    plan->row_b_P1_im = pair_rounded(row_b_P1_im);
-    plan->row_d_P4_re = pair_rounded(row_d_P4_re);
-    plan->row_d_P4_im = pair_rounded(row_d_P4_im);
-    plan->row_d_P1_re = pair_rounded(row_d_P1_re);
-    plan->row_d_P1_im = pair_rounded(row_d_P1_im);
-    plan->gain_a = pair_rounded(gain_a);
-    plan->gain_b = pair_rounded(gain_b);
-    plan->gain_d = pair_rounded(gain_d);
+    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
+    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
+    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
+    motion->v_rate_hi = v_rate.hi;
+    motion->v_rate_lo = v_rate.lo;
+    motion->v_hi = v.hi;
+    motion->v_lo = v.lo;
+    motion->Lambda_rate_hi = Lambda_rate.hi;
+    motion->Lambda_rate_lo = Lambda_rate.lo;
+    motion->T4_re_0 = dd_rounded(T4_re_0);
+    motion->T4_re_1 = dd_rounded(T4_re_1);
+    motion->T4_re_2 = dd_rounded(T4_re_2);
+    motion->T4_re_3 = dd_rounded(T4_re_3);
+    motion->T4_im_0 = dd_rounded(T4_im_0);
+    motion->T4_im_1 = dd_rounded(T4_im_1);
+    motion->T4_im_2 = dd_rounded(T4_im_2);
+    motion->T1_re_0 = dd_rounded(T1_re_0);
+    motion->T1_re_1 = dd_rounded(T1_re_1);
+    motion->T1_re_2 = dd_rounded(T1_re_2);
+    motion->T1_re_3 = dd_rounded(T1_re_3);
+    motion->T1_im_0 = dd_rounded(T1_im_0);
+    motion->T1_im_1 = dd_rounded(T1_im_1);
+    motion->T1_im_2 = dd_rounded(T1_im_2);
+    motion->T1_im_3 = dd_rounded(T1_im_3);
+    motion->even_0 = dd_rounded(even_0);
+    motion->even_1 = dd_rounded(even_1);
+    motion->even_2 = dd_rounded(even_2);
+    motion->odd_0 = dd_rounded(odd_0);
+    motion->odd_1 = dd_rounded(odd_1);
+    motion->sine_even_0 = dd_rounded(sine_even_0);
+    motion->sine_even_1 = dd_rounded(sine_even_1);
+    motion->sine_even_2 = dd_rounded(sine_even_2);
+    motion->sine_odd_0 = dd_rounded(sine_odd_0);
+    motion->sine_odd_1 = dd_rounded(sine_odd_1);
+    motion->row_0_P4_re = dd_rounded(row_0_P4_re);
+    motion->row_0_P4_im = dd_rounded(row_0_P4_im);
+    motion->row_0_P1_re = dd_rounded(row_0_P1_re);
+    motion->row_0_P1_im = dd_rounded(row_0_P1_im);
+    motion->row_a_P4_re = dd_rounded(row_a_P4_re);
+    motion->row_a_P4_im = dd_rounded(row_a_P4_im);
+    motion->row_a_P1_re = dd_rounded(row_a_P1_re);
+    motion->row_a_P1_im = dd_rounded(row_a_P1_im);
+    motion->row_b_P4_re = dd_rounded(row_b_P4_re);
+    motion->row_b_P4_im = dd_rounded(row_b_P4_im);
+    motion->row_b_P1_re = dd_rounded(row_b_P1_re);
+    motion->row_b_P1_im = dd_rounded(row_b_P1_im);
+    motion->row_d_P4_re = dd_rounded(row_d_P4_re);
+    motion->row_d_P4_im = dd_rounded(row_d_P4_im);
+    motion->row_d_P1_re = dd_rounded(row_d_P1_re);
+    motion->row_d_P1_im = dd_rounded(row_d_P1_im);
+    motion->gain_a = dd_rounded(gain_a);
+    motion->gain_b = dd_rounded(gain_b);
+    motion->gain_d = dd_rounded(gain_d);
 }
 
 /* What changes with time on the circular branch, at t + t_lo. */
-static void circular_angles(const torque_free_circular *plan, size_t n, const double *restrict t_in,
+static void circular_angles(const torque_free_circular *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict sin_v_out,
     double *restrict cos_v_out, double *restrict X_im_out, double *restrict X_re_out)
 {
-    const double v_rate_hi = plan->v_rate_hi;
-    const double v_rate_lo = plan->v_rate_lo;
-    const double v_hi = plan->v_hi;
-    const double v_lo = plan->v_lo;
-    const double Lambda_rate_hi = plan->Lambda_rate_hi;
-    const double Lambda_rate_lo = plan->Lambda_rate_lo;
+    const double v_rate_hi = motion->v_rate_hi;
+    const double v_rate_lo = motion->v_rate_lo;
+    const double v_hi = motion->v_hi;
+    const double v_lo = motion->v_lo;
+    const double Lambda_rate_hi = motion->Lambda_rate_hi;
+    const double Lambda_rate_lo = motion->Lambda_rate_lo;
     for (size_t i = 0; i < n; i++) {
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
@@ -779,56 +787,56 @@ static void circular_angles(const torque_free_circular *plan, size_t n, const do
 }
 
 /* The state on the circular branch, from `_circular_angles`. */
-static void circular_state(const torque_free_circular *plan, size_t n, const double *restrict sin_v_in,
+static void circular_state(const torque_free_circular *motion, size_t n, const double *restrict sin_v_in,
     const double *restrict cos_v_in, const double *restrict X_im_in,
     const double *restrict X_re_in, double *restrict q_0_out, double *restrict q_a_out,
     double *restrict q_b_out, double *restrict q_d_out, double *restrict Omega_a_out,
     double *restrict Omega_b_out, double *restrict Omega_d_out)
 {
-    const double T4_re_0 = plan->T4_re_0;
-    const double T4_re_1 = plan->T4_re_1;
-    const double T4_re_2 = plan->T4_re_2;
-    const double T4_re_3 = plan->T4_re_3;
-    const double T4_im_0 = plan->T4_im_0;
-    const double T4_im_1 = plan->T4_im_1;
-    const double T4_im_2 = plan->T4_im_2;
-    const double T1_re_0 = plan->T1_re_0;
-    const double T1_re_1 = plan->T1_re_1;
-    const double T1_re_2 = plan->T1_re_2;
-    const double T1_re_3 = plan->T1_re_3;
-    const double T1_im_0 = plan->T1_im_0;
-    const double T1_im_1 = plan->T1_im_1;
-    const double T1_im_2 = plan->T1_im_2;
-    const double T1_im_3 = plan->T1_im_3;
-    const double even_0 = plan->even_0;
-    const double even_1 = plan->even_1;
-    const double even_2 = plan->even_2;
-    const double odd_0 = plan->odd_0;
-    const double odd_1 = plan->odd_1;
-    const double sine_even_0 = plan->sine_even_0;
-    const double sine_even_1 = plan->sine_even_1;
-    const double sine_even_2 = plan->sine_even_2;
-    const double sine_odd_0 = plan->sine_odd_0;
-    const double sine_odd_1 = plan->sine_odd_1;
-    const double row_0_P4_re = plan->row_0_P4_re;
-    const double row_0_P4_im = plan->row_0_P4_im;
-    const double row_0_P1_re = plan->row_0_P1_re;
-    const double row_0_P1_im = plan->row_0_P1_im;
-    const double row_a_P4_re = plan->row_a_P4_re;
-    const double row_a_P4_im = plan->row_a_P4_im;
-    const double row_a_P1_re = plan->row_a_P1_re;
-    const double row_a_P1_im = plan->row_a_P1_im;
-    const double row_b_P4_re = plan->row_b_P4_re;
-    const double row_b_P4_im = plan->row_b_P4_im;
-    const double row_b_P1_re = plan->row_b_P1_re;
-    const double row_b_P1_im = plan->row_b_P1_im;
-    const double row_d_P4_re = plan->row_d_P4_re;
-    const double row_d_P4_im = plan->row_d_P4_im;
-    const double row_d_P1_re = plan->row_d_P1_re;
-    const double row_d_P1_im = plan->row_d_P1_im;
-    const double gain_a = plan->gain_a;
-    const double gain_b = plan->gain_b;
-    const double gain_d = plan->gain_d;
+    const double T4_re_0 = motion->T4_re_0;
+    const double T4_re_1 = motion->T4_re_1;
+    const double T4_re_2 = motion->T4_re_2;
+    const double T4_re_3 = motion->T4_re_3;
+    const double T4_im_0 = motion->T4_im_0;
+    const double T4_im_1 = motion->T4_im_1;
+    const double T4_im_2 = motion->T4_im_2;
+    const double T1_re_0 = motion->T1_re_0;
+    const double T1_re_1 = motion->T1_re_1;
+    const double T1_re_2 = motion->T1_re_2;
+    const double T1_re_3 = motion->T1_re_3;
+    const double T1_im_0 = motion->T1_im_0;
+    const double T1_im_1 = motion->T1_im_1;
+    const double T1_im_2 = motion->T1_im_2;
+    const double T1_im_3 = motion->T1_im_3;
+    const double even_0 = motion->even_0;
+    const double even_1 = motion->even_1;
+    const double even_2 = motion->even_2;
+    const double odd_0 = motion->odd_0;
+    const double odd_1 = motion->odd_1;
+    const double sine_even_0 = motion->sine_even_0;
+    const double sine_even_1 = motion->sine_even_1;
+    const double sine_even_2 = motion->sine_even_2;
+    const double sine_odd_0 = motion->sine_odd_0;
+    const double sine_odd_1 = motion->sine_odd_1;
+    const double row_0_P4_re = motion->row_0_P4_re;
+    const double row_0_P4_im = motion->row_0_P4_im;
+    const double row_0_P1_re = motion->row_0_P1_re;
+    const double row_0_P1_im = motion->row_0_P1_im;
+    const double row_a_P4_re = motion->row_a_P4_re;
+    const double row_a_P4_im = motion->row_a_P4_im;
+    const double row_a_P1_re = motion->row_a_P1_re;
+    const double row_a_P1_im = motion->row_a_P1_im;
+    const double row_b_P4_re = motion->row_b_P4_re;
+    const double row_b_P4_im = motion->row_b_P4_im;
+    const double row_b_P1_re = motion->row_b_P1_re;
+    const double row_b_P1_im = motion->row_b_P1_im;
+    const double row_d_P4_re = motion->row_d_P4_re;
+    const double row_d_P4_im = motion->row_d_P4_im;
+    const double row_d_P1_re = motion->row_d_P1_re;
+    const double row_d_P1_im = motion->row_d_P1_im;
+    const double gain_a = motion->gain_a;
+    const double gain_b = motion->gain_b;
+    const double gain_d = motion->gain_d;
     for (size_t i = 0; i < n; i++) {
         const double sin_v = sin_v_in[i];
         const double cos_v = cos_v_in[i];
@@ -871,211 +879,213 @@ static void circular_state(const torque_free_circular *plan, size_t n, const dou
     }
 }
 
-/* The constants of a motion on the hyperbolic branch, from `_start`. */
-static void hyperbolic_plan(pair K, pair A_a, pair A_b, pair A_d, pair B_a, pair B_d, pair k_1, pair kc_1,
-    pair mu, pair psi_0, pair s, pair c, pair q_0, pair q_a, pair q_b, pair q_d,
+/* The constants of a motion on the hyperbolic branch, from `_initial_state`. */
+static void hyperbolic_constants(double_double K, double_double A_a, double_double A_b, double_double A_d,
+    double_double B_a, double_double B_d, double_double k_1, double_double kc_1,
+    double_double mu, double_double psi_0, double_double s, double_double c,
+    double_double q_0, double_double q_a, double_double q_b, double_double q_d,
     double epsilon, double sigma, double rho, double chi, double unit,
-    torque_free_hyperbolic *plan)
+    torque_free_hyperbolic *motion)
 {
-    const pair root_k = pair_sqrt(k_1); /* (27); theta_form.root_k */
-    const pair x = pair_div_xx(B_d, pair_mul_xx(root_k, pair_add_xx(K, B_a))); /* (28); theta_form.x */
-    const pair y = pair_sqrt(pair_add_dx(1.0, pair_mul_xx(x, x))); /* DLMF 22.6.1; theta_form.y */
-    const pair common_1 = pair_mul_xx(k_1, x); /* DLMF 22.6.1; theta_form.z */
-    const pair z = pair_sqrt(pair_add_dx(1.0, pair_mul_xx(common_1, common_1))); /* DLMF 22.6.1; theta_form.z */
-    const pair s_beta = pair_div_xx(x, y); /* DLMF 22.6.1; theta_form.s_beta */
-    const pair c_beta = pair_div_dx(1.0, y); /* DLMF 22.6.1; theta_form.c_beta */
-    const pair d_beta = pair_div_xx(z, y); /* DLMF 22.6.1; theta_form.d_beta */
-    const pair r = root_ratio(kc_1, k_1); /* DLMF 20.9.1 */
-    const pair root_nome = pair_div_xx(kc_1, r); /* DLMF 20.9.1 */
-    const pair nome = pair_mul_xx(root_nome, root_nome); /* DLMF 20.9.1 */
-    const pair size_s = pair_size(s); /* DLMF 22.4.3 */
-    const double near = pair_rounded(pair_mul_xx(c, c)); /* DLMF 22.4.3 */
-    const double far = pair_rounded(pair_mul_xx(kc_1, pair_mul_xx(s, s))); /* DLMF 22.4.3 */
-    const pair above = pair_choose(far, near, size_s, c); /* DLMF 22.4.3 */
-    const pair below = pair_choose(far, near, c, pair_mul_xx(kc_1, size_s)); /* DLMF 22.4.3 */
-    const pair xi = pair_div_xx(above, below); /* DLMF 22.6.7 */
-    pair K_c, sin_a, cos_a, Y_b;
+    const double_double root_k = dd_sqrt(k_1); /* (27); theta_form.root_k */
+    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* (28); theta_form.x */
+    const double_double y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(x, x))); /* DLMF 22.6.1; theta_form.y */
+    const double_double common_1 = dd_mul_xx(k_1, x); /* DLMF 22.6.1; theta_form.z */
+    const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_1, common_1))); /* DLMF 22.6.1; theta_form.z */
+    const double_double s_beta = dd_div_xx(x, y); /* DLMF 22.6.1; theta_form.s_beta */
+    const double_double c_beta = dd_div_dx(1.0, y); /* DLMF 22.6.1; theta_form.c_beta */
+    const double_double d_beta = dd_div_xx(z, y); /* DLMF 22.6.1; theta_form.d_beta */
+    const double_double r = root_ratio(kc_1, k_1); /* DLMF 20.9.1 */
+    const double_double root_nome = dd_div_xx(kc_1, r); /* DLMF 20.9.1 */
+    const double_double nome = dd_mul_xx(root_nome, root_nome); /* DLMF 20.9.1 */
+    const double_double size_s = dd_size(s); /* DLMF 22.4.3 */
+    const double near = dd_rounded(dd_mul_xx(c, c)); /* DLMF 22.4.3 */
+    const double far = dd_rounded(dd_mul_xx(kc_1, dd_mul_xx(s, s))); /* DLMF 22.4.3 */
+    const double_double above = dd_choose(far, near, size_s, c); /* DLMF 22.4.3 */
+    const double_double below = dd_choose(far, near, c, dd_mul_xx(kc_1, size_s)); /* DLMF 22.4.3 */
+    const double_double xi = dd_div_xx(above, below); /* DLMF 22.6.7 */
+    double_double K_c, sin_a, cos_a, Y_b;
     ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* DLMF 19.8.12 */
-    const pair gc = pair_div_xx(pi, pair_mul_dx(2.0, K_c)); /* (10) */
-    const pair nome2 = pair_mul_xx(nome, nome); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair nome4 = pair_mul_xx(nome2, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair nome6 = pair_mul_xx(nome4, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair nome8 = pair_mul_xx(nome4, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair nome12 = pair_mul_xx(nome8, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair nome20 = pair_mul_xx(nome12, nome8); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair nome30 = pair_mul_xx(pair_mul_xx(nome20, nome8), nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair C_0 = cos_a; /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair S_0 = sin_a; /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair turn = pair_mul_dx(2.0, pair_sub_dx(1.0, pair_mul_dx(2.0, pair_mul_xx(sin_a, sin_a)))); /* DLMF 4.21.27 */
-    const pair C_1 = pair_mul_xx(pair_sub_xd(turn, 1.0), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair S_1 = pair_mul_xx(pair_add_xd(turn, 1.0), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair C_2 = pair_sub_xx(pair_mul_xx(turn, C_1), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair S_2 = pair_sub_xx(pair_mul_xx(turn, S_1), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair C_3 = pair_sub_xx(pair_mul_xx(turn, C_2), C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair S_3 = pair_sub_xx(pair_mul_xx(turn, S_2), S_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair C_4 = pair_sub_xx(pair_mul_xx(turn, C_3), C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair S_4 = pair_sub_xx(pair_mul_xx(turn, S_3), S_2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair C_5 = pair_sub_xx(pair_mul_xx(turn, C_4), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair S_5 = pair_sub_xx(pair_mul_xx(turn, S_4), S_3); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair zeta = pair_div_xx(pair_mul_xx(gc, pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(S_0, pair_mul_xx(pair_mul_dx(3.0, nome2), S_1)), pair_mul_xx(pair_mul_dx(5.0, nome6), S_2)), pair_mul_xx(pair_mul_dx(7.0, nome12), S_3)), pair_mul_xx(pair_mul_dx(9.0, nome20), S_4)), pair_mul_xx(pair_mul_dx(11.0, nome30), S_5))), pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(pair_add_xx(C_0, pair_mul_xx(nome2, C_1)), pair_mul_xx(nome6, C_2)), pair_mul_xx(nome12, C_3)), pair_mul_xx(nome20, C_4)), pair_mul_xx(nome30, C_5))); /* (34), DLMF 20.2.2 */
-    const pair re_0 = C_0; /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair im_0 = pair_neg(pair_mul_dx(rho, S_0)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair re_1 = pair_mul_xx(nome, C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair im_1 = pair_neg(pair_mul_xx(pair_mul_dx(rho, nome), S_1)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair re_2 = pair_mul_xx(nome4, C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair im_2 = pair_neg(pair_mul_xx(pair_mul_dx(rho, nome4), S_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair re_3 = pair_mul_xx(pair_mul_xx(nome8, nome), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair im_3 = pair_neg(pair_mul_xx(pair_mul_xx(pair_mul_dx(rho, nome8), nome), S_3)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair two = pair_add_xx(pair_add_dx(1.0, nome4), nome12); /* DLMF 20.2.2 */
-    const pair common_2 = pair_mul_dx(2.0, nome2); /* DLMF 20.2.3, DLMF 20.2.4 */
-    const pair common_3 = pair_mul_dx(2.0, nome8); /* DLMF 20.2.3, DLMF 20.2.4 */
-    const pair common_4 = pair_mul_xx(nome12, nome6); /* DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
-    const pair common_5 = pair_mul_dx(2.0, common_4); /* DLMF 20.2.3, DLMF 20.2.4 */
-    const pair three = pair_add_xx(pair_add_xx(pair_add_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.3 */
-    const pair four = pair_sub_xx(pair_add_xx(pair_sub_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.4 */
-    const pair twice = pair_sub_xd(pair_mul_xx(turn, turn), 2.0); /* DLMF 4.21.27 */
-    const pair twice2 = pair_sub_xd(pair_mul_xx(twice, twice), 2.0); /* DLMF 4.21.27 */
-    const pair twice3 = pair_sub_xx(pair_mul_xx(twice, twice2), twice); /* DLMF 4.21.27 */
-    const pair watson = pair_add_xx(pair_add_xx(pair_add_dx(1.0, pair_mul_xx(nome2, twice)), pair_mul_xx(nome8, twice2)), pair_mul_xx(common_4, twice3)); /* DLMF 20.7.14 */
-    const pair Lambda = pair_add_xx(pair_div_xd(psi_0, 2.0), pair_mul_xx(pair_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
-    const pair Lambda_rate = pair_div_xx(Lambda, pi); /* (33), (34) */
-    const double nome_d = pair_rounded(nome); /* DLMF 20.2.2 */
-    const pair period = pair_neg(logarithm(pair_choose(nome_d, 0.0, pair_of(1.0), nome))); /* DLMF 20.2.2 */
-    const double period_far = choose(nome_d, 0.0, never, pair_rounded(period)); /* DLMF 20.2.7 */
-    const double period_d = pair_rounded(pair_choose(nome_d, 0.0, pair_of(1.0), period)); /* DLMF 20.2.7 */
+    const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* (10) */
+    const double_double nome2 = dd_mul_xx(nome, nome); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome4 = dd_mul_xx(nome2, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome6 = dd_mul_xx(nome4, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome8 = dd_mul_xx(nome4, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome12 = dd_mul_xx(nome8, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome20 = dd_mul_xx(nome12, nome8); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome30 = dd_mul_xx(dd_mul_xx(nome20, nome8), nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_0 = cos_a; /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_0 = sin_a; /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double turn = dd_mul_dx(2.0, dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_a, sin_a)))); /* DLMF 4.21.27 */
+    const double_double C_1 = dd_mul_xx(dd_sub_xd(turn, 1.0), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_1 = dd_mul_xx(dd_add_xd(turn, 1.0), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_2 = dd_sub_xx(dd_mul_xx(turn, C_1), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_2 = dd_sub_xx(dd_mul_xx(turn, S_1), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_3 = dd_sub_xx(dd_mul_xx(turn, C_2), C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_3 = dd_sub_xx(dd_mul_xx(turn, S_2), S_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_4 = dd_sub_xx(dd_mul_xx(turn, C_3), C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_4 = dd_sub_xx(dd_mul_xx(turn, S_3), S_2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_5 = dd_sub_xx(dd_mul_xx(turn, C_4), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_5 = dd_sub_xx(dd_mul_xx(turn, S_4), S_3); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double zeta = dd_div_xx(dd_mul_xx(gc, dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(S_0, dd_mul_xx(dd_mul_dx(3.0, nome2), S_1)), dd_mul_xx(dd_mul_dx(5.0, nome6), S_2)), dd_mul_xx(dd_mul_dx(7.0, nome12), S_3)), dd_mul_xx(dd_mul_dx(9.0, nome20), S_4)), dd_mul_xx(dd_mul_dx(11.0, nome30), S_5))), dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(C_0, dd_mul_xx(nome2, C_1)), dd_mul_xx(nome6, C_2)), dd_mul_xx(nome12, C_3)), dd_mul_xx(nome20, C_4)), dd_mul_xx(nome30, C_5))); /* (34), DLMF 20.2.2 */
+    const double_double re_0 = C_0; /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_0 = dd_neg(dd_mul_dx(rho, S_0)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double re_1 = dd_mul_xx(nome, C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_1 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome), S_1)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double re_2 = dd_mul_xx(nome4, C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_2 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome4), S_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double re_3 = dd_mul_xx(dd_mul_xx(nome8, nome), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_3 = dd_neg(dd_mul_xx(dd_mul_xx(dd_mul_dx(rho, nome8), nome), S_3)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* DLMF 20.2.2 */
+    const double_double common_2 = dd_mul_dx(2.0, nome2); /* DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_3 = dd_mul_dx(2.0, nome8); /* DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_4 = dd_mul_xx(nome12, nome6); /* DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
+    const double_double common_5 = dd_mul_dx(2.0, common_4); /* DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.3 */
+    const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.4 */
+    const double_double twice = dd_sub_xd(dd_mul_xx(turn, turn), 2.0); /* DLMF 4.21.27 */
+    const double_double twice2 = dd_sub_xd(dd_mul_xx(twice, twice), 2.0); /* DLMF 4.21.27 */
+    const double_double twice3 = dd_sub_xx(dd_mul_xx(twice, twice2), twice); /* DLMF 4.21.27 */
+    const double_double watson = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xx(nome2, twice)), dd_mul_xx(nome8, twice2)), dd_mul_xx(common_4, twice3)); /* DLMF 20.7.14 */
+    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
+    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* (33), (34) */
+    const double nome_d = dd_rounded(nome); /* DLMF 20.2.2 */
+    const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome))); /* DLMF 20.2.2 */
+    const double period_far = choose(nome_d, 0.0, never, dd_rounded(period)); /* DLMF 20.2.7 */
+    const double period_d = dd_rounded(dd_choose(nome_d, 0.0, dd_of(1.0), period)); /* DLMF 20.2.7 */
     const double period_inverse = choose(nome_d, 0.0, 0.0, 1.0 / period_d); /* DLMF 20.2.7 */
-    const pair cosh_y = pair_sqrt(pair_add_dx(1.0, pair_mul_xx(Y_b, Y_b))); /* DLMF 4.35.11 */
-    const pair common_6 = pair_add_xx(Y_b, cosh_y); /* DLMF 4.37.16 */
-    const pair y_b = logarithm(common_6); /* DLMF 4.37.16 */
-    const pair y_size = pair_choose(far, near, y_b, pair_sub_xx(pair_div_xd(period, 2.0), y_b)); /* DLMF 22.4.3 */
-    const double side = choose(0.0, pair_rounded(s), 1.0, -1.0); /* (12) */
-    const pair y0 = pair_mul_dx(side, y_size); /* (12) */
-    const pair y_rate = pair_mul_xx(mu, gc); /* (10), (20) */
-    const pair e_near = pair_div_dx(1.0, pair_mul_xx(common_6, common_6)); /* DLMF 4.37.16 */
-    const pair e_far = pair_div_xx(nome, e_near); /* DLMF 20.2.2 */
-    const pair w = pair_choose(far, near, e_near, e_far); /* DLMF 20.2.2 */
-    const pair p = pair_choose(far, near, e_far, e_near); /* DLMF 20.2.2 */
-    const pair alpha = half_turns(sin_a, cos_a); /* (28) */
-    const pair jump = pair_mul_dx(-2.0 * rho, alpha); /* DLMF 20.2.7 */
-    const pair p2 = pair_mul_xx(p, p); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair qw = pair_mul_xx(nome, w); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair qw2 = pair_mul_xx(qw, qw); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair near_re_even = pair_add_xx(re_0, pair_mul_xx(p2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair near_re_odd = pair_mul_xx(p, pair_add_xx(re_1, pair_mul_xx(p2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair far_re_even = pair_add_xx(re_0, pair_mul_xx(qw2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair far_re_odd = pair_mul_xx(qw, pair_add_xx(re_1, pair_mul_xx(qw2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair near_im_even = pair_add_xx(im_0, pair_mul_xx(p2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair near_im_odd = pair_mul_xx(p, pair_add_xx(im_1, pair_mul_xx(p2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair far_im_even = pair_add_xx(im_0, pair_mul_xx(qw2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair far_im_odd = pair_mul_xx(qw, pair_add_xx(im_1, pair_mul_xx(qw2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair T4_re = pair_add_xx(pair_add_xx(near_re_even, near_re_odd), pair_mul_xx(w, pair_add_xx(far_re_even, far_re_odd))); /* (18), DLMF 20.2.2 */
-    const pair T4_im = pair_mul_dx(side, pair_sub_xx(pair_add_xx(near_im_even, near_im_odd), pair_mul_xx(w, pair_add_xx(far_im_even, far_im_odd)))); /* (18), DLMF 20.2.2 */
-    const pair T1_re = pair_mul_dx(side, pair_sub_xx(pair_sub_xx(near_re_even, near_re_odd), pair_mul_xx(w, pair_sub_xx(far_re_even, far_re_odd)))); /* (18), DLMF 20.2.1 */
-    const pair T1_im = pair_add_xx(pair_sub_xx(near_im_even, near_im_odd), pair_mul_xx(w, pair_sub_xx(far_im_even, far_im_odd))); /* (18), DLMF 20.2.1 */
-    const pair w2 = pair_mul_xx(w, w); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const pair tall = pair_add_dx(1.0, pair_mul_xx(p2, pair_add_xx(nome2, pair_mul_xx(p2, nome8)))); /* DLMF 20.2.2 */
-    const pair deep = pair_mul_xx(w2, pair_add_dx(1.0, pair_mul_xx(qw2, pair_add_xx(nome2, pair_mul_xx(qw2, nome8))))); /* DLMF 20.2.2 */
-    const pair theta2_y = pair_add_xx(tall, deep); /* (10), DLMF 20.2.2 */
-    const pair P4_re = T4_re; /* (18); theta_form.P4_re */
-    const pair P4_im = T4_im; /* (18); theta_form.P4_im */
-    const pair P1_re = T1_re; /* (18); theta_form.P1_re */
-    const pair P1_im = T1_im; /* (18); theta_form.P1_im */
-    const pair W = pair_mul_xx(pair_mul_dx(2.0, theta2_y), watson); /* (1), DLMF 20.7.14 */
-    const pair N = pair_sqrt(W); /* (1); theta_form.N_of_W */
-    const pair qbar_0 = pair_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
-    const pair qbar_a = pair_div_xx(pair_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
-    const pair qbar_b = pair_div_xx(pair_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
+    const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* DLMF 4.35.11 */
+    const double_double common_6 = dd_add_xx(Y_b, cosh_y); /* DLMF 4.37.16 */
+    const double_double y_b = logarithm(common_6); /* DLMF 4.37.16 */
+    const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* DLMF 22.4.3 */
+    const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* (12) */
+    const double_double y0 = dd_mul_dx(side, y_size); /* (12) */
+    const double_double y_rate = dd_mul_xx(mu, gc); /* (10), (20) */
+    const double_double e_near = dd_div_dx(1.0, dd_mul_xx(common_6, common_6)); /* DLMF 4.37.16 */
+    const double_double e_far = dd_div_xx(nome, e_near); /* DLMF 20.2.2 */
+    const double_double w = dd_choose(far, near, e_near, e_far); /* DLMF 20.2.2 */
+    const double_double p = dd_choose(far, near, e_far, e_near); /* DLMF 20.2.2 */
+    const double_double alpha = half_turns(sin_a, cos_a); /* (28) */
+    const double_double jump = dd_mul_dx(-2.0 * rho, alpha); /* DLMF 20.2.7 */
+    const double_double p2 = dd_mul_xx(p, p); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double qw = dd_mul_xx(nome, w); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double qw2 = dd_mul_xx(qw, qw); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_re_even = dd_add_xx(re_0, dd_mul_xx(p2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_re_odd = dd_mul_xx(p, dd_add_xx(re_1, dd_mul_xx(p2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_re_even = dd_add_xx(re_0, dd_mul_xx(qw2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_re_odd = dd_mul_xx(qw, dd_add_xx(re_1, dd_mul_xx(qw2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_im_even = dd_add_xx(im_0, dd_mul_xx(p2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_im_odd = dd_mul_xx(p, dd_add_xx(im_1, dd_mul_xx(p2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_im_even = dd_add_xx(im_0, dd_mul_xx(qw2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_im_odd = dd_mul_xx(qw, dd_add_xx(im_1, dd_mul_xx(qw2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double T4_re = dd_add_xx(dd_add_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_add_xx(far_re_even, far_re_odd))); /* (18), DLMF 20.2.2 */
+    const double_double T4_im = dd_mul_dx(side, dd_sub_xx(dd_add_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_add_xx(far_im_even, far_im_odd)))); /* (18), DLMF 20.2.2 */
+    const double_double T1_re = dd_mul_dx(side, dd_sub_xx(dd_sub_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_sub_xx(far_re_even, far_re_odd)))); /* (18), DLMF 20.2.1 */
+    const double_double T1_im = dd_add_xx(dd_sub_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_sub_xx(far_im_even, far_im_odd))); /* (18), DLMF 20.2.1 */
+    const double_double w2 = dd_mul_xx(w, w); /* DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double tall = dd_add_dx(1.0, dd_mul_xx(p2, dd_add_xx(nome2, dd_mul_xx(p2, nome8)))); /* DLMF 20.2.2 */
+    const double_double deep = dd_mul_xx(w2, dd_add_dx(1.0, dd_mul_xx(qw2, dd_add_xx(nome2, dd_mul_xx(qw2, nome8))))); /* DLMF 20.2.2 */
+    const double_double theta2_y = dd_add_xx(tall, deep); /* (10), DLMF 20.2.2 */
+    const double_double P4_re = T4_re; /* (18); theta_form.P4_re */
+    const double_double P4_im = T4_im; /* (18); theta_form.P4_im */
+    const double_double P1_re = T1_re; /* (18); theta_form.P1_re */
+    const double_double P1_im = T1_im; /* (18); theta_form.P1_im */
+    const double_double W = dd_mul_xx(dd_mul_dx(2.0, theta2_y), watson); /* (1), DLMF 20.7.14 */
+    const double_double N = dd_sqrt(W); /* (1); theta_form.N_of_W */
+    const double_double qbar_0 = dd_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
+    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
+    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
     const double common_7 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d */
-    const pair qbar_d = pair_div_xx(pair_mul_dx(common_7, P1_re), N); /* (18), (25); theta_form.qbar_d */
-    const pair p_0 = pair_add_xx(pair_add_xx(pair_add_xx(pair_mul_xx(q_0, qbar_0), pair_mul_xx(q_a, qbar_a)), pair_mul_xx(q_b, qbar_b)), pair_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
-    const pair p_a = pair_add_xx(pair_sub_xx(pair_mul_xx(q_a, qbar_0), pair_mul_xx(q_0, qbar_a)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_d, qbar_b), pair_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
-    const pair p_b = pair_add_xx(pair_sub_xx(pair_mul_xx(q_b, qbar_0), pair_mul_xx(q_0, qbar_b)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_a, qbar_d), pair_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
-    const pair p_d = pair_add_xx(pair_sub_xx(pair_mul_xx(q_d, qbar_0), pair_mul_xx(q_0, qbar_d)), pair_mul_dx(epsilon, pair_sub_xx(pair_mul_xx(q_b, qbar_a), pair_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
-    const pair over_N = pair_div_dx(1.0, pair_sqrt(pair_mul_dx(2.0, watson))); /* (1), DLMF 20.7.14 */
-    const pair row_0_P4_re = pair_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
-    const pair row_0_P4_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
-    const pair row_0_P1_re = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_d, common_7))); /* (37); attitude.q_0 */
-    const pair row_0_P1_im = pair_mul_xx(over_N, pair_neg(pair_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
-    const pair row_a_P4_re = pair_mul_xx(over_N, p_a); /* (37); attitude.q_a */
-    const pair row_a_P4_im = pair_mul_xx(over_N, pair_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
-    const pair row_a_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_b, common_7))); /* (37); attitude.q_a */
-    const pair row_a_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
-    const pair row_b_P4_re = pair_mul_xx(over_N, p_b); /* (37); attitude.q_b */
-    const pair row_b_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
-    const pair row_b_P1_re = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_a, common_7)))); /* (37); attitude.q_b */
-    const pair row_b_P1_im = pair_mul_xx(over_N, pair_mul_xd(p_0, chi)); /* (37); attitude.q_b */
-    const pair row_d_P4_re = pair_mul_xx(over_N, p_d); /* (37); attitude.q_d */
-    const pair row_d_P4_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_neg(pair_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
-    const pair row_d_P1_re = pair_mul_xx(over_N, pair_mul_xd(p_0, common_7)); /* (37); attitude.q_d */
-    const pair row_d_P1_im = pair_mul_xx(over_N, pair_mul_dx(epsilon, pair_mul_xd(p_a, chi))); /* (37); attitude.q_d */
+    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_7, P1_re), N); /* (18), (25); theta_form.qbar_d */
+    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
+    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
+    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
+    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
+    const double_double over_N = dd_div_dx(1.0, dd_sqrt(dd_mul_dx(2.0, watson))); /* (1), DLMF 20.7.14 */
+    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
+    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
+    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* (37); attitude.q_0 */
+    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
+    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); attitude.q_a */
+    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
+    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* (37); attitude.q_a */
+    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
+    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); attitude.q_b */
+    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
+    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* (37); attitude.q_b */
+    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); attitude.q_b */
+    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); attitude.q_d */
+    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
+    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* (37); attitude.q_d */
+    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); attitude.q_d */
     const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const pair gain_a = pair_mul_xd(pair_mul_xx(pair_mul_dx(sigma, A_a), pair_div_xx(two, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
-    const pair gain_b = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi, A_b), pair_div_xx(three, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
-    const pair gain_d = pair_mul_xd(pair_mul_xx(pair_mul_dx(chi * tau, A_d), pair_div_xx(two, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
-    plan->y_rate_hi = y_rate.hi;
-    plan->y_rate_lo = y_rate.lo;
-    plan->y0_hi = y0.hi;
-    plan->y0_lo = y0.lo;
-    plan->period_hi = period.hi;
-    plan->period_lo = period.lo;
-    plan->Lambda_rate_hi = Lambda_rate.hi;
-    plan->Lambda_rate_lo = Lambda_rate.lo;
-    plan->jump_hi = jump.hi;
-    plan->jump_lo = jump.lo;
-    plan->period_far = period_far;
-    plan->period_inverse = period_inverse;
-    plan->re_0 = pair_rounded(re_0);
-    plan->re_1 = pair_rounded(re_1);
-    plan->re_2 = pair_rounded(re_2);
-    plan->re_3 = pair_rounded(re_3);
-    plan->im_0 = pair_rounded(im_0);
-    plan->im_1 = pair_rounded(im_1);
-    plan->im_2 = pair_rounded(im_2);
-    plan->im_3 = pair_rounded(im_3);
-    plan->nome = pair_rounded(nome);
-    plan->nome2 = pair_rounded(nome2);
-    plan->nome4 = pair_rounded(nome4);
-    plan->nome8 = pair_rounded(nome8);
-    plan->nome12 = pair_rounded(nome12);
-    plan->row_0_P4_re = pair_rounded(row_0_P4_re);
-    plan->row_0_P4_im = pair_rounded(row_0_P4_im);
-    plan->row_0_P1_re = pair_rounded(row_0_P1_re);
-    plan->row_0_P1_im = pair_rounded(row_0_P1_im);
-    plan->row_a_P4_re = pair_rounded(row_a_P4_re);
-    plan->row_a_P4_im = pair_rounded(row_a_P4_im);
-    plan->row_a_P1_re = pair_rounded(row_a_P1_re);
-    plan->row_a_P1_im = pair_rounded(row_a_P1_im);
-    plan->row_b_P4_re = pair_rounded(row_b_P4_re);
-    plan->row_b_P4_im = pair_rounded(row_b_P4_im);
-    plan->row_b_P1_re = pair_rounded(row_b_P1_re);
-    plan->row_b_P1_im = pair_rounded(row_b_P1_im);
-    plan->row_d_P4_re = pair_rounded(row_d_P4_re);
-    plan->row_d_P4_im = pair_rounded(row_d_P4_im);
-    plan->row_d_P1_re = pair_rounded(row_d_P1_re);
-    plan->row_d_P1_im = pair_rounded(row_d_P1_im);
-    plan->gain_a = pair_rounded(gain_a);
-    plan->gain_b = pair_rounded(gain_b);
-    plan->gain_d = pair_rounded(gain_d);
+    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
+    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
+    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
+    motion->y_rate_hi = y_rate.hi;
+    motion->y_rate_lo = y_rate.lo;
+    motion->y0_hi = y0.hi;
+    motion->y0_lo = y0.lo;
+    motion->period_hi = period.hi;
+    motion->period_lo = period.lo;
+    motion->Lambda_rate_hi = Lambda_rate.hi;
+    motion->Lambda_rate_lo = Lambda_rate.lo;
+    motion->jump_hi = jump.hi;
+    motion->jump_lo = jump.lo;
+    motion->period_far = period_far;
+    motion->period_inverse = period_inverse;
+    motion->re_0 = dd_rounded(re_0);
+    motion->re_1 = dd_rounded(re_1);
+    motion->re_2 = dd_rounded(re_2);
+    motion->re_3 = dd_rounded(re_3);
+    motion->im_0 = dd_rounded(im_0);
+    motion->im_1 = dd_rounded(im_1);
+    motion->im_2 = dd_rounded(im_2);
+    motion->im_3 = dd_rounded(im_3);
+    motion->nome = dd_rounded(nome);
+    motion->nome2 = dd_rounded(nome2);
+    motion->nome4 = dd_rounded(nome4);
+    motion->nome8 = dd_rounded(nome8);
+    motion->nome12 = dd_rounded(nome12);
+    motion->row_0_P4_re = dd_rounded(row_0_P4_re);
+    motion->row_0_P4_im = dd_rounded(row_0_P4_im);
+    motion->row_0_P1_re = dd_rounded(row_0_P1_re);
+    motion->row_0_P1_im = dd_rounded(row_0_P1_im);
+    motion->row_a_P4_re = dd_rounded(row_a_P4_re);
+    motion->row_a_P4_im = dd_rounded(row_a_P4_im);
+    motion->row_a_P1_re = dd_rounded(row_a_P1_re);
+    motion->row_a_P1_im = dd_rounded(row_a_P1_im);
+    motion->row_b_P4_re = dd_rounded(row_b_P4_re);
+    motion->row_b_P4_im = dd_rounded(row_b_P4_im);
+    motion->row_b_P1_re = dd_rounded(row_b_P1_re);
+    motion->row_b_P1_im = dd_rounded(row_b_P1_im);
+    motion->row_d_P4_re = dd_rounded(row_d_P4_re);
+    motion->row_d_P4_im = dd_rounded(row_d_P4_im);
+    motion->row_d_P1_re = dd_rounded(row_d_P1_re);
+    motion->row_d_P1_im = dd_rounded(row_d_P1_im);
+    motion->gain_a = dd_rounded(gain_a);
+    motion->gain_b = dd_rounded(gain_b);
+    motion->gain_d = dd_rounded(gain_d);
 }
 
 /* What changes with time on the hyperbolic branch, at t + t_lo. */
-static void hyperbolic_angles(const torque_free_hyperbolic *plan, size_t n, const double *restrict t_in,
+static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict w_out, double *restrict p_out,
     double *restrict side_out, double *restrict flip_out, double *restrict X_im_out,
     double *restrict X_re_out)
 {
-    const double y_rate_hi = plan->y_rate_hi;
-    const double y_rate_lo = plan->y_rate_lo;
-    const double y0_hi = plan->y0_hi;
-    const double y0_lo = plan->y0_lo;
-    const double period_hi = plan->period_hi;
-    const double period_lo = plan->period_lo;
-    const double Lambda_rate_hi = plan->Lambda_rate_hi;
-    const double Lambda_rate_lo = plan->Lambda_rate_lo;
-    const double jump_hi = plan->jump_hi;
-    const double jump_lo = plan->jump_lo;
-    const double period_far = plan->period_far;
-    const double period_inverse = plan->period_inverse;
+    const double y_rate_hi = motion->y_rate_hi;
+    const double y_rate_lo = motion->y_rate_lo;
+    const double y0_hi = motion->y0_hi;
+    const double y0_lo = motion->y0_lo;
+    const double period_hi = motion->period_hi;
+    const double period_lo = motion->period_lo;
+    const double Lambda_rate_hi = motion->Lambda_rate_hi;
+    const double Lambda_rate_lo = motion->Lambda_rate_lo;
+    const double jump_hi = motion->jump_hi;
+    const double jump_lo = motion->jump_lo;
+    const double period_far = motion->period_far;
+    const double period_inverse = motion->period_inverse;
     for (size_t i = 0; i < n; i++) {
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
@@ -1125,45 +1135,45 @@ static void hyperbolic_angles(const torque_free_hyperbolic *plan, size_t n, cons
 }
 
 /* The state on the hyperbolic branch, from `_hyperbolic_angles`. */
-static void hyperbolic_state(const torque_free_hyperbolic *plan, size_t n, const double *restrict w_in,
+static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, const double *restrict w_in,
     const double *restrict p_in, const double *restrict side_in,
     const double *restrict flip_in, const double *restrict X_im_in,
     const double *restrict X_re_in, double *restrict q_0_out, double *restrict q_a_out,
     double *restrict q_b_out, double *restrict q_d_out, double *restrict Omega_a_out,
     double *restrict Omega_b_out, double *restrict Omega_d_out)
 {
-    const double re_0 = plan->re_0;
-    const double re_1 = plan->re_1;
-    const double re_2 = plan->re_2;
-    const double re_3 = plan->re_3;
-    const double im_0 = plan->im_0;
-    const double im_1 = plan->im_1;
-    const double im_2 = plan->im_2;
-    const double im_3 = plan->im_3;
-    const double nome = plan->nome;
-    const double nome2 = plan->nome2;
-    const double nome4 = plan->nome4;
-    const double nome8 = plan->nome8;
-    const double nome12 = plan->nome12;
-    const double row_0_P4_re = plan->row_0_P4_re;
-    const double row_0_P4_im = plan->row_0_P4_im;
-    const double row_0_P1_re = plan->row_0_P1_re;
-    const double row_0_P1_im = plan->row_0_P1_im;
-    const double row_a_P4_re = plan->row_a_P4_re;
-    const double row_a_P4_im = plan->row_a_P4_im;
-    const double row_a_P1_re = plan->row_a_P1_re;
-    const double row_a_P1_im = plan->row_a_P1_im;
-    const double row_b_P4_re = plan->row_b_P4_re;
-    const double row_b_P4_im = plan->row_b_P4_im;
-    const double row_b_P1_re = plan->row_b_P1_re;
-    const double row_b_P1_im = plan->row_b_P1_im;
-    const double row_d_P4_re = plan->row_d_P4_re;
-    const double row_d_P4_im = plan->row_d_P4_im;
-    const double row_d_P1_re = plan->row_d_P1_re;
-    const double row_d_P1_im = plan->row_d_P1_im;
-    const double gain_a = plan->gain_a;
-    const double gain_b = plan->gain_b;
-    const double gain_d = plan->gain_d;
+    const double re_0 = motion->re_0;
+    const double re_1 = motion->re_1;
+    const double re_2 = motion->re_2;
+    const double re_3 = motion->re_3;
+    const double im_0 = motion->im_0;
+    const double im_1 = motion->im_1;
+    const double im_2 = motion->im_2;
+    const double im_3 = motion->im_3;
+    const double nome = motion->nome;
+    const double nome2 = motion->nome2;
+    const double nome4 = motion->nome4;
+    const double nome8 = motion->nome8;
+    const double nome12 = motion->nome12;
+    const double row_0_P4_re = motion->row_0_P4_re;
+    const double row_0_P4_im = motion->row_0_P4_im;
+    const double row_0_P1_re = motion->row_0_P1_re;
+    const double row_0_P1_im = motion->row_0_P1_im;
+    const double row_a_P4_re = motion->row_a_P4_re;
+    const double row_a_P4_im = motion->row_a_P4_im;
+    const double row_a_P1_re = motion->row_a_P1_re;
+    const double row_a_P1_im = motion->row_a_P1_im;
+    const double row_b_P4_re = motion->row_b_P4_re;
+    const double row_b_P4_im = motion->row_b_P4_im;
+    const double row_b_P1_re = motion->row_b_P1_re;
+    const double row_b_P1_im = motion->row_b_P1_im;
+    const double row_d_P4_re = motion->row_d_P4_re;
+    const double row_d_P4_im = motion->row_d_P4_im;
+    const double row_d_P1_re = motion->row_d_P1_re;
+    const double row_d_P1_im = motion->row_d_P1_im;
+    const double gain_a = motion->gain_a;
+    const double gain_b = motion->gain_b;
+    const double gain_d = motion->gain_d;
     for (size_t i = 0; i < n; i++) {
         const double w = w_in[i];
         const double p = p_in[i];
@@ -1222,31 +1232,31 @@ static void hyperbolic_state(const torque_free_hyperbolic *plan, size_t n, const
 }
 
 /* The axis and the rate of a motion with constant rates. */
-static void steady_plan(pair Omega1, pair Omega2, pair Omega3, pair p0, pair p1, pair p2, pair p3,
-    torque_free_steady *plan)
+static void steady_constants(double_double Omega1, double_double Omega2, double_double Omega3, double_double p0,
+    double_double p1, double_double p2, double_double p3, torque_free_steady *motion)
 {
-    const pair omega = pair_sqrt(pair_add_xx(pair_add_xx(pair_mul_xx(Omega1, Omega1), pair_mul_xx(Omega2, Omega2)), pair_mul_xx(Omega3, Omega3))); /* (3); steady.omega */
-    const pair axis1 = pair_div_xx(Omega1, omega); /* (3); steady.axis1 */
-    const pair axis2 = pair_div_xx(Omega2, omega); /* (3); steady.axis2 */
-    const pair axis3 = pair_div_xx(Omega3, omega); /* (3); steady.axis3 */
-    const pair Lambda_rate = pair_div_xx(omega, pair_mul_dx(2.0, pi)); /* (3) */
-    plan->Lambda_rate_hi = Lambda_rate.hi;
-    plan->Lambda_rate_lo = Lambda_rate.lo;
-    plan->axis1 = pair_rounded(axis1);
-    plan->axis2 = pair_rounded(axis2);
-    plan->axis3 = pair_rounded(axis3);
-    plan->p0 = pair_rounded(p0);
-    plan->p1 = pair_rounded(p1);
-    plan->p2 = pair_rounded(p2);
-    plan->p3 = pair_rounded(p3);
+    const double_double omega = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(Omega1, Omega1), dd_mul_xx(Omega2, Omega2)), dd_mul_xx(Omega3, Omega3))); /* (3); steady.omega */
+    const double_double axis1 = dd_div_xx(Omega1, omega); /* (3); steady.axis1 */
+    const double_double axis2 = dd_div_xx(Omega2, omega); /* (3); steady.axis2 */
+    const double_double axis3 = dd_div_xx(Omega3, omega); /* (3); steady.axis3 */
+    const double_double Lambda_rate = dd_div_xx(omega, dd_mul_dx(2.0, pi)); /* (3) */
+    motion->Lambda_rate_hi = Lambda_rate.hi;
+    motion->Lambda_rate_lo = Lambda_rate.lo;
+    motion->axis1 = dd_rounded(axis1);
+    motion->axis2 = dd_rounded(axis2);
+    motion->axis3 = dd_rounded(axis3);
+    motion->p0 = dd_rounded(p0);
+    motion->p1 = dd_rounded(p1);
+    motion->p2 = dd_rounded(p2);
+    motion->p3 = dd_rounded(p3);
 }
 
 /* What changes with time on the steady branch, at t + t_lo. */
-static void steady_angles(const torque_free_steady *plan, size_t n, const double *restrict t_in,
+static void steady_angles(const torque_free_steady *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict X_im_out, double *restrict X_re_out)
 {
-    const double Lambda_rate_hi = plan->Lambda_rate_hi;
-    const double Lambda_rate_lo = plan->Lambda_rate_lo;
+    const double Lambda_rate_hi = motion->Lambda_rate_hi;
+    const double Lambda_rate_lo = motion->Lambda_rate_lo;
     for (size_t i = 0; i < n; i++) {
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
@@ -1265,17 +1275,17 @@ static void steady_angles(const torque_free_steady *plan, size_t n, const double
 }
 
 /* The attitude from `_steady_angles`. */
-static void steady_state(const torque_free_steady *plan, size_t n, const double *restrict X_im_in,
+static void steady_state(const torque_free_steady *motion, size_t n, const double *restrict X_im_in,
     const double *restrict X_re_in, double *restrict q0_out, double *restrict q1_out,
     double *restrict q2_out, double *restrict q3_out)
 {
-    const double axis1 = plan->axis1;
-    const double axis2 = plan->axis2;
-    const double axis3 = plan->axis3;
-    const double p0 = plan->p0;
-    const double p1 = plan->p1;
-    const double p2 = plan->p2;
-    const double p3 = plan->p3;
+    const double axis1 = motion->axis1;
+    const double axis2 = motion->axis2;
+    const double axis3 = motion->axis3;
+    const double p0 = motion->p0;
+    const double p1 = motion->p1;
+    const double p2 = motion->p2;
+    const double p3 = motion->p3;
     for (size_t i = 0; i < n; i++) {
         const double X_im = X_im_in[i];
         const double X_re = X_re_in[i];
@@ -1298,7 +1308,7 @@ static void steady_state(const torque_free_steady *plan, size_t n, const double 
 /* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
    so that no compiler knows the outcome. */
 
-static int is_pair(pair x, double hi, double lo)
+static int is_double_double(double_double x, double hi, double lo)
 {
     return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
 }
@@ -1309,13 +1319,13 @@ static int sums_hold(void)
     const volatile double zero = 0.0;
     const double one = zero + 1.0, many = zero + 49.0, part = zero + 0.02040816326530612;
     const double tiny = zero + 8.673617379884035e-19;
-    const pair third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
-    return is_pair(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
-           is_pair(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
-           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
-           is_pair(pair_mul_xx(third, third), over_9.hi, over_9.lo) &&
-           is_pair(pair_mul_xx(third, pair_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
-           is_pair(pair_mul_xd(seventh, many), 7.0, 0.0);
+    const double_double third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
+    return is_double_double(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
+           is_double_double(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
+           is_double_double(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
+           is_double_double(dd_mul_xx(third, third), over_9.hi, over_9.lo) &&
+           is_double_double(dd_mul_xx(third, dd_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
+           is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
 }
 
 /* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
@@ -1325,11 +1335,11 @@ static int differences_hold(void)
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
                                    0.15335179025447007, 0.03588181116623288};
     const volatile double zero = 0.0;
-    pair x[5];
+    double_double x[5];
     for (int k = 0; k < 5; k++)
-        x[k] = pair_of(zero + given[k]);
-    const pair above = pair_add_xx(x[0], pair_neg(x[1])), below = pair_add_xx(x[1], pair_neg(x[2]));
-    return is_pair(excess_pair(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
+        x[k] = dd_of(zero + given[k]);
+    const double_double above = dd_add_xx(x[0], dd_neg(x[1])), below = dd_add_xx(x[1], dd_neg(x[2]));
+    return is_double_double(discriminant_dd(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
                    -6.277847770376781e-21);
 }
 
@@ -1345,12 +1355,12 @@ static int quotients_hold(void)
         {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
         {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
     const volatile double zero = 0.0;
-    const pair root = pair_sqrt(pair_of(zero + 2.0));
-    int holds = is_pair(root, 1.4142135623730951, -9.667293313452913e-17);
+    const double_double root = dd_sqrt(dd_of(zero + 2.0));
+    int holds = is_double_double(root, 1.4142135623730951, -9.667293313452913e-17);
     for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
         const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
-        holds &= is_pair(pair_div_xd(pair_of(x), y), known[2], known[3]);
-        holds &= is_pair(pair_div_dx(x, pair_of(y)), known[2], known[3]);
+        holds &= is_double_double(dd_div_xd(dd_of(x), y), known[2], known[3]);
+        holds &= is_double_double(dd_div_dx(x, dd_of(y)), known[2], known[3]);
     }
     return holds;
 }
@@ -1363,16 +1373,16 @@ static int angles_hold(void)
     enum { TIMES = 8 };
     const volatile double from = 35184372088829.0;
     double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
-    torque_free_circular plan;
+    torque_free_circular motion;
     int holds = 1;
-    memset(&plan, 0, sizeof plan);
-    plan.v_rate_hi = plan.Lambda_rate_hi = plan.v_hi = over_3.hi;
-    plan.v_rate_lo = plan.Lambda_rate_lo = plan.v_lo = over_3.lo;
+    memset(&motion, 0, sizeof motion);
+    motion.v_rate_hi = motion.Lambda_rate_hi = motion.v_hi = over_3.hi;
+    motion.v_rate_lo = motion.Lambda_rate_lo = motion.v_lo = over_3.lo;
     for (int i = 0; i < TIMES; i++) {
         t[i] = from + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&plan, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    circular_angles(&motion, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
     for (int i = 0; i < TIMES; i++) {
         holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
         holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
@@ -1387,11 +1397,11 @@ static int is_rounded_once(void)
 
 static const double negligible = 3.8725919148493183e-121; /* 2^-400, rates below this share of the largest are taken for zero */
 static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share in a tilt, below which those may be taken for zero */
-static const double faintest = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
+static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
-static const double thinnest = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
-static const double farthest = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
-static const double fastest = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
+static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
+static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
+static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
@@ -1413,16 +1423,16 @@ static int all_finite(size_t n, const double *x)
     return 1;
 }
 
-static int is_zero(pair x) { return !(x.hi < 0.0 || x.hi > 0.0); }
+static int is_zero(double_double x) { return !(x.hi < 0.0 || x.hi > 0.0); }
 
 /* c_j - c_k of two different axes, from what each moment is above the next in turn. */
-static pair difference(const pair apart[3], int j, int k)
+static double_double difference(const double_double apart[3], int j, int k)
 {
-    return k == (j + 1) % 3 ? apart[j] : pair_neg(apart[k]);
+    return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
 /* True where momentum and rates are parallel. */
-static int is_steady(const pair apart[3], const pair omega[3])
+static int is_steady(const double_double apart[3], const double_double omega[3])
 {
     for (int j = 0; j < 3; j++)
         if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
@@ -1431,7 +1441,7 @@ static int is_steady(const pair apart[3], const pair omega[3])
 }
 
 /* The axes by their moments, largest first; equal ones stay in their order. */
-static void sorted(const pair apart[3], int axis[3])
+static void sorted(const double_double apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
         axis[k] = k;
@@ -1444,86 +1454,86 @@ static void sorted(const pair apart[3], int axis[3])
             }
 }
 
-/* E_b of doubles to all digits of a pair: in exact arithmetic where its terms cancel. */
-static pair excess_of(const pair c[3], const pair apart[3], const pair omega[3], const int axis[3])
+/* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
+static double_double discriminant_of(const double_double c[3], const double_double apart[3], const double_double omega[3], const int axis[3])
 {
-    const pair c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
-    const pair c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
-    const pair zero = {0.0, 0.0};
+    const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    const double_double c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
+    const double_double zero = {0.0, 0.0};
     const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
     const int scale = exponent_of(2, rates);
-    const pair a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
-    const pair over = excess_pair(c_a, c_d, c_ab, c_bd, a, zero);
-    const pair under = excess_pair(c_a, c_d, c_ab, c_bd, zero, d);
-    const pair sum = pair_add_xx(over, under);
+    const double_double a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
+    const double_double over = discriminant_dd(c_a, c_d, c_ab, c_bd, a, zero);
+    const double_double under = discriminant_dd(c_a, c_d, c_ab, c_bd, zero, d);
+    const double_double sum = dd_add_xx(over, under);
     if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
         return scaled(sum, 2 * scale);
     const exact moment_b = exact_of(c_b.hi);
     const exact above = exact_sub_xx(exact_of(c_a.hi), moment_b);
     const exact below = exact_sub_xx(moment_b, exact_of(c_d.hi));
-    return scaled(exact_to_pair(excess_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
+    return scaled(exact_to_dd(discriminant_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
                                              exact_of(a.hi), exact_of(d.hi))),
                   2 * scale);
 }
 
-static void steady_init(torque_free_plan *plan, const pair omega[3], const pair q[4])
+static void steady_init(torque_free_motion *motion, const double_double omega[3], const double_double q[4])
 {
-    pair rates[3] = {omega[0], omega[1], omega[2]};
+    double_double rates[3] = {omega[0], omega[1], omega[2]};
     const int at_rest = is_zero(omega[0]) && is_zero(omega[1]) && is_zero(omega[2]);
     if (at_rest)
-        rates[0] = pair_of(1.0);
-    plan->branch = 0;
-    steady_plan(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &plan->of.steady);
+        rates[0] = dd_of(1.0);
+    motion->branch = 0;
+    steady_constants(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &motion->of.steady);
     if (at_rest)
-        plan->unit = plan->of.steady.Lambda_rate_hi = plan->of.steady.Lambda_rate_lo = 0.0;
+        motion->unit = motion->of.steady.Lambda_rate_hi = motion->of.steady.Lambda_rate_lo = 0.0;
 }
 
 /* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
-static void limit(torque_free_plan *plan, double rate, double other)
+static void limit(torque_free_motion *motion, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
     if (largest > 16.0)
-        plan->farthest = fmin(plan->farthest, 16.0 * farthest / largest);
+        motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
 /* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
-        if (!(amplitude[k] * unit <= fastest))
+        if (!(amplitude[k] * unit <= max_rate))
             return 0;
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair apart[3],
-                       const pair omega[3], const pair q[4], pair E_b)
+static int moving_init(torque_free_motion *motion, const double_double inertia[3], const double_double apart[3],
+                       const double_double omega[3], const double_double q[4], double_double E_b)
 {
-    const int *axis = plan->axis;
-    const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
-    const pair c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
-    const pair c_bd = difference(apart, axis[1], axis[2]);
-    const pair Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
-    const pair q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
+    const int *axis = motion->axis;
+    const double_double c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
+    const double_double c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
+    const double_double c_bd = difference(apart, axis[1], axis[2]);
+    const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
+    const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
     const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
     const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
-    const double unit = plan->unit, *constants;
+    const double unit = motion->unit, *constants;
     size_t n;
-    pair K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
-    start(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
+    double_double K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
+    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
     if (k_1.hi * k_1.hi <= 0.5) {
-        plan->branch = 1;
-        circular_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &plan->of.circular);
-        limit(plan, plan->of.circular.v_rate_hi, plan->of.circular.Lambda_rate_hi);
-        constants = (const double *)&plan->of.circular;
-        n = sizeof plan->of.circular / sizeof *constants;
+        motion->branch = 1;
+        circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.circular);
+        limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
+        constants = (const double *)&motion->of.circular;
+        n = sizeof motion->of.circular / sizeof *constants;
     } else {
-        plan->branch = 2;
-        hyperbolic_plan(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &plan->of.hyperbolic);
-        limit(plan, plan->of.hyperbolic.y_rate_hi, plan->of.hyperbolic.Lambda_rate_hi);
-        constants = (const double *)&plan->of.hyperbolic;
-        n = sizeof plan->of.hyperbolic / sizeof *constants;
+        motion->branch = 2;
+        hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.hyperbolic);
+        limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
+        constants = (const double *)&motion->of.hyperbolic;
+        n = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
     return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
@@ -1546,10 +1556,10 @@ static double log2_sum(double x, double y)
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
    no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
    zero, of the spin both are.  What of them is not zero may grow to 2^-60 of the momentum. */
-static void follow(torque_free_plan *plan, const pair c[3], const pair apart[3], pair omega[3],
-                   const pair given[3], pair *E_b, int is_faint)
+static void follow(torque_free_motion *motion, const double_double c[3], const double_double apart[3], double_double omega[3],
+                   const double_double given[3], double_double *E_b, int is_faint)
 {
-    const int *axis = plan->axis;
+    const int *axis = motion->axis;
     const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double over = fabs(difference(apart, axis[0], axis[1]).hi);
     const double under = fabs(difference(apart, axis[1], axis[2]).hi);
@@ -1576,44 +1586,44 @@ static void follow(torque_free_plan *plan, const pair c[3], const pair apart[3],
     const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
                         (is_spin ? size : distance - size);
     const double bits = log2(tolerated) + room;
-    plan->farthest = bits > 0.0 ? fmin(log(2.0) * bits / growth, farthest) : 0.0;
-    plan->blurred = plan->farthest < farthest;
-    *E_b = pair_of(0.0);
+    motion->max_angle = bits > 0.0 ? fmin(log(2.0) * bits / growth, max_angle) : 0.0;
+    motion->blurred = motion->max_angle < max_angle;
+    *E_b = dd_of(0.0);
     for (int k = 0; k < 3 && is_spin; k += 2)
-        omega[axis[k]] = pair_of(0.0);
+        omega[axis[k]] = dd_of(0.0);
 }
 
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
    before faint ones were taken for zero. */
-static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], const pair given[3],
-                const pair q[4], const pair *known, double unit)
+static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
+                const double_double q[4], const double_double *known, double unit)
 {
-    torque_free_plan made;
-    pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
+    torque_free_motion made;
+    double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
     memset(&made, 0, sizeof made);
     for (int k = 0; k < 3; k++) {
-        omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
-        length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
+        omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
+        length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
     }
-    length = pair_sqrt(length);
+    length = dd_sqrt(length);
     made.unit = unit;
-    made.farthest = farthest;
+    made.max_angle = max_angle;
     for (int k = 0; k < 4; k++) {
-        unit_q[k] = pair_div_xx(q[k], length);
-        made.q0[k] = pair_rounded(unit_q[k]);
+        unit_q[k] = dd_div_xx(q[k], length);
+        made.q0[k] = dd_rounded(unit_q[k]);
     }
     for (int k = 0; k < 3; k++)
         made.omega0[k] = given[k].hi * unit;
     sorted(apart, made.axis);
-    pair excess = known ? *known : excess_of(c, apart, omega, made.axis);
+    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, made.axis);
     const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
-    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    const int faint = !is_zero(discriminant) && fabs(discriminant.hi) < min_discriminant;
     int lost = 0;
     for (int k = 0; k < 3; k += 2)
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
-        follow(&made, c, apart, omega, given, &excess, faint);
-    if (excess.hi < 0.0) {
+        follow(&made, c, apart, omega, given, &discriminant, faint);
+    if (discriminant.hi < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
@@ -1625,16 +1635,16 @@ static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], co
     if (steady)
         steady_init(&made, omega, unit_q);
     else
-        code = moving_init(&made, c, apart, omega, unit_q, excess);
+        code = moving_init(&made, c, apart, omega, unit_q, discriminant);
     if (code == TORQUE_FREE_OK)
-        *plan = made;
+        *motion = made;
     return code;
 }
 
-int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4])
 {
-    pair c[3], apart[3], omega[3], q[4];
+    double_double c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
@@ -1646,16 +1656,16 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     const int q_scale = exponent_of(4, attitude0);
     int is_zero_attitude = 1;
     for (int k = 0; k < 3; k++) {
-        c[k] = pair_of(ldexp(inertia[k], -c_scale));
-        omega[k] = pair_of(ldexp(omega0[k], -scale));
+        c[k] = dd_of(ldexp(inertia[k], -c_scale));
+        omega[k] = dd_of(ldexp(omega0[k], -scale));
         /* What is not zero stays so. */
-        if (is_zero(omega[k]) && !is_zero(pair_of(omega0[k])))
-            omega[k] = pair_of(copysign(4.9406564584124654e-324, omega0[k]));
+        if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
+            omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (ldexp(least, -c_scale) < thinnest)
+    if (ldexp(least, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_THIN;
     for (int k = 0; k < 4; k++) {
-        q[k] = pair_of(ldexp(attitude0[k], -q_scale));
+        q[k] = dd_of(ldexp(attitude0[k], -q_scale));
         is_zero_attitude = is_zero_attitude && is_zero(q[k]);
     }
     if (is_zero_attitude)
@@ -1663,24 +1673,24 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     /* Differences of doubles are pairs exactly. */
     for (int k = 0; k < 3; k++)
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
-    const int code = init(plan, c, apart, omega, q, NULL, ldexp(1.0, scale));
+    const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
-        plan->omega0[k] = omega0[k];
+        motion->omega0[k] = omega0[k];
     return code;
 }
 
-int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
+int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
                                 const double differences[3][2], const double omega0[3][2],
-                                const double attitude0[4][2], const double excess[2], double unit)
+                                const double attitude0[4][2], const double discriminant[2], double unit)
 {
-    pair c[3], apart[3], omega[3], q[4];
+    double_double c[3], apart[3], omega[3], q[4];
     for (int k = 0; k < 4; k++) {
-        const pair one = {attitude0[k][0], attitude0[k][1]};
+        const double_double one = {attitude0[k][0], attitude0[k][1]};
         q[k] = one;
     }
     for (int k = 0; k < 3; k++) {
-        const pair moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
-        const pair above = {differences[k][0], differences[k][1]};
+        const double_double moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
+        const double_double above = {differences[k][0], differences[k][1]};
         c[k] = moment;
         apart[k] = above;
         omega[k] = rate;
@@ -1688,26 +1698,26 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
             return TORQUE_FREE_NOT_FINITE;
         if (!(moment.hi > 0.0))
             return TORQUE_FREE_INERTIA;
-        if (moment.hi < thinnest || moment.hi > 4.0)
+        if (moment.hi < min_moment_ratio || moment.hi > 4.0)
             return TORQUE_FREE_THIN;
         if (fabs(rate.hi) > 4.0)
             return TORQUE_FREE_RATES;
     }
-    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, excess) || !isfinite(unit))
+    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
         return TORQUE_FREE_NOT_FINITE;
     if (!(unit > 0.0))
         return TORQUE_FREE_RATES;
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
-    const pair known = {excess[0], excess[1]};
-    return init(plan, c, apart, omega, q, &known, unit);
+    const double_double known = {discriminant[0], discriminant[1]};
+    return init(motion, c, apart, omega, q, &known, unit);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
-static int scaled_times(const torque_free_plan *plan, size_t n, const double *restrict t,
+static int scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
                         double *restrict inner, int *zero)
 {
-    const double unit = plan->unit, last = plan->farthest;
+    const double unit = motion->unit, last = motion->max_angle;
     int bad = 0, zeros = 0;
     for (size_t i = 0; i < n; i++) {
         inner[i] = unit * t[i];
@@ -1741,16 +1751,16 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
 
 /* n states from what changes with time: two rows on the steady branch, four on the circular one, six
    on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
-static void block_states(const torque_free_plan *plan, size_t n, size_t s, const double *restrict in,
+static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
-    const int *axis = plan->axis;
+    const int *axis = motion->axis;
     double *row[7];
-    if (plan->branch == 0) {
-        steady_state(&plan->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
+    if (motion->branch == 0) {
+        steady_state(&motion->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
         for (size_t i = 0; i < n; i++)
             for (int k = 0; k < 3; k++)
-                omega[3 * i + (size_t)k] = plan->omega0[k];
+                omega[3 * i + (size_t)k] = motion->omega0[k];
         interleaved4(n, out, out + s, out + 2 * s, out + 3 * s, q);
         return;
     }
@@ -1759,11 +1769,11 @@ static void block_states(const torque_free_plan *plan, size_t n, size_t s, const
         row[1 + axis[k]] = out + (1 + k) * s;
         row[4 + axis[k]] = out + (4 + k) * s;
     }
-    if (plan->branch == 1)
-        circular_state(&plan->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
+    if (motion->branch == 1)
+        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
                        out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&plan->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
+        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
                          in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
                          out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
@@ -1771,15 +1781,15 @@ static void block_states(const torque_free_plan *plan, size_t n, size_t s, const
 }
 
 /* What changes with time at the inner times t + t_lo, in rows s apart. */
-static void block_angles(const torque_free_plan *plan, size_t n, size_t s, const double *restrict t,
+static void block_angles(const torque_free_motion *motion, size_t n, size_t s, const double *restrict t,
                          const double *restrict t_lo, double *restrict to)
 {
-    if (plan->branch == 0)
-        steady_angles(&plan->of.steady, n, t, t_lo, to, to + s);
-    else if (plan->branch == 1)
-        circular_angles(&plan->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
+    if (motion->branch == 0)
+        steady_angles(&motion->of.steady, n, t, t_lo, to, to + s);
+    else if (motion->branch == 1)
+        circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
+        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
                           to + 4 * s, to + 5 * s);
 }
 
@@ -1797,17 +1807,17 @@ static void fetch(const double *q, const double *omega)
 }
 
 /* A motion is at its start at t = 0, to the last bit. */
-static void at_start(const torque_free_plan *plan, double *q, double *omega)
+static void at_initial_state(const torque_free_motion *motion, double *q, double *omega)
 {
     for (int k = 0; k < 4; k++)
-        q[k] = plan->q0[k];
+        q[k] = motion->q0[k];
     for (int k = 0; k < 3; k++)
-        omega[k] = plan->omega0[k];
+        omega[k] = motion->omega0[k];
 }
 
-static int too_late(const torque_free_plan *plan)
+static int too_late(const torque_free_motion *motion)
 {
-    return plan->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
+    return motion->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
 }
 
 static void no_states(size_t n, double *q, double *omega)
@@ -1819,57 +1829,57 @@ static void no_states(size_t n, double *q, double *omega)
 }
 
 /* The states at n times; times that are too late are refused, or have none where `lenient`. */
-static int states_at(const torque_free_plan *plan, size_t n, const double *t, double *q, double *omega,
+static int states_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
     for (size_t i = 0; i < n && !lenient; i += BLOCK)
-        if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return too_late(plan);
+        if (!scaled_times(motion, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
+            return too_late(motion);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
     int code = TORQUE_FREE_OK;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        const int near = scaled_times(plan, count, t + i, inner, &zero);
+        const int near = scaled_times(motion, count, t + i, inner, &zero);
         for (size_t k = 0; !near && k < count; k++)
-            inner[k] = fabs(inner[k]) <= plan->farthest ? inner[k] : 0.0;
+            inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        block_angles(plan, count, BLOCK, inner, rest, by_time);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        block_angles(motion, count, BLOCK, inner, rest, by_time);
+        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
             if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
-                at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
+                at_initial_state(motion, q + 4 * (i + k), omega + 3 * (i + k));
         for (size_t k = 0; !near && k < count; k++)
-            if (!(fabs(plan->unit * t[i + k]) <= plan->farthest))
+            if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle))
                 no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        code = near ? code : too_late(plan);
+        code = near ? code : too_late(motion);
     }
     return code;
 }
 
-int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega)
 {
-    return states_at(plan, n, t, q, omega, 0);
+    return states_at(motion, n, t, q, omega, 0);
 }
 
 /* One state needs no block. */
-int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
 {
     const double rest = 0.0;
     double by_time[6], out[7], inner;
     int zero;
-    if (!scaled_times(plan, 1, &t, &inner, &zero))
-        return too_late(plan);
+    if (!scaled_times(motion, 1, &t, &inner, &zero))
+        return too_late(motion);
     if (zero) {
-        at_start(plan, q, omega);
+        at_initial_state(motion, q, omega);
         return TORQUE_FREE_OK;
     }
-    block_angles(plan, 1, 1, &inner, &rest, by_time);
-    block_states(plan, 1, 1, by_time, out, q, omega);
+    block_angles(motion, 1, 1, &inner, &rest, by_time);
+    block_states(motion, 1, 1, by_time, out, q, omega);
     return TORQUE_FREE_OK;
 }
 
@@ -1884,14 +1894,14 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
 }
 
 /* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
-static void grid_table(const torque_free_plan *plan, double step, double *restrict table)
+static void grid_table(const torque_free_motion *motion, double step, double *restrict table)
 {
     double t[BLOCK], t_lo[BLOCK];
-    torque_free_plan from_zero = *plan;
-    if (plan->branch == 1)
+    torque_free_motion from_zero = *motion;
+    if (motion->branch == 1)
         from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
     for (size_t k = 0; k < BLOCK; k++) {
-        const pair time = two_product((double)k, step);
+        const double_double time = two_product((double)k, step);
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
@@ -1899,26 +1909,26 @@ static void grid_table(const torque_free_plan *plan, double step, double *restri
 }
 
 /* What changes with time at n times, each `every`-th of the grid from number `first` on. */
-static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
+static void grid_angles(const torque_free_motion *motion, double start, double step, size_t first,
                         size_t every, size_t n, double *restrict by_time)
 {
     double t[BLOCK], t_lo[BLOCK];
     for (size_t i = 0; i < n; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+        const double_double time = dd_add_xd(two_product((double)(first + i * every), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    block_angles(plan, n, BLOCK, t, t_lo, by_time);
+    block_angles(motion, n, BLOCK, t, t_lo, by_time);
 }
 
 /* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
    turned. */
-static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
+static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
     double base[4 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
-    const size_t rows = plan->branch == 0 ? 2 : 4;
-    grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
+    const size_t rows = motion->branch == 0 ? 2 : 4;
+    grid_angles(motion, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
         if (n - i >= 2 * BLOCK)
@@ -1926,12 +1936,12 @@ static void grid_states(const torque_free_plan *plan, double start, double step,
         for (size_t s = 0; s < rows * BLOCK; s += 2 * BLOCK)
             turned(count, base[s + k], base[s + BLOCK + k], table + s, table + s + BLOCK, by_time + s,
                    by_time + s + BLOCK);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
     }
 }
 
 /* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
-static void grid_states_one_by_one(const torque_free_plan *plan, double start, double step, size_t first,
+static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK];
@@ -1939,42 +1949,42 @@ static void grid_states_one_by_one(const torque_free_plan *plan, double start, d
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        grid_angles(plan, start, step, first + i, 1, count, by_time);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        grid_angles(motion, start, step, first + i, 1, count, by_time);
+        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
     }
 }
 
 /* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
 static size_t grid_zero(double start, double step, size_t first, size_t n)
 {
-    const int stands = is_zero(pair_of(step));
+    const int stands = is_zero(dd_of(step));
     const double k = stands ? (double)first : nearest(-start / step);
-    const pair t = pair_add_xd(two_product(k, step), start);
+    const double_double t = dd_add_xd(two_product(k, step), start);
     const double place = k - (double)first;
     return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
 }
 
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
+int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
                                size_t n, double *q, double *omega)
 {
     double table[4 * BLOCK];
     /* Sample number 0 does not depend on the step, however large. */
-    const double inner = plan->unit * start, inner_step = first + n > 1 ? plan->unit * step : 0.0;
+    const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
     const double begin = inner + inner_step * (double)first;
     const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
     const size_t most = BLOCK * BLOCK;
-    if (!(fabs(inner) <= plan->farthest && fabs(begin) <= plan->farthest && fabs(last) <= plan->farthest))
-        return too_late(plan);
-    if (plan->branch == 2) {
-        grid_states_one_by_one(plan, inner, inner_step, first, n, q, omega);
+    if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
+        return too_late(motion);
+    if (motion->branch == 2) {
+        grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
-        grid_table(plan, inner_step, table);
+        grid_table(motion, inner_step, table);
         for (size_t i = 0; i < n; i += most)
-            grid_states(plan, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
+            grid_states(motion, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
                         omega + 3 * i);
     }
-    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
-        at_start(plan, q + 4 * i, omega + 3 * i);
+    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(dd_of(step)) ? 1 : n)
+        at_initial_state(motion, q + 4 * i, omega + 3 * i);
     return TORQUE_FREE_OK;
 }
 
@@ -1982,12 +1992,12 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
                           const double *attitude0, size_t n, const double *t, double *q,
                           double *omega, int *codes, size_t *failed)
 {
-    torque_free_plan plan;
+    torque_free_motion motion;
     for (size_t k = 0; k < bodies; k++) {
         double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-        int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = states_at(&plan, n, t, q_k, omega_k, codes != NULL);
+            code = states_at(&motion, n, t, q_k, omega_k, codes != NULL);
         else if (codes)
             no_states(n, q_k, omega_k);
         if (codes) {
@@ -2000,14 +2010,14 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     return TORQUE_FREE_OK;
 }
 
-double torque_free_last_time(const torque_free_plan *plan)
+double torque_free_last_time(const torque_free_motion *motion)
 {
-    return plan->unit > 0.0 ? fmin(plan->farthest / plan->unit, DBL_MAX) : DBL_MAX;
+    return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
 }
 
-size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
+size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "a95766adecebbd52916d2715774c5e17590291cb34c5045e8d8b2f22a9df3589"; }
+const char *torque_free_digest(void) { return "3fea10afa580cd422b7fc34e3f082377ddc135d8ead95da0eb1bab34d7e879c3"; }
 
 const char *torque_free_message(int code)
 {

@@ -75,7 +75,7 @@ def _constants(
     known["sigma"] = np.where(rates[:, axes[0]] < 0, -1, 1)
     for name, k in zip("abd", axes, strict=True):
         known |= {f"c_{name}": c[k], f"Omega_{name}": rates[:, k]}
-    return sequence("plan").up_to(_WANTED).evaluate(known, _FUNCTIONS)
+    return sequence("constants").up_to(_WANTED).evaluate(known, _FUNCTIONS)
 
 
 @np.errstate(divide="ignore", invalid="ignore")

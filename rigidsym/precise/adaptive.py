@@ -26,8 +26,8 @@ class TooUncertainError(PrecisionError):
     """The formulas say nothing at any precision."""
 
 
-class Ladder:
-    """Working precisions that rise until balls are small enough."""
+class AdaptivePrecision:
+    """Working precisions that rise until balls are small enough: Ziv's loop."""
 
     def __init__(
         self, digits: int, enough: Callable[[arb, int], bool], max_seconds: float | None

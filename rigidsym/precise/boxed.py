@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import Any
 
 from rigidsym.errors import InputError, PrecisionError, written
-from rigidsym.precise.adaptive import Ladder, TooUncertainError
+from rigidsym.precise.adaptive import AdaptivePrecision, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.flowing import Flowing, bits_for
@@ -36,33 +36,33 @@ class BoxedMotion:
 
         Raises PrecisionError where `max_seconds` for all times are over.
         """
-        ladder = Ladder(digits, is_within, max_seconds)
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
-            formulas = self._by_formulas(ladder, time)
+            formulas = self._by_formulas(precision, time)
             if formulas and self._bits(digits) > FINE:
                 yield formulas
                 continue
-            flow = self._by_flow(ladder, time)
+            flow = self._by_flow(precision, time)
             yield _meeting(flow, formulas) if formulas else flow
 
     def flows(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
         """The same by the flow alone."""
-        ladder = Ladder(digits, is_within, max_seconds)
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
-            yield self._by_flow(ladder, time)
+            yield self._by_flow(precision, time)
 
-    def _by_flow(self, ladder: Ladder, time: Fraction) -> State:
+    def _by_flow(self, precision: AdaptivePrecision, time: Fraction) -> State:
         try:
-            return self._flowing(ladder).state(time, ladder.check)
+            return self._flowing(precision).state(time, precision.check)
         except TimeoutError:
             raise PrecisionError(f"t = {written(time)}: the time was over") from None
 
-    def _by_formulas(self, ladder: Ladder, time: Fraction) -> State | None:
+    def _by_formulas(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
         """None where they do not hold for all of the box, or say nothing."""
         try:
-            return self._formulas.read(ladder, time) if self._formulas else None
+            return self._formulas.read(precision, time) if self._formulas else None
         except TooUncertainError:
             return None
 
@@ -75,13 +75,13 @@ class BoxedMotion:
             return None
         return motion
 
-    def _flowing(self, ladder: Ladder) -> Flowing:
+    def _flowing(self, precision: AdaptivePrecision) -> Flowing:
         """The flow at a precision for so many digits, with the steps it has made."""
-        bits = self._bits(ladder.digits)
+        bits = self._bits(precision.digits)
         if bits not in self._kept:
             self._kept.clear()
             given = self.inertia, self.omega0, self.attitude0
-            self._kept[bits] = Flowing(*given, bits, ladder.check)
+            self._kept[bits] = Flowing(*given, bits, precision.check)
         return self._kept[bits]
 
     def _bits(self, digits: int) -> int:

@@ -63,8 +63,8 @@ class Evaluation:
         return self._steady(time) if regime.steady else self._moving(ball(time))
 
     def constant(self, name: str) -> Any:
-        """One constant of the plan."""
-        return ball(self._planned(frozenset([name]))[name])
+        """One constant of the motion."""
+        return ball(self._computed(frozenset([name]))[name])
 
     @cached_property
     def _converting(self) -> dict[str, Any]:
@@ -77,12 +77,12 @@ class Evaluation:
         return functions | {"power": power}
 
     @cached_property
-    def _plan(self) -> dict[str, Any]:
+    def _exact(self) -> dict[str, Any]:
         """What the formula sequences of a state need of it."""
         wanted = [sequence(n).used for n in (_BY_THETA if self._by_theta else ("state",))]
-        return self._planned(frozenset().union(*wanted))
+        return self._computed(frozenset().union(*wanted))
 
-    def _planned(self, wanted: frozenset[str]) -> dict[str, Any]:
+    def _computed(self, wanted: frozenset[str]) -> dict[str, Any]:
         polhode, given = self.given.polhode, self.given
         q0, *vector = self.start[0]
         signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
@@ -91,14 +91,14 @@ class Evaluation:
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
         known = {**signs, **begin, **PARAMETER.get(polhode.regime, {})}
-        return self._exactly(sequence("plan").up_to(wanted), known)
+        return self._exactly(sequence("constants").up_to(wanted), known)
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
-        """The plan as numbers of this kind, with what the theta form adds to it."""
-        plan = self._plan
+        """The constants as numbers of this kind, with what the theta form adds to it."""
+        exact = self._exact
         constants = {
-            name: value if isinstance(value, int) else ball(value) for name, value in plan.items()
+            name: value if isinstance(value, int) else ball(value) for name, value in exact.items()
         }
         if not self._by_theta:
             return constants
@@ -108,7 +108,7 @@ class Evaluation:
         begin = sequence("theta_state").evaluate(
             {**constants, **identity, "t": ball(0)}, self.functions
         )
-        start = {f"q_{x}": plan[f"q_{x}"] for x in ("0", *AXES)}
+        start = {f"q_{x}": exact[f"q_{x}"] for x in ("0", *AXES)}
         front = sequence("pull_back").evaluate({**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
 

@@ -18,7 +18,7 @@ from mpmath import mp
 from rigidsym import inputs
 from rigidsym.errors import written
 from rigidsym.precise import apart
-from rigidsym.precise.adaptive import GUARD_BITS, Ladder
+from rigidsym.precise.adaptive import GUARD_BITS, AdaptivePrecision
 from rigidsym.precise.balls import bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
 from rigidsym.precise.evaluation import Evaluation, State
@@ -60,22 +60,22 @@ class PreciseMotion:
 
         Raises PrecisionError where `max_seconds` for them all are over.
         """
-        ladder = Ladder(digits, has_digits, max_seconds)
+        precision = AdaptivePrecision(digits, has_digits, max_seconds)
         for time in times:
-            settled = [_settled(value) for value in chain(*self.read(ladder, time))]
+            settled = [_settled(value) for value in chain(*self.read(precision, time))]
             yield settled[:4], settled[4:]
 
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
         """(q, omega) at each time as balls, of radius at most 10^-digits max(1, |value|)."""
-        ladder = Ladder(digits, is_within, max_seconds)
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
-            yield self.read(ladder, time)
+            yield self.read(precision, time)
 
-    def read(self, ladder: Ladder, time: Fraction) -> State:
-        """(q, omega) at one time as balls, as good as a ladder wants them."""
-        read = ladder.read_uncertain if self._is_uncertain else ladder.read
+    def read(self, precision: AdaptivePrecision, time: Fraction) -> State:
+        """(q, omega) at one time as balls, as good as they are wanted."""
+        read = precision.read_uncertain if self._is_uncertain else precision.read
         found = read(partial(self.numbers, time), f"t = {written(time)}")
         return found[:4], found[4:]
 
@@ -86,8 +86,8 @@ class PreciseMotion:
 
     def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
         """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
-        ladder = Ladder(digits, has_digits, None)
-        found = ladder.read(partial(self.numbers, tuple(names)), "constants")
+        precision = AdaptivePrecision(digits, has_digits, None)
+        found = precision.read(partial(self.numbers, tuple(names)), "constants")
         return dict(zip(names, map(_settled, found), strict=True))
 
     def numbers(self, asked: Asked, bits: int, end: float | None) -> list[arb]:

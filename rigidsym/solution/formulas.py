@@ -1,4 +1,4 @@
-"""The derived solution as data: the programmes of formulas that the ledger publishes.
+"""The derived solution as data: the sequences of formulas that the ledger publishes.
 
 The number wing starts here.  It reads ledger.json and nothing else of the proof wing; formulas
 that are not backed by a proved fact, or that use a name before it is known, are refused.
@@ -29,9 +29,9 @@ _BY_FUNCTIONS = (
     *("epsilon", "sigma", "rho", "chi", "mu", "phase", "beta", "Lambda"),
     *("p_0", "p_a", "p_b", "p_d", "t"),
 )
-# What each programme is given; everything else it computes.
+# What each sequence is given; everything else it computes.
 INPUTS = {
-    "plan": (
+    "constants": (
         *(f"c_{x}" for x in AXES),
         *(f"Omega_{x}" for x in AXES),
         *("epsilon", "sigma", "rho", "chi"),
@@ -120,9 +120,9 @@ class Formula:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The programmes by name, and a digest of all their statements."""
+    """The sequences by name, and a digest of all their statements."""
 
-    programmes: Mapping[str, tuple[Formula, ...]]
+    sequences: Mapping[str, tuple[Formula, ...]]
     digest: str
 
 
@@ -135,7 +135,7 @@ def sealed() -> Solution:
 @cache
 def sequence(name: str) -> FormulaSequence:
     """A formula sequence of the sealed ledger, ready to be evaluated."""
-    return FormulaSequence((f.name, f.expression) for f in sealed().programmes[name])
+    return FormulaSequence((f.name, f.expression) for f in sealed().sequences[name])
 
 
 def load(text: str) -> Solution:
@@ -144,8 +144,8 @@ def load(text: str) -> Solution:
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
-        published = data["published"]["programmes"]
-        programmes = {
+        published = data["published"]["sequences"]
+        sequences = {
             name: tuple(_formula(entry, facts, contexts) for entry in published[name])
             for name in INPUTS
             if name in published
@@ -153,11 +153,11 @@ def load(text: str) -> Solution:
     except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
     for name in INPUTS:
-        if name not in programmes:
-            raise LedgerError(f"ledger: it does not publish the programme {name}")
-        _check_order(name, programmes[name])
+        if name not in sequences:
+            raise LedgerError(f"ledger: it does not publish the sequence {name}")
+        _check_order(name, sequences[name])
         _check_together(name, published[name], facts)
-    return Solution(programmes, _digest(programmes))
+    return Solution(sequences, _digest(sequences))
 
 
 def _formula(
@@ -192,17 +192,17 @@ def _by_complement(expression: Expression) -> Expression:
     return rebuild(expression, tuple(map(_by_complement, children(expression))))
 
 
-def _check_order(programme: str, formulas: tuple[Formula, ...]) -> None:
-    known = {*CONSTANTS, *INPUTS.get(programme, ())}
+def _check_order(sequence: str, formulas: tuple[Formula, ...]) -> None:
+    known = {*CONSTANTS, *INPUTS.get(sequence, ())}
     for formula in formulas:
         missing = sorted(set(names(formula.expression)) - known)
         if missing:
-            raise LedgerError(f"ledger: {programme}: {formula.name} needs {', '.join(missing)}")
+            raise LedgerError(f"ledger: {sequence}: {formula.name} needs {', '.join(missing)}")
         known.add(formula.name)
 
 
 def _check_together(
-    programme: str, entries: Sequence[Mapping[str, Any]], facts: Mapping[str, Any]
+    sequence: str, entries: Sequence[Mapping[str, Any]], facts: Mapping[str, Any]
 ) -> None:
     """All formulas hold at once: one context is a model of every other they come from."""
     contexts = {
@@ -210,7 +210,7 @@ def _check_together(
         for entry in entries
     }
     if not any(contexts <= _modelled(context, facts) for context in contexts):
-        raise LedgerError(f"ledger: {programme}: no context is a model of all: {sorted(contexts)}")
+        raise LedgerError(f"ledger: {sequence}: no context is a model of all: {sorted(contexts)}")
 
 
 def _modelled(context: str, facts: Mapping[str, Any]) -> set[str]:
@@ -225,10 +225,10 @@ def _modelled(context: str, facts: Mapping[str, Any]) -> set[str]:
     return set(found)
 
 
-def _digest(programmes: Mapping[str, tuple[Formula, ...]]) -> str:
+def _digest(sequences: Mapping[str, tuple[Formula, ...]]) -> str:
     lines = [
         f"{name}: {formula.fact}: {formula.name} = {to_text(formula.expression)}"
-        for name, formulas in programmes.items()
+        for name, formulas in sequences.items()
         for formula in formulas
     ]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()

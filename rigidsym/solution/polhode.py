@@ -8,7 +8,7 @@ from itertools import combinations
 
 from rigidsym.solution.formulas import sequence
 
-_EXCESS = frozenset({"E_b"})
+_DISCRIMINANT = frozenset({"E_b"})
 
 
 class Regime(StrEnum):
@@ -51,12 +51,12 @@ class Polhode:
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     """Decide the regime from exact inertia (3 numbers) and body rates (3 numbers)."""
     low, middle, high = sorted(range(3), key=lambda k: inertia[k])
-    surplus = excess(inertia, omega)
-    axes = (low, middle, high) if surplus < 0 else (high, middle, low)
+    E_b = discriminant(inertia, omega)
+    axes = (low, middle, high) if E_b < 0 else (high, middle, low)
     if _steady(inertia, omega):
         regime = _steady_regime(inertia, omega)
     else:
-        regime = _moving_regime(inertia, surplus)
+        regime = _moving_regime(inertia, E_b)
     epsilon = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     sigma = -1 if omega[axes[0]] < 0 else 1
     rho = 1 if axes[0] == high else -1
@@ -70,12 +70,12 @@ def _steady(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> bool:
     )
 
 
-def excess(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
+def discriminant(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
     """E_b = K^2 - 2 H c_b, b being the middle axis: its sign tells the circulations apart."""
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
-    return sequence("plan").up_to(_EXCESS).evaluate(values, {"power": pow})["E_b"]
+    return sequence("constants").up_to(_DISCRIMINANT).evaluate(values, {"power": pow})["E_b"]
 
 
 def _steady_regime(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Regime:
@@ -84,9 +84,9 @@ def _steady_regime(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Re
     return Regime.SPHERICAL if len(set(inertia)) == 1 else Regime.SPIN
 
 
-def _moving_regime(inertia: Sequence[Fraction], surplus: Fraction) -> Regime:
+def _moving_regime(inertia: Sequence[Fraction], E_b: Fraction) -> Regime:
     if len(set(inertia)) == 2:
         return Regime.SYMMETRIC
-    if surplus == 0:
+    if E_b == 0:
         return Regime.SEPARATRIX
-    return Regime.LARGEST if surplus > 0 else Regime.SMALLEST
+    return Regime.LARGEST if E_b > 0 else Regime.SMALLEST

@@ -4,7 +4,7 @@
 
 Needs gcc on x86-64 with glibc, and the extra `bench`.  One motion is the paper's, at random times
 in [0, 100] s.  What is compared takes turns, so that a busy minute of the machine spoils one round
-and not one figure; the fastest round counts.  van Zon and Schofield's code is not to be had.
+and not one figure; the max_rate round counts.  van Zon and Schofield's code is not to be had.
 """
 
 import ctypes
@@ -77,7 +77,7 @@ class Table:
         self.goals.append((f"{name}: {ratio:.2f} x {other}, at most {factor}", ratio <= factor))
 
     def faster(self, name: str, factor: float, others: list[str]) -> None:
-        """The first is at least so many times as fast as the fastest of the others."""
+        """The first is at least so many times as fast as the max_rate of the others."""
         other = min(others, key=self.figures.__getitem__)
         ratio = self.figures[other] / self.figures[name]
         self.goals.append((f"{other}: {ratio:.1f} x {name}, at least {factor}", ratio >= factor))
@@ -119,12 +119,12 @@ class CModule:
     def __init__(self, directory: str, flags: tuple[str, ...] = NATIVE) -> None:
         self.library = _compiled(SOURCE, directory, flags)
 
-    def plan(self, motion: rivals.Motion) -> ctypes.Array:
-        self.library.torque_free_plan_size.restype = ctypes.c_size_t
-        plan = ctypes.create_string_buffer(self.library.torque_free_plan_size())
+    def prepare(self, motion: rivals.Motion) -> ctypes.Array:
+        self.library.torque_free_motion_size.restype = ctypes.c_size_t
+        prepared = ctypes.create_string_buffer(self.library.torque_free_motion_size())
         start = motion.inertia, motion.omega0, (1.0, 0, 0, 0)
-        self.call("plan_init", plan, *map(np.array, start))()
-        return plan
+        self.call("motion_init", prepared, *map(np.array, start))()
+        return prepared
 
     def call(self, name: str, *arguments: object) -> Work:
         """A call of torque_free_<name> with pointers to arrays, sizes and doubles."""
@@ -173,17 +173,17 @@ def _states(size: int, rounds: int) -> Table:
     t = np.random.default_rng(size).uniform(0, SECONDS, size)
     in_order = np.sort(t)
     out = np.zeros((size, 4)), np.zeros((size, 3))
-    plan = torque_free.plan(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
+    prepared = torque_free.prepare(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
     with tempfile.TemporaryDirectory() as directory:
         c = CModule(directory)
-        paper, near = c.plan(PAPER), c.plan(NEAR)
+        paper, near = c.prepare(PAPER), c.prepare(NEAR)
         works = _bounds(directory, t, out) | {
             "C": c.call("states_at", paper, size, t, *out),
             "C, sorted": c.call("states_at", paper, size, in_order, *out),
             "C, grid": c.call("states_on_grid", paper, 0.0, SECONDS / size, 0, size, *out),
             "C, hyperbolic branch": c.call("states_at", near, size, t, *out),
-            "NumPy": lambda: torque_free.states(plan, t, out),
-            "NumPy, sorted": lambda: torque_free.states(plan, in_order, out),
+            "NumPy": lambda: torque_free.states(prepared, t, out),
+            "NumPy, sorted": lambda: torque_free.states(prepared, in_order, out),
         }
         rest = {name: rival(PAPER, in_order) for name, rival in RIVALS.items()}
         figures = _best(works | rest, rounds, size)
@@ -227,7 +227,9 @@ def _bodies(rounds: int) -> Table:
         given = (BODIES, inertia, omega0, start, 1, t, *out, ctypes.byref(failed))
         works = {
             "C": c.call("propagate", *given),
-            "NumPy": lambda: torque_free.states(torque_free.plan(inertia, omega0, start), t, out),
+            "NumPy": lambda: torque_free.states(
+                torque_free.prepare(inertia, omega0, start), t, out
+            ),
             "heyoka, eight bodies at once": rivals.heyoka_bodies(inertia, omega0, LATEST),
         }
         figures = {name: x / 1000 for name, x in _best(works, rounds, BODIES).items()}
@@ -265,10 +267,10 @@ def _small(rounds: int) -> Table:
 
 def _memory(size: int) -> float:
     """Megabytes beyond the output at the worst moment, as NumPy reports them to tracemalloc."""
-    plan = torque_free.plan(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
+    prepared = torque_free.prepare(PAPER.inertia, PAPER.omega0, (1.0, 0, 0, 0))
     t, out = np.linspace(0, SECONDS, size), (np.empty((size, 4)), np.empty((size, 3)))
     tracemalloc.start()
-    torque_free.states(plan, t, out)
+    torque_free.states(prepared, t, out)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     return peak / 1e6
@@ -283,7 +285,7 @@ def _builds(rounds: int, size: int = 10_000) -> Table:
         for name, flags in BUILDS.items():
             c = CModule(directory, flags)
             for motion, branch in ((PAPER, ""), (NEAR, "; hyperbolic")):
-                works[name + branch] = c.call("states_at", c.plan(motion), size, t, *out)
+                works[name + branch] = c.call("states_at", c.prepare(motion), size, t, *out)
         return Table("one source, several builds", _best(works, rounds, size), "ns a state")
 
 
@@ -307,9 +309,9 @@ def _attitudes(motion: rivals.Motion, t: np.ndarray) -> dict[str, np.ndarray]:
     out = np.zeros((t.size, 4)), np.zeros((t.size, 3))
     with tempfile.TemporaryDirectory() as directory:
         c = CModule(directory)
-        c.call("states_at", c.plan(motion), t.size, t, *out)()
-    plan = torque_free.plan(motion.inertia, motion.omega0, (1.0, 0, 0, 0))
-    ours = {"C": out[0], "NumPy": torque_free.states(plan, t)[0]}
+        c.call("states_at", c.prepare(motion), t.size, t, *out)()
+    prepared = torque_free.prepare(motion.inertia, motion.omega0, (1.0, 0, 0, 0))
+    ours = {"C": out[0], "NumPy": torque_free.states(prepared, t)[0]}
     return ours | {n: rival(motion, t)()[0].reshape(-1, 4) for n, rival in RIVALS.items()}
 
 

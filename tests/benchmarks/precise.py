@@ -3,7 +3,7 @@
     python tests/benchmarks/precise.py [ROUNDS]
 
 The rounds take turns, so that a busy minute of the machine spoils one round and not one figure;
-the fastest round counts.  The motion is the paper's.
+the max_rate round counts.  The motion is the paper's.
 """
 
 import sys
@@ -26,16 +26,16 @@ def main(rounds: int) -> int:
     cold, warm = _rounds(rounds, [(180, d) for d in sorted({*DIGITS, *STATES, SET_UP[0]})])
     figures = [(f"set-up, {SET_UP[0]} digits", SET_UP[1], cold[180, SET_UP[0]])]
     figures += [(f"one state, {d} digits", goal, warm[180, d]) for d, goal in STATES.items()]
-    print(f"{'t = 180 s':26}{'goal':>12}{'fastest':>12}{'used':>7}")
+    print(f"{'t = 180 s':26}{'goal':>12}{'max_rate':>12}{'used':>7}")
     for name, goal, found in figures:
         print(f"{name:26}{goal:9.2f} ms{found:9.3f} ms{found / goal:7.0%}")
 
-    print(f"\n{'one state at t = 180 s':26}{'fastest':>12}")
+    print(f"\n{'one state at t = 180 s':26}{'max_rate':>12}")
     for digits in DIGITS:
         print(f"{digits:7} digits            {warm[180, digits]:9.3f} ms")
 
     _, by_time = _rounds(rounds, [(10**k, 50) for k in EXPONENTS])
-    print(f"\n{'one state, 50 digits':26}{'fastest':>12}")
+    print(f"\n{'one state, 50 digits':26}{'max_rate':>12}")
     for k in EXPONENTS:
         print(f"t = 1e{k:<2} s                 {by_time[10**k, 50]:9.3f} ms")
 

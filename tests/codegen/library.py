@@ -25,38 +25,38 @@ class Library:
     def __init__(self, path: Path) -> None:
         self._c = ctypes.CDLL(str(path))
         self._c.torque_free_message.restype = ctypes.c_char_p
-        self._c.torque_free_plan_size.restype = ctypes.c_size_t
-        assert self._c.torque_free_plan_size() <= ROOM
+        self._c.torque_free_motion_size.restype = ctypes.c_size_t
+        assert self._c.torque_free_motion_size() <= ROOM
 
-    def plan(self, inertia, omega0, attitude0) -> tuple[int, ctypes.Array]:
-        """A code, and the plan."""
-        plan = ctypes.create_string_buffer(ROOM)
+    def prepare(self, inertia, omega0, attitude0) -> tuple[int, ctypes.Array]:
+        """A code, and the prepared."""
+        prepared = ctypes.create_string_buffer(ROOM)
         given = [numbers(values) for values in (inertia, omega0, attitude0)]
-        return self._c.torque_free_plan_init(plan, *map(_pointer, given)), plan
+        return self._c.torque_free_motion_init(prepared, *map(_pointer, given)), prepared
 
     def plan_of_pairs(self, *pairs, unit) -> tuple[int, ctypes.Array]:
         """The same for numbers of two doubles."""
-        plan = ctypes.create_string_buffer(ROOM)
+        prepared = ctypes.create_string_buffer(ROOM)
         given = [numbers(values) for values in pairs]
-        code = self._c.torque_free_plan_init_pairs(
-            plan, *map(_pointer, given), ctypes.c_double(unit)
+        code = self._c.torque_free_motion_init_double_doubles(
+            prepared, *map(_pointer, given), ctypes.c_double(unit)
         )
-        return code, plan
+        return code, prepared
 
-    def states(self, plan, times) -> tuple[int, np.ndarray]:
+    def states(self, prepared, times) -> tuple[int, np.ndarray]:
         """A code, and the states: rows of seven, NaN where nothing was written."""
         t = numbers(times)
         q, omega = np.full((len(t), 4), np.nan), np.full((len(t), 3), np.nan)
         code = self._c.torque_free_states_at(
-            plan, ctypes.c_size_t(len(t)), _pointer(t), _pointer(q), _pointer(omega)
+            prepared, ctypes.c_size_t(len(t)), _pointer(t), _pointer(q), _pointer(omega)
         )
         return code, np.hstack([q, omega])
 
-    def grid(self, plan, start, step, n, first=0) -> tuple[int, np.ndarray]:
+    def grid(self, prepared, start, step, n, first=0) -> tuple[int, np.ndarray]:
         """The same at start + k step, k = first, first + 1, ..."""
         q, omega = np.full((n, 4), np.nan), np.full((n, 3), np.nan)
         code = self._c.torque_free_states_on_grid(
-            plan,
+            prepared,
             ctypes.c_double(start),
             ctypes.c_double(step),
             ctypes.c_size_t(first),

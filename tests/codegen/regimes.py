@@ -15,7 +15,7 @@ DIGITS = 40
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion and times: what a plan and its states are asked for."""
+    """A motion and times: what is prepared and asked for."""
 
     name: str
     inertia: tuple[float, ...]

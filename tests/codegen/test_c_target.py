@@ -94,27 +94,28 @@ def test_it_is_cpp_too(name, standard, here):
 def test_blocks_of_any_size_have_the_same_states(block, omega0, here, any_library):
     flags = ("-std=c99", "-O1", *SHARED, f"-DTORQUE_FREE_BLOCK={block}")
     small = Library(needed("gcc" if gcc() else "clang").build(here, f"block{block}.so", *flags))
-    _, plan = any_library.plan((1, 2, 2.25), omega0, (1, 0, 0, 0))
+    _, prepared = any_library.prepare((1, 2, 2.25), omega0, (1, 0, 0, 0))
     times = np.linspace(-7, 30, 250)
-    found, grid = small.states(plan, times)[1], small.grid(plan, 1.0, 0.1, 250)[1]
-    assert np.abs(found - any_library.states(plan, times)[1]).max() < 2e-15
-    assert np.abs(grid - any_library.grid(plan, 1.0, 0.1, 250)[1]).max() < 2e-15
+    found, grid = small.states(prepared, times)[1], small.grid(prepared, 1.0, 0.1, 250)[1]
+    assert np.abs(found - any_library.states(prepared, times)[1]).max() < 2e-15
+    assert np.abs(grid - any_library.grid(prepared, 1.0, 0.1, 250)[1]).max() < 2e-15
 
 
 @pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
 def test_a_grid_in_parts_has_the_same_bits(omega0, any_library):
-    _, plan = any_library.plan((1.0, 2.0, 2.25), omega0, (3.0, 0, -4.0, 0))
-    _, whole = any_library.grid(plan, -20.0, 0.25, 5000)
+    _, prepared = any_library.prepare((1.0, 2.0, 2.25), omega0, (3.0, 0, -4.0, 0))
+    _, whole = any_library.grid(prepared, -20.0, 0.25, 5000)
     parts = [
-        any_library.grid(plan, -20.0, 0.25, n, k)[1] for k, n in ((0, 64), (64, 4416), (4480, 520))
+        any_library.grid(prepared, -20.0, 0.25, n, k)[1]
+        for k, n in ((0, 64), (64, 4416), (4480, 520))
     ]
     assert np.array_equal(np.concatenate(parts), whole)
 
 
 def test_parts_of_grids_that_are_too_far_are_refused(any_library):
-    _, plan = any_library.plan(*BODY)
-    assert any_library.grid(plan, 0.0, 2.0**40, 2, 1)[0] == 0
-    assert any_library.grid(plan, 0.0, 2.0**40, 2, 200)[0] == 6
+    _, prepared = any_library.prepare(*BODY)
+    assert any_library.grid(prepared, 0.0, 2.0**40, 2, 1)[0] == 0
+    assert any_library.grid(prepared, 0.0, 2.0**40, 2, 200)[0] == 6
 
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
@@ -151,9 +152,9 @@ def function_at(here, line):
 
 
 def states(built, case):
-    code, plan = built.plan(case.inertia, case.omega0, case.attitude0)
+    code, prepared = built.prepare(case.inertia, case.omega0, case.attitude0)
     assert code == 0, case.name
-    code, found = built.states(plan, case.times)
+    code, found = built.states(prepared, case.times)
     assert code == 0, case.name
     return found
 
@@ -252,32 +253,32 @@ NAN, INF, MOST = math.nan, math.inf, 1.7e308
     ],
 )
 def test_what_no_plan_is_made_of(code, inertia, omega0, attitude0, any_library):
-    found, plan = any_library.plan(inertia, omega0, attitude0)
+    found, prepared = any_library.prepare(inertia, omega0, attitude0)
     assert found == code
-    assert plan.raw == bytes(len(plan)), "a refused call writes nothing"
+    assert prepared.raw == bytes(len(prepared)), "a refused call writes nothing"
     assert len(any_library.message(code)) > 10
 
 
 @pytest.mark.parametrize("rates", [(0, 1, 1e-130), (1e-125, 1, 1e-130), (5e-324, 1, 0)])
 def test_times_after_which_a_spin_may_have_turned_over(rates, any_library):
-    code, plan = any_library.plan((1, 2, 2.5), rates, (1, 0, 0, 0))
+    code, prepared = any_library.prepare((1, 2, 2.5), rates, (1, 0, 0, 0))
     assert code == 0
-    code, found = any_library.states(plan, [1.0, -400.0])
+    code, found = any_library.states(prepared, [1.0, -400.0])
     assert code == 0
     np.testing.assert_array_equal(found[:, 4:], [rates, rates])
-    code, found = any_library.states(plan, [1.0, 4000.0])
+    code, found = any_library.states(prepared, [1.0, 4000.0])
     assert code == 5
     assert np.isnan(found).all(), "a refused call writes nothing"
-    assert any_library.grid(plan, 0.0, 1000.0, 5)[0] == 5
+    assert any_library.grid(prepared, 0.0, 1000.0, 5)[0] == 5
 
 
 @pytest.mark.parametrize("bad", [NAN, INF, -INF, MOST, -(2.0**46) - 1])
 @pytest.mark.parametrize("place", [0, 191, 192, 400])
 def test_times_that_are_none_or_too_far(bad, place, any_library):
-    _, plan = any_library.plan((1, 2, 2.5), (0.3, 0.5, -1.0), (1, 0, 0, 0))
+    _, prepared = any_library.prepare((1, 2, 2.5), (0.3, 0.5, -1.0), (1, 0, 0, 0))
     times = np.linspace(0, 1, 401)
     times[place] = bad
-    code, found = any_library.states(plan, times)
+    code, found = any_library.states(prepared, times)
     assert code == 6
     assert np.isnan(found).all(), "a refused call writes nothing"
 
@@ -285,53 +286,53 @@ def test_times_that_are_none_or_too_far(bad, place, any_library):
 @pytest.mark.parametrize("omega0", [(0.3, 0.5, -0.7), (0.75, 0.5, 1.0), (0, 0, 0), (0, 2.0, 0)])
 @pytest.mark.parametrize("zero", [0.0, -0.0])
 def test_a_motion_begins_at_its_start_to_the_last_bit(omega0, zero, any_library):
-    _, plan = any_library.plan((1, 2, 2.25), omega0, (3.0, 0, -4.0, 0))
-    code, found = any_library.states(plan, [zero])
+    _, prepared = any_library.prepare((1, 2, 2.25), omega0, (3.0, 0, -4.0, 0))
+    code, found = any_library.states(prepared, [zero])
     assert code == 0
     assert found[0].tolist() == [0.6, 0, -0.8, 0, *omega0]
 
 
 def test_faint_rates_are_there_at_the_start_whatever_the_largest(any_library):
     omega0 = (1e300, 1e-20, -3e-17)
-    _, plan = any_library.plan((1, 2, 2.5), omega0, (1, 0, 0, 0))
-    assert any_library.states(plan, [0.0])[1][0, 4:].tolist() == list(omega0)
+    _, prepared = any_library.prepare((1, 2, 2.5), omega0, (1, 0, 0, 0))
+    assert any_library.states(prepared, [0.0])[1][0, 4:].tolist() == list(omega0)
 
 
 def test_a_body_at_rest_rests_for_ever(any_library):
-    _, plan = any_library.plan((1, 2, 2.5), (0, 0, 0), (0, 1, 0, 0))
-    code, found = any_library.states(plan, [1e300, -MOST])
+    _, prepared = any_library.prepare((1, 2, 2.5), (0, 0, 0), (0, 1, 0, 0))
+    code, found = any_library.states(prepared, [1e300, -MOST])
     assert code == 0
     assert found.tolist() == [[0, 1, 0, 0, 0, 0, 0]] * 2
-    assert any_library.states(plan, [INF])[0] == 6
+    assert any_library.states(prepared, [INF])[0] == 6
 
 
 @pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
 @pytest.mark.parametrize("n", [0, 1, 63, 64, 65, 191, 192, 193, 383, 384, 385])
 def test_a_state_does_not_depend_on_its_place_in_a_block(n, omega0, any_library):
-    _, plan = any_library.plan((1, 2, 2.25), omega0, (1, 0, 0, 0))
+    _, prepared = any_library.prepare((1, 2, 2.25), omega0, (1, 0, 0, 0))
     times = np.linspace(-7, 30, 400)[:n]
-    code, found = any_library.states(plan, times)
+    code, found = any_library.states(prepared, times)
     assert code == 0
     # In turns of a loop that the compiler made wide and those left over, sums may differ in a bit.
-    one_by_one = [any_library.states(plan, [t])[1][0] for t in times]
+    one_by_one = [any_library.states(prepared, [t])[1][0] for t in times]
     assert np.abs(found - np.reshape(one_by_one, (-1, 7))).max(initial=0) < 1e-15
 
 
 def test_a_grid_of_one_sample_does_not_ask_its_step(built):
-    _, plan = built.plan(*BODY)
-    code, found = built.grid(plan, 2.0, MOST, 1)
+    _, prepared = built.prepare(*BODY)
+    code, found = built.grid(prepared, 2.0, MOST, 1)
     assert code == 0
-    assert np.array_equal(found, built.grid(plan, 2.0, 0.25, 1)[1])
+    assert np.array_equal(found, built.grid(prepared, 2.0, 0.25, 1)[1])
 
 
 @pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
 def test_a_grid_that_passes_zero_is_at_its_start_there(omega0, any_library):
-    _, plan = any_library.plan((1.0, 2.0, 2.25), omega0, (3.0, 0, -4.0, 0))
+    _, prepared = any_library.prepare((1.0, 2.0, 2.25), omega0, (3.0, 0, -4.0, 0))
     expected = [0.6, 0, -0.8, 0, *omega0]
     for start, step, at in ((-1.0, 0.5, [2]), (6.25, -0.125, [50]), (0.0, 1.0, [0])):
-        found = any_library.grid(plan, start, step, 100)[1]
+        found = any_library.grid(prepared, start, step, 100)[1]
         assert [k for k in range(100) if found[k].tolist() == expected] == at
-    assert any_library.grid(plan, 0.0, 0.0, 3)[1].tolist() == [expected] * 3
+    assert any_library.grid(prepared, 0.0, 0.0, 3)[1].tolist() == [expected] * 3
 
 
 @pytest.mark.parametrize(
@@ -348,9 +349,9 @@ def test_a_grid_that_passes_zero_is_at_its_start_there(omega0, any_library):
 def test_pairs_that_no_plan_is_made_of(code, inertia, omega0, unit, any_library):
     given = (inertia, differences(inertia), omega0, (1.0, 0, 0, 0))
     pairs = [[(x, 0.0) for x in values] for values in given]
-    found, plan = any_library.plan_of_pairs(*pairs, (0.1, 0.0), unit=unit)
+    found, prepared = any_library.plan_of_pairs(*pairs, (0.1, 0.0), unit=unit)
     assert found == code
-    assert plan.raw == bytes(len(plan)), "a refused call writes nothing"
+    assert prepared.raw == bytes(len(prepared)), "a refused call writes nothing"
 
 
 def differences(inertia):
@@ -359,9 +360,9 @@ def differences(inertia):
 
 def test_grids_are_right_in_every_regime(built, motions):
     for case, _ in motions[::7]:
-        _, plan = built.plan(case.inertia, case.omega0, case.attitude0)
+        _, prepared = built.prepare(case.inertia, case.omega0, case.attitude0)
         n, start, step = 130, case.times[0] / 4, case.times[0] / 400
-        code, found = built.grid(plan, start, step, n)
+        code, found = built.grid(prepared, start, step, n)
         assert code == 0, case.name
         picked = [0, 1, 63, 64, 129]
         check(case, found[picked], exact_grid(case, start, step, picked))
@@ -373,22 +374,22 @@ def exact_grid(case, start, step, picked):
 
 
 def test_pairs_begin_where_doubles_do(any_library):
-    """With no low parts, and the excess of these numbers, both plans give the same states."""
+    """With no low parts, and the discriminant of these numbers, states are the same."""
     (d, b, a), (rate_d, _, rate_a), _ = BODY
-    excess = a * (a - b) * rate_a**2 - d * (b - d) * rate_d**2
+    discriminant = a * (a - b) * rate_a**2 - d * (b - d) * rate_d**2
     given = (BODY[0], differences(BODY[0]), *BODY[1:])
     pairs = [[(x, 0.0) for x in values] for values in given]
-    code, plan = any_library.plan_of_pairs(*pairs, (excess, 0.0), unit=1.0)
+    code, prepared = any_library.plan_of_pairs(*pairs, (discriminant, 0.0), unit=1.0)
     assert code == 0
-    _, found = any_library.states(plan, [0.0, 1.0, 50.0])
-    _, other = any_library.plan(*BODY)
+    _, found = any_library.states(prepared, [0.0, 1.0, 50.0])
+    _, other = any_library.prepare(*BODY)
     assert np.abs(found - any_library.states(other, [0.0, 1.0, 50.0])[1]).max() < 1e-14
 
 
 def test_bodies_that_cannot_exist_are_refused_times_they_turn_too_often_by(any_library):
-    code, plan = any_library.plan((1.0, 2.0**-60, 2.0**-90), (1.0, 0.5, 0.1), (1, 0, 0, 0))
+    code, prepared = any_library.prepare((1.0, 2.0**-60, 2.0**-90), (1.0, 0.5, 0.1), (1, 0, 0, 0))
     assert code == 0
-    assert any_library.states(plan, [2.0**40])[0] == 6
-    code, found = any_library.states(plan, [2.0**-40])
+    assert any_library.states(prepared, [2.0**40])[0] == 6
+    code, found = any_library.states(prepared, [2.0**-40])
     assert code == 0
     assert abs(np.linalg.norm(found[0, :4]) - 1) < 1e-15

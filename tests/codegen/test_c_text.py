@@ -24,13 +24,13 @@ def test_the_committed_files_are_what_the_ledger_says():
 
 
 def test_what_is_printed_reads_back_as_the_lets():
-    (excess,) = (function for function in FUNCTIONS if function.name == "_excess")
-    lines = sum(len(function.lets) for function in FUNCTIONS) + len(excess.lets)
+    (discriminant,) = (function for function in FUNCTIONS if function.name == "_discriminant")
+    lines = sum(len(function.lets) for function in FUNCTIONS) + len(discriminant.lets)
     assert seal_text(GENERATED, sealed()) == lines
 
 
 def test_reading_back_undoes_what_only_c_needs():
-    text = "    const pair x = pair_mul_dx(2.0, pair_add_xx(a, pair_of(3.0))); /* (34); f.g */"
+    text = "    const double_double x = dd_mul_dx(2.0, dd_add_xx(a, dd_of(3.0))); /* (34); f.g */"
     assert emit.read(text) == parse("2*(a + 3)")
     assert emit.read("const double y = fused(a, -b, fabs(c)) / 2.0;") == parse(
         "fma(a, -b, size(c))/2"
@@ -47,9 +47,9 @@ def test_constants_are_written_to_the_last_digit():
 
 def test_every_derived_line_has_its_equations_and_facts():
     lines = SOURCE.splitlines()
-    known = {formula.fact for p in sealed().programmes.values() for formula in p}
+    known = {formula.fact for p in sealed().sequences.values() for formula in p}
     places = GENERATED.map[module.SOURCE]
-    (twice,) = (f for f in FUNCTIONS if f.name == "_excess")
+    (twice,) = (f for f in FUNCTIONS if f.name == "_discriminant")
     assert len(places) == sum(len(f.lets) for f in FUNCTIONS) + len(twice.lets)
     for place in places:
         assert lines[place["line"] - 1].startswith("    ")

@@ -14,10 +14,10 @@ MOST = 1.7e308
 
 @pytest.mark.parametrize("case", cases(), ids=lambda case: case.name)
 def test_states_are_right_in_every_regime(case):
-    plan = torque_free.plan(case.inertia, case.omega0, case.attitude0)
+    prepared = torque_free.prepare(case.inertia, case.omega0, case.attitude0)
     exact = case.exact()
-    one_by_one = [torque_free.states(plan, float(t)) for t in case.times]
-    together = torque_free.states(plan, np.array(case.times))
+    one_by_one = [torque_free.states(prepared, float(t)) for t in case.times]
+    together = torque_free.states(prepared, np.array(case.times))
     for q, omega in (together, tuple(map(np.array, zip(*one_by_one, strict=True)))):
         angle, rate = errors(np.hstack((q, omega)), exact)
         assert angle <= BOUND
@@ -29,11 +29,11 @@ def test_many_bodies_are_each_right():
     listed = [case for case in cases() if 0 < max(map(abs, case.omega0)) < 1e3]
     assert len(listed) > 60
     given = ([getattr(c, f) for c in listed] for f in ("inertia", "omega0", "attitude0"))
-    plan = torque_free.plan(*map(np.array, given))
+    prepared = torque_free.prepare(*map(np.array, given))
     t = np.array([0.0, 0.7, -31.0])
-    q, omega = torque_free.states(plan, t)
+    q, omega = torque_free.states(prepared, t)
     for k, case in enumerate(listed):
-        one = torque_free.states(torque_free.plan(case.inertia, case.omega0, case.attitude0), t)
+        one = torque_free.states(torque_free.prepare(case.inertia, case.omega0, case.attitude0), t)
         np.testing.assert_allclose(q[k], one[0], rtol=0, atol=2e-15)
         size = max(map(abs, case.omega0))
         np.testing.assert_allclose(omega[k], one[1], rtol=0, atol=4e-15 * size)
@@ -51,28 +51,28 @@ def test_many_bodies_are_each_right():
 )
 def test_what_no_plan_is_made_of(message, inertia, omega0, attitude0):
     with pytest.raises(ValueError, match=message):
-        torque_free.plan(inertia, omega0, attitude0)
+        torque_free.prepare(inertia, omega0, attitude0)
 
 
 def test_faint_rates_are_there_at_the_start_whatever_the_largest():
     omega0 = (1e300, 1e-20, -3e-17)
-    plan = torque_free.plan((1, 2, 2.5), omega0)
-    assert torque_free.states(plan, 0.0)[1].tolist() == list(omega0)
-    assert torque_free.states(plan, [0.0])[1].tolist() == [list(omega0)]
+    prepared = torque_free.prepare((1, 2, 2.5), omega0)
+    assert torque_free.states(prepared, 0.0)[1].tolist() == list(omega0)
+    assert torque_free.states(prepared, [0.0])[1].tolist() == [list(omega0)]
 
 
 def test_a_body_at_rest_rests_for_ever():
-    plan = torque_free.plan((1, 2, 2.5), (0, 0, 0), (0, 1, 0, 0))
+    prepared = torque_free.prepare((1, 2, 2.5), (0, 0, 0), (0, 1, 0, 0))
     for t in (1e300, -MOST, 0.0):
-        for found in (torque_free.states(plan, t), torque_free.states(plan, np.array(t))):
+        for found in (torque_free.states(prepared, t), torque_free.states(prepared, np.array(t))):
             assert found[0].tolist() == [0, 1, 0, 0]
             assert found[1].tolist() == [0, 0, 0]
 
 
 def test_bodies_that_cannot_exist_are_refused_times_they_turn_too_often_by():
-    plan = torque_free.plan((1.0, 2.0**-60, 2.0**-90), (1.0, 0.5, 0.1))
+    prepared = torque_free.prepare((1.0, 2.0**-60, 2.0**-90), (1.0, 0.5, 0.1))
     for t in (2.0**40, [2.0**40]):
         with pytest.raises(ValueError, match="the angle is lost in binary64"):
-            torque_free.states(plan, t)
-    q, _ = torque_free.states(plan, 2.0**-40)
+            torque_free.states(prepared, t)
+    q, _ = torque_free.states(prepared, 2.0**-40)
     assert abs(np.linalg.norm(q) - 1) < 1e-15

@@ -49,7 +49,7 @@ def test_every_derived_line_has_its_equations_and_facts():
     lines = TEXT.splitlines()
     places = GENERATED.map[module.FILE]
     assert len(places) == sum(len(function.lets) for function in FUNCTIONS)
-    known = {formula.fact for p in sealed().programmes.values() for formula in p}
+    known = {formula.fact for p in sealed().sequences.values() for formula in p}
     for place in places:
         assert " = " in lines[place["line"] - 1]
         assert set(place["facts"]) <= known
@@ -79,9 +79,8 @@ def test_bytes_do_not_depend_on_the_hash_seed(seed, target):
 
 def test_the_module_works_alone(tmp_path):
     GENERATED.write(tmp_path)
-    code = (
-        "import torque_free as tf; p = tf.plan((1, 2, 2.5), (1, 2, 3)); print(tf.states(p, 1.0)[0])"
-    )
+    made = "p = tf.prepare((1, 2, 2.5), (1, 2, 3))"
+    code = f"import torque_free as tf; {made}; print(tf.states(p, 1.0)[0])"
     found = subprocess.run(
         [sys.executable, "-S", "-c", f"import sys; sys.path.insert(0, {numpy_home()!r}); {code}"],
         capture_output=True, text=True, check=True, cwd=tmp_path,
@@ -112,40 +111,40 @@ def test_an_unsupported_node_fails_at_generation(text):
 
 
 def test_out_is_filled_and_returned():
-    plan = torque_free.plan((1, 2, 2.5), [(1, 2, 3), (0, 1, 0)])
+    prepared = torque_free.prepare((1, 2, 2.5), [(1, 2, 3), (0, 1, 0)])
     t = np.linspace(-3, 3, 50)
     out = np.empty((2, 50, 4)), np.empty((2, 50, 3))
-    found = torque_free.states(plan, t, out)
+    found = torque_free.states(prepared, t, out)
     assert all(a is b for a, b in zip(found, out, strict=True))
-    for a, b in zip(found, torque_free.states(plan, t), strict=True):
+    for a, b in zip(found, torque_free.states(prepared, t), strict=True):
         np.testing.assert_array_equal(a, b)
     for wrong in ((out[0], out[1][:, :-1]), (out[0].astype("f4"), out[1]), (out[0],), out[::-1]):
         with pytest.raises(ValueError, match="out: must be C-contiguous float64 arrays of shapes"):
-            torque_free.states(plan, t, wrong)
+            torque_free.states(prepared, t, wrong)
 
 
 def test_blocks_do_not_show():
     """Many times, many bodies and single calls give the same bits, or nearly: scalars are summed
     by the same lines."""
     t = np.linspace(0.5, 400, 20_001)
-    plan = torque_free.plan((1, 2, 2.5), (0.1, 1, 0.2))
-    q, omega = torque_free.states(plan, t)
+    prepared = torque_free.prepare((1, 2, 2.5), (0.1, 1, 0.2))
+    q, omega = torque_free.states(prepared, t)
     for k in (0, 8191, 8192, 20_000):
-        one = torque_free.states(plan, float(t[k]))
+        one = torque_free.states(prepared, float(t[k]))
         np.testing.assert_allclose(one[0], q[k], rtol=0, atol=5e-16)
         np.testing.assert_allclose(one[1], omega[k], rtol=0, atol=5e-16)
-    many = torque_free.plan(np.tile((1, 2, 2.5), (500, 1)), (0.1, 1, 0.2))
+    many = torque_free.prepare(np.tile((1, 2, 2.5), (500, 1)), (0.1, 1, 0.2))
     batch, _ = torque_free.states(many, t[:30])
     np.testing.assert_array_equal(batch[0], batch[-1])
     np.testing.assert_allclose(batch[0], q[:30], rtol=0, atol=5e-16)
 
 
 def test_memory_beyond_the_output_does_not_grow_with_the_number_of_times():
-    plan = torque_free.plan((1, 2, 2.5), (0.1, 1, 0.2))
+    prepared = torque_free.prepare((1, 2, 2.5), (0.1, 1, 0.2))
     t = np.linspace(0, 100, 1_000_000)
     out = np.empty((t.size, 4)), np.empty((t.size, 3))
     tracemalloc.start()
-    torque_free.states(plan, t, out)
+    torque_free.states(prepared, t, out)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 16e6

@@ -221,7 +221,7 @@ def numpy_zero(printed, expression):
 
 def c_zero(lowered, expression, extended, number):
     if expression == parse("theta4_v*watson"):
-        return Call("pair_of", (Number(0),))
+        return Call("dd_of", (Number(0),))
     return lowered(expression, extended, number)
 
 

@@ -1,4 +1,4 @@
-"""Landen's step by its published programme, over mpmath numbers and from step to step."""
+"""Landen's step by its published sequence, over mpmath numbers and from step to step."""
 
 from random import Random
 

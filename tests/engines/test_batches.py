@@ -116,7 +116,7 @@ def test_outputs_that_are_inputs_are_refused(engine):
 
 
 def test_the_generated_module_refuses_outputs_that_it_reads():
-    plan = torque_free.plan([BODY] * 5, [RATES] * 5)
+    prepared = torque_free.prepare([BODY] * 5, [RATES] * 5)
     t, shared = np.arange(3.0), np.empty(500)
     q, omega = np.empty((5, 3, 4)), np.empty((5, 3, 3))
     overlapping = shared[:60].reshape(5, 3, 4), shared[50:95].reshape(5, 3, 3)
@@ -127,25 +127,25 @@ def test_the_generated_module_refuses_outputs_that_it_reads():
     ):
         times[:] = t
         with pytest.raises(ValueError, match=r"^out: q and omega must not overlap"):
-            torque_free.states(plan, times, out)
+            torque_free.states(prepared, times, out)
     with pytest.raises(ValueError, match=r"^out: q and omega must not overlap"):
-        torque_free.states(plan, 1.0, (np.empty((5, 4)), plan["omega0"]))
-    assert torque_free.states(plan, t, (q, omega))[0] is q
+        torque_free.states(prepared, 1.0, (np.empty((5, 4)), prepared["omega0"]))
+    assert torque_free.states(prepared, t, (q, omega))[0] is q
 
 
 @pytest.mark.parametrize("shape", [(), (1,), (4,)], ids=str)
 def test_a_plan_does_not_change_with_what_it_was_made_from(shape):
     given = [np.tile(x, (*shape, 1)).reshape(*shape, -1) for x in (BODY, RATES, (1.0, 0, 0, 0))]
-    plan = torque_free.plan(*given)
-    before = [torque_free.states(plan, t) for t in (0.0, 1.0)]
+    prepared = torque_free.prepare(*given)
+    before = [torque_free.states(prepared, t) for t in (0.0, 1.0)]
     for array in given:
         array[...] = 99
     for t, expected in zip((0.0, 1.0), before, strict=True):
-        states = torque_free.states(plan, t)
+        states = torque_free.states(prepared, t)
         for got, wanted in zip(states, expected, strict=True):
             np.testing.assert_array_equal(got, wanted)
             got[...] = 7
-        for got, wanted in zip(torque_free.states(plan, t), expected, strict=True):
+        for got, wanted in zip(torque_free.states(prepared, t), expected, strict=True):
             np.testing.assert_array_equal(got, wanted)
 
 

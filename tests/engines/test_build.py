@@ -26,9 +26,9 @@ STUB = """/* digest {digest} */
 #include <stddef.h>
 const char *torque_free_digest(void) {{ return "{digest}"; }}
 const char *torque_free_message(int code) {{ (void)code; return "inertia: refused"; }}
-size_t torque_free_plan_size(void) {{ return 8; }}
-int torque_free_plan_init(void) {{ return 2; }}
-int torque_free_plan_init_pairs(void) {{ return 2; }}
+size_t torque_free_motion_size(void) {{ return 8; }}
+int torque_free_motion_init(void) {{ return 2; }}
+int torque_free_motion_init_double_doubles(void) {{ return 2; }}
 int torque_free_state_at(void) {{ return 6; }}
 int torque_free_states_at(void) {{ return 6; }}
 int torque_free_states_on_grid(void) {{ return 6; }}
@@ -285,7 +285,7 @@ def test_threads_that_ask_at_once_hear_one_warning(monkeypatch):
 SCRIPT = """
 from rigidsym.engines import engine
 c = engine("c")
-q, omega = c.states(c.plan((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (1.0, 0.0, 0.0, 0.0)), 0.5)
+q, omega = c.states(c.prepare((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (1.0, 0.0, 0.0, 0.0)), 0.5)
 print(type(c).__name__, *map(float.hex, map(float, [*q, *omega])))
 """
 
@@ -342,7 +342,9 @@ def test_a_library_that_lacks_a_function_is_refused(tmp_path):
 
 @needs_compiler
 def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
-    refusing = STUB.replace("plan_init(void) {{ return 2; }}", "plan_init(void) {{ return 8; }}")
+    refusing = STUB.replace(
+        "motion_init(void) {{ return 2; }}", "motion_init(void) {{ return 8; }}"
+    )
     sources = {"torque_free.h": "", "torque_free.c": refusing.format(digest="b" * 64)}
     monkeypatch.setattr(build, "package_sources", lambda: sources)
     with pytest.raises(LibraryError, match=r"^the C module refuses: inertia: refused$"):

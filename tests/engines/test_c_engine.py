@@ -61,15 +61,15 @@ def assert_near(states, expected, omega0, times_bound=1):
 @pytest.mark.parametrize("body", BODIES)
 def test_states_agree_with_numpy(c, body):
     given = BODIES[body]
-    expected = NUMPY.states(NUMPY.plan(*given), TIMES)
-    assert_near(c.states(c.plan(*given), TIMES), expected, given[1], 2)
+    expected = NUMPY.states(NUMPY.prepare(*given), TIMES)
+    assert_near(c.states(c.prepare(*given), TIMES), expected, given[1], 2)
 
 
 @pytest.mark.parametrize("body", BODIES)
 def test_states_agree_with_precise(c, body):
     given = BODIES[body]
     expected = TorqueFreeMotion(*given).precise(TIMES.tolist(), 20)
-    assert_near(c.states(c.plan(*given), TIMES), expected, given[1])
+    assert_near(c.states(c.prepare(*given), TIMES), expected, given[1])
 
 
 @pytest.mark.parametrize(
@@ -90,9 +90,9 @@ def test_exact_numbers_are_not_rounded_first(c, inertia, omega0):
     inertia, omega0 = (tuple(map(Fraction, values)) for values in (inertia, omega0))
     attitude0 = tuple(map(Fraction, ("1/3", "0.1", "-2", "0")))
     t = TIMES[:6]
-    plan = c.exact_plan(inertia, omega0, attitude0)
+    prepared = c.prepare_exactly(inertia, omega0, attitude0)
     expected = TorqueFreeMotion(inertia, omega0, attitude0).precise(t.tolist(), 20)
-    assert_near(c.states(plan, t), expected, [float(x) for x in omega0])
+    assert_near(c.states(prepared, t), expected, [float(x) for x in omega0])
 
 
 @pytest.mark.parametrize("engine", ["numpy", "c"])
@@ -110,37 +110,37 @@ def test_differences_of_moments_are_not_lost_however_late(request, engine, inert
     exact = tuple(tuple(map(Fraction, x)) for x in (inertia, ("1", "0.3", "0.2"), IDENTITY))
     t = np.array([5e3, -1e6, 2.0**45])
     expected = TorqueFreeMotion(*exact, allow_nonphysical=True).precise(t.tolist(), 20)
-    assert_near(run.states(run.exact_plan(*exact), t), expected, [1.0])
+    assert_near(run.states(run.prepare_exactly(*exact), t), expected, [1.0])
 
 
 @pytest.mark.parametrize("body", BODIES)
 def test_states_do_not_depend_on_company(c, body, many_threads):
-    plan = c.plan(*BODIES[body])
+    prepared = c.prepare(*BODIES[body])
     t = np.linspace(-50, 70, 1001)
-    q, omega = c.states(plan, t)
+    q, omega = c.states(prepared, t)
     for k in (0, 1, 191, 192, 500, 1000):
-        one_q, one_omega = c.states(plan, float(t[k]))
+        one_q, one_omega = c.states(prepared, float(t[k]))
         assert np.array_equal(q[k], one_q)
         assert np.array_equal(omega[k], one_omega)
 
 
 def test_threads_share_a_plan(c):
-    plan = c.plan(*BODIES["near separatrix"])
+    prepared = c.prepare(*BODIES["near separatrix"])
     t = np.linspace(0, 50, 5000)
-    expected = c.states(plan, t)
+    expected = c.states(prepared, t)
     with ThreadPoolExecutor(8) as pool:
-        for states in pool.map(lambda _: c.states(plan, t), range(64)):
+        for states in pool.map(lambda _: c.states(prepared, t), range(64)):
             assert all(map(np.array_equal, states, expected))
 
 
 @pytest.mark.parametrize("n", [0, 1, 7, 8, 63, 64, 65, 191, 192, 193, 1000])
 def test_nothing_is_written_beside_the_rows(c, n):
-    plan, t = c.plan(*BODIES["smallest"]), np.linspace(0, 9, n)
+    prepared, t = c.prepare(*BODIES["smallest"]), np.linspace(0, 9, n)
     q, omega = np.full((n + 2, 4), 7.0), np.full((n + 2, 3), 7.0)
     out = q[1:-1], omega[1:-1]
     for call in (
-        lambda: c.states(plan, t, out),
-        lambda: c.grid(plan, 0.0, 0.1, n, out),
+        lambda: c.states(prepared, t, out),
+        lambda: c.grid(prepared, 0.0, 0.1, n, out),
         lambda: c.propagate(*BODIES["smallest"], t, out),
     ):
         call()
@@ -157,9 +157,9 @@ def test_nothing_is_written_beside_the_rows(c, n):
 )  # fmt: skip
 def test_times_of_all_kinds(c, t, shape):
     given = BODIES["largest"]
-    q, omega = c.states(c.plan(*given), t)
+    q, omega = c.states(c.prepare(*given), t)
     assert (q.shape, omega.shape) == ((*shape, 4), (*shape, 3))
-    expected, _ = NUMPY.states(NUMPY.plan(*given), np.array(t, float))
+    expected, _ = NUMPY.states(NUMPY.prepare(*given), np.array(t, float))
     np.testing.assert_allclose(q, expected, rtol=0, atol=1e-13)
 
 
@@ -167,18 +167,18 @@ def test_times_of_all_kinds(c, t, shape):
 @pytest.mark.parametrize("count", [0, 1, 63, 64, 1000])
 def test_grids_are_states_at_their_times(c, body, count):
     given = BODIES[body]
-    plan = c.plan(*given)
+    prepared = c.prepare(*given)
     t = -3.0 + 0.25 * np.arange(count)
-    assert_near(c.grid(plan, -3.0, 0.25, count), c.states(plan, t), given[1], 2)
+    assert_near(c.grid(prepared, -3.0, 0.25, count), c.states(prepared, t), given[1], 2)
 
 
 @pytest.mark.parametrize("body", BODIES)
 def test_grids_have_the_same_bits_whatever_the_threads(c, body, monkeypatch):
-    plan = c.plan(*BODIES[body])
-    alone = c.grid(plan, -3.0, 0.25, 5000)
+    prepared = c.prepare(*BODIES[body])
+    alone = c.grid(prepared, -3.0, 0.25, 5000)
     monkeypatch.setattr(threads, "PIECE", 64)
     monkeypatch.setattr(threads, "processors", lambda: 3)
-    assert all(map(np.array_equal, c.grid(plan, -3.0, 0.25, 5000), alone))
+    assert all(map(np.array_equal, c.grid(prepared, -3.0, 0.25, 5000), alone))
 
 
 def batch(shape):
@@ -195,7 +195,7 @@ def test_batches_are_bodies_one_by_one(c, shape, t, many_threads):
     assert q.shape == (*shape, *np.shape(t), 4)
     assert omega.shape == (*shape, *np.shape(t), 3)
     for k in np.ndindex(shape):
-        one_q, one_omega = c.states(c.plan(inertia[k], omega0[k], attitude0[k]), t)
+        one_q, one_omega = c.states(c.prepare(inertia[k], omega0[k], attitude0[k]), t)
         assert np.array_equal(q[k], one_q)
         assert np.array_equal(omega[k], one_omega)
 
@@ -215,11 +215,11 @@ def test_leading_shapes_broadcast_as_numpy_has_it(c):
 def test_given_arrays_are_filled_and_returned(c, engine):
     engine = c if engine == "c" else NUMPY
     given, t = BODIES["smallest"], np.linspace(0, 9, 10)
-    plan = engine.plan(*given)
+    prepared = engine.prepare(*given)
     calls = {
-        (10,): lambda out: engine.states(plan, t, out),
-        (): lambda out: engine.states(plan, 0.25, out),
-        (12,): lambda out: engine.grid(plan, 0.0, 0.5, 12, out),
+        (10,): lambda out: engine.states(prepared, t, out),
+        (): lambda out: engine.states(prepared, 0.25, out),
+        (12,): lambda out: engine.grid(prepared, 0.0, 0.5, 12, out),
         (2, 10): lambda out: engine.propagate([given[0]] * 2, *given[1:], t, out),
     }
     for shape, call in calls.items():
@@ -261,16 +261,16 @@ Q, OMEGA, SHARED = np.empty((5, 4)), np.empty((5, 3)), np.empty(35)
 )  # fmt: skip
 def test_arrays_that_cannot_be_filled(c, engine, out, rule):
     engine = c if engine == "c" else NUMPY
-    plan = engine.plan(*BODIES["smallest"])
+    prepared = engine.prepare(*BODIES["smallest"])
     with pytest.raises(EngineError) as caught:
-        engine.states(plan, np.arange(5.0), out)
+        engine.states(prepared, np.arange(5.0), out)
     assert str(caught.value) == f"out: {rule}"
 
 
 def test_times_are_not_overwritten_while_they_are_read(c):
     q, omega = np.zeros((5, 4)), np.zeros((5, 3))
     with pytest.raises(EngineError, match=r"^out: q and omega must not overlap"):
-        c.states(c.plan(*BODIES["smallest"]), q.reshape(-1)[:5], (q, omega))
+        c.states(c.prepare(*BODIES["smallest"]), q.reshape(-1)[:5], (q, omega))
 
 
 GOOD = {"inertia": (1.0, 2.0, 2.5), "omega0": (1.0, 2.0, 3.0), "attitude0": IDENTITY}
@@ -290,9 +290,9 @@ REFUSED = [
 def test_bodies_are_refused_in_the_words_of_the_numpy_module(c, change):
     given = (GOOD | change).values()
     with pytest.raises(ValueError, match=": ") as expected:
-        NUMPY.plan(*given)
+        NUMPY.prepare(*given)
     with pytest.raises(EngineError) as caught:
-        c.plan(*given)
+        c.prepare(*given)
     assert str(caught.value) == str(expected.value)
 
 
@@ -329,15 +329,15 @@ def test_shapes_are_refused_in_the_words_of_the_numpy_module(c, change):
 
 def test_a_plan_is_of_one_body(c):
     with pytest.raises(EngineError, match=r"^omega0: shape \(2, 3\): one body's must be \(3,\)$"):
-        c.plan(GOOD["inertia"], np.ones((2, 3)), IDENTITY)
+        c.prepare(GOOD["inertia"], np.ones((2, 3)), IDENTITY)
 
 
 @pytest.mark.parametrize("t", [np.nan, -np.inf, [0.0, np.nan], np.zeros((2, 2))], ids=str)
 def test_times_are_refused_in_the_words_of_the_numpy_module(c, t):
     with pytest.raises(ValueError, match=r"^t: ") as expected:
-        NUMPY.states(NUMPY.plan(*GOOD.values()), t)
+        NUMPY.states(NUMPY.prepare(*GOOD.values()), t)
     calls = (
-        lambda: c.states(c.plan(*GOOD.values()), t),
+        lambda: c.states(c.prepare(*GOOD.values()), t),
         lambda: c.propagate(*GOOD.values(), t),
     )
     for call in calls:
@@ -348,15 +348,15 @@ def test_times_are_refused_in_the_words_of_the_numpy_module(c, t):
 
 @pytest.mark.parametrize("t", [1e14, np.float64(-1e14), [0.0, 1e300]], ids=str)
 def test_times_too_far_away_are_refused(c, t):
-    plan = c.plan(*GOOD.values())
+    prepared = c.prepare(*GOOD.values())
     with pytest.raises(EngineError, match=r"^t: beyond \|omega\| t = 2\^46 rad"):
-        c.states(plan, t)
+        c.states(prepared, t)
     with pytest.raises(EngineError, match=r"^t: beyond \|omega\| t = 2\^46 rad"):
-        c.grid(plan, 0.0, float(np.max(np.abs(t))), 2)
+        c.grid(prepared, 0.0, float(np.max(np.abs(t))), 2)
 
 
 def test_an_endless_grid_is_refused(c):
-    plan = c.plan(*GOOD.values())
+    prepared = c.prepare(*GOOD.values())
     for start, step in ((np.nan, 1.0), (0.0, np.inf)):
         with pytest.raises(EngineError, match=r"^t: times must be"):
-            c.grid(plan, start, step, 5)
+            c.grid(prepared, start, step, 5)

@@ -69,18 +69,18 @@ def test_every_formula_is_a_proved_fact_or_a_reading():
         for context in LEDGER["contexts"]
         for name in context["reading"]
     }
-    for formulas in sealed().programmes.values():
+    for formulas in sealed().sequences.values():
         for formula in formulas:
             assert formula.fact in readings or facts[formula.fact]["grade"] == "PROVED"
             assert formula.source
 
 
-def changed(**programmes):
-    """The ledger with programmes of these facts."""
-    listed = {name: [{"fact": fact} for fact in ids] for name, ids in programmes.items()}
+def changed(**sequences):
+    """The ledger with formula sequences of these facts."""
+    listed = {name: [{"fact": fact} for fact in ids] for name, ids in sequences.items()}
     published = LEDGER["published"]
-    programmes = {**published["programmes"], **listed}
-    return json.dumps({**LEDGER, "published": {**published, "programmes": programmes}})
+    sequences = {**published["sequences"], **listed}
+    return json.dumps({**LEDGER, "published": {**published, "sequences": sequences}})
 
 
 def unmodelled(context):
@@ -98,15 +98,15 @@ def unmodelled(context):
         (changed(state=["no.such"]), "not readable"),
         ('{"facts": [], "contexts": [], "published": {}}', "not readable"),
         (
-            '{"facts": [], "contexts": [], "published": {"programmes": {}}}',
-            "does not publish the programme plan",
+            '{"facts": [], "contexts": [], "published": {"sequences": {}}}',
+            "does not publish the formula sequence constants",
         ),
         (ledger_text().replace("jacobi_argument(sn, cn, dn)", "2*sn"), "reading is not the one"),
         (
             ledger_text().replace("-gc*dtheta2(gc*beta", "g*dtheta2(gc*beta"),
             "hyperbolic_form:zeta: its reading is not the one",
         ),
-        (unmodelled("regular"), "plan: no context is a model of all"),
+        (unmodelled("regular"), "constants: no context is a model of all"),
         (unmodelled("theta_form"), "hyperbolic: no context is a model of all"),
         (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
         (changed(state=["regular.euler"]), "not one proved formula"),

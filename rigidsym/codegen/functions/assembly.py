@@ -1,9 +1,9 @@
 """From the solution to the functions a target prints.
 
-A motion's constants come from extended numbers: `_start` finds the invariants and the descended
-functions at t = 0, and, by the modulus, `_circular_plan` or `_hyperbolic_plan` the rest.  States
-are doubles, in two functions for each branch: `_<branch>_angles` finds what changes with time, and
-`_<branch>_state` the state from that.
+A motion's constants come from extended numbers: `_initial_state` finds the invariants and the
+descended functions at t = 0, and, by the modulus, `_circular_constants` or `_hyperbolic_constants`
+the rest.  States are doubles, in two functions for each branch: `_<branch>_angles` finds what
+changes with time, and `_<branch>_state` the state from that.
 """
 
 from dataclasses import replace
@@ -14,7 +14,7 @@ import mpmath
 
 from rigidsym.codegen.functions.circular import circular
 from rigidsym.codegen.functions.hyperbolic import hyperbolic
-from rigidsym.codegen.functions.initial_state import excess, start
+from rigidsym.codegen.functions.initial_state import discriminant, start
 from rigidsym.codegen.functions.steady import steady
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.passes import live, products, share
@@ -28,10 +28,10 @@ def functions(solution: Solution) -> tuple[Function, ...]:
 
 
 def stated(solution: Solution) -> tuple[Function, ...]:
-    """All functions as ledger and kernels state them, before anything is left out or shared."""
+    """All functions as they are stated, before anything is left out or shared."""
     return (
         exponential.function(),
-        excess(solution),
+        discriminant(solution),
         start(solution),
         landen.step(solution),
         landen.ladder(),

@@ -7,7 +7,7 @@ linear in the parts P4 and P1 over N, and every rate is a constant times a quoti
 from collections.abc import Iterable
 
 from rigidsym.codegen.ir import Function, Let, let
-from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, PARTS, RATES, SIGNS, STARTED, STATE
+from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, INITIAL, PARTS, RATES, SIGNS, STATE
 from rigidsym.codegen.passes import coefficient, inlined, live, select, specialise
 from rigidsym.codegen.special_functions import reduction
 from rigidsym.language.expression import Name, Operation, names, parse
@@ -21,7 +21,7 @@ def secular(solution: Solution) -> list[Let]:
     """The rate of the phase in half turns."""
     given = ("psi_0", "rho", "mu", "zeta")
     return [
-        *select(solution.programmes["theta"], ("Lambda",), given),
+        *select(solution.sequences["theta"], ("Lambda",), given),
         let("Lambda_rate = Lambda/pi", "33", "34"),
     ]
 
@@ -39,19 +39,19 @@ def phase() -> list[Let]:
 def parts(solution: Solution) -> tuple[Let, ...]:
     """e^(i Lambda t) times theta_4 and theta_1."""
     given = ("X_re", "X_im", "T4_re", "T4_im", "T1_re", "T1_im")
-    return select(solution.programmes["circular_state"], PARTS, given)
+    return select(solution.sequences["circular_state"], PARTS, given)
 
 
 def front(solution: Solution, norm: str, share_of_rows: str) -> list[Let]:
     """The unit quaternion in front, and the rows of q_x = (sum of row times part) * scale."""
-    programme = solution.programmes["circular_state"]
-    pull_back = solution.programmes["pull_back"]
+    sequence = solution.sequences["circular_state"]
+    pull_back = solution.sequences["pull_back"]
     bars = tuple(name.replace("q_", "qbar_") for name in ATTITUDE)
     return [
         *specialise(parts(solution), {"X_re": 1, "X_im": 0}),
         let(f"W = {norm}", "1", "DLMF 20.7.14"),
-        *select(programme, ("N",), ("W",)),
-        *select(programme, bars, (*PARTS, "N", *SIGNS)),
+        *select(sequence, ("N",), ("W",)),
+        *select(sequence, bars, (*PARTS, "N", *SIGNS)),
         *select(pull_back, _FRONT, (*bars, *ATTITUDE, *SIGNS)),
         let(f"over_N = {share_of_rows}", "1", "DLMF 20.7.14"),
         *_rows(_linear(solution)),
@@ -61,7 +61,7 @@ def front(solution: Solution, norm: str, share_of_rows: str) -> list[Let]:
 def _linear(solution: Solution) -> tuple[Let, ...]:
     """The attitude, linear in the parts over N."""
     given = (*_FRONT, *PARTS, "N", *SIGNS)
-    return inlined(select(solution.programmes["circular_state"], ATTITUDE, given), ATTITUDE)
+    return inlined(select(solution.sequences["circular_state"], ATTITUDE, given), ATTITUDE)
 
 
 def _rows(attitude: Iterable[Let]) -> list[Let]:
@@ -79,7 +79,7 @@ def _rows(attitude: Iterable[Let]) -> list[Let]:
 def _rates(solution: Solution) -> dict[str, Let]:
     """The rates by the Jacobi function each is a multiple of."""
     given = ("sn", "cn", "dn", "sigma", "chi", "tau", *AMPLITUDES)
-    rates = select(solution.programmes["rates"], RATES, given)
+    rates = select(solution.sequences["rates"], RATES, given)
     return dict(zip(("dn", "sn", "cn"), rates, strict=True))
 
 
@@ -88,7 +88,7 @@ def gains(solution: Solution, scale: dict[str, str]) -> list[Let]:
 
     `unit` is the power of two, in 1/s, that inner rates are times.
     """
-    lets = list(select(solution.programmes["plan"], ("tau",), SIGNS))
+    lets = list(select(solution.sequences["constants"], ("tau",), SIGNS))
     for name, rate in _rates(solution).items():
         (gain,) = specialise([rate], {name: 1})
         quotient = Operation("*", gain.expression, parse(scale[name]))
@@ -124,13 +124,15 @@ def flat(split: Iterable[str]) -> tuple[str, ...]:
     return tuple(f"{name}_{part}" for name in split for part in ("hi", "lo"))
 
 
-def plan(name: str, lets: list[Let], results: tuple[str, ...], split: tuple[str, ...]) -> Function:
+def constants_function(
+    name: str, lets: list[Let], results: tuple[str, ...], split: tuple[str, ...]
+) -> Function:
     """The constants of a branch, from what the start hands over."""
     used = {name for formula in live(lets, results) for name in names(formula.expression)}
-    extended = [name for name in (*STARTED, *ATTITUDE) if name in used]
+    extended = [name for name in (*INITIAL, *ATTITUDE) if name in used]
     return Function(
-        f"_{name}_plan",
-        f"The constants of a motion on the {name} branch, from `_start`.",
+        f"_{name}_constants",
+        f"The constants of a motion on the {name} branch, from `_initial_state`.",
         (*extended, *(sign for sign in SIGNS if sign in used), "unit"),
         tuple(lets),
         results,

@@ -2,13 +2,13 @@
 
 from rigidsym.codegen.functions.attitude import (
     at_time,
+    constants_function,
     flat,
     from_angles,
     front,
     gains,
     parts,
     phase,
-    plan,
     secular,
     state_lets,
 )
@@ -30,20 +30,22 @@ def circular(solution: Solution) -> tuple[Function, ...]:
     ]
     timed = ("sin_v", "cos_v", "X_im", "X_re")
     return (
-        plan("circular", _plan(solution), (*_SPLIT, *kept, *ROWS, *GAINS), _SPLIT),
+        constants_function(
+            "circular", _constants(solution), (*_SPLIT, *kept, *ROWS, *GAINS), _SPLIT
+        ),
         at_time("circular", _angles(), flat(_SPLIT), timed),
         from_angles("circular", _state(solution), timed, (*kept, *ROWS, *GAINS)),
     )
 
 
-def _plan(solution: Solution) -> list[Let]:
+def _constants(solution: Solution) -> list[Let]:
     return [
         let("r = _root_ratio(k_1, kc_1)", "DLMF 20.9.1"),
         *select(
-            solution.programmes["scaling"], ("root_r", "Q", "Y"), ("r", "k_1", "B_d", "K", "B_a")
+            solution.sequences["scaling"], ("root_r", "Q", "Y"), ("r", "k_1", "B_d", "K", "B_a")
         ),
         let("K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)", "DLMF 19.8.12"),
-        *select(solution.programmes["scaling"], ("h_plus", "h_minus"), ("Q", "Y_b")),
+        *select(solution.sequences["scaling"], ("h_plus", "h_minus"), ("Q", "Y_b")),
         let("g = pi/(2*K_1)", "10"),
         *theta_circular.powers(),
         *theta_circular.zeta(),

@@ -2,12 +2,12 @@
 
 from rigidsym.codegen.functions.attitude import (
     at_time,
+    constants_function,
     flat,
     from_angles,
     front,
     gains,
     parts,
-    plan,
     secular,
     state_lets,
 )
@@ -31,15 +31,15 @@ def hyperbolic(solution: Solution) -> tuple[Function, ...]:
     timed = ("w", "p", "side", "flip", "X_im", "X_re")
     results = (*_SPLIT, *_BEYOND, *kept, *ROWS, *GAINS)
     return (
-        plan("hyperbolic", _plan(solution), results, _SPLIT),
+        constants_function("hyperbolic", _constants(solution), results, _SPLIT),
         at_time("hyperbolic", _angles(), (*flat(_SPLIT), *_BEYOND), timed),
         from_angles("hyperbolic", _state(solution), timed, (*kept, *ROWS, *GAINS)),
     )
 
 
-def _plan(solution: Solution) -> list[Let]:
+def _constants(solution: Solution) -> list[Let]:
     return [
-        *select(solution.programmes["shift"], ("s_beta", "c_beta", "d_beta"), INPUTS["shift"]),
+        *select(solution.sequences["shift"], ("s_beta", "c_beta", "d_beta"), INPUTS["shift"]),
         let("r = _root_ratio(kc_1, k_1)", "DLMF 20.9.1"),
         let("root_nome = kc_1/r", "DLMF 20.9.1"),
         let("nome = root_nome*root_nome", "DLMF 20.9.1"),
@@ -51,7 +51,7 @@ def _plan(solution: Solution) -> list[Let]:
         *theta_hyperbolic.coefficients(),
         *theta_hyperbolic.constants(),
         *secular(solution),
-        *_phase_at_start(),
+        *_phase_at_initial_state(),
         *theta_hyperbolic.values(),
         *front(solution, "2*theta2_y*watson", "1/sqrt(2*watson)"),
         *gains(solution, {"sn": "three/four", "cn": "two/four", "dn": "two/three"}),
@@ -75,7 +75,7 @@ def _descended() -> list[Let]:
     ]
 
 
-def _phase_at_start() -> list[Let]:
+def _phase_at_initial_state() -> list[Let]:
     """y at t = 0, the period of y, and the exponentials there."""
     return [
         # On the separatrix the nome is zero and nothing ever returns.

@@ -10,24 +10,24 @@ _QUATERNION = ("q0", "q1", "q2", "q3")
 
 def steady(solution: Solution) -> tuple[Function, ...]:
     """Plan, angle and state; the half angle is the phase of the other branches."""
-    programme = solution.programmes["steady"]
+    sequence = solution.sequences["steady"]
     given = ("Omega1", "Omega2", "Omega3")
     axis, start = ("axis1", "axis2", "axis3"), ("p0", "p1", "p2", "p3")
-    plan = [*select(programme, ("omega", *axis), given), let("Lambda_rate = omega/(2*pi)", "3")]
+    first = [*select(sequence, ("omega", *axis), given), let("Lambda_rate = omega/(2*pi)", "3")]
     turned = ("X_im", "X_re")
     # The half angle is omega t/2: its cosine and sine are those of the phase.
     state = [
         let("cos_half_theta = X_re", "3", facts=("reading steady.cos_half_theta",)),
         let("sin_half_theta = X_im", "3", facts=("reading steady.sin_half_theta",)),
-        *select(programme, _QUATERNION, ("sin_half_theta", "cos_half_theta", *axis, *start)),
+        *select(sequence, _QUATERNION, ("sin_half_theta", "cos_half_theta", *axis, *start)),
     ]
     results = ("Lambda_rate", *axis, *start)
     return (
         Function(
-            "_steady_plan",
+            "_steady_constants",
             "The axis and the rate of a motion with constant rates.",
             (*given, *start),
-            tuple(plan),
+            tuple(first),
             results,
             frozenset((*given, *start)),
             frozenset(("Lambda_rate",)),

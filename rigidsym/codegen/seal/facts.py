@@ -16,31 +16,31 @@ from rigidsym.solution import Formula, Solution
 # By function and the context of the fact: what the fact's names are there.
 _MEANINGS = {
     # The first step down: from k_c and the functions at t = 0.
-    ("_start", "landen"): {
+    ("_initial_state", "landen"): {
         **{"k_next": "k_1", "kc": "k_c", "kc_next": "kc_1"},
         **{"s": "sn", "c": "cn", "d": "dn"},
         **{"s_next": "s", "c_next": "c", "d_next": "d"},
     },
     # At t = 0 the phase has not turned.
-    ("_circular_plan", "theta_form"): {"X_re": "1", "X_im": "0"},
-    ("_hyperbolic_plan", "theta_form"): {"X_re": "1", "X_im": "0"},
+    ("_circular_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
+    ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
 }
 # Formulas that are a part of their fact; `states` puts the parts together and decides the whole.
 _PARTS_OF_FACTS = {
-    **{f"_{branch}_plan": (*ROWS, *GAINS) for branch in ("circular", "hyperbolic")},
+    **{f"_{branch}_constants": (*ROWS, *GAINS) for branch in ("circular", "hyperbolic")},
     **{f"_{branch}_state": STATE for branch in ("circular", "hyperbolic")},
     "_steady_state": ("cos_half_theta", "sin_half_theta"),
 }
-# The programmes that a function is made from: what they prove is named with its fact there.
+# The formula sequences that a function is made from: what they prove is named with its fact there.
 _MADE_FROM = {
-    "_excess": ("plan",),
-    "_start": ("plan", "theta", "landen"),
+    "_discriminant": ("constants",),
+    "_initial_state": ("constants", "theta", "landen"),
     "_landen": ("landen",),
-    "_circular_plan": ("plan", "scaling", "pull_back", "circular", "circular_state"),
+    "_circular_constants": ("constants", "scaling", "pull_back", "circular", "circular_state"),
     "_circular_state": ("circular_state", "rates"),
-    "_hyperbolic_plan": ("plan", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
+    "_hyperbolic_constants": ("constants", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
     "_hyperbolic_state": ("hyperbolic_state", "rates"),
-    "_steady_plan": ("steady",),
+    "_steady_constants": ("steady",),
     "_steady_state": ("steady",),
 }
 
@@ -62,8 +62,8 @@ def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]
 
 
 def by_fact(solution: Solution) -> dict[str, Formula]:
-    """The formulas of all programmes by the fact that proves them."""
-    return {formula.fact: formula for every in solution.programmes.values() for formula in every}
+    """The formulas of all sequences by the fact that proves them."""
+    return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
 def _proved(solution: Solution, place: str) -> set[str]:
@@ -71,8 +71,8 @@ def _proved(solution: Solution, place: str) -> set[str]:
     if place == "_ladder":
         return {f"K{n}" for n in range(landen.STEPS)}
     found = set()
-    for programme in _MADE_FROM.get(place, ()):
-        for formula in solution.programmes[programme]:
+    for sequence in _MADE_FROM.get(place, ()):
+        for formula in solution.sequences[sequence]:
             if not formula.fact.startswith("reading"):
                 context = formula.fact.split(".")[0]
                 meaning = _MEANINGS.get((place, context), {})

@@ -1,6 +1,6 @@
 """Rows, gains and states together: the ledger's attitude and rates.
 
-The plan multiplies constants out; the state sums them up.  Put into each other they are the
+The constants multiply constants out; the state sums them up.  Put into each other they are the
 formulas of the ledger, where 1/N is the product of over_N and scale, Jacobi's functions are
 quotients of thetas, and rates are in the unit.
 """
@@ -46,25 +46,25 @@ _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]:
     """Attitude, norm, phase and rates of each branch."""
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
-    rates = {formula.name: formula for formula in solution.programmes["rates"]}
+    rates = {formula.name: formula for formula in solution.sequences["rates"]}
     for branch in ("circular", "hyperbolic"):
-        plan, state = emitted[f"_{branch}_plan"], emitted[f"_{branch}_state"]
-        ledger = {formula.name: formula for formula in solution.programmes[f"{branch}_state"]}
-        yield from _attitude(branch, ledger, plan, state)
-        yield _norm(branch, plan, state)
-        yield from _phase(branch, ledger, plan)
-        yield from _rates(branch, rates, plan, state)
-    yield from _steady(solution, emitted["_steady_plan"], emitted["_steady_state"])
+        constants, state = emitted[f"_{branch}_constants"], emitted[f"_{branch}_state"]
+        ledger = {formula.name: formula for formula in solution.sequences[f"{branch}_state"]}
+        yield from _attitude(branch, ledger, constants, state)
+        yield _norm(branch, constants, state)
+        yield from _phase(branch, ledger, constants)
+        yield from _rates(branch, rates, constants, state)
+    yield from _steady(solution, emitted["_steady_constants"], emitted["_steady_state"])
 
 
 def _attitude(
     branch: str,
     ledger: Mapping[str, Formula],
-    plan: Mapping[str, Expression],
+    constants: Mapping[str, Expression],
     state: Mapping[str, Expression],
 ) -> Iterator[Claim]:
     bars = {name: ledger[name].expression for name in ledger if name.startswith("qbar_")}
-    rows = {name: plan[name] for name in plan if name.startswith("row_")}
+    rows = {name: constants[name] for name in constants if name.startswith("row_")}
     share = {name: f"{name}*over_N*scale{_FLIP[branch] * name.startswith('P1')}" for name in PARTS}
     shares = {name: parse(text) for name, text in share.items()} | {"N": Number(1)}
     for name in ATTITUDE:
@@ -73,11 +73,13 @@ def _attitude(
         yield Claim(f"_{branch}_state", formula.fact, derived, put(state[name], rows))
 
 
-def _norm(branch: str, plan: Mapping[str, Expression], state: Mapping[str, Expression]) -> Claim:
+def _norm(
+    branch: str, constants: Mapping[str, Expression], state: Mapping[str, Expression]
+) -> Claim:
     """over_N and scale are positive, and their product's square times W = N^2 is 1."""
     scale = put(state["scale"], {"over": state["over"]})
-    product = Operation("*", _squared(branch, plan["over_N"]), _squared(branch, scale))
-    square = Operation("*", product, plan["W"])
+    product = Operation("*", _squared(branch, constants["over_N"]), _squared(branch, scale))
+    square = Operation("*", product, constants["W"])
     return Claim(f"_{branch}_state", "over_N and scale", Number(1), square)
 
 
@@ -94,22 +96,24 @@ def _squared(place: str, positive: Expression) -> Expression:
 
 
 def _phase(
-    branch: str, ledger: Mapping[str, Formula], plan: Mapping[str, Expression]
+    branch: str, ledger: Mapping[str, Formula], constants: Mapping[str, Expression]
 ) -> Iterator[Claim]:
-    rate = {"Lambda_rate": plan["Lambda_rate"]}
+    rate = {"Lambda_rate": constants["Lambda_rate"]}
     for name, text in _PHASE.items():
         formula = ledger[name]
-        yield Claim(f"_{branch}_plan", formula.fact, formula.expression, put(parse(text), rate))
+        yield Claim(
+            f"_{branch}_constants", formula.fact, formula.expression, put(parse(text), rate)
+        )
 
 
 def _rates(
     branch: str,
     ledger: Mapping[str, Formula],
-    plan: Mapping[str, Expression],
+    constants: Mapping[str, Expression],
     state: Mapping[str, Expression],
 ) -> Iterator[Claim]:
     quotients = {name: parse(text) for name, text in _QUOTIENTS[branch].items()}
-    known = {name: plan[name] for name in plan if name.startswith("gain_")}
+    known = {name: constants[name] for name in constants if name.startswith("gain_")}
     known |= {"over": state["over"]}
     for name in RATES:
         formula = ledger[name]
@@ -118,12 +122,12 @@ def _rates(
 
 
 def _steady(
-    solution: Solution, plan: Mapping[str, Expression], state: Mapping[str, Expression]
+    solution: Solution, constants: Mapping[str, Expression], state: Mapping[str, Expression]
 ) -> Iterator[Claim]:
     """Half the angle is the phase."""
     ledger = by_fact(solution)
     angle = {"theta": ledger["steady.theta"].expression}
-    phase = {n: put(parse(x), {"Lambda_rate": plan["Lambda_rate"]}) for n, x in _PHASE.items()}
+    phase = {n: put(parse(x), {"Lambda_rate": constants["Lambda_rate"]}) for n, x in _PHASE.items()}
     for name in ("cos_half_theta", "sin_half_theta"):
         formula = ledger[f"reading steady.{name}"]
         derived = put(formula.expression, angle)

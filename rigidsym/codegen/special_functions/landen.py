@@ -23,7 +23,7 @@ def modulus_left() -> Fraction:
 
 def step(solution: Solution) -> Function:
     """One step, by the formulas of the ledger."""
-    lets = select(solution.programmes["landen"], _AFTER, INPUTS["landen"])
+    lets = select(solution.sequences["landen"], _AFTER, INPUTS["landen"])
     summary = "One step of Landen's descending transformation."
     return Function("_landen", summary, _GIVEN, lets, _AFTER, frozenset(_GIVEN))
 

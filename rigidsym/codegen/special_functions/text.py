@@ -1,4 +1,4 @@
-"""Expressions of kernels as text: sums with whole coefficients, and Horner's scheme."""
+"""Expressions of special functions as text: sums with whole coefficients, and Horner's scheme."""
 
 from collections.abc import Mapping, Sequence
 

@@ -94,13 +94,13 @@ class Book:
             here = replace(there, id=name, context=context, rule="transfer", certificate={})
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
-    def publish(self, programme: str, entries: Iterable[Entry]) -> None:
+    def publish(self, sequence: str, entries: Iterable[Entry]) -> None:
         """Offer proved facts and readings of names to the number wing, in order of evaluation."""
         listed = list(entries)
         for entry in listed:
             if not (self._is_reading(entry) if "reading" in entry else self._is_formula(entry)):
-                raise KernelError(f"{programme}: {entry} is neither a proved fact nor a reading")
-        self.ledger.published.setdefault("programmes", {})[programme] = listed
+                raise KernelError(f"{sequence}: {entry} is neither a proved fact nor a reading")
+        self.ledger.published.setdefault("sequences", {})[sequence] = listed
 
     def _is_reading(self, entry: Entry) -> bool:
         context = self.ledger.contexts.get(str(entry["context"]))

@@ -24,14 +24,14 @@ static void print_numbers(size_t n, const double *x)
 int main(void)
 {
     double given[10], t[MOST], q[4 * MOST], omega[3 * MOST];
-    torque_free_plan plan;
+    torque_free_motion motion;
     size_t n;
     while (read_numbers(10, given)) {
         if (scanf("%zu", &n) != 1 || n > MOST || !read_numbers(n, t))
             return 1;
-        int code = torque_free_plan_init(&plan, given, given + 3, given + 6);
+        int code = torque_free_motion_init(&motion, given, given + 3, given + 6);
         if (!code)
-            code = torque_free_states_at(&plan, n, t, q, omega);
+            code = torque_free_states_at(&motion, n, t, q, omega);
         printf("%d", code);
         for (size_t k = 0; !code && k < n; k++) {
             print_numbers(4, q + 4 * k);

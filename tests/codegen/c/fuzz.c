@@ -88,14 +88,14 @@ static void complain(const char *what, const double given[10], double t)
     broken++;
 }
 
-static void try_times(const torque_free_plan *plan, source *one, const double given[10])
+static void try_times(const torque_free_motion *motion, source *one, const double given[10])
 {
     const double rate = fabs(given[3]) + fabs(given[4]) + fabs(given[5]);
     for (int k = 0; k < TIMES; k++) {
         double q[4], omega[3];
         const double t = k == 0 ? 0.0 : k < 3 ? one() : within(40) / rate;
         feclearexcept(FE_ALL_EXCEPT);
-        const int code = torque_free_state_at(plan, t, q, omega);
+        const int code = torque_free_state_at(motion, t, q, omega);
         counts[code]++;
         if (code == TORQUE_FREE_OK && !is_state(q, omega))
             complain("no state", given, t);
@@ -107,16 +107,16 @@ static void try_times(const torque_free_plan *plan, source *one, const double gi
 static void try_motion(source *inertia, source *one)
 {
     double given[10];
-    torque_free_plan plan;
+    torque_free_motion motion;
     inertia_from(inertia, given);
     for (int k = 3; k < 10; k++)
         given[k] = one();
     feclearexcept(FE_ALL_EXCEPT);
-    const int code = torque_free_plan_init(&plan, given, given + 3, given + 6);
+    const int code = torque_free_motion_init(&motion, given, given + 3, given + 6);
     if (code == TORQUE_FREE_OK && !is_quiet())
         complain("an exception", given, 0.0);
     if (code == TORQUE_FREE_OK)
-        try_times(&plan, one, given);
+        try_times(&motion, one, given);
     else
         counts[code]++;
 }

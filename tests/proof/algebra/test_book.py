@@ -115,6 +115,6 @@ def test_only_proved_facts_and_readings_are_published(entry):
     good = [*facts("c", "one"), *readings("c", "x", "1")]
     assert good == [{"fact": "c.one"}, {"context": "c", "reading": "x", "source": ["1"]}]
     book.publish("good", good)
-    assert book.ledger.published == {"programmes": {"good": good}}
+    assert book.ledger.published == {"sequences": {"good": good}}
     with pytest.raises(KernelError, match="neither"):
         book.publish("bad", [entry])

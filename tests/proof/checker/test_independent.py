@@ -142,7 +142,7 @@ HARMLESS = [
     ("facts/6/id", "renamed"),
     ("facts/2/certificate/point/w", "1/7"),
     ("facts/6", GONE),
-    ("published", {"programmes": {"rates": [{"fact": "rate"}]}}),
+    ("published", {"sequences": {"rates": [{"fact": "rate"}]}}),
 ]
 
 # Things that the kernel lets pass, or may: they prove nothing false, but are not in order.

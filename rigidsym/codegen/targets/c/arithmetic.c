@@ -1,7 +1,7 @@
 /* What options of the compiler take away, asked of this very build: a `volatile` zero is in all numbers,
    so that no compiler knows the outcome. */
 
-static int is_pair(pair x, double hi, double lo)
+static int is_double_double(double_double x, double hi, double lo)
 {
     return fabs(x.hi - hi) <= 0.0 && fabs(x.lo - lo) <= 1e-30;
 }
@@ -12,13 +12,13 @@ static int sums_hold(void)
     const volatile double zero = 0.0;
     const double one = zero + 1.0, many = zero + 49.0, part = zero + 0.02040816326530612;
     const double tiny = zero + 8.673617379884035e-19;
-    const pair third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
-    return is_pair(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
-           is_pair(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
-           is_pair(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
-           is_pair(pair_mul_xx(third, third), over_9.hi, over_9.lo) &&
-           is_pair(pair_mul_xx(third, pair_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
-           is_pair(pair_mul_xd(seventh, many), 7.0, 0.0);
+    const double_double third = {one * over_3.hi, one * over_3.lo}, seventh = {one * over_7.hi, one * over_7.lo};
+    return is_double_double(two_sum(one, tiny), 1.0, 8.673617379884035e-19) &&
+           is_double_double(two_sum(-tiny, one), 1.0, -8.673617379884035e-19) &&
+           is_double_double(two_product(part, many), 0.9999999999999999, 3.122502256758253e-17) &&
+           is_double_double(dd_mul_xx(third, third), over_9.hi, over_9.lo) &&
+           is_double_double(dd_mul_xx(third, dd_mul_dx(one, over_5)), over_15.hi, over_15.lo) &&
+           is_double_double(dd_mul_xd(seventh, many), 7.0, 0.0);
 }
 
 /* Whether a difference of products has all its digits: clang's -ffp-contract=fast fuses sums with
@@ -28,11 +28,11 @@ static int differences_hold(void)
     static const double given[] = {0.7260104308260092, 0.48196654854338067, 0.3559016780679596,
                                    0.15335179025447007, 0.03588181116623288};
     const volatile double zero = 0.0;
-    pair x[5];
+    double_double x[5];
     for (int k = 0; k < 5; k++)
-        x[k] = pair_of(zero + given[k]);
-    const pair above = pair_add_xx(x[0], pair_neg(x[1])), below = pair_add_xx(x[1], pair_neg(x[2]));
-    return is_pair(excess_pair(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
+        x[k] = dd_of(zero + given[k]);
+    const double_double above = dd_add_xx(x[0], dd_neg(x[1])), below = dd_add_xx(x[1], dd_neg(x[2]));
+    return is_double_double(discriminant_dd(x[0], x[2], above, below, x[3], x[4]), 0.004108897986419382,
                    -6.277847770376781e-21);
 }
 
@@ -48,12 +48,12 @@ static int quotients_hold(void)
         {15.0, 22.0, 0.6818181818181818, 5.0464682937507114e-17},
         {13.0, 23.0, 0.5652173913043478, 4.344350965924526e-17}};
     const volatile double zero = 0.0;
-    const pair root = pair_sqrt(pair_of(zero + 2.0));
-    int holds = is_pair(root, 1.4142135623730951, -9.667293313452913e-17);
+    const double_double root = dd_sqrt(dd_of(zero + 2.0));
+    int holds = is_double_double(root, 1.4142135623730951, -9.667293313452913e-17);
     for (size_t k = 0; k < sizeof quotients / sizeof *quotients; k++) {
         const double *known = quotients[k], x = zero + known[0], y = zero + known[1];
-        holds &= is_pair(pair_div_xd(pair_of(x), y), known[2], known[3]);
-        holds &= is_pair(pair_div_dx(x, pair_of(y)), known[2], known[3]);
+        holds &= is_double_double(dd_div_xd(dd_of(x), y), known[2], known[3]);
+        holds &= is_double_double(dd_div_dx(x, dd_of(y)), known[2], known[3]);
     }
     return holds;
 }
@@ -66,16 +66,16 @@ static int angles_hold(void)
     enum { TIMES = 8 };
     const volatile double from = 35184372088829.0;
     double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
-    torque_free_circular plan;
+    torque_free_circular motion;
     int holds = 1;
-    memset(&plan, 0, sizeof plan);
-    plan.v_rate_hi = plan.Lambda_rate_hi = plan.v_hi = over_3.hi;
-    plan.v_rate_lo = plan.Lambda_rate_lo = plan.v_lo = over_3.lo;
+    memset(&motion, 0, sizeof motion);
+    motion.v_rate_hi = motion.Lambda_rate_hi = motion.v_hi = over_3.hi;
+    motion.v_rate_lo = motion.Lambda_rate_lo = motion.v_lo = over_3.lo;
     for (int i = 0; i < TIMES; i++) {
         t[i] = from + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&plan, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    circular_angles(&motion, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
     for (int i = 0; i < TIMES; i++) {
         holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
         holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;

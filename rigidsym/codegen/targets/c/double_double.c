@@ -1,5 +1,5 @@
 /* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
-   that breaks this shows in a macro: torque_free_plan_init looks, too. */
+   that breaks this shows in a macro: torque_free_motion_init looks, too. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
@@ -19,7 +19,7 @@ typedef char constants_must_be_doubles[sizeof 1.0 == sizeof(double) ? 1 : -1];
    errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2), 2017): 3 u^2 for
    sums, 5 u^2 for products, 15 u^2 for quotients; 25/8 u^2 for roots (Lefevre, Louvet, Muller, Picot
    and Rideau, ACM TOMS 49(1), 2023). */
-typedef struct { double hi, lo; } pair;
+typedef struct { double hi, lo; } double_double;
 
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
 #define fused(a, b, c) fma((a), (b), (c))
@@ -88,119 +88,119 @@ static inline double choose(double x, double y, double one, double other)
     return x <= y ? one : other;
 }
 
-static inline pair pair_of(double a)
+static inline double_double dd_of(double a)
 {
-    const pair x = {a, 0.0};
+    const double_double x = {a, 0.0};
     return x;
 }
 
 /* a + b exactly (Knuth). */
-static inline pair two_sum(double a, double b)
+static inline double_double two_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
     const double d = s - c;
-    const pair x = {s, (a - d) + (b - c)};
+    const double_double x = {s, (a - d) + (b - c)};
     return x;
 }
 
 /* a + b exactly, for |a| >= |b| (Dekker). */
-static inline pair quick_sum(double a, double b)
+static inline double_double quick_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
-    const pair x = {s, b - c};
+    const double_double x = {s, b - c};
     return x;
 }
 
 /* a b exactly. */
-static inline pair two_product(double a, double b)
+static inline double_double two_product(double a, double b)
 {
     const double p = a * b;
-    const pair x = {p, product_error(a, b, p)};
+    const double_double x = {p, product_error(a, b, p)};
     return x;
 }
 
-static inline pair pair_neg(pair x)
+static inline double_double dd_neg(double_double x)
 {
-    const pair y = {-x.hi, -x.lo};
+    const double_double y = {-x.hi, -x.lo};
     return y;
 }
 
-static inline pair pair_add_xx(pair x, pair y)
+static inline double_double dd_add_xx(double_double x, double_double y)
 {
-    const pair s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
-    const pair v = quick_sum(s.hi, s.lo + t.hi);
+    const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
+    const double_double v = quick_sum(s.hi, s.lo + t.hi);
     return quick_sum(v.hi, v.lo + t.lo);
 }
 
-static inline pair pair_add_xd(pair x, double y)
+static inline double_double dd_add_xd(double_double x, double y)
 {
-    const pair s = two_sum(x.hi, y);
+    const double_double s = two_sum(x.hi, y);
     return quick_sum(s.hi, s.lo + x.lo);
 }
 
-static inline pair pair_add_dx(double x, pair y) { return pair_add_xd(y, x); }
-static inline pair pair_sub_xx(pair x, pair y) { return pair_add_xx(x, pair_neg(y)); }
-static inline pair pair_sub_xd(pair x, double y) { return pair_add_xd(x, -y); }
-static inline pair pair_sub_dx(double x, pair y) { return pair_add_xd(pair_neg(y), x); }
+static inline double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
+static inline double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
+static inline double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
+static inline double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
 
-static inline pair pair_mul_xx(pair x, pair y)
+static inline double_double dd_mul_xx(double_double x, double_double y)
 {
-    const pair p = two_product(x.hi, y.hi);
+    const double_double p = two_product(x.hi, y.hi);
     return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-static inline pair pair_mul_xd(pair x, double y)
+static inline double_double dd_mul_xd(double_double x, double y)
 {
-    const pair p = two_product(x.hi, y);
+    const double_double p = two_product(x.hi, y);
     return quick_sum(p.hi, p.lo + x.lo * y);
 }
 
-static inline pair pair_mul_dx(double x, pair y) { return pair_mul_xd(y, x); }
+static inline double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
 
-static inline pair pair_div_xx(pair x, pair y)
+static inline double_double dd_div_xx(double_double x, double_double y)
 {
     const double q = x.hi / y.hi;
-    const pair r = pair_mul_xd(y, q);
+    const double_double r = dd_mul_xd(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
 }
 
-static inline pair pair_div_xd(pair x, double y)
+static inline double_double dd_div_xd(double_double x, double y)
 {
     const double q = x.hi / y;
-    const pair r = two_product(y, q);
+    const double_double r = two_product(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
 }
 
-static inline pair pair_div_dx(double x, pair y) { return pair_div_xx(pair_of(x), y); }
+static inline double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
 
-static inline pair pair_sqrt(pair x)
+static inline double_double dd_sqrt(double_double x)
 {
     const double s = sqrt(x.hi);
-    const pair r = two_product(s, s);
+    const double_double r = two_product(s, s);
     const double rest = (x.hi - r.hi) + (x.lo - r.lo);
     return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
 }
 
-static inline pair pair_size(pair x) { return x.hi < 0.0 ? pair_neg(x) : x; }
-static inline double pair_rounded(pair x) { return x.hi + x.lo; }
-static inline pair pair_choose(double x, double y, pair one, pair other)
+static inline double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
+static inline double dd_rounded(double_double x) { return x.hi + x.lo; }
+static inline double_double dd_choose(double x, double y, double_double one, double_double other)
 {
     return x <= y ? one : other;
 }
 
-static inline pair scaled(pair x, int exponent)
+static inline double_double scaled(double_double x, int exponent)
 {
-    const pair y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
+    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
     return y;
 }
 
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
-static inline double pair_exponent(pair x)
+static inline double dd_exponent(double_double x)
 {
     int e;
     return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
 }
 
-static inline pair pair_mantissa(pair x) { return scaled(x, -(int)pair_exponent(x)); }
+static inline double_double dd_mantissa(double_double x) { return scaled(x, -(int)dd_exponent(x)); }

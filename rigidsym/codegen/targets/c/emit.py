@@ -1,4 +1,4 @@
-"""Lets as C99: pairs of doubles by calls, doubles by operators.
+"""Lets as C99: double-doubles by calls, doubles by operators.
 
 `function` prints one function of lets; `read` is its inverse on one expression.
 """
@@ -20,13 +20,15 @@ from rigidsym.language.expression import (
     to_text,
 )
 
+# The type of extended numbers by what begins the names of its functions.
+_TYPES = {"dd": "double_double", "exact": "exact", "double": "double"}
 _VERBS = {"+": "add", "-": "sub", "*": "mul", "/": "div"}
 _DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponential"}
 _CALLED_BACK = {"fused": "fma", "fabs": "size", "exponential": "exp"}
 
 
 def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
-    """Operations on extended numbers as calls; `number` is their type in C, `pair` or `exact`."""
+    """Operations on extended numbers as calls; `number`: whose, `dd` or `exact`."""
     match expression:
         case Name() | Number():
             return expression
@@ -62,13 +64,14 @@ def function_lines(function: Function, number: str, signature: list[str], ends: 
     extended = function.all_extended()
     text, lets = list(signature), {}
     for let in fuse(function):
-        is_pair = is_extended(let.expression, extended)
+        is_double_double = is_extended(let.expression, extended)
         code = to_text(lowered(let.expression, extended, number), real=True)
         if len(let.targets) > 1:
-            text.append(f"    {number} {', '.join(let.targets)};")
+            text.append(f"    {_TYPES[number]} {', '.join(let.targets)};")
             code = f"{code[:-1]}, {', '.join(f'&{target}' for target in let.targets)})"
         else:
-            code = f"const {number if is_pair else 'double'} {let.targets[0]} = {code}"
+            kind = _TYPES[number] if is_double_double else "double"
+            code = f"const {kind} {let.targets[0]} = {code}"
         lets[len(text)] = let
         text.append(f"    {code};{_noted(let)}")
     return Lines((*text, *ends), lets)
@@ -85,7 +88,7 @@ def constant_text(constant: Constant) -> str:
     if constant.lo is None:
         return f"static const double {constant.name} = {hi}; /* {constant.meaning} */"
     lo = _literal(constant.lo)
-    return f"static const pair {constant.name} = {{{hi}, {lo}}}; /* {constant.meaning} */"
+    return f"static const double_double {constant.name} = {{{hi}, {lo}}}; /* {constant.meaning} */"
 
 
 def _literal(value: float) -> str:
@@ -95,7 +98,7 @@ def _literal(value: float) -> str:
 def read(line: str) -> Expression:
     """The expression of a printed line, without what only C needs."""
     text = line.split(" /*")[0].strip().rstrip(";")
-    text = re.sub(r"^const (double|pair|exact) \w+ = ", "", text)
+    text = re.sub(r"^const (double|double_double|exact) \w+ = ", "", text)
     text = re.sub(r"(?<![\w.])(\d+)\.0(?![\w.])", r"\1", text)
     return _read(parse(text))
 
@@ -113,7 +116,7 @@ def _read(expression: Expression) -> Expression:
 
 def _read_call(function: str, arguments: tuple[Expression, ...]) -> Expression:
     number, _, verb = function.partition("_")
-    if number not in ("pair", "exact"):
+    if number not in ("dd", "exact"):
         return Call(_CALLED_BACK.get(function, function), arguments)
     if verb == "of":
         return arguments[0]
@@ -124,7 +127,7 @@ def _read_call(function: str, arguments: tuple[Expression, ...]) -> Expression:
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """All functions in order, over pairs; `_excess` for exact numbers too."""
+    """All functions in order, over double-doubles; `_discriminant` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
     with_time = changing(functions)
@@ -138,12 +141,12 @@ def changing(functions: Iterable[Function]) -> frozenset[str]:
 
 
 def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
-    """A function as it is printed, `_excess` twice; `with_time` is what changes with time."""
-    if function.name == "_excess":
+    """A function as it is printed, `_discriminant` twice; `with_time` is what changes with time."""
+    if function.name == "_discriminant":
         every = replace(function, extended=frozenset(function.parameters))
-        return [_valued(every, number, f"excess_{number}") for number in ("pair", "exact")]
+        return [_valued(every, number, f"discriminant_{number}") for number in ("dd", "exact")]
     if function.rounds:
-        return [_plan(function)]
+        return [_constants(function)]
     if len(function.parameters) == 1 and not function.extended:
         return [_valued(function, "double", function.name[1:], "inline double")]
     if function.extended:
@@ -151,10 +154,10 @@ def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
     return [_loop(function, with_time)]
 
 
-def branch_struct(plan: Function) -> str:
-    """The constants that a plan leaves, as a struct."""
-    lines = [f"    double {', '.join(row)};" for row in batched(flat_results(plan))]
-    return "\n".join(["typedef struct {", *lines, f"}} torque_free_{branch(plan)};"])
+def branch_struct(function: Function) -> str:
+    """The constants that a function leaves, as a struct."""
+    lines = [f"    double {', '.join(row)};" for row in batched(flat_results(function))]
+    return "\n".join(["typedef struct {", *lines, f"}} torque_free_{branch(function)};"])
 
 
 def branch(function: Function) -> str:
@@ -174,7 +177,7 @@ def batched(items: list[str], width: int = 84) -> list[list[str]]:
 
 def _parameters(function: Function) -> list[str]:
     return [
-        f"{'pair' if name in function.extended else 'double'} {name}"
+        f"{'double_double' if name in function.extended else 'double'} {name}"
         for name in function.parameters
     ]
 
@@ -186,34 +189,35 @@ def _head(kind: str, name: str, parameters: list[str], summary: str) -> list[str
 
 
 def _valued(function: Function, number: str, name: str, kind: str = "") -> Lines:
-    parameters = [f"{number} {p}" for p in function.parameters]
-    head = _head(kind or number, name, parameters, function.summary)
+    kind_of = _TYPES[number]
+    parameters = [f"{kind_of} {p}" for p in function.parameters]
+    head = _head(kind or kind_of, name, parameters, function.summary)
     return function_lines(function, number, head, [f"    return {function.results[0]};", "}", ""])
 
 
 def _extended_function(function: Function) -> Lines:
     name, results = function.name[1:], function.results
     if len(results) == 1:
-        head = _head("pair", name, _parameters(function), function.summary)
-        return function_lines(function, "pair", head, [f"    return {results[0]};", "}", ""])
-    outputs = [f"pair *{result}_out" for result in results]
+        head = _head(_TYPES["dd"], name, _parameters(function), function.summary)
+        return function_lines(function, "dd", head, [f"    return {results[0]};", "}", ""])
+    outputs = [f"double_double *{result}_out" for result in results]
     head = _head("void", name, _parameters(function) + outputs, function.summary)
     ends = [f"    *{result}_out = {result};" for result in results]
-    return function_lines(function, "pair", head, [*ends, "}", ""])
+    return function_lines(function, "dd", head, [*ends, "}", ""])
 
 
-def _plan(function: Function) -> Lines:
-    output = f"torque_free_{branch(function)} *plan"
+def _constants(function: Function) -> Lines:
+    output = f"torque_free_{branch(function)} *motion"
     head = _head("void", function.name[1:], [*_parameters(function), output], function.summary)
     extended = function.all_extended()
     ends = []
     for name in function.results:
         if name in function.split:
-            ends += [f"    plan->{name}_hi = {name}.hi;", f"    plan->{name}_lo = {name}.lo;"]
+            ends += [f"    motion->{name}_hi = {name}.hi;", f"    motion->{name}_lo = {name}.lo;"]
         else:
-            value = f"pair_rounded({name})" if name in extended else name
-            ends.append(f"    plan->{name} = {value};")
-    return function_lines(function, "pair", head, [*ends, "}", ""])
+            value = f"dd_rounded({name})" if name in extended else name
+            ends.append(f"    motion->{name} = {value};")
+    return function_lines(function, "dd", head, [*ends, "}", ""])
 
 
 def _loop(function: Function, with_time: frozenset[str]) -> Lines:
@@ -221,15 +225,15 @@ def _loop(function: Function, with_time: frozenset[str]) -> Lines:
     timed = [name for name in function.parameters if name in with_time]
     used = function.used()
     kept = [name for name in function.parameters if name not in with_time and name in used]
-    parameters = [f"const torque_free_{branch(function)} *plan", "size_t n"]
+    parameters = [f"const torque_free_{branch(function)} *motion", "size_t n"]
     parameters += [f"const double *restrict {name}_in" for name in timed]
     parameters += [f"double *restrict {name}_out" for name in function.results]
     head = _head("void", function.name[1:], parameters, function.summary)
-    head += [f"    const double {name} = plan->{name};" for name in kept]
+    head += [f"    const double {name} = motion->{name};" for name in kept]
     head += ["    for (size_t i = 0; i < n; i++) {"]
     head += [f"        const double {name} = {name}_in[i];" for name in timed]
     ends = [f"        {name}_out[i] = {name};" for name in function.results]
-    lines = function_lines(function, "pair", head, [*ends, "    }", "}", ""])
+    lines = function_lines(function, "dd", head, [*ends, "    }", "}", ""])
     start = len(head)
     text = tuple(
         f"    {line}" if start <= k < start + len(function.lets) else line

@@ -1,12 +1,12 @@
 /* An exact number is the sum of non-overlapping doubles, smallest first (Shewchuk, Discrete and
-   Computational Geometry 18, 1997).  32 parts hold any value of `excess`. */
+   Computational Geometry 18, 1997).  32 parts hold any value of `discriminant`. */
 typedef struct { int size; double part[32]; } exact;
 
 static void exact_grow(exact *x, double a)
 {
     int size = 0;
     for (int i = 0; i < x->size; i++) {
-        const pair s = two_sum(a, x->part[i]);
+        const double_double s = two_sum(a, x->part[i]);
         if (s.lo < 0.0 || s.lo > 0.0)
             x->part[size++] = s.lo;
         a = s.hi;
@@ -34,18 +34,18 @@ static exact exact_mul_xx(exact x, exact y)
     exact z = {0, {0.0}};
     for (int i = 0; i < x.size; i++)
         for (int j = 0; j < y.size; j++) {
-            const pair p = two_product(x.part[i], y.part[j]);
+            const double_double p = two_product(x.part[i], y.part[j]);
             exact_grow(&z, p.lo);
             exact_grow(&z, p.hi);
         }
     return z;
 }
 
-static pair exact_to_pair(exact x)
+static double_double exact_to_dd(exact x)
 {
-    pair sum = {0.0, 0.0};
+    double_double sum = {0.0, 0.0};
     for (int i = 0; i < x.size; i++)
-        sum = pair_add_xd(sum, x.part[i]);
+        sum = dd_add_xd(sum, x.part[i]);
     return sum;
 }
 

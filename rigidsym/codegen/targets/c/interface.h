@@ -3,62 +3,62 @@ enum {
     TORQUE_FREE_OK = 0,
     TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
     TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^@thinnest@ of another */
+    TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^@min_moment_ratio@ of another */
     TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
     TORQUE_FREE_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
                                    about the middle axis, from which binary64 cannot tell it */
-    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@farthest@ rad, or t is infinite or no number */
-    TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^@fastest@ rad/s */
+    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@max_angle@ rad, or t is infinite or no number */
+    TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^@max_rate@ rad/s */
     TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
 };
 
-/* The constants of one motion; written by torque_free_plan_init, read by all others. */
+/* The constants of one motion; written by torque_free_motion_init, read by all others. */
 typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
     int blurred;         /* whether TORQUE_FREE_SEPARATRIX is what later times are refused for */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
-    double farthest;     /* the largest inner time */
+    double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
     union {
 @branches@
     } of;
-} torque_free_plan;
+} torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
    inertial, of any length but zero.  Returns a code above. */
-int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4]);
 
 /* The same for numbers known beyond binary64, each the sum of two doubles {hi, lo}; sizes are as if
    the largest moment and the largest rate were between 1/2 and 4.  What pairs would lose by
-   subtraction is asked for, right to all digits of a pair: differences, moments 0 less 1, 1 less 2
-   and 2 less 0, and excess, K^2 - 2 H c_b, b the middle axis, whose sign is the regime's.  Rates are
+   subtraction is asked for, right to all digits of a double_double: differences, moments 0 less 1, 1 less 2
+   and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis, whose sign is the regime's.  Rates are
    times `unit` rad/s, a power of two. */
-int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
+int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
                                 const double differences[3][2], const double omega0[3][2],
-                                const double attitude0[4][2], const double excess[2], double unit);
+                                const double attitude0[4][2], const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
    attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_TIME
    or TORQUE_FREE_SEPARATRIX. */
-int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3]);
+int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
    not overlap each other or t.  Returns 0, TORQUE_FREE_TIME
    or TORQUE_FREE_SEPARATRIX. */
-int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega);
 
 /* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n <= 2^53.
    Sines are evaluated once in 64 samples, but near the separatrix.  A grid in parts, each begun at a
    multiple of 64, has the same bits as the whole. */
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
+int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
                                size_t n, double *q, double *omega);
 
-/* A plan and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
+/* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
    codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
    NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
@@ -67,11 +67,11 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
                           const double *attitude0, size_t n, const double *t, double *q,
                           double *omega, int *codes, size_t *failed);
 
-/* The largest |t| (s) that a plan has states for. */
-double torque_free_last_time(const torque_free_plan *plan);
+/* The largest |t| (s) that a motion has states for. */
+double torque_free_last_time(const torque_free_motion *motion);
 
-/* sizeof(torque_free_plan), and the digest of the header and the source, for who loads a library. */
-size_t torque_free_plan_size(void);
+/* sizeof(torque_free_motion), and the digest of the header and the source, for who loads a library. */
+size_t torque_free_motion_size(void);
 const char *torque_free_digest(void);
 
 /* What a code means, in one line. */

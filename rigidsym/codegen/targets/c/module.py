@@ -1,4 +1,4 @@
-"""The C module: a header and a source, from pairs, derived functions and frame."""
+"""The C module: a header and a source, from double-doubles, derived functions and runtime."""
 
 from importlib import resources
 
@@ -26,7 +26,7 @@ a state takes four times as long, and without -fno-trapping-math gcc takes a fif
 x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
 -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
 options that reorder sums or approximate quotients (-fassociative-math,
--funsafe-math-optimizations), and directed rounding, by every plan.  Without hardware fused
+-funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
 long. */
 """
@@ -68,7 +68,7 @@ _LAST = """
 def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Module:
     """Input: functions of lets and the numbers they name.  Output: the module."""
     by_name = {function.name: function for function in functions}
-    plans = [function for function in functions if function.rounds]
+    constants_of = [function for function in functions if function.rounds]
     whole = joined(
         [
             Lines.plain(_INCLUDES + "\n"),
@@ -76,17 +76,17 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
             Lines.plain(_part("exact.c") + "\n"),
             *emit.module(functions, constants),
             Lines.plain(_part("arithmetic.c") + "\n\n"),
-            Lines.plain(_frame(by_name)),
+            Lines.plain(_runtime(by_name)),
         ]
     )
-    files = {HEADER: _header(plans), SOURCE: "\n".join(whole.text) + "\n"}
+    files = {HEADER: _header(constants_of), SOURCE: "\n".join(whole.text) + "\n"}
     files, digest = header.sealed(files, "c")
     return Module(files, {SOURCE: whole.lets}, digest)
 
 
-def _header(plans: list[Function]) -> str:
-    structs = "\n\n".join(emit.branch_struct(plan) for plan in plans)
-    members = "\n".join(f"        torque_free_{b} {b};" for b in map(emit.branch, plans))
+def _header(constants_of: list[Function]) -> str:
+    structs = "\n\n".join(emit.branch_struct(one) for one in constants_of)
+    members = "\n".join(f"        torque_free_{b} {b};" for b in map(emit.branch, constants_of))
     interface = _limited(_part("interface.h").replace("@branches@", members))
     head = _HEAD.format(text=header.text("c"))
     return "\n".join([head, _FIRST, structs, "", interface, _LAST.strip("\n"), ""])
@@ -99,12 +99,12 @@ def _limited(text: str) -> str:
     return text
 
 
-def _frame(by_name: dict[str, Function]) -> str:
-    start = by_name["_start"]
+def _runtime(by_name: dict[str, Function]) -> str:
+    start = by_name["_initial_state"]
     places = {
-        "@started@": ", ".join(start.results),
-        "@start given@": ", ".join(start.parameters),
-        "@started out@": ", ".join(f"&{name}" for name in start.results),
+        "@initial@": ", ".join(start.results),
+        "@initial given@": ", ".join(start.parameters),
+        "@initial out@": ", ".join(f"&{name}" for name in start.results),
     }
     places["@limits@"] = "\n".join(
         f"static const double {limit.name} = {2.0**limit.exponent!r}; "
@@ -112,7 +112,7 @@ def _frame(by_name: dict[str, Function]) -> str:
         for limit in LIMITS
     )
     for branch in ("circular", "hyperbolic"):
-        places[f"@{branch} given@"] = ", ".join(by_name[f"_{branch}_plan"].parameters)
+        places[f"@{branch} given@"] = ", ".join(by_name[f"_{branch}_constants"].parameters)
     text = _part("runtime.c")
     for mark, meaning in places.items():
         text = text.replace(mark, meaning)

@@ -13,14 +13,16 @@ from rigidsym.codegen.targets.c import emit, module
 from rigidsym.errors import InputError
 from rigidsym.language.expression import Call, Expression, children, rebuild
 
-_SET = re.compile(r"const (?:double|pair|exact) (\w+) = (.*);")
+_SET = re.compile(r"const (?:double|double_double|exact) (\w+) = (.*);")
 _CALL = re.compile(r"(\w+\(.*?), (&\w+(?:, &\w+)*)\);")
 _STORES = (
     re.compile(r"\*(\w+)_out = (\w+);"),
     re.compile(r"(\w+)_out\[i\] = (\w+);"),
-    re.compile(r"plan->(\w+) = (?:pair_rounded\((?=\w+\)))?([\w.]+)\)?;"),
+    re.compile(r"motion->(\w+) = (?:dd_rounded\((?=\w+\)))?([\w.]+)\)?;"),
 )
-_FRAME = re.compile(r"(?:pair|exact) \w+(?:, \w+)*;|for \(size_t i = 0; i < n; i\+\+\) \{|\}")
+_FRAME = re.compile(
+    r"(?:double_double|exact) \w+(?:, \w+)*;|for \(size_t i = 0; i < n; i\+\+\) \{|\}"
+)
 
 
 def check(
@@ -52,9 +54,9 @@ def _check_numbers(
 
 def _printed(function: Function) -> Iterator[tuple[str, Function]]:
     """The functions of C that print this one."""
-    if function.name == "_excess":
+    if function.name == "_discriminant":
         every = replace(function, extended=frozenset(function.parameters))
-        yield from (("excess_pair", every), ("excess_exact", every))
+        yield from (("discriminant_dd", every), ("discriminant_exact", every))
     else:
         yield function.name[1:], function
 
@@ -85,9 +87,9 @@ def _check_function(name: str, function: Function, lines: list[str]) -> None:
 
 
 def _is_load(line: str) -> bool:
-    """A parameter that comes from the plan or from an array, under its own name."""
+    """A parameter that comes from the motion or from an array, under its own name."""
     found = _SET.fullmatch(line)
-    return bool(found) and found[2] in (f"plan->{found[1]}", f"{found[1]}_in[i]")
+    return bool(found) and found[2] in (f"motion->{found[1]}", f"{found[1]}_in[i]")
 
 
 def _check_line(name: str, line: str, expected: tuple[Let, Let] | None) -> None:

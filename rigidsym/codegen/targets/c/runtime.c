@@ -20,16 +20,16 @@ static int all_finite(size_t n, const double *x)
     return 1;
 }
 
-static int is_zero(pair x) { return !(x.hi < 0.0 || x.hi > 0.0); }
+static int is_zero(double_double x) { return !(x.hi < 0.0 || x.hi > 0.0); }
 
 /* c_j - c_k of two different axes, from what each moment is above the next in turn. */
-static pair difference(const pair apart[3], int j, int k)
+static double_double difference(const double_double apart[3], int j, int k)
 {
-    return k == (j + 1) % 3 ? apart[j] : pair_neg(apart[k]);
+    return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
 /* True where momentum and rates are parallel. */
-static int is_steady(const pair apart[3], const pair omega[3])
+static int is_steady(const double_double apart[3], const double_double omega[3])
 {
     for (int j = 0; j < 3; j++)
         if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
@@ -38,7 +38,7 @@ static int is_steady(const pair apart[3], const pair omega[3])
 }
 
 /* The axes by their moments, largest first; equal ones stay in their order. */
-static void sorted(const pair apart[3], int axis[3])
+static void sorted(const double_double apart[3], int axis[3])
 {
     for (int k = 0; k < 3; k++)
         axis[k] = k;
@@ -51,86 +51,86 @@ static void sorted(const pair apart[3], int axis[3])
             }
 }
 
-/* E_b of doubles to all digits of a pair: in exact arithmetic where its terms cancel. */
-static pair excess_of(const pair c[3], const pair apart[3], const pair omega[3], const int axis[3])
+/* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
+static double_double discriminant_of(const double_double c[3], const double_double apart[3], const double_double omega[3], const int axis[3])
 {
-    const pair c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
-    const pair c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
-    const pair zero = {0.0, 0.0};
+    const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    const double_double c_ab = difference(apart, axis[0], axis[1]), c_bd = difference(apart, axis[1], axis[2]);
+    const double_double zero = {0.0, 0.0};
     const double rates[2] = {omega[axis[0]].hi, omega[axis[2]].hi};
     const int scale = exponent_of(2, rates);
-    const pair a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
-    const pair over = excess_pair(c_a, c_d, c_ab, c_bd, a, zero);
-    const pair under = excess_pair(c_a, c_d, c_ab, c_bd, zero, d);
-    const pair sum = pair_add_xx(over, under);
+    const double_double a = scaled(omega[axis[0]], -scale), d = scaled(omega[axis[2]], -scale);
+    const double_double over = discriminant_dd(c_a, c_d, c_ab, c_bd, a, zero);
+    const double_double under = discriminant_dd(c_a, c_d, c_ab, c_bd, zero, d);
+    const double_double sum = dd_add_xx(over, under);
     if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)
         return scaled(sum, 2 * scale);
     const exact moment_b = exact_of(c_b.hi);
     const exact above = exact_sub_xx(exact_of(c_a.hi), moment_b);
     const exact below = exact_sub_xx(moment_b, exact_of(c_d.hi));
-    return scaled(exact_to_pair(excess_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
+    return scaled(exact_to_dd(discriminant_exact(exact_of(c_a.hi), exact_of(c_d.hi), above, below,
                                              exact_of(a.hi), exact_of(d.hi))),
                   2 * scale);
 }
 
-static void steady_init(torque_free_plan *plan, const pair omega[3], const pair q[4])
+static void steady_init(torque_free_motion *motion, const double_double omega[3], const double_double q[4])
 {
-    pair rates[3] = {omega[0], omega[1], omega[2]};
+    double_double rates[3] = {omega[0], omega[1], omega[2]};
     const int at_rest = is_zero(omega[0]) && is_zero(omega[1]) && is_zero(omega[2]);
     if (at_rest)
-        rates[0] = pair_of(1.0);
-    plan->branch = 0;
-    steady_plan(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &plan->of.steady);
+        rates[0] = dd_of(1.0);
+    motion->branch = 0;
+    steady_constants(rates[0], rates[1], rates[2], q[0], q[1], q[2], q[3], &motion->of.steady);
     if (at_rest)
-        plan->unit = plan->of.steady.Lambda_rate_hi = plan->of.steady.Lambda_rate_lo = 0.0;
+        motion->unit = motion->of.steady.Lambda_rate_hi = motion->of.steady.Lambda_rate_lo = 0.0;
 }
 
 /* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
-static void limit(torque_free_plan *plan, double rate, double other)
+static void limit(torque_free_motion *motion, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
     if (largest > 16.0)
-        plan->farthest = fmin(plan->farthest, 16.0 * farthest / largest);
+        motion->max_angle = fmin(motion->max_angle, 16.0 * max_angle / largest);
 }
 
 /* Whether doubles hold all constants of a motion and its rates, up to their amplitudes. */
 static int is_held(double unit, const double *amplitude, size_t n, const double *constants)
 {
     for (int k = 0; k < 3; k++)
-        if (!(amplitude[k] * unit <= fastest))
+        if (!(amplitude[k] * unit <= max_rate))
             return 0;
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_plan *plan, const pair inertia[3], const pair apart[3],
-                       const pair omega[3], const pair q[4], pair E_b)
+static int moving_init(torque_free_motion *motion, const double_double inertia[3], const double_double apart[3],
+                       const double_double omega[3], const double_double q[4], double_double E_b)
 {
-    const int *axis = plan->axis;
-    const pair c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
-    const pair c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
-    const pair c_bd = difference(apart, axis[1], axis[2]);
-    const pair Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
-    const pair q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
+    const int *axis = motion->axis;
+    const double_double c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
+    const double_double c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
+    const double_double c_bd = difference(apart, axis[1], axis[2]);
+    const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
+    const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
     const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
     const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
     const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
     const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
-    const double unit = plan->unit, *constants;
+    const double unit = motion->unit, *constants;
     size_t n;
-    pair @started@;
-    start(@start given@, @started out@);
+    double_double @initial@;
+    initial_state(@initial given@, @initial out@);
     if (k_1.hi * k_1.hi <= 0.5) {
-        plan->branch = 1;
-        circular_plan(@circular given@, &plan->of.circular);
-        limit(plan, plan->of.circular.v_rate_hi, plan->of.circular.Lambda_rate_hi);
-        constants = (const double *)&plan->of.circular;
-        n = sizeof plan->of.circular / sizeof *constants;
+        motion->branch = 1;
+        circular_constants(@circular given@, &motion->of.circular);
+        limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
+        constants = (const double *)&motion->of.circular;
+        n = sizeof motion->of.circular / sizeof *constants;
     } else {
-        plan->branch = 2;
-        hyperbolic_plan(@hyperbolic given@, &plan->of.hyperbolic);
-        limit(plan, plan->of.hyperbolic.y_rate_hi, plan->of.hyperbolic.Lambda_rate_hi);
-        constants = (const double *)&plan->of.hyperbolic;
-        n = sizeof plan->of.hyperbolic / sizeof *constants;
+        motion->branch = 2;
+        hyperbolic_constants(@hyperbolic given@, &motion->of.hyperbolic);
+        limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
+        constants = (const double *)&motion->of.hyperbolic;
+        n = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
     return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
@@ -153,10 +153,10 @@ static double log2_sum(double x, double y)
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
    no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
    zero, of the spin both are.  What of them is not zero may grow to 2^@tolerated@ of the momentum. */
-static void follow(torque_free_plan *plan, const pair c[3], const pair apart[3], pair omega[3],
-                   const pair given[3], pair *E_b, int is_faint)
+static void follow(torque_free_motion *motion, const double_double c[3], const double_double apart[3], double_double omega[3],
+                   const double_double given[3], double_double *E_b, int is_faint)
 {
-    const int *axis = plan->axis;
+    const int *axis = motion->axis;
     const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double over = fabs(difference(apart, axis[0], axis[1]).hi);
     const double under = fabs(difference(apart, axis[1], axis[2]).hi);
@@ -183,44 +183,44 @@ static void follow(torque_free_plan *plan, const pair c[3], const pair apart[3],
     const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
                         (is_spin ? size : distance - size);
     const double bits = log2(tolerated) + room;
-    plan->farthest = bits > 0.0 ? fmin(log(2.0) * bits / growth, farthest) : 0.0;
-    plan->blurred = plan->farthest < farthest;
-    *E_b = pair_of(0.0);
+    motion->max_angle = bits > 0.0 ? fmin(log(2.0) * bits / growth, max_angle) : 0.0;
+    motion->blurred = motion->max_angle < max_angle;
+    *E_b = dd_of(0.0);
     for (int k = 0; k < 3 && is_spin; k += 2)
-        omega[axis[k]] = pair_of(0.0);
+        omega[axis[k]] = dd_of(0.0);
 }
 
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
    before faint ones were taken for zero. */
-static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], const pair given[3],
-                const pair q[4], const pair *known, double unit)
+static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
+                const double_double q[4], const double_double *known, double unit)
 {
-    torque_free_plan made;
-    pair omega[3], length = pair_mul_xx(q[0], q[0]), unit_q[4];
+    torque_free_motion made;
+    double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
     memset(&made, 0, sizeof made);
     for (int k = 0; k < 3; k++) {
-        omega[k] = fabs(given[k].hi) < negligible ? pair_of(0.0) : given[k];
-        length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));
+        omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
+        length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
     }
-    length = pair_sqrt(length);
+    length = dd_sqrt(length);
     made.unit = unit;
-    made.farthest = farthest;
+    made.max_angle = max_angle;
     for (int k = 0; k < 4; k++) {
-        unit_q[k] = pair_div_xx(q[k], length);
-        made.q0[k] = pair_rounded(unit_q[k]);
+        unit_q[k] = dd_div_xx(q[k], length);
+        made.q0[k] = dd_rounded(unit_q[k]);
     }
     for (int k = 0; k < 3; k++)
         made.omega0[k] = given[k].hi * unit;
     sorted(apart, made.axis);
-    pair excess = known ? *known : excess_of(c, apart, omega, made.axis);
+    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, made.axis);
     const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
-    const int faint = !is_zero(excess) && fabs(excess.hi) < faintest;
+    const int faint = !is_zero(discriminant) && fabs(discriminant.hi) < min_discriminant;
     int lost = 0;
     for (int k = 0; k < 3; k += 2)
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
-        follow(&made, c, apart, omega, given, &excess, faint);
-    if (excess.hi < 0.0) {
+        follow(&made, c, apart, omega, given, &discriminant, faint);
+    if (discriminant.hi < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
@@ -232,16 +232,16 @@ static int init(torque_free_plan *plan, const pair c[3], const pair apart[3], co
     if (steady)
         steady_init(&made, omega, unit_q);
     else
-        code = moving_init(&made, c, apart, omega, unit_q, excess);
+        code = moving_init(&made, c, apart, omega, unit_q, discriminant);
     if (code == TORQUE_FREE_OK)
-        *plan = made;
+        *motion = made;
     return code;
 }
 
-int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const double omega0[3],
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4])
 {
-    pair c[3], apart[3], omega[3], q[4];
+    double_double c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
@@ -253,16 +253,16 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     const int q_scale = exponent_of(4, attitude0);
     int is_zero_attitude = 1;
     for (int k = 0; k < 3; k++) {
-        c[k] = pair_of(ldexp(inertia[k], -c_scale));
-        omega[k] = pair_of(ldexp(omega0[k], -scale));
+        c[k] = dd_of(ldexp(inertia[k], -c_scale));
+        omega[k] = dd_of(ldexp(omega0[k], -scale));
         /* What is not zero stays so. */
-        if (is_zero(omega[k]) && !is_zero(pair_of(omega0[k])))
-            omega[k] = pair_of(copysign(4.9406564584124654e-324, omega0[k]));
+        if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
+            omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (ldexp(least, -c_scale) < thinnest)
+    if (ldexp(least, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_THIN;
     for (int k = 0; k < 4; k++) {
-        q[k] = pair_of(ldexp(attitude0[k], -q_scale));
+        q[k] = dd_of(ldexp(attitude0[k], -q_scale));
         is_zero_attitude = is_zero_attitude && is_zero(q[k]);
     }
     if (is_zero_attitude)
@@ -270,24 +270,24 @@ int torque_free_plan_init(torque_free_plan *plan, const double inertia[3], const
     /* Differences of doubles are pairs exactly. */
     for (int k = 0; k < 3; k++)
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
-    const int code = init(plan, c, apart, omega, q, NULL, ldexp(1.0, scale));
+    const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
-        plan->omega0[k] = omega0[k];
+        motion->omega0[k] = omega0[k];
     return code;
 }
 
-int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][2],
+int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
                                 const double differences[3][2], const double omega0[3][2],
-                                const double attitude0[4][2], const double excess[2], double unit)
+                                const double attitude0[4][2], const double discriminant[2], double unit)
 {
-    pair c[3], apart[3], omega[3], q[4];
+    double_double c[3], apart[3], omega[3], q[4];
     for (int k = 0; k < 4; k++) {
-        const pair one = {attitude0[k][0], attitude0[k][1]};
+        const double_double one = {attitude0[k][0], attitude0[k][1]};
         q[k] = one;
     }
     for (int k = 0; k < 3; k++) {
-        const pair moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
-        const pair above = {differences[k][0], differences[k][1]};
+        const double_double moment = {inertia[k][0], inertia[k][1]}, rate = {omega0[k][0], omega0[k][1]};
+        const double_double above = {differences[k][0], differences[k][1]};
         c[k] = moment;
         apart[k] = above;
         omega[k] = rate;
@@ -295,26 +295,26 @@ int torque_free_plan_init_pairs(torque_free_plan *plan, const double inertia[3][
             return TORQUE_FREE_NOT_FINITE;
         if (!(moment.hi > 0.0))
             return TORQUE_FREE_INERTIA;
-        if (moment.hi < thinnest || moment.hi > 4.0)
+        if (moment.hi < min_moment_ratio || moment.hi > 4.0)
             return TORQUE_FREE_THIN;
         if (fabs(rate.hi) > 4.0)
             return TORQUE_FREE_RATES;
     }
-    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, excess) || !isfinite(unit))
+    if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
         return TORQUE_FREE_NOT_FINITE;
     if (!(unit > 0.0))
         return TORQUE_FREE_RATES;
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
-    const pair known = {excess[0], excess[1]};
-    return init(plan, c, apart, omega, q, &known, unit);
+    const double_double known = {discriminant[0], discriminant[1]};
+    return init(motion, c, apart, omega, q, &known, unit);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
-static int scaled_times(const torque_free_plan *plan, size_t n, const double *restrict t,
+static int scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
                         double *restrict inner, int *zero)
 {
-    const double unit = plan->unit, last = plan->farthest;
+    const double unit = motion->unit, last = motion->max_angle;
     int bad = 0, zeros = 0;
     for (size_t i = 0; i < n; i++) {
         inner[i] = unit * t[i];
@@ -348,16 +348,16 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
 
 /* n states from what changes with time: two rows on the steady branch, four on the circular one, six
    on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
-static void block_states(const torque_free_plan *plan, size_t n, size_t s, const double *restrict in,
+static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
-    const int *axis = plan->axis;
+    const int *axis = motion->axis;
     double *row[7];
-    if (plan->branch == 0) {
-        steady_state(&plan->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
+    if (motion->branch == 0) {
+        steady_state(&motion->of.steady, n, in, in + s, out, out + s, out + 2 * s, out + 3 * s);
         for (size_t i = 0; i < n; i++)
             for (int k = 0; k < 3; k++)
-                omega[3 * i + (size_t)k] = plan->omega0[k];
+                omega[3 * i + (size_t)k] = motion->omega0[k];
         interleaved4(n, out, out + s, out + 2 * s, out + 3 * s, q);
         return;
     }
@@ -366,11 +366,11 @@ static void block_states(const torque_free_plan *plan, size_t n, size_t s, const
         row[1 + axis[k]] = out + (1 + k) * s;
         row[4 + axis[k]] = out + (4 + k) * s;
     }
-    if (plan->branch == 1)
-        circular_state(&plan->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
+    if (motion->branch == 1)
+        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
                        out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&plan->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
+        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
                          in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
                          out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
@@ -378,15 +378,15 @@ static void block_states(const torque_free_plan *plan, size_t n, size_t s, const
 }
 
 /* What changes with time at the inner times t + t_lo, in rows s apart. */
-static void block_angles(const torque_free_plan *plan, size_t n, size_t s, const double *restrict t,
+static void block_angles(const torque_free_motion *motion, size_t n, size_t s, const double *restrict t,
                          const double *restrict t_lo, double *restrict to)
 {
-    if (plan->branch == 0)
-        steady_angles(&plan->of.steady, n, t, t_lo, to, to + s);
-    else if (plan->branch == 1)
-        circular_angles(&plan->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
+    if (motion->branch == 0)
+        steady_angles(&motion->of.steady, n, t, t_lo, to, to + s);
+    else if (motion->branch == 1)
+        circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&plan->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
+        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
                           to + 4 * s, to + 5 * s);
 }
 
@@ -404,17 +404,17 @@ static void fetch(const double *q, const double *omega)
 }
 
 /* A motion is at its start at t = 0, to the last bit. */
-static void at_start(const torque_free_plan *plan, double *q, double *omega)
+static void at_initial_state(const torque_free_motion *motion, double *q, double *omega)
 {
     for (int k = 0; k < 4; k++)
-        q[k] = plan->q0[k];
+        q[k] = motion->q0[k];
     for (int k = 0; k < 3; k++)
-        omega[k] = plan->omega0[k];
+        omega[k] = motion->omega0[k];
 }
 
-static int too_late(const torque_free_plan *plan)
+static int too_late(const torque_free_motion *motion)
 {
-    return plan->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
+    return motion->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
 }
 
 static void no_states(size_t n, double *q, double *omega)
@@ -426,57 +426,57 @@ static void no_states(size_t n, double *q, double *omega)
 }
 
 /* The states at n times; times that are too late are refused, or have none where `lenient`. */
-static int states_at(const torque_free_plan *plan, size_t n, const double *t, double *q, double *omega,
+static int states_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
     int zero;
     for (size_t i = 0; i < n && !lenient; i += BLOCK)
-        if (!scaled_times(plan, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return too_late(plan);
+        if (!scaled_times(motion, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
+            return too_late(motion);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
     int code = TORQUE_FREE_OK;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
-        const int near = scaled_times(plan, count, t + i, inner, &zero);
+        const int near = scaled_times(motion, count, t + i, inner, &zero);
         for (size_t k = 0; !near && k < count; k++)
-            inner[k] = fabs(inner[k]) <= plan->farthest ? inner[k] : 0.0;
+            inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        block_angles(plan, count, BLOCK, inner, rest, by_time);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        block_angles(motion, count, BLOCK, inner, rest, by_time);
+        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
         for (size_t k = 0; zero && k < count; k++)
             if (!(t[i + k] < 0.0 || t[i + k] > 0.0))
-                at_start(plan, q + 4 * (i + k), omega + 3 * (i + k));
+                at_initial_state(motion, q + 4 * (i + k), omega + 3 * (i + k));
         for (size_t k = 0; !near && k < count; k++)
-            if (!(fabs(plan->unit * t[i + k]) <= plan->farthest))
+            if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle))
                 no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        code = near ? code : too_late(plan);
+        code = near ? code : too_late(motion);
     }
     return code;
 }
 
-int torque_free_states_at(const torque_free_plan *plan, size_t n, const double *t, double *q,
+int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega)
 {
-    return states_at(plan, n, t, q, omega, 0);
+    return states_at(motion, n, t, q, omega, 0);
 }
 
 /* One state needs no block. */
-int torque_free_state_at(const torque_free_plan *plan, double t, double q[4], double omega[3])
+int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
 {
     const double rest = 0.0;
     double by_time[6], out[7], inner;
     int zero;
-    if (!scaled_times(plan, 1, &t, &inner, &zero))
-        return too_late(plan);
+    if (!scaled_times(motion, 1, &t, &inner, &zero))
+        return too_late(motion);
     if (zero) {
-        at_start(plan, q, omega);
+        at_initial_state(motion, q, omega);
         return TORQUE_FREE_OK;
     }
-    block_angles(plan, 1, 1, &inner, &rest, by_time);
-    block_states(plan, 1, 1, by_time, out, q, omega);
+    block_angles(motion, 1, 1, &inner, &rest, by_time);
+    block_states(motion, 1, 1, by_time, out, q, omega);
     return TORQUE_FREE_OK;
 }
 
@@ -491,14 +491,14 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
 }
 
 /* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
-static void grid_table(const torque_free_plan *plan, double step, double *restrict table)
+static void grid_table(const torque_free_motion *motion, double step, double *restrict table)
 {
     double t[BLOCK], t_lo[BLOCK];
-    torque_free_plan from_zero = *plan;
-    if (plan->branch == 1)
+    torque_free_motion from_zero = *motion;
+    if (motion->branch == 1)
         from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
     for (size_t k = 0; k < BLOCK; k++) {
-        const pair time = two_product((double)k, step);
+        const double_double time = two_product((double)k, step);
         t[k] = time.hi;
         t_lo[k] = time.lo;
     }
@@ -506,26 +506,26 @@ static void grid_table(const torque_free_plan *plan, double step, double *restri
 }
 
 /* What changes with time at n times, each `every`-th of the grid from number `first` on. */
-static void grid_angles(const torque_free_plan *plan, double start, double step, size_t first,
+static void grid_angles(const torque_free_motion *motion, double start, double step, size_t first,
                         size_t every, size_t n, double *restrict by_time)
 {
     double t[BLOCK], t_lo[BLOCK];
     for (size_t i = 0; i < n; i++) {
-        const pair time = pair_add_xd(two_product((double)(first + i * every), step), start);
+        const double_double time = dd_add_xd(two_product((double)(first + i * every), step), start);
         t[i] = time.hi;
         t_lo[i] = time.lo;
     }
-    block_angles(plan, n, BLOCK, t, t_lo, by_time);
+    block_angles(motion, n, BLOCK, t, t_lo, by_time);
 }
 
 /* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
    turned. */
-static void grid_states(const torque_free_plan *plan, double start, double step, size_t first, size_t n,
+static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
     double base[4 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
-    const size_t rows = plan->branch == 0 ? 2 : 4;
-    grid_angles(plan, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
+    const size_t rows = motion->branch == 0 ? 2 : 4;
+    grid_angles(motion, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK, k = i / BLOCK;
         if (n - i >= 2 * BLOCK)
@@ -533,12 +533,12 @@ static void grid_states(const torque_free_plan *plan, double start, double step,
         for (size_t s = 0; s < rows * BLOCK; s += 2 * BLOCK)
             turned(count, base[s + k], base[s + BLOCK + k], table + s, table + s + BLOCK, by_time + s,
                    by_time + s + BLOCK);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
     }
 }
 
 /* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
-static void grid_states_one_by_one(const torque_free_plan *plan, double start, double step, size_t first,
+static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK];
@@ -546,42 +546,42 @@ static void grid_states_one_by_one(const torque_free_plan *plan, double start, d
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         if (n - i >= 2 * BLOCK)
             fetch(q + 4 * (i + BLOCK), omega + 3 * (i + BLOCK));
-        grid_angles(plan, start, step, first + i, 1, count, by_time);
-        block_states(plan, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
+        grid_angles(motion, start, step, first + i, 1, count, by_time);
+        block_states(motion, count, BLOCK, by_time, out, q + 4 * i, omega + 3 * i);
     }
 }
 
 /* The place among n samples from number `first` on of the first at t = 0 exactly; n where there is none. */
 static size_t grid_zero(double start, double step, size_t first, size_t n)
 {
-    const int stands = is_zero(pair_of(step));
+    const int stands = is_zero(dd_of(step));
     const double k = stands ? (double)first : nearest(-start / step);
-    const pair t = pair_add_xd(two_product(k, step), start);
+    const double_double t = dd_add_xd(two_product(k, step), start);
     const double place = k - (double)first;
     return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
 }
 
-int torque_free_states_on_grid(const torque_free_plan *plan, double start, double step, size_t first,
+int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
                                size_t n, double *q, double *omega)
 {
     double table[4 * BLOCK];
     /* Sample number 0 does not depend on the step, however large. */
-    const double inner = plan->unit * start, inner_step = first + n > 1 ? plan->unit * step : 0.0;
+    const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
     const double begin = inner + inner_step * (double)first;
     const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
     const size_t most = BLOCK * BLOCK;
-    if (!(fabs(inner) <= plan->farthest && fabs(begin) <= plan->farthest && fabs(last) <= plan->farthest))
-        return too_late(plan);
-    if (plan->branch == 2) {
-        grid_states_one_by_one(plan, inner, inner_step, first, n, q, omega);
+    if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
+        return too_late(motion);
+    if (motion->branch == 2) {
+        grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
-        grid_table(plan, inner_step, table);
+        grid_table(motion, inner_step, table);
         for (size_t i = 0; i < n; i += most)
-            grid_states(plan, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
+            grid_states(motion, inner, inner_step, first + i, n - i < most ? n - i : most, table, q + 4 * i,
                         omega + 3 * i);
     }
-    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(pair_of(step)) ? 1 : n)
-        at_start(plan, q + 4 * i, omega + 3 * i);
+    for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(dd_of(step)) ? 1 : n)
+        at_initial_state(motion, q + 4 * i, omega + 3 * i);
     return TORQUE_FREE_OK;
 }
 
@@ -589,12 +589,12 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
                           const double *attitude0, size_t n, const double *t, double *q,
                           double *omega, int *codes, size_t *failed)
 {
-    torque_free_plan plan;
+    torque_free_motion motion;
     for (size_t k = 0; k < bodies; k++) {
         double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-        int code = torque_free_plan_init(&plan, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = states_at(&plan, n, t, q_k, omega_k, codes != NULL);
+            code = states_at(&motion, n, t, q_k, omega_k, codes != NULL);
         else if (codes)
             no_states(n, q_k, omega_k);
         if (codes) {
@@ -607,12 +607,12 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     return TORQUE_FREE_OK;
 }
 
-double torque_free_last_time(const torque_free_plan *plan)
+double torque_free_last_time(const torque_free_motion *motion)
 {
-    return plan->unit > 0.0 ? fmin(plan->farthest / plan->unit, DBL_MAX) : DBL_MAX;
+    return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
 }
 
-size_t torque_free_plan_size(void) { return sizeof(torque_free_plan); }
+size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
 const char *torque_free_digest(void) { return "@digest@"; }
 
@@ -625,7 +625,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
     case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
-    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^@farthest@ rad the angle is lost in binary64";
+    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
     case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";

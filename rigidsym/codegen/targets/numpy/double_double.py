@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-# --- pairs ---
+# --- double-doubles ---
 _SPLITTER = 134217729.0
 _SHIFT = 6755399441055744.0
 
@@ -42,10 +42,10 @@ def _two_sum(a, b):
 def _quick_sum(a, b):
     """a + b exactly, for |a| >= |b| (Dekker)."""
     s = a + b
-    return _Pair(s, b - (s - a))
+    return _DoubleDouble(s, b - (s - a))
 
 
-class _Pair:
+class _DoubleDouble:
     """The unevaluated sum hi + lo of two doubles, |lo| <= ulp(hi)/2.
 
     The relative errors, with u = 2^-53, are those of Joldes, Muller and Popescu (ACM TOMS 44(2),
@@ -60,13 +60,13 @@ class _Pair:
         self.hi, self.lo = hi, lo
 
     def __getitem__(self, key):
-        return _Pair(self.hi[key], self.lo[key])
+        return _DoubleDouble(self.hi[key], self.lo[key])
 
     def __neg__(self):
-        return _Pair(-self.hi, -self.lo)
+        return _DoubleDouble(-self.hi, -self.lo)
 
     def __add__(self, other):
-        if not isinstance(other, _Pair):
+        if not isinstance(other, _DoubleDouble):
             s, e = _two_sum(self.hi, other)
             return _quick_sum(s, e + self.lo)
         s, e = _two_sum(self.hi, other.hi)
@@ -83,7 +83,7 @@ class _Pair:
         return -self + other
 
     def __mul__(self, other):
-        if not isinstance(other, _Pair):
+        if not isinstance(other, _DoubleDouble):
             p = self.hi * other
             return _quick_sum(p, _product_error(self.hi, other, p) + self.lo * other)
         p = self.hi * other.hi
@@ -93,17 +93,17 @@ class _Pair:
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        top = other.hi if isinstance(other, _Pair) else other
+        top = other.hi if isinstance(other, _DoubleDouble) else other
         q = self.hi / top
-        r = (other if isinstance(other, _Pair) else _Pair(other)) * q
+        r = (other if isinstance(other, _DoubleDouble) else _DoubleDouble(other)) * q
         return _quick_sum(q, ((self.hi - r.hi) + (self.lo - r.lo)) / top)
 
     def __rtruediv__(self, other):
-        return _Pair(other) / self
+        return _DoubleDouble(other) / self
 
     def __abs__(self):
         sign = _choose(0.0, self.hi, 1.0, -1.0)
-        return _Pair(sign * self.hi, sign * self.lo)
+        return _DoubleDouble(sign * self.hi, sign * self.lo)
 
     def sqrt(self):
         s = _sqrt(self.hi)
@@ -113,7 +113,7 @@ class _Pair:
 
 
 def _sqrt(x):
-    if isinstance(x, _Pair):
+    if isinstance(x, _DoubleDouble):
         return x.sqrt()
     return math.sqrt(x) if type(x) is float else np.sqrt(x)
 
@@ -148,14 +148,14 @@ def _choose(x, y, one, other):
     """One where x <= y, else the other."""
     if type(x) is float and type(y) is float:
         return one if x <= y else other
-    if isinstance(one, _Pair) or isinstance(other, _Pair):
-        one, other = (v if isinstance(v, _Pair) else _Pair(v) for v in (one, other))
-        return _Pair(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
+    if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
+        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
+        return _DoubleDouble(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
     return np.where(x <= y, one, other)
 
 
 def _rounded(x):
-    return x.hi + x.lo if isinstance(x, _Pair) else x
+    return x.hi + x.lo if isinstance(x, _DoubleDouble) else x
 
 
 def _exponent(x):
@@ -170,5 +170,5 @@ def _exponent(x):
 def _mantissa(x):
     e = -_exponent(x)
     if type(x.hi) is float:
-        return _Pair(math.ldexp(x.hi, int(e)), math.ldexp(x.lo, int(e)))
-    return _Pair(np.ldexp(x.hi, e.astype(int)), np.ldexp(x.lo, e.astype(int)))
+        return _DoubleDouble(math.ldexp(x.hi, int(e)), math.ldexp(x.lo, int(e)))
+    return _DoubleDouble(np.ldexp(x.hi, e.astype(int)), np.ldexp(x.lo, e.astype(int)))

@@ -1,4 +1,4 @@
-"""Lets as Python over NumPy arrays: what is extended are `_Pair`s, whose operators do the rest."""
+"""Lets as Python over NumPy arrays: extended numbers are `_DoubleDouble`s, with operators."""
 
 from rigidsym.codegen.ir import CALLS, Constant, Function
 from rigidsym.codegen.lines import Lines, comment, flat_results
@@ -36,7 +36,7 @@ def constant_text(constant: Constant) -> str:
     """The definition of a named number."""
     value = repr(constant.hi)
     if constant.lo is not None:
-        value = f"_Pair({constant.hi!r}, {constant.lo!r})"
+        value = f"_DoubleDouble({constant.hi!r}, {constant.lo!r})"
     return f"{constant.name} = {value}  # {constant.meaning}"
 
 
@@ -125,29 +125,31 @@ def _results(function: Function) -> str:
 def _branches(functions: tuple[Function, ...]) -> list[str]:
     """What the frame needs to know of each branch."""
     by_name = {function.name: function for function in functions}
-    lines = _entry("START = {", by_name["_start"], [], "}", "    ")
+    lines = _entry("INITIAL_STATE = {", by_name["_initial_state"], [], "}", "    ")
     lines.append("BRANCHES = {")
     for name in ("circular", "hyperbolic", "steady"):
-        plan, angles, state = (by_name[f"_{name}_{part}"] for part in ("plan", "angles", "state"))
+        first, angles, state = (
+            by_name[f"_{name}_{part}"] for part in ("constants", "angles", "state")
+        )
         timed = set(angles.results)
         more = [
             f"'angles': {angles.name},",
             f"'state': {state.name},",
             f"'rates': {tuple(n for n in angles.parameters if n not in ('t', 't_lo'))!r},",
             f"'shape': {tuple(n for n in state.parameters if n not in timed)!r},",
-            f"'fast': {tuple(f'{n}_hi' for n in plan.results if n.endswith('_rate'))!r},",
+            f"'fast': {tuple(f'{n}_hi' for n in first.results if n.endswith('_rate'))!r},",
             f"'steady': {name == 'steady'},",
         ]
-        lines += _entry(f"    {name!r}: {{", plan, more, "    },", "        ")
+        lines += _entry(f"    {name!r}: {{", first, more, "    },", "        ")
     return [*lines, "}", "", ""]
 
 
-def _entry(head: str, plan: Function, more: list[str], end: str, indent: str) -> list[str]:
+def _entry(head: str, function: Function, more: list[str], end: str, indent: str) -> list[str]:
     """A function that makes constants, with what goes in and what comes out, by name."""
     inside = [
-        f"'plan': {plan.name},",
-        f"'given': {plan.parameters!r},",
-        f"'names': {tuple(flat_results(plan))!r},",
+        f"'constants': {function.name},",
+        f"'given': {function.parameters!r},",
+        f"'names': {tuple(flat_results(function))!r},",
         *more,
     ]
     return [head, *(f"{indent}{line}" for line in inside), end]

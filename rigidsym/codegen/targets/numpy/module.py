@@ -1,4 +1,4 @@
-"""The NumPy module: pairs, derived functions and frame in one file that needs NumPy alone."""
+"""The NumPy module: double-doubles, derived functions and runtime in one file."""
 
 from importlib import resources
 
@@ -33,11 +33,11 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
     text = header.text("numpy")
     pieces = [
         Lines.plain(_HEAD.format(text=text) + "\n"),
-        Lines.plain(_part("double_double.py", "# --- pairs ---\n")),
+        Lines.plain(_part("double_double.py", "# --- double-doubles ---\n")),
         _GAP,
         *emit.module(emit.own(functions), constants),
         Lines(tuple(_limits()), {}),
-        Lines.plain(_part("runtime.py", "# --- frame ---\n")),
+        Lines.plain(_part("runtime.py", "# --- runtime ---\n")),
     ]
     whole = joined(pieces)
     files, digest = header.sealed({FILE: "\n".join(whole.text) + "\n"}, "numpy")

@@ -51,7 +51,7 @@ def _check_numbers(
     for number in constants:
         text = repr(number.hi)
         if number.lo is not None:
-            text = f"_Pair({number.hi!r}, {number.lo!r})"
+            text = f"_DoubleDouble({number.hi!r}, {number.lo!r})"
         if number.name in used and written.get(number.name) != text:
             raise InputError(module.FILE, number.name, f"is not {text}")
 

@@ -1,4 +1,4 @@
-"""The hand-written frame of the NumPy module: which axis is which, scaling, branches and shapes.
+"""The hand-written runtime of the NumPy module: which axis is which, scaling, branches and shapes.
 
 Its text stands in the generated module after the pairs and the derived functions; here it is
 importable only as far as linting goes.
@@ -9,20 +9,20 @@ import numpy as np
 from rigidsym.codegen.targets.numpy.stubs import (
     BRANCHES,
     DECISIVE,
-    FAINTEST,
-    FARTHEST,
-    FASTEST,
+    INITIAL_STATE,
+    MAX_ANGLE,
+    MAX_RATE,
+    MIN_DISCRIMINANT,
+    MIN_MOMENT_RATIO,
     NEGLIGIBLE,
-    START,
-    THINNEST,
     TOLERATED,
-    _excess,
-    _Pair,
-    _steady_plan,
+    _discriminant,
+    _DoubleDouble,
+    _steady_constants,
     _two_sum,
 )
 
-# --- frame ---
+# --- runtime ---
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 8192
 _LEAST = 2.0**-1074
@@ -39,7 +39,7 @@ class _RefusedError(ValueError):
         self.body, self.time = body, time
 
 
-def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
+def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
     """Constants of free motions, for `states`; nothing in them is the caller's memory.
 
     inertia (..., 3) in kg m^2 about principal axes, positive; omega0 (..., 3) in rad/s in body
@@ -63,31 +63,31 @@ def plan(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
         rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
     (c, _), (omega, unit), (q, _) = map(_scaled, rows)
     # Differences of doubles are two doubles exactly.
-    apart = _Pair(*_two_sum(c, -np.roll(c, -1, -1)))
-    pairs = _Pair(c, 0 * c), apart, _Pair(omega, 0 * omega), _Pair(q, 0 * q)
-    made = _plan(*pairs, unit, shape, refused)
+    apart = _DoubleDouble(*_two_sum(c, -np.roll(c, -1, -1)))
+    pairs = _DoubleDouble(c, 0 * c), apart, _DoubleDouble(omega, 0 * omega), _DoubleDouble(q, 0 * q)
+    made = _prepared(*pairs, unit, shape, refused)
     made["omega0"] = rows[1].copy()
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
 
 
-def plan_from_pairs(inertia, differences, omega0, attitude0, excess, unit):
-    """The plan of one motion whose numbers are known beyond binary64, each the sum of two doubles.
+def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discriminant, unit):
+    """One motion prepared whose numbers are known beyond binary64, each the sum of two doubles.
 
     inertia (3, 2), omega0 (3, 2), attitude0 (4, 2), of the size that a largest component between
     1/2 and 4 has; what is subtracted from inertia is taken from differences (3, 2), moments 0 less
-    1, 1 less 2 and 2 less 0, and from excess (2,): K^2 - 2 H c_b, b the middle axis; unit: the
-    power of two, in rad/s, that rates are times.  Raises ValueError as `plan`.
+    1, 1 less 2 and 2 less 0, and from discriminant (2,): K^2 - 2 H c_b, b the middle axis; unit:
+    the power of two, in rad/s, that rates are times.  Raises ValueError as `prepare`.
     """
     given = (inertia, differences, omega0, attitude0)
-    c, apart, omega, q = (_Pair(*np.asarray(x, float).T[:, None]) for x in given)
-    known = _Pair(*(np.array([x]) for x in excess))
-    return _plan(c, apart, omega, q, np.array([[unit]]), (), None, known)
+    c, apart, omega, q = (_DoubleDouble(*np.asarray(x, float).T[:, None]) for x in given)
+    known = _DoubleDouble(*(np.array([x]) for x in discriminant))
+    return _prepared(c, apart, omega, q, np.array([[unit]]), (), None, known)
 
 
 @np.errstate(all="ignore")
-def _plan(c, apart, given, q, unit, shape, refused, excess=None):
+def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
     """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units; refused
     (B,) is where bodies that are are noted, None to raise an error instead.
 
@@ -96,16 +96,16 @@ def _plan(c, apart, given, q, unit, shape, refused, excess=None):
     length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
-    omega = _Pair(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
-    axes, excess = _axes(c, apart, omega, excess)
-    axes, omega, excess, reach = _followed(c, apart, axes, omega, given, excess)
+    omega = _DoubleDouble(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
+    axes, discriminant = _axes(c, apart, omega, discriminant)
+    axes, omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
     steady = _is_steady(apart, omega)
     made = {
         "shape": shape,
         # Nothing turns at rest, however long it takes.
         "unit": np.where(np.any(omega.hi != 0, axis=-1), unit[:, 0], 0.0),
-        "farthest": reach,
-        "blurred": reach < FARTHEST,
+        "max_angle": reach,
+        "blurred": reach < MAX_ANGLE,
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
@@ -115,18 +115,18 @@ def _plan(c, apart, given, q, unit, shape, refused, excess=None):
         index = np.flatnonzero(steady)
         made["groups"].append(("steady", index, _steady(omega[index], [x[index] for x in q])))
     if not np.all(steady):
-        _add_moving(made, np.flatnonzero(~steady), c, apart, omega, q, excess, refused)
+        _add_moving(made, np.flatnonzero(~steady), c, apart, omega, q, discriminant, refused)
     return made
 
 
-def _add_moving(made, index, c, apart, omega, q, excess, refused):
+def _add_moving(made, index, c, apart, omega, q, discriminant, refused):
     """The groups of moving bodies: the circular and the hyperbolic branch."""
     axes = made["axes"][index]
     inertia = [c[index, axes[:, k]] for k in range(3)]
     differences = _differences(apart[index], axes)
     rates = [omega[index, axes[:, k]] for k in range(3)]
     parts = np.stack([x.hi for x in q], -1), np.stack([x.lo for x in q], -1)
-    vector = [_Pair(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
+    vector = [_DoubleDouble(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
     epsilon = np.where((axes[:, 1] - axes[:, 0]) % 3 == 1, 1.0, -1.0)
     sigma = np.where(rates[0].hi < 0, -1.0, 1.0)
     rho = np.where(differences[1].hi < 0, -1.0, 1.0)
@@ -136,10 +136,10 @@ def _add_moving(made, index, c, apart, omega, q, excess, refused):
     known |= dict(zip(("c_ab", "c_ad", "c_bd"), differences, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= signs | {"E_b": excess[index], "unit": made["unit"][index]}
+    known |= signs | {"E_b": discriminant[index], "unit": made["unit"][index]}
     if len(index) == 1:
         known = {name: _plain(value) for name, value in known.items()}
-    known |= _called(START, known)
+    known |= _called(INITIAL_STATE, known)
     small = known["k_1"].hi ** 2 <= 0.5
     for name, chosen in (("circular", small), ("hyperbolic", np.logical_not(small))):
         if np.any(chosen):
@@ -155,15 +155,15 @@ def _add_moving(made, index, c, apart, omega, q, excess, refused):
 def _limit(made, index, constants, fast):
     """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
     largest = np.max([np.abs(constants[name]) for name in fast], axis=0)
-    limit = FARTHEST * 16 / np.maximum(16, largest)
-    made["farthest"][index] = np.minimum(made["farthest"][index], limit)
+    limit = MAX_ANGLE * 16 / np.maximum(16, largest)
+    made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
 
 
 def _check_rates(constants, amplitudes, bodies, refused):
     """Refuse what doubles do not hold, rates up to their amplitudes."""
     held = np.all([np.isfinite(x) for x in constants.values()], axis=0)
     for amplitude in amplitudes:
-        held = held & (amplitude <= FASTEST)
+        held = held & (amplitude <= MAX_RATE)
     _refuse("omega0", "rates beyond what binary64 can hold", bodies[~held], refused)
 
 
@@ -176,15 +176,15 @@ def _blot_out(made, refused):
 
 
 def _called(entry, known):
-    """What the plan of an entry returns, by name, from arguments found by name."""
-    values = entry["plan"](*(known[name] for name in entry["given"]))
+    """What the constants of an entry are, by name, from arguments found by name."""
+    values = entry["constants"](*(known[name] for name in entry["given"]))
     return dict(zip(entry["names"], values, strict=True))
 
 
 def _plain(value):
     """One number as Python's, which is faster than arrays of one."""
-    if isinstance(value, _Pair):
-        return _Pair(float(value.hi[0]), float(value.lo[0]))
+    if isinstance(value, _DoubleDouble):
+        return _DoubleDouble(float(value.hi[0]), float(value.lo[0]))
     return float(value[0])
 
 
@@ -197,43 +197,43 @@ def _filled(constants, size):
 
 def _steady(omega, q):
     rest = np.all(omega.hi == 0, axis=-1)
-    first = _Pair(np.where(rest, 1.0, omega.hi[:, 0]), omega.lo[:, 0])
-    values = _steady_plan(first, omega[:, 1], omega[:, 2], *q)
+    first = _DoubleDouble(np.where(rest, 1.0, omega.hi[:, 0]), omega.lo[:, 0])
+    values = _steady_constants(first, omega[:, 1], omega[:, 2], *q)
     constants = dict(zip(BRANCHES["steady"]["names"], values, strict=True))
     for name in ("Lambda_rate_hi", "Lambda_rate_lo"):
         constants[name] = np.where(rest, 0.0, constants[name])
     return constants
 
 
-def states(plan, t, out=None, errors="raise"):
+def states(prepared, t, out=None, errors="raise"):
     """(q, omega) at the times t in s: (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and
     (..., N, 3) for t (N,).  q is continuous in the double cover from attitude0 on.
 
     out: arrays (q, omega) of these shapes to write into, which are returned; they share no memory
-    with each other, t or the plan.  Memory beyond them does not grow with N.  Raises ValueError for
-    times that are not finite or too late; with errors="nan" their states are NaN.
+    with each other, t or what is prepared.  Memory beyond them does not grow with N.  Raises
+    ValueError for times that are not finite or too late; with errors="nan" their states are NaN.
     """
     lenient = _is_lenient(errors)
-    if out is None and type(t) is float and plan["shape"] == ():
-        return _single(plan, t, lenient)
+    if out is None and type(t) is float and prepared["shape"] == ():
+        return _single(prepared, t, lenient)
     times = np.asarray(t, float)
     if times.ndim > 1:
         raise ValueError("t: times must be one finite number or a one-dimensional array of them")
-    q, omega = _results(out, (*plan["shape"], *times.shape), times, plan)
+    q, omega = _results(out, (*prepared["shape"], *times.shape), times, prepared)
     flat = times.reshape(-1)
-    late = not _are_near(plan, flat)
+    late = not _are_near(prepared, flat)
     if late and not lenient:
-        _refuse_times(plan, flat)
-    bodies = (len(plan["unit"]), flat.size)
+        _refuse_times(prepared, flat)
+    bodies = (len(prepared["unit"]), flat.size)
     rows = q.reshape(*bodies, 4), omega.reshape(*bodies, 3)
-    for name, index, constants in plan["groups"]:
-        _fill(plan, name, index, constants, flat, *rows)
+    for name, index, constants in prepared["groups"]:
+        _fill(prepared, name, index, constants, flat, *rows)
     zero = np.flatnonzero(flat == 0)
     if zero.size:
-        rows[0][:, zero] = plan["q0"][:, None]
-        rows[1][:, zero] = plan["omega0"][:, None]
+        rows[0][:, zero] = prepared["q0"][:, None]
+        rows[1][:, zero] = prepared["omega0"][:, None]
     if late:
-        _erase(plan, flat, *rows)
+        _erase(prepared, flat, *rows)
     return q, omega
 
 
@@ -243,45 +243,45 @@ def _is_lenient(errors):
     return errors == "nan"
 
 
-def _single(plan, t, lenient):
+def _single(prepared, t, lenient):
     """The state of one body at one time, by Python's floats."""
-    unit, farthest, axes, branch, rates, shape = plan.get("single") or _prepared(plan)
+    unit, max_angle, axes, branch, rates, shape = prepared.get("single") or _in_floats(prepared)
     inner = unit * t
-    if not -farthest <= inner <= farthest:
+    if not -max_angle <= inner <= max_angle:
         if lenient:
             return np.full(4, np.nan), np.full(3, np.nan)
-        _refuse_times(plan, np.array([t]))
+        _refuse_times(prepared, np.array([t]))
     if t == 0:
-        return plan["q0"][0].copy(), plan["omega0"][0].copy()
+        return prepared["q0"][0].copy(), prepared["omega0"][0].copy()
     values = branch["state"](*branch["angles"](inner, *rates), *shape)
     if branch["steady"]:
-        return np.array(values), plan["omega0"][0].copy()
+        return np.array(values), prepared["omega0"][0].copy()
     q, omega = [values[0], 0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
     for k, axis in enumerate(axes):
         q[1 + axis], omega[axis] = values[1 + k], values[4 + k]
     return np.array(q), np.array(omega)
 
 
-def _prepared(plan):
+def _in_floats(prepared):
     """The constants of one body as Python's floats; kept, since they serve every call."""
-    ((name, _, constants),) = plan["groups"]
+    ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
     known = {key: float(value[0]) for key, value in constants.items()}
     rates, shape = ([known[n] for n in branch[which]] for which in ("rates", "shape"))
-    scale = float(plan["unit"][0]), float(plan["farthest"][0])
-    plan["single"] = *scale, plan["axes"][0].tolist(), branch, rates, shape
-    return plan["single"]
+    scale = float(prepared["unit"][0]), float(prepared["max_angle"][0])
+    prepared["single"] = *scale, prepared["axes"][0].tolist(), branch, rates, shape
+    return prepared["single"]
 
 
-def _results(out, shape, t, plan):
+def _results(out, shape, t, prepared):
     wanted = ((*shape, 4), (*shape, 3))
     if out is None:
         return tuple(map(np.empty, wanted))
     if len(out) != 2 or any(not _fits(x, s) for x, s in zip(out, wanted, strict=True)):
         rule = f"must be C-contiguous float64 arrays of shapes {wanted[0]} and {wanted[1]}"
         raise ValueError(f"out: {rule}")
-    read = [t, *(plan[name] for name in ("q0", "omega0", "unit", "farthest", "axes"))]
-    read += [x for _, index, constants in plan["groups"] for x in (index, *constants.values())]
+    read = [t, *(prepared[name] for name in ("q0", "omega0", "unit", "max_angle", "axes"))]
+    read += [x for _, index, constants in prepared["groups"] for x in (index, *constants.values())]
     if np.may_share_memory(*out) or any(np.may_share_memory(x, y) for x in out for y in read):
         raise ValueError("out: q and omega must not overlap each other or the inputs")
     return out
@@ -292,44 +292,46 @@ def _fits(array, shape):
     return is_array and array.flags.carray
 
 
-def _are_near(plan, t):
+def _are_near(prepared, t):
     """Whether all times are finite and near enough for all bodies."""
-    if not (t.size and plan["unit"].size):
+    if not (t.size and prepared["unit"].size):
         return True
     # No array as long as t is made for this.
     latest = max(-np.min(t), np.max(t))
     with np.errstate(over="ignore"):
-        return bool(np.isfinite(latest) and np.all(plan["unit"] * latest <= plan["farthest"]))
+        return bool(
+            np.isfinite(latest) and np.all(prepared["unit"] * latest <= prepared["max_angle"])
+        )
 
 
-def _refuse_times(plan, t):
+def _refuse_times(prepared, t):
     """Raise an error for the first time that is not finite or, for the first such body, too far."""
     for number in np.flatnonzero(~np.isfinite(t))[:1]:
         rule = "times must be one finite number or a one-dimensional array of them"
         raise _RefusedError(f"t: {rule}", None, int(number))
     with np.errstate(over="ignore"):
-        body = np.flatnonzero(plan["unit"] * np.max(np.abs(t)) > plan["farthest"])[0]
-        late = np.flatnonzero(np.abs(plan["unit"][body] * t) > plan["farthest"][body])[0]
+        body = np.flatnonzero(prepared["unit"] * np.max(np.abs(t)) > prepared["max_angle"])[0]
+        late = np.flatnonzero(np.abs(prepared["unit"][body] * t) > prepared["max_angle"][body])[0]
     rule = "beyond |omega| t = 2^46 rad the angle is lost in binary64"
-    if plan["blurred"][body]:
-        last = float(plan["farthest"][body] / plan["unit"][body])
+    if prepared["blurred"][body]:
+        last = float(prepared["max_angle"][body] / prepared["unit"][body])
         rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
     raise _RefusedError(f"t: {rule}", int(body), int(late))
 
 
 @np.errstate(all="ignore")
-def _erase(plan, t, q, omega):
+def _erase(prepared, t, q, omega):
     """No numbers for states at times that are not finite or too far."""
     step = max(1, _BLOCK // t.size)
     for first in range(0, len(q), step):
         some = slice(first, first + step)
-        near = np.abs(plan["unit"][some, None] * t) <= plan["farthest"][some, None]
+        near = np.abs(prepared["unit"][some, None] * t) <= prepared["max_angle"][some, None]
         for rows in (q, omega):
             rows[some][~(near & np.isfinite(t))] = np.nan
 
 
 @np.errstate(all="ignore")
-def _fill(plan, name, index, constants, t, q, omega):
+def _fill(prepared, name, index, constants, t, q, omega):
     """The rows of one group, in blocks: of times, or of bodies where times are few."""
     branch = BRANCHES[name]
     timed, kept = (
@@ -340,27 +342,27 @@ def _fill(plan, name, index, constants, t, q, omega):
         for first in range(0, len(index), step):
             some = slice(first, first + step)
             columns = [[x[some, None] for x in values] for values in (timed, kept)]
-            inner = plan["unit"][index[some], None] * t
-            _write(plan, branch, index[some], columns, inner, q, omega, slice(None))
+            inner = prepared["unit"][index[some], None] * t
+            _write(prepared, branch, index[some], columns, inner, q, omega, slice(None))
         return
     step = -(-t.size // -(-t.size // _BLOCK))
     for number, body in enumerate(index):
         columns = [[float(x[number]) for x in values] for values in (timed, kept)]
         for first in range(0, t.size, step):
             some = slice(first, first + step)
-            inner = float(plan["unit"][body]) * t[some]
-            _write(plan, branch, body, columns, inner, q, omega, some)
+            inner = float(prepared["unit"][body]) * t[some]
+            _write(prepared, branch, body, columns, inner, q, omega, some)
 
 
-def _write(plan, branch, body, columns, t, q, omega, some):
+def _write(prepared, branch, body, columns, t, q, omega, some):
     """The states of one body at a block of times, or of some bodies at all times."""
     rates, shape = columns
     values = branch["state"](*branch["angles"](t, *rates), *shape)
-    axes = plan["axes"][body]
+    axes = prepared["axes"][body]
     if branch["steady"]:
         for k in range(4):
             q[body, some, k] = values[k]
-        omega[body, some] = plan["omega0"][body, None]
+        omega[body, some] = prepared["omega0"][body, None]
         return
     q[body, some, 0] = values[0]
     for k in range(3):
@@ -377,7 +379,7 @@ def _check(inertia, omega0, attitude0, refused):
     bad = np.any(inertia <= 0, axis=-1)
     _refuse("inertia", "principal moments must be positive", np.flatnonzero(bad), refused)
     with np.errstate(invalid="ignore"):
-        thin = np.min(_scaled(inertia)[0], axis=-1) < THINNEST
+        thin = np.min(_scaled(inertia)[0], axis=-1) < MIN_MOMENT_RATIO
     rule = "principal moments differ by more than binary64 can follow"
     _refuse("inertia", rule, np.flatnonzero(thin), refused)
     bad = ~np.any(attitude0 != 0, axis=-1)
@@ -406,40 +408,42 @@ def _refuse(field, rule, bodies, refused):
         raise _RefusedError(f"{field}: {rule}", int(bodies[0]))
 
 
-def _followed(c, apart, axes, omega, given, excess):
+def _followed(c, apart, axes, omega, given, discriminant):
     """Axes, rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
     """
-    reach = np.full(len(axes), FARTHEST)
+    reach = np.full(len(axes), MAX_ANGLE)
     distinct = np.all(apart.hi != 0, -1)
     kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
     lost = np.any((kept == 0) & (before != 0), -1)
-    faint = (excess.hi != 0) & (np.abs(excess.hi) < FAINTEST)
+    faint = (discriminant.hi != 0) & (np.abs(discriminant.hi) < MIN_DISCRIMINANT)
     at = np.flatnonzero(distinct & (lost | faint))
     if not at.size:
-        return axes, omega, excess, reach
+        return axes, omega, discriminant, reach
     inertia = np.take_along_axis(c.hi[at], axes[at], -1)
     between = _differences(apart[at], axes[at])
     rates = np.take_along_axis(given.hi[at], axes[at], -1)
-    turns, spins, times = _blurred(inertia, between, rates, kept[at] == 0, excess.hi[at], faint[at])
-    reach[at] = np.where(turns, times, FARTHEST)
+    turns, spins, times = _blurred(
+        inertia, between, rates, kept[at] == 0, discriminant.hi[at], faint[at]
+    )
+    reach[at] = np.where(turns, times, MAX_ANGLE)
     middle = axes[at, 1, None] == np.arange(3)
     zero = spins[:, None] & ~middle
-    omega, excess = (_Pair(x.hi.copy(), x.lo.copy()) for x in (omega, excess))
+    omega, discriminant = (_DoubleDouble(x.hi.copy(), x.lo.copy()) for x in (omega, discriminant))
     for part in (omega.hi, omega.lo):
         part[at] = np.where(zero, 0.0, part[at])
-    for part in (excess.hi, excess.lo):
+    for part in (discriminant.hi, discriminant.lo):
         part[at] = np.where(turns, 0.0, part[at])
     # On the separatrix, a is the axis of largest inertia.
     upside_down = turns & (between[1].hi < 0)
     axes = axes.copy()
     axes[at] = np.where(upside_down[:, None], axes[at, ::-1], axes[at])
-    return axes, omega, excess, reach
+    return axes, omega, discriminant, reach
 
 
-def _blurred(inertia, between, rates, lost, excess, faint):
+def _blurred(inertia, between, rates, lost, discriminant, faint):
     """Which motions are not followed but as separatrix or spin, which as spin, up to what times.
 
     With X = sqrt(c_a |c_a - c_b|) Omega_a, Z = sqrt(c_d |c_b - c_d|) Omega_d Euler's equations are
@@ -457,7 +461,7 @@ def _blurred(inertia, between, rates, lost, excess, faint):
         np.logaddexp2(*(np.where(lost[:, k] == which, x, -np.inf) for k, x in enumerate(parts)))
         for which in (True, False)
     )
-    distance = np.log2(np.abs(excess))
+    distance = np.log2(np.abs(discriminant))
     spins = (gone > left + np.log2(DECISIVE)) | (faint & (distance > 2 * size + np.log2(DECISIVE)))
     growth = np.sqrt(
         over / c_a * (under / c_d) * rates[:, 1] ** 2
@@ -468,7 +472,7 @@ def _blurred(inertia, between, rates, lost, excess, faint):
     slow = np.minimum(0.0, np.log2(growth) + np.log2(least / largest))
     room = np.minimum(*weights) + momentum + slow - np.where(spins, size, distance - size)
     times = np.log(2.0) * (np.log2(TOLERATED) + room) / growth
-    return spins | faint, spins, np.where(times > 0, np.minimum(times, FARTHEST), 0.0)
+    return spins | faint, spins, np.where(times > 0, np.minimum(times, MAX_ANGLE), 0.0)
 
 
 def _scaled(x):
@@ -488,7 +492,7 @@ def _differences(apart, axes):
         first, other = axes[:, x], axes[:, y]
         sign = np.where((other - first) % 3 == 1, 1.0, -1.0)
         which = rows, np.where(sign > 0, first, other)
-        found.append(_Pair(sign * apart.hi[which], sign * apart.lo[which]))
+        found.append(_DoubleDouble(sign * apart.hi[which], sign * apart.lo[which]))
     return found
 
 
@@ -498,39 +502,41 @@ def _is_steady(apart, omega):
     return np.all(still, -1)
 
 
-def _axes(c, apart, omega, excess):
+def _axes(c, apart, omega, discriminant):
     """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
     # By how many moments are below each, less those above.
     order = np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")
-    if excess is None:
-        excess = _exact_excess(c.hi, omega.hi, order[:, ::-1])
-    return np.where(excess.hi[:, None] >= 0, order[:, ::-1], order), excess
+    if discriminant is None:
+        discriminant = _exact_discriminant(c.hi, omega.hi, order[:, ::-1])
+    return np.where(discriminant.hi[:, None] >= 0, order[:, ::-1], order), discriminant
 
 
-def _exact_excess(c, omega, axes):
+def _exact_discriminant(c, omega, axes):
     """E_b as a pair: where its terms cancel, from integers."""
     c, omega = (np.take_along_axis(x, axes, -1) for x in (c, omega))
     rates = omega[:, ::2]
     exponent = np.frexp(np.max(np.abs(rates), axis=-1))[1]
-    inertia = [_Pair(c[:, k]) for k in range(3)]
-    rate_a, rate_d = (_Pair(np.ldexp(rates[:, k], -exponent)) for k in range(2))
-    zero = _Pair(0.0 * rate_a.hi)
+    inertia = [_DoubleDouble(c[:, k]) for k in range(3)]
+    rate_a, rate_d = (_DoubleDouble(np.ldexp(rates[:, k], -exponent)) for k in range(2))
+    zero = _DoubleDouble(0.0 * rate_a.hi)
     known = inertia[0], inertia[2], inertia[0] - inertia[1], inertia[1] - inertia[2]
-    over, under = _excess(*known, rate_a, zero), _excess(*known, zero, rate_d)
-    excess = over + under
-    excess = _Pair(np.ldexp(excess.hi, 2 * exponent), np.ldexp(excess.lo, 2 * exponent))
+    over, under = _discriminant(*known, rate_a, zero), _discriminant(*known, zero, rate_d)
+    discriminant = over + under
+    discriminant = _DoubleDouble(
+        np.ldexp(discriminant.hi, 2 * exponent), np.ldexp(discriminant.lo, 2 * exponent)
+    )
     cancels = np.abs(over.hi + under.hi) <= 2.0**-10 * (over.hi - under.hi)
     for at in np.flatnonzero(cancels & (over.hi != 0)):
-        excess.hi[at], excess.lo[at] = _integer_excess(c[at], omega[at])
-    return excess
+        discriminant.hi[at], discriminant.lo[at] = _integer_discriminant(c[at], omega[at])
+    return discriminant
 
 
-def _integer_excess(c, omega):
+def _integer_discriminant(c, omega):
     """E_b of one motion in integer arithmetic, as two doubles."""
     (c, scale_c), (omega, scale_omega) = _integers(c), _integers(omega)
-    excess = _excess(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
-    shift = max(0, abs(excess).bit_length() - 160)
-    kept = excess >> shift
+    discriminant = _discriminant(c[0], c[2], c[0] - c[1], c[1] - c[2], omega[0], omega[2])
+    shift = max(0, abs(discriminant).bit_length() - 160)
+    kept = discriminant >> shift
     hi = float(kept)
     exponent = shift + 2 * (scale_c + scale_omega)
     return np.ldexp(hi, exponent), np.ldexp(float(kept - int(hi)), exponent)

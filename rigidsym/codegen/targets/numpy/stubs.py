@@ -1,33 +1,33 @@
-"""What `frame` finds around it in the generated module, for linters and type checkers."""
+"""What `runtime` finds around it in the generated module, for linters and type checkers."""
 
 from typing import Any
 
-from rigidsym.codegen.targets.numpy.double_double import _Pair, _two_sum
+from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble, _two_sum
 
 __all__ = [
     "BRANCHES",
     "DECISIVE",
-    "FAINTEST",
-    "FARTHEST",
-    "FASTEST",
+    "INITIAL_STATE",
+    "MAX_ANGLE",
+    "MAX_RATE",
+    "MIN_DISCRIMINANT",
+    "MIN_MOMENT_RATIO",
     "NEGLIGIBLE",
-    "START",
-    "THINNEST",
     "TOLERATED",
-    "_Pair",
-    "_excess",
-    "_steady_plan",
+    "_DoubleDouble",
+    "_discriminant",
+    "_steady_constants",
     "_two_sum",
 ]
 
-START: dict[str, Any] = {}
-NEGLIGIBLE = DECISIVE = FAINTEST = THINNEST = TOLERATED = FARTHEST = FASTEST = 1.0
+INITIAL_STATE: dict[str, Any] = {}
+NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = MAX_ANGLE = MAX_RATE = 1.0
 BRANCHES: dict[str, Any] = {}
 
 
-def _excess(*values: Any) -> Any:
+def _discriminant(*values: Any) -> Any:
     raise NotImplementedError
 
 
-def _steady_plan(*values: Any) -> Any:
+def _steady_constants(*values: Any) -> Any:
     raise NotImplementedError

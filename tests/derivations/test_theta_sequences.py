@@ -1,4 +1,4 @@
-"""Both theta forms are the motion, by their published programmes over mpmath numbers."""
+"""Both theta forms are the motion, by their published sequences over mpmath numbers."""
 
 from fractions import Fraction
 
@@ -34,8 +34,8 @@ FUNCTIONS = {
 }
 
 
-class Programmes:
-    """The state at any time by the programmes `form` and `form_state`, and by `rates`."""
+class Sequences:
+    """The state at any time by the sequences `form` and `form_state`, and by `rates`."""
 
     def __init__(self, form, motion, attitude):
         self.form, self.motion = form, motion
@@ -77,7 +77,7 @@ def test_the_programmes_give_the_motion(form, order, about):
     with workdps(42):
         for signs in OCTANTS[::3]:
             inertia, omega, attitude = draw(order, about, signs)
-            found = Programmes(form, Motion(inertia, omega), attitude)
+            found = Sequences(form, Motion(inertia, omega), attitude)
             times = [Fraction(int(found.motion.period * 100)) / 100 * turn for turn in TURNS]
             given = PreciseMotion(inertia, omega, attitude).states(times, 32)
             for time, expected in zip(times, given, strict=True):
@@ -89,7 +89,7 @@ def test_the_programmes_give_the_motion(form, order, about):
 def test_the_forms_turn_at_rates_that_differ_by_the_gaussian_factor(about):
     with workdps(40):
         motion = Motion(*draw((0, 1, 2), about, (1, 1, 1))[:2])
-        circular, hyperbolic = (Programmes(form, motion, (1, 0, 0, 0)) for form in FORMS)
+        circular, hyperbolic = (Sequences(form, motion, (1, 0, 0, 0)) for form in FORMS)
         m = motion.k_1**2
         gap = mp.pi / (2 * mp.ellipk(m) * mp.ellipk(1 - m)) * circular.known["beta"]
         assert abs(hyperbolic.known["zeta"] - circular.known["zeta"] - gap) < 1e-36
@@ -130,7 +130,7 @@ def test_the_elementary_form_is_the_motion_on_the_separatrix(order):
 def test_half_a_period_later_the_hyperbolic_thetas_have_turned_by_the_shift(about):
     with workdps(40):
         motion = Motion(*draw((0, 1, 2), about, (1, 1, 1))[:2])
-        form = Programmes("hyperbolic", motion, (1, 0, 0, 0))
+        form = Sequences("hyperbolic", motion, (1, 0, 0, 0))
         known, (here, there) = form.known, (form.at(t) for t in (mp.mpf(1), 1 + motion.period / 2))
         turn = mp.expj(-2 * motion.rho * known["gc"] * known["beta"])
         growth = mp.exp(2 * known["gc"] * here["u_1"]) / known["nome_c"]
