@@ -3,7 +3,7 @@
 from rigidsym.language.sequence import FormulaSequence
 
 
-def value(expression, values, functions=()):
+def value_of(expression, values, functions=()):
     """Of an expression, over any numbers."""
     known = {"power": pow, **dict(functions)}
     return FormulaSequence([("value", expression)]).evaluate(values, known)["value"]

@@ -132,7 +132,7 @@ def without_facts(renamed, lets, new):
 @pytest.mark.parametrize("how", [swapped, swapped_results, without_facts])
 def test_other_names_are_refused(monkeypatch, how):
     monkeypatch.setattr(initial_state, "renamed", partial(how, initial_state.renamed))
-    with pytest.raises(InputError, match=r"_start = (landen|kc_1|root_kc|s|c) ?.*"):
+    with pytest.raises(InputError, match=r"_initial_state = (landen|kc_1|root_kc|s|c) ?.*"):
         seal(sealed())
 
 
@@ -194,7 +194,7 @@ SHARING = [
     (backwards, "before it is known"),
     (early, "before it is known"),
     (regrouped, "_hyperbolic_angles = ahead_error .* what is printed is not what"),
-    (wrong, "_start = B_d = .*phase: phase: used before it is known"),
+    (wrong, "_initial_state = B_d = .*phase: phase: used before it is known"),
     (lambda lets: dropping("E_a")(share(lets)), "E_a: used before it is known"),
     (lambda lets: dropping("row_0_P1_re")(share(lets)), "row_0_P1_re: is returned and never set"),
 ]

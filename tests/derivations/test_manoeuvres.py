@@ -7,10 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from random_manoeuvres import manoeuvre, posed
+from values import value_of
 
 import derivations
 from rigidsym import engines
-from rigidsym.language.expression import evaluate, parse
+from rigidsym.language.expression import parse
 from rigidsym.manoeuvre import directions, problem
 from rigidsym.manoeuvre.directions import is_symmetry
 from rigidsym.manoeuvre.families import families, least
@@ -34,7 +35,7 @@ def values(context, **given):
     """Of all names of a context, in float64, from those of its generators."""
     found = dict(given)
     for name, text in CONTEXTS[context]["definitions"].items():
-        found[name] = evaluate(parse(text), found, {})
+        found[name] = value_of(parse(text), found, {})
     return found
 
 

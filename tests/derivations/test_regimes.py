@@ -7,7 +7,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from values import value
+from values import value_of
 
 import derivations
 from rigidsym.language.expression import parse
@@ -68,7 +68,7 @@ def valuation(point):
 
 
 def of_text(text, values):
-    return value(parse(text), values)
+    return value_of(parse(text), values)
 
 
 def holds(name, values):

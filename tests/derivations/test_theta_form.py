@@ -8,7 +8,7 @@ from random import Random
 import pytest
 from mpmath import mp, workdps
 from textbook import FAMILIES, OCTANTS, Motion, conjugate, distance, draw, multiply
-from values import value
+from values import value_of
 
 import derivations
 from rigidsym.language.expression import parse
@@ -116,7 +116,7 @@ def tail(kind, q, z, n):
 
 def read(name, q, b, n):
     formula = parse(TAIL[name].split(", ")[-1].replace("|Im z|", "b"))
-    return value(formula, {"q": q, "b": b, "n": n}, {"exp": mp.exp})
+    return value_of(formula, {"q": q, "b": b, "n": n}, {"exp": mp.exp})
 
 
 @pytest.mark.parametrize("kind", [4, 1])
@@ -128,7 +128,7 @@ def test_what_a_series_leaves_out_is_within_the_bound(kind):
             q, n = mp.mpf(random.uniform(0.001, 0.85)), random.randint(1, 4)
             n = n if kind == 4 else n + mp.mpf(0.5)
             b = -mp.log(q) / 2 * random.random()
-            bound = value(rest, {name: read(name, q, b, n) for name in "trp"}, {})
+            bound = value_of(rest, {name: read(name, q, b, n) for name in "trp"}, {})
             assert read("r", q, b, n) < q ** (4 * n + 1)
             for real in (0, mp.pi / 2, random.uniform(-9, 9)):
                 left = abs(tail(kind, q, mp.mpc(real, b * random.choice((1, -1))), n))
@@ -143,6 +143,6 @@ def test_the_step_of_the_bound_is_from_one_cut_to_the_next():
     here, there = ({name: read(name, q, b, k) for name in "trp"} for k in (n, n + 1))
     assert abs(there["t"] - here["t"] * here["r"]) < 1e-14
     assert abs(there["r"] - here["p"] * here["r"]) < 1e-14
-    after = value(step.left.left, there, {})
-    assert abs(value(step.right, here, {}) - after) < 1e-14
-    assert value(step.left.right, here, {}) == 2 * here["t"]
+    after = value_of(step.left.left, there, {})
+    assert abs(value_of(step.right, here, {}) - after) < 1e-14
+    assert value_of(step.left.right, here, {}) == 2 * here["t"]

@@ -124,7 +124,7 @@ def test_states_do_not_depend_on_company(c, body, many_threads):
         assert np.array_equal(omega[k], one_omega)
 
 
-def test_threads_share_a_plan(c):
+def test_threads_share_a_prepared_motion(c):
     prepared = c.prepare(*BODIES["near separatrix"])
     t = np.linspace(0, 50, 5000)
     expected = c.states(prepared, t)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.mathtext import MathTextParser
-from values import value
+from values import value_of
 
 from rigidsym.io.ledger import ledger_text
 from rigidsym.language.expression import (
@@ -125,7 +125,7 @@ def exact(expression):
 def test_latex_says_what_the_expression_says(expression):
     named, meaning = exact(expression)
     try:
-        found = value(named, VALUES | meaning)
+        found = value_of(named, VALUES | meaning)
     except ZeroDivisionError:
         return
     assert Reader(of(expression)).sum() == found

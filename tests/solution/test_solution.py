@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from values import value
+from values import value_of
 
 import rigidsym
 from rigidsym.errors import LedgerError
@@ -46,7 +46,7 @@ def test_text_and_tree_are_inverse(expression):
 
 def test_evaluation_is_exact_over_rationals():
     values = {"a": Fraction(1, 3), "b": Fraction(2)}
-    assert value(parse("(a - b)**2/-a"), values, {}) == Fraction(-25, 3)
+    assert value_of(parse("(a - b)**2/-a"), values, {}) == Fraction(-25, 3)
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ from itertools import pairwise
 import mpmath
 import pytest
 from mpmath import mpf
+from values import value_of
 
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.special_functions import (
@@ -17,7 +18,6 @@ from rigidsym.codegen.special_functions import (
     theta_circular,
     theta_hyperbolic,
 )
-from rigidsym.language.expression import evaluate
 from rigidsym.solution import sealed
 
 FUNCTIONS = {function.name: function for function in functions(sealed())}
@@ -50,7 +50,7 @@ def run(lets, values):
     found = known() | values
     table = PRIMITIVES | {name: lambda *x, n=name: call(n, *x) for name in FUNCTIONS}
     for let in lets:
-        value = evaluate(let.expression, found, table)
+        value = value_of(let.expression, found, table)
         found |= dict(zip(let.targets, value if len(let.targets) > 1 else (value,), strict=True))
     return found
 
