@@ -34,21 +34,21 @@ LARGEST = 1020
 def differing(engine: Engine, body: Any, times: np.ndarray) -> Iterator[tuple[States, States]]:
     """For each thing that callers do, the states they get, and the states at the same times."""
     asked = np.append(times, 0.0)
-    plan = engine.plan(*body)
-    yield _overwritten(engine, body, asked), engine.states(plan, asked)
+    prepared = engine.prepare(*body)
+    yield _overwritten(engine, body, asked), engine.states(prepared, asked)
     for name in range(len(body)):
         if states := _aliased(engine, body, asked[-2:], name):
-            yield states, engine.states(plan, asked[-2:])
+            yield states, engine.states(prepared, asked[-2:])
     yield _mixed(engine, body, times)
 
 
 def _overwritten(engine: Engine, body: Any, times: np.ndarray) -> States:
-    """The states of a plan whose caller writes over what it was made from."""
+    """The states of a prepared motion whose caller writes over what it was made from."""
     given = [array.copy() for array in body]
-    plan = engine.plan(*given)
+    prepared = engine.prepare(*given)
     for array in given:
         array[:] = 99.0
-    return engine.states(plan, times)
+    return engine.states(prepared, times)
 
 
 def _aliased(engine: Engine, body: Any, times: np.ndarray, name: int) -> States | None:
@@ -76,11 +76,13 @@ def _mixed(engine: Engine, body: Any, times: np.ndarray) -> tuple[States, States
     q, omega = engine.propagate(moments, rates, attitude0, times, out, errors="nan")
     none = np.isnan(q).all(axis=(1, 2)) & np.isnan(omega).all(axis=(1, 2))
     wanted = [k in REFUSED for k in range(len(moments))]
-    alone = engine.states(engine.plan(*body), times)
+    alone = engine.states(engine.prepare(*body), times)
     if none.tolist() != wanted:
         return (np.full_like(alone[0], np.nan), alone[1]), alone
     others = [k for k, refused in enumerate(wanted) if not refused]
-    expected = [engine.states(engine.plan(moments[k], rates[k], attitude0), times) for k in others]
+    expected = [
+        engine.states(engine.prepare(moments[k], rates[k], attitude0), times) for k in others
+    ]
     found = [(q[k], omega[k]) for k in others]
     return _joined(found), _joined(expected)
 

@@ -28,25 +28,27 @@ def is_due(index: int) -> bool:
     return index % SHARE in (0, 1)
 
 
-def differences(engine: Engine, plan: Any, body: Any, times: np.ndarray, rate: float) -> np.ndarray:
+def differences(
+    engine: Engine, prepared: Any, body: Any, times: np.ndarray, rate: float
+) -> np.ndarray:
     """For each way, the largest difference from the states at given times: of angle, and of rates
     over their size.
 
     body: inertia, rates and attitude as float64 arrays, or None where doubles do not say them.
     """
     found = [
-        _apart(_alone(engine, plan, times), engine.states(plan, times)),
-        _apart(_grid(engine, plan, rate), engine.states(plan, _grid_times(rate))),
-        _apart(_many(engine, plan, times), engine.states(plan, times)),
+        _apart(_alone(engine, prepared, times), engine.states(prepared, times)),
+        _apart(_grid(engine, prepared, rate), engine.states(prepared, _grid_times(rate))),
+        _apart(_many(engine, prepared, times), engine.states(prepared, times)),
     ]
     if body is not None:
-        found.append(_apart(_batch(engine, body, times), engine.states(plan, times)))
+        found.append(_apart(_batch(engine, body, times), engine.states(prepared, times)))
         found += [_apart(*both) for both in callers.differing(engine, body, times)]
     return np.array(found)
 
 
-def _alone(engine: Engine, plan: Any, times: np.ndarray) -> States:
-    states = [engine.states(plan, float(t)) for t in times]
+def _alone(engine: Engine, prepared: Any, times: np.ndarray) -> States:
+    states = [engine.states(prepared, float(t)) for t in times]
     return np.array([q for q, _ in states]), np.array([omega for _, omega in states])
 
 
@@ -55,18 +57,18 @@ def _grid_times(rate: float) -> np.ndarray:
     return _step(rate) * np.arange(-1.0, GRID - 1)
 
 
-def _grid(engine: Engine, plan: Any, rate: float) -> States:
-    return engine.grid(plan, -_step(rate), _step(rate), GRID)
+def _grid(engine: Engine, prepared: Any, rate: float) -> States:
+    return engine.grid(prepared, -_step(rate), _step(rate), GRID)
 
 
 def _step(rate: float) -> float:
     return 2.0 ** -math.floor(math.log2(rate))
 
 
-def _many(engine: Engine, plan: Any, times: np.ndarray) -> States:
+def _many(engine: Engine, prepared: Any, times: np.ndarray) -> States:
     """The first and the last of as many times as it takes."""
     copies = MANY // len(times) + 1
-    q, omega = engine.states(plan, np.tile(times, copies))
+    q, omega = engine.states(prepared, np.tile(times, copies))
     return q[-len(times) :], omega[-len(times) :]
 
 

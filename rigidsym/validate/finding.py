@@ -75,5 +75,5 @@ def look(sample: Sample, digits: int, contestants: Iterable[str] | Mapping[str, 
 def _entered(contestants: Iterable[str] | Mapping[str, Any]) -> dict[str, Any]:
     """Engines and peers by name."""
     if isinstance(contestants, Mapping):
-        return {name: x if hasattr(x, "plan") else own(x) for name, x in contestants.items()}
+        return {name: x if hasattr(x, "prepare") else own(x) for name, x in contestants.items()}
     return {name: contestant(name) for name in contestants}

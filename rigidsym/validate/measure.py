@@ -43,8 +43,8 @@ def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str,
     later = np.nextafter(times, np.inf)
     paths = [arc(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
     asked = [times, later, *(path.nodes for path in paths)]
-    plan, body = _planned(sample, engine)
-    states = engine.states(plan, np.concatenate(asked))
+    prepared, body = _made(sample, engine)
+    states = engine.states(prepared, np.concatenate(asked))
     (q, q_later, *q_paths), (omega, _, *omega_paths) = (
         np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in states
     )
@@ -60,21 +60,21 @@ def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str,
     }
     # Peers have one entry point only.
     if entry_points.is_due(sample.index) and hasattr(engine, "grid"):
-        apart = entry_points.differences(engine, plan, body, times, rate)
+        apart = entry_points.differences(engine, prepared, body, times, rate)
         found["routes"] = _errors("routes", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)
     # Where t = 0 is not asked for there is no start.
     return {name: errors for name, errors in found.items() if len(errors.times)}
 
 
-def _planned(sample: Sample, engine: Any) -> tuple[Any, Any]:
-    """A plan, and the doubles it is made from where they say all of the sample."""
+def _made(sample: Sample, engine: Any) -> tuple[Any, Any]:
+    """A prepared motion, and the doubles it is made from where they say all of the sample."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     body = tuple(np.array(values, dtype=float) for values in state)
     # Peers take doubles only.
-    if not sample.in_doubles and hasattr(engine, "exact_plan"):
-        return engine.exact_plan(*sample.exact), None
-    return engine.plan(*body), body
+    if not sample.in_doubles and hasattr(engine, "prepare_exactly"):
+        return engine.prepare_exactly(*sample.exact), None
+    return engine.prepare(*body), body
 
 
 def _angle(q: np.ndarray, reference: Reference, engine: Any) -> np.ndarray:

@@ -12,7 +12,7 @@ import numpy as np
 from rigidsym.precise import PreciseMotion
 from rigidsym.precise.adaptive import GUARD_BITS
 from rigidsym.precise.balls import bits_of, working
-from rigidsym.solution.polhode import Regime, excess
+from rigidsym.solution.polhode import Regime, discriminant
 from rigidsym.validate.strata.sample import Numbers, Sample
 
 # Normal deviates are rounded to parts of this, so that exact arithmetic with them stays quick.
@@ -105,7 +105,7 @@ def distance(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> float:
     """|K^2 - 2 H c_b| over what its terms add up to: 0 on the separatrix, 1 far from it."""
     middle = sorted(inertia)[1]
     terms = sum(c * abs(c - middle) * w * w for c, w in zip(inertia, omega0, strict=True))
-    return float(abs(excess(inertia, omega0)) / terms) if terms else 1.0
+    return float(abs(discriminant(inertia, omega0)) / terms) if terms else 1.0
 
 
 def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:

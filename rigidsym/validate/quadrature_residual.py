@@ -11,7 +11,7 @@ from numpy.polynomial import legendre
 # rounded, true states have residuals of 1e-16 at most.
 NODES, LENGTH = 10, 0.5
 # Beyond so many radians doubles are too far apart for nodes.
-FARTHEST = 2.0**38
+MAX_ANGLE = 2.0**38
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class Arc:
 
 def arc(begin: float, rate: float) -> Arc:
     """The arc of LENGTH radians at `rate` rad/s from a time, or from where doubles are dense."""
-    begin = float(np.clip(begin, -FARTHEST / rate, FARTHEST / rate))
+    begin = float(np.clip(begin, -MAX_ANGLE / rate, MAX_ANGLE / rate))
     nodes = begin + (_lobatto() + 1) * (LENGTH / rate / 2)
     half = (nodes[-1] - nodes[0]) / 2
     places = (nodes - nodes[0]) / half - 1

@@ -9,7 +9,7 @@ from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.motion import IDENTITY
 from rigidsym.validate.strata import Sample
-from rigidsym.validate.strata.times import FARTHEST
+from rigidsym.validate.strata.times import MAX_ANGLE
 
 # Samples tried at most.
 TRIALS = 200
@@ -64,4 +64,4 @@ def _is_bounded(sample: Sample) -> bool:
         return False
     turned = math.hypot(*sample.omega0) * max(map(abs, sample.times))
     # Decimals of the largest doubles can be infinite.
-    return all(map(math.isfinite, (*sample.inertia, turned))) and turned <= FARTHEST
+    return all(map(math.isfinite, (*sample.inertia, turned))) and turned <= MAX_ANGLE

@@ -12,14 +12,16 @@ from rigidsym.validate.faults.tables import BY_HAND
 
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
 TIMES = np.array([0.0, 1.0, -30.0])
-KEEPS_RATES = next(f for f in BY_HAND if f.line == "numpy: the caller's rates kept in a plan")
+KEEPS_RATES = next(
+    f for f in BY_HAND if f.line == "numpy: the caller's rates kept in a prepared motion"
+)
 
 
 class Unchecked(NumpyEngine):
     """An engine that looks at no memory, as NumPy's once did."""
 
     def propagate(self, inertia, omega0, attitude0, t, out=None, errors="raise"):
-        states = self.module.states(self.module.plan(inertia, omega0, attitude0, errors), t)
+        states = self.module.states(self.module.prepare(inertia, omega0, attitude0, errors), t)
         for given, found in zip(out or states, states, strict=True):
             given[...] = found
         return out or states
@@ -32,8 +34,8 @@ class Reading(Unchecked):
         if out is None or errors == "nan":
             return super().propagate(inertia, omega0, attitude0, t, out, errors)
         for k in range(len(omega0)):
-            plan = self.module.plan(inertia[k], omega0[k], attitude0[k])
-            out[0][k], out[1][k] = self.module.states(plan, t)
+            prepared = self.module.prepare(inertia[k], omega0[k], attitude0[k])
+            out[0][k], out[1][k] = self.module.states(prepared, t)
         return out
 
 

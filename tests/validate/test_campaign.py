@@ -30,7 +30,7 @@ from rigidsym.validate.finding import look
 from rigidsym.validate.record import record
 from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import STRATA, count, draw
-from rigidsym.validate.strata.times import FARTHEST
+from rigidsym.validate.strata.times import MAX_ANGLE
 from rigidsym.validate.tally import Tally
 from rigidsym.validate.validation import conduct
 
@@ -301,7 +301,7 @@ def test_a_case_is_not_made_simpler_by_what_modules_may_refuse():
     """Its rates are 1e-250 rad/s and its times 1e251 s: at 1 rad/s these are beyond 2^46 rad."""
     sample = draw("scales", 1, 1)
     found = simplest(sample, lambda given: any(given.omega0) and max(map(abs, given.times)) > 1)
-    assert max(map(abs, found.times)) * math.hypot(*found.omega0) <= FARTHEST
+    assert max(map(abs, found.times)) * math.hypot(*found.omega0) <= MAX_ANGLE
 
 
 def test_a_fraction_next_to_a_simple_number_becomes_that_number():

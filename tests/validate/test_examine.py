@@ -158,12 +158,12 @@ class Rotations:
     def __init__(self):
         self.engine = engine("numpy")
 
-    def plan(self, *motion):
-        return self.engine.plan(*motion)
+    def prepare(self, *motion):
+        return self.engine.prepare(*motion)
 
-    def states(self, plan, t):
+    def states(self, prepared, t):
         assert max(map(abs, t)) < 1e6
-        q, omega = self.engine.states(plan, np.asarray(t))
+        q, omega = self.engine.states(prepared, np.asarray(t))
         return np.copysign(1.0, q[:, 0])[:, None] * q, omega
 
 

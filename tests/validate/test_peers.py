@@ -64,7 +64,7 @@ def gaps(found, expected):
 @pytest.mark.parametrize("name", MOTIONS)
 def test_peers_agree_with_the_derivation(peer, name):
     t, within, motion = turned(MOTIONS[name][1]), WITHIN[peer.name], MOTIONS[name]
-    (q, omega), (exact_q, exact_omega) = peer.states(peer.plan(*motion), t), exact(motion, t)
+    (q, omega), (exact_q, exact_omega) = peer.states(peer.prepare(*motion), t), exact(motion, t)
     assert q.shape == (t.size, 4)
     assert omega.shape == (t.size, 3)
     apart = gaps(q, exact_q)
@@ -75,31 +75,33 @@ def test_peers_agree_with_the_derivation(peer, name):
 
 
 def test_the_start_is_the_attitude_with_its_sign(integrator):
-    plan = integrator.plan((1, 2, 2.5), (0.1, 0.2, 0.8), (-3, 0, 4, 0))
-    q, omega = integrator.states(plan, [0.0])
+    prepared = integrator.prepare((1, 2, 2.5), (0.1, 0.2, 0.8), (-3, 0, 4, 0))
+    q, omega = integrator.states(prepared, [0.0])
     assert q.tolist() == [[-0.6, 0, 0.8, 0]]
     assert omega.tolist() == [[0.1, 0.2, 0.8]]
 
 
 def test_a_whole_turn_is_the_other_sheet(integrator):
-    plan = integrator.plan((1, 1, 1), (0, 0, 1), (1, 0, 0, 0))
-    q, _ = integrator.states(plan, [2 * np.pi, 4 * np.pi, -2 * np.pi])
+    prepared = integrator.prepare((1, 1, 1), (0, 0, 1), (1, 0, 0, 0))
+    q, _ = integrator.states(prepared, [2 * np.pi, 4 * np.pi, -2 * np.pi])
     assert gaps(q[:, 0], [-1, 1, -1]).max() < 1e-10
 
 
 def test_plans_and_calls_leave_nothing_behind(peer):
-    first, second = (peer.plan(*MOTIONS[name]) for name in list(MOTIONS)[:2])
-    found = [peer.states(plan, TIMES) for plan in (first, second, first)]
+    first, second = (peer.prepare(*MOTIONS[name]) for name in list(MOTIONS)[:2])
+    found = [peer.states(prepared, TIMES) for prepared in (first, second, first)]
     assert all(np.array_equal(a, b) for a, b in zip(found[0], found[2], strict=True))
 
 
 def test_no_times(peer):
-    q, omega = peer.states(peer.plan((1, 2, 2.5), (0.1, 0.2, 0.8), (1, 0, 0, 0)), [])
+    q, omega = peer.states(peer.prepare((1, 2, 2.5), (0.1, 0.2, 0.8), (1, 0, 0, 0)), [])
     assert (q.shape, omega.shape) == ((0, 4), (0, 3))
 
 
 def test_rest(integrator):
-    q, omega = integrator.states(integrator.plan((1, 2, 2.5), (0, 0, 0), (0, 2, 0, 0)), [5.0, -5.0])
+    q, omega = integrator.states(
+        integrator.prepare((1, 2, 2.5), (0, 0, 0), (0, 2, 0, 0)), [5.0, -5.0]
+    )
     assert q.tolist() == [[0, 1, 0, 0]] * 2
     assert not np.any(omega)
 
@@ -107,7 +109,7 @@ def test_rest(integrator):
 def outcome(peer, motion, t):
     """The shape of q, or how many lines a refusal has."""
     try:
-        return peer.states(peer.plan(*motion), t)[0].shape
+        return peer.states(peer.prepare(*motion), t)[0].shape
     except EngineError as error:
         return str(error).count("\n") + 1
 
@@ -160,13 +162,13 @@ def test_what_breaks_down_on_one_side_is_nan_there_from_then_on():
 def test_evaluations_are_limited(name, monkeypatch):
     monkeypatch.setattr(scipy_peer, "_MOST_EVALUATIONS", 100)
     found = the(name)
-    q, _ = found.states(found.plan(*MOTIONS["two equal moments"]), [0.0, 1e6])
+    q, _ = found.states(found.prepare(*MOTIONS["two equal moments"]), [0.0, 1e6])
     assert np.isnan(q[:, 0]).tolist() == [False, True]
 
 
 def test_steps_are_limited():
     heyoka = the("heyoka")
-    q, _ = heyoka.states(heyoka.plan(*MOTIONS["two equal moments"]), [1.0, 1e7])
+    q, _ = heyoka.states(heyoka.prepare(*MOTIONS["two equal moments"]), [1.0, 1e7])
     assert np.isnan(q[:, 0]).tolist() == [False, True]
 
 
@@ -215,10 +217,10 @@ def test_java_that_is_missing(monkeypatch):
 
 def test_java_does_not_outlive_a_fork(monkeypatch):
     orekit = the("orekit")
-    orekit.plan(*MOTIONS["two equal moments"])
+    orekit.prepare(*MOTIONS["two equal moments"])
     monkeypatch.setattr(os, "getpid", lambda: -1)
     with pytest.raises(EngineError, match=r"^orekit: Java does not outlive a fork"):
-        orekit.plan(*MOTIONS["two equal moments"])
+        orekit.prepare(*MOTIONS["two equal moments"])
 
 
 def test_peers_name_themselves_and_how_far_they_go(peer):

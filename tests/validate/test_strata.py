@@ -12,14 +12,14 @@ import pytest
 from mpmath import mpf
 
 from rigidsym import InputError, TorqueFreeMotion, inputs
-from rigidsym.solution.polhode import Regime, classify, excess
+from rigidsym.solution.polhode import Regime, classify, discriminant
 from rigidsym.validate.strata import STRATA, count, draw, samples, separatrix
 from rigidsym.validate.strata.published import published
 from rigidsym.validate.strata.special import BODIES
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "reference_cases.json"
 FEW, SEED = 16, 4
-FARTHEST = 2.0**46
+MAX_ANGLE = 2.0**46
 
 
 def drawn(stratum, cases=FEW, seed=SEED):
@@ -63,14 +63,14 @@ def test_every_sample_can_exist_and_be_followed(stratum):
         assert all(type(x) in (float, Fraction) for x in (*sample.inertia, *sample.omega0))
         assert all(type(t) is float and math.isfinite(t) for t in sample.times)
         rate = math.hypot(*sample.omega0)
-        assert all(rate * abs(t) <= FARTHEST for t in sample.times)
+        assert all(rate * abs(t) <= MAX_ANGLE for t in sample.times)
         assert 0.0 in sample.times
         assert 10 <= len(sample.times) <= 45
         assert max(sample.times) > 0
         assert min(sample.times) < 0
         # Nothing is excepted: every stratum goes as far as the domain and doubles do.
         latest = max(map(abs, sample.times))
-        assert rate * latest > FARTHEST / 4 or not rate or latest == 2.0**1023
+        assert rate * latest > MAX_ANGLE / 4 or not rate or latest == 2.0**1023
 
 
 @pytest.mark.parametrize("stratum", [name for name in STRATA if STRATA[name].size])
@@ -94,7 +94,7 @@ def from_separatrix(sample):
     inertia, omega = (list(map(Fraction, x)) for x in (sample.inertia, sample.omega0))
     middle = sorted(inertia)[1]
     size = sum(c * abs(c - middle) * w * w for c, w in zip(inertia, omega, strict=True))
-    return abs(excess(inertia, omega)) / size
+    return abs(discriminant(inertia, omega)) / size
 
 
 def tilt(sample):
@@ -137,8 +137,8 @@ def test_few_cases_already_spread_over_all_decades(stratum):
 @pytest.mark.parametrize(("stratum", "axis"), [("largest", 2), ("middle", 1), ("smallest", 0)])
 def test_spin_is_about_the_axis_named(stratum, axis):
     for sample in drawn(f"near spin, {stratum}"):
-        fastest = max(range(3), key=lambda k: abs(sample.omega0[k]))
-        assert sorted(sample.inertia)[axis] == sample.inertia[fastest]
+        max_rate = max(range(3), key=lambda k: abs(sample.omega0[k]))
+        assert sorted(sample.inertia)[axis] == sample.inertia[max_rate]
 
 
 def test_doubles_on_the_separatrix_are_on_it_exactly():
@@ -275,7 +275,7 @@ def test_multiples_of_the_quarter_period_lie_between_neighbouring_times():
                 assert low <= number * quarter <= high
                 assert number != 0
         longest = max(longest, *(abs(t) * math.hypot(*sample.omega0) for t in sample.times))
-    assert FARTHEST / 2 < longest < FARTHEST
+    assert MAX_ANGLE / 2 < longest < MAX_ANGLE
 
 
 def quarter_period(sample):
@@ -294,7 +294,7 @@ def quarter_period(sample):
 
 
 def test_long_times_reach_the_end():
-    for stratum, most in (("long times", 1e6), ("longest times", FARTHEST)):
+    for stratum, most in (("long times", 1e6), ("longest times", MAX_ANGLE)):
         listed = drawn(stratum)
         turned = [[abs(t) * math.hypot(*s.omega0) for t in s.times[1:9]] for s in listed]
         assert most / 2 < max(map(max, turned)) < most

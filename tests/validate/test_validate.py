@@ -111,11 +111,11 @@ class Spoilt:
     def __init__(self, change):
         self.engine, self.change = engine("numpy"), change
 
-    def plan(self, *state):
-        return self.engine.plan(*state)
+    def prepare(self, *state):
+        return self.engine.prepare(*state)
 
-    def states(self, plan, t):
-        q, omega = self.engine.states(plan, t)
+    def states(self, prepared, t):
+        q, omega = self.engine.states(prepared, t)
         self.change(t, q, omega)
         return q, omega
 

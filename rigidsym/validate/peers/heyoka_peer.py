@@ -31,18 +31,18 @@ class HeyokaPeer:
         blank = [1.0] + [0.0] * 6
         self._integrator = heyoka.taylor_adaptive(system, blank, tol=1e-16, pars=[1.0] * 3)
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
         """See `Peer`."""
         return Start(inertia, omega0, attitude0)
 
-    def states(self, plan: Start, t: Any) -> States:
+    def states(self, prepared: Start, t: Any) -> States:
         """See `Peer`."""
-        return both_ways(plan, t, lambda times: self._followed(plan, times))
+        return both_ways(prepared, t, lambda times: self._followed(prepared, times))
 
-    def _followed(self, plan: Start, times: np.ndarray) -> np.ndarray:
+    def _followed(self, prepared: Start, times: np.ndarray) -> np.ndarray:
         self._integrator.time = 0.0
-        self._integrator.pars[:] = plan.inertia
-        self._integrator.state[:] = plan.state
+        self._integrator.pars[:] = prepared.inertia
+        self._integrator.state[:] = prepared.state
         # The grid has to begin where the integrator is.
         grid = np.concatenate(([0.0], times))
         return self._integrator.propagate_grid(grid, max_steps=_MOST_STEPS)[-1][1:]

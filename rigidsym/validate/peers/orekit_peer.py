@@ -41,14 +41,14 @@ class OrekitPeer:
         except jpype.JVMNotFoundException:
             raise InputError("peer", self.name, "needs Java (JAVA_HOME may name it)") from None
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
         """See `Peer`."""
         return started().motion(Start(inertia, omega0, attitude0))
 
-    def states(self, plan: Any, t: Any) -> States:
+    def states(self, prepared: Any, t: Any) -> States:
         """See `Peer`."""
         java = started()
-        rows = [java.state(plan, time) for time in checked(t).tolist()]
+        rows = [java.state(prepared, time) for time in checked(t).tolist()]
         found = np.array(rows, float).reshape(-1, 7)
         return found[:, :4], found[:, 4:]
 

@@ -38,11 +38,11 @@ class Peer(Protocol):
         """
         ...
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
         """One motion from float64 numbers: (3,), (3,) and (4,), the last of any length but zero."""
         ...
 
-    def states(self, plan: Any, t: Any) -> States:
+    def states(self, prepared: Any, t: Any) -> States:
         """(q, omega), (N, 4) and (N, 3), at times t (N,) in any order, of any sign."""
         ...
 

@@ -29,23 +29,23 @@ class ScipyPeer:
         module, self.version = needed(self.name, "scipy.integrate", "scipy")
         self._solve = module.solve_ivp
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
         """See `Peer`."""
         return Start(inertia, omega0, attitude0)
 
-    def states(self, plan: Start, t: Any) -> States:
+    def states(self, prepared: Start, t: Any) -> States:
         """See `Peer`."""
-        return both_ways(plan, t, lambda times: self._followed(plan, times))
+        return both_ways(prepared, t, lambda times: self._followed(prepared, times))
 
-    def _followed(self, plan: Start, times: np.ndarray) -> np.ndarray:
-        size = math.hypot(*plan.omega0) or 1.0
+    def _followed(self, prepared: Start, times: np.ndarray) -> np.ndarray:
+        size = math.hypot(*prepared.omega0) or 1.0
         # LSODA warns of what it reports, too.
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
             found = self._solve(
-                _Counted(plan.inertia),
+                _Counted(prepared.inertia),
                 (0.0, float(times[-1])),
-                np.array(plan.state),
+                np.array(prepared.state),
                 self._method,
                 times,
                 rtol=_TOLERANCE,

@@ -34,13 +34,13 @@ class Own:
     sheets: bool
     said: list[str] = field(default_factory=list)
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
         """See `Peer`."""
-        return _tried(self.said, lambda: self.peer.plan(inertia, omega0, attitude0))
+        return _tried(self.said, lambda: self.peer.prepare(inertia, omega0, attitude0))
 
-    def states(self, plan: Any, t: Any) -> States:
+    def states(self, prepared: Any, t: Any) -> States:
         """See `Peer`."""
-        return _tried(self.said, lambda: shaped(self.peer.states(plan, t), len(t)))
+        return _tried(self.said, lambda: shaped(self.peer.states(prepared, t), len(t)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,17 +54,19 @@ class Follower:
     integrator: Integrator
     said: list[str]
 
-    def plan(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
+    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
         """See `Peer`."""
         return Start(inertia, omega0, attitude0)
 
-    def states(self, plan: Start, t: Any) -> States:
+    def states(self, prepared: Start, t: Any) -> States:
         """See `Peer`."""
-        return both_ways(plan, t, lambda times: self._followed(plan, times))
+        return both_ways(prepared, t, lambda times: self._followed(prepared, times))
 
-    def _followed(self, plan: Start, times: np.ndarray) -> np.ndarray:
+    def _followed(self, prepared: Start, times: np.ndarray) -> np.ndarray:
         # Arrays of its own, which it may overwrite.
-        given = [np.array(x) for x in (plan.inertia, plan.omega0, plan.attitude0, times)]
+        given = [
+            np.array(x) for x in (prepared.inertia, prepared.omega0, prepared.attitude0, times)
+        ]
         states = _tried(self.said, lambda: shaped(self.integrator(*given), times.size))
         return np.hstack(states)
 
@@ -78,9 +80,11 @@ def own(
     """A callable, or an object with the methods of `Peer`, as a peer; what is None is taken from
     the object where it has it.  Raises InputError where it is neither, or cannot be called so."""
     said: list[str] = []
-    is_peer = all(callable(getattr(integrator, method, None)) for method in ("plan", "states"))
+    is_peer = all(callable(getattr(integrator, method, None)) for method in ("prepare", "states"))
     if not is_peer and not callable(integrator):
-        rule = "must be a function of (inertia, omega0, attitude0, times), or have plan and states"
+        rule = (
+            "must be a function of (inertia, omega0, attitude0, times), or have prepare and states"
+        )
         raise InputError("integrator", repr(integrator), rule)
     return Own(
         integrator if is_peer else Follower(integrator, said),

@@ -16,7 +16,7 @@ from rigidsym.precise import PreciseMotion
 from rigidsym.validate.strata import near, separatrix
 from rigidsym.validate.strata.bodies import uniform
 from rigidsym.validate.strata.sample import Floats, Motion, fractions
-from rigidsym.validate.strata.times import FARTHEST, turning
+from rigidsym.validate.strata.times import MAX_ANGLE, turning
 
 _DIGITS = 25
 _BODIES = (uniform, separatrix.near, near.prolate, near.oblate)
@@ -75,14 +75,14 @@ def zeros(random: Random, index: int, motion: Motion) -> Floats:
 
 def _last_zeros(motion: Motion, found: Marks) -> tuple[int, int]:
     """The numbers of the last zeros, an even and an odd one, two periods before the end."""
-    half = int(FARTHEST / (turning(motion) * float(found.quarter))) // 2 - 4
+    half = int(MAX_ANGLE / (turning(motion) * float(found.quarter))) // 2 - 4
     return 2 * half, 2 * half + 1
 
 
 def quarters(random: Random, index: int, motion: Motion) -> Floats:
     """t = 0, and next to the first and to later multiples of the quarter period, both ways."""
     found = marks(motion)
-    last = int(FARTHEST / (turning(motion) * float(found.quarter)))
+    last = int(MAX_ANGLE / (turning(motion) * float(found.quarter)))
     numbers = [1, random.randint(2, 8), int(last ** random.random()), int(last**0.5), last]
     sign, listed = random.choice((-1, 1)), [0.0]
     for k, number in enumerate(numbers):

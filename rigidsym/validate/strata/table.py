@@ -15,7 +15,7 @@ from rigidsym.validate.strata import (
     switch,
 )
 from rigidsym.validate.strata.sample import Numbers, Sample, Stratum
-from rigidsym.validate.strata.times import FARTHEST, turns
+from rigidsym.validate.strata.times import MAX_ANGLE, turns
 
 _SOME = turns(50)
 # Near the separatrix the body lingers for long before it turns over.
@@ -121,18 +121,18 @@ _LISTED = (
         turns(100),
     ),
     Stratum("long times", "any body, evenly up to 1e6 rad", bodies.uniform, turns(1e6)),
-    Stratum("longest times", "any body, evenly up to 2^46 rad", bodies.uniform, turns(FARTHEST)),
+    Stratum("longest times", "any body, evenly up to 2^46 rad", bodies.uniform, turns(MAX_ANGLE)),
     Stratum(
         "near separatrix, long",
         "doubles 1e-1 to 1e-16 from the separatrix, evenly up to 2^46 rad",
         separatrix.near,
-        turns(FARTHEST),
+        turns(MAX_ANGLE),
     ),
     Stratum(
         "branch switch",
         "k_1^2 within 3e-1 to 1e-16 of 1/2, where the series change, up to 2^46 rad",
         switch.switch,
-        turns(FARTHEST),
+        turns(MAX_ANGLE),
     ),
     Stratum(
         "zeros of the rates",

@@ -8,7 +8,7 @@ from rigidsym.codegen.limits import LIMITS
 from rigidsym.validate.strata.sample import Floats, Motion, Times
 
 # A little less than |omega0 t| may be, since that product is rounded.
-FARTHEST = 0.99 * 2.0 ** next(limit.exponent for limit in LIMITS if limit.name == "farthest")
+MAX_ANGLE = 0.99 * 2.0 ** next(limit.exponent for limit in LIMITS if limit.name == "max_angle")
 _LEAST = 1e-6
 # Times of each kind: a motion is worth many, since its constants cost more than a state.
 _EACH = 8
@@ -32,8 +32,8 @@ def turns(most: float) -> Times:
 
 def late(random: Random, motion: Motion, first: float) -> Floats:
     """Times by decades from `first` radians of turning to the last allowed, and near that."""
-    angles = [first * (FARTHEST / first) ** random.random() for _ in range(_LATE)]
-    angles.append(FARTHEST * random.uniform(0.5, 1))
+    angles = [first * (MAX_ANGLE / first) ** random.random() for _ in range(_LATE)]
+    angles.append(MAX_ANGLE * random.uniform(0.5, 1))
     return _signed(random.choice((-1, 1)), angles, motion)
 
 

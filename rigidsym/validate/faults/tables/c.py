@@ -5,16 +5,16 @@ from functools import partial
 from rigidsym.validate.faults.fault import Fault
 
 _fault = partial(Fault, "c")
-_NUMBERS = "static const pair pi = {"
+_NUMBERS = "static const double_double pi = {"
 _LADDER = "static void ladder("
-_CIRCULAR_PLAN = "static void circular_plan("
+_CIRCULAR_PLAN = "static void circular_constants("
 _CIRCULAR_STATE = "static void circular_state("
-_HYPERBOLIC_PLAN = "static void hyperbolic_plan("
+_HYPERBOLIC_PLAN = "static void hyperbolic_constants("
 _HYPERBOLIC_ANGLES = "static void hyperbolic_angles("
 _HYPERBOLIC_STATE = "static void hyperbolic_state("
-_STEADY_PLAN = "static void steady_plan("
+_STEADY_PLAN = "static void steady_constants("
 _STEADY_STATE = "static void steady_state("
-_EXCESS = "static pair excess_of("
+_DISCRIMINANT = "static double_double discriminant_of("
 _MOVING = "static int moving_init("
 _INIT = "static int init("
 _UNTOLD = "-U__ASSOCIATIVE_MATH__"
@@ -24,8 +24,8 @@ _CONSTANTS = (
         "precision",
         "the gain of a rate in single precision, circular",
         _CIRCULAR_PLAN,
-        "plan->gain_b = pair_rounded(gain_b);",
-        "plan->gain_b = (float)pair_rounded(gain_b);",
+        "motion->gain_b = dd_rounded(gain_b);",
+        "motion->gain_b = (float)dd_rounded(gain_b);",
     ),
 )
 
@@ -34,8 +34,8 @@ _SERIES = (
         "series",
         "the last term of theta_1 dropped, circular",
         _CIRCULAR_PLAN,
-        "T1_re_3 = pair_mul_dx(-8.0, p7);",
-        "T1_re_3 = pair_mul_dx(0.0, p7);",
+        "T1_re_3 = dd_mul_dx(-8.0, p7);",
+        "T1_re_3 = dd_mul_dx(0.0, p7);",
     ),
     _fault(
         "ladder",
@@ -55,7 +55,7 @@ _SERIES = (
         "ladder",
         "the last Landen step dropped from K",
         _LADDER,
-        "pair_mul_xx(pair_add_dx(1.0, k5), K5);",
+        "dd_mul_xx(dd_add_dx(1.0, k5), K5);",
         "K5;",
     ),
 )
@@ -65,8 +65,8 @@ _GEOMETRY = (
         "axis",
         "q in the order of the principal axes, rates not",
         "static void block_states(",
-        "row[1 + axis[k]] = out[1 + k];",
-        "row[1 + k] = out[1 + k];",
+        "row[1 + axis[k]] = out + (1 + k) * s;",
+        "row[1 + k] = out + (1 + k) * s;",
     ),
     _fault(
         "axis",
@@ -107,22 +107,22 @@ _GEOMETRY = (
         "attitude",
         "the last number of attitude0 left out of its length",
         _INIT,
-        "length = pair_add_xx(length, pair_mul_xx(q[k + 1], q[k + 1]));",
-        "length = pair_add_xx(length, pair_mul_xx(q[k], q[k + 1]));",
+        "length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));",
+        "length = dd_add_xx(length, dd_mul_xx(q[k], q[k + 1]));",
     ),
     _fault(
         "attitude",
         "a vector product turned around, circular",
         _CIRCULAR_PLAN,
-        "pair_sub_xx(pair_mul_xx(q_b, qbar_a), pair_mul_xx(q_a, qbar_b))",
-        "pair_sub_xx(pair_mul_xx(q_a, qbar_b), pair_mul_xx(q_b, qbar_a))",
+        "dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b))",
+        "dd_sub_xx(dd_mul_xx(q_a, qbar_b), dd_mul_xx(q_b, qbar_a))",
     ),
     _fault(
         "attitude",
         "scalar and vector part swapped in one coefficient, hyperbolic",
         _HYPERBOLIC_PLAN,
-        "row_0_P4_re = pair_mul_xx(over_N, p_0);",
-        "row_0_P4_re = pair_mul_xx(over_N, p_d);",
+        "row_0_P4_re = dd_mul_xx(over_N, p_0);",
+        "row_0_P4_re = dd_mul_xx(over_N, p_d);",
     ),
 )
 
@@ -145,14 +145,14 @@ _DECISIONS = (
         "branch",
         "the wrong side of the separatrix",
         _INIT,
-        "if (excess.hi < 0.0) {",
-        "if (excess.hi > 0.0) {",
+        "if (discriminant.hi < 0.0) {",
+        "if (discriminant.hi > 0.0) {",
     ),
     _fault(
         "branch",
         "the side of the separatrix decided in doubles",
-        _EXCESS,
-        "if (fabs(sum.hi) > 0x1p-10 * (over.hi - under.hi))",
+        _DISCRIMINANT,
+        "if (fabs(sum.hi) > (over.hi - under.hi) / 1024.0)",
         "if (fabs(sum.hi) >= 0.0)",
     ),
     _fault(
@@ -165,17 +165,17 @@ _DECISIONS = (
     _fault(
         "branch",
         "differences taken from what moments are rounded to",
-        "int torque_free_plan_init_pairs(",
-        "const pair above = {differences[k][0], differences[k][1]};",
+        "int torque_free_motion_init_double_doubles(",
+        "const double_double above = {differences[k][0], differences[k][1]};",
         "const double *next = inertia[(k + 1) % 3];"
-        " const pair less = {-next[0], -next[1]}, above = pair_add_xx(moment, less);",
+        " const double_double less = {-next[0], -next[1]}, above = dd_add_xx(moment, less);",
     ),
     _fault(
         "quadrant",
         "the start before the middle of a period taken for one after it, hyperbolic",
         _HYPERBOLIC_PLAN,
-        "side = choose(0.0, pair_rounded(s), 1.0, -1.0);",
-        "side = choose(0.0, pair_rounded(s), 1.0, 1.0);",
+        "side = choose(0.0, dd_rounded(s), 1.0, -1.0);",
+        "side = choose(0.0, dd_rounded(s), 1.0, 1.0);",
     ),
     _fault(
         "quadrant",
@@ -188,15 +188,15 @@ _DECISIONS = (
         "quadrant",
         "the near side taken for the far one at the start, hyperbolic",
         _HYPERBOLIC_PLAN,
-        "const pair w = pair_choose(far, near, e_near, e_far);",
-        "const pair w = pair_choose(far, near, e_far, e_near);",
+        "const double_double w = dd_choose(far, near, e_near, e_far);",
+        "const double_double w = dd_choose(far, near, e_far, e_near);",
     ),
     _fault(
         "sheet",
         "attitude0 always with a positive scalar part",
         _INIT,
-        "unit_q[k] = pair_div_xx(q[k], length);",
-        "unit_q[k] = pair_div_xx(q[0].hi < 0.0 ? pair_neg(q[k]) : q[k], length);",
+        "unit_q[k] = dd_div_xx(q[k], length);",
+        "unit_q[k] = dd_div_xx(q[0].hi < 0.0 ? dd_neg(q[k]) : q[k], length);",
     ),
 )
 
@@ -205,62 +205,62 @@ _DIGITS = (
         "pair",
         "the low part of the rate of Lambda lost, circular",
         _CIRCULAR_PLAN,
-        "plan->Lambda_rate_lo = Lambda_rate.lo;",
-        "plan->Lambda_rate_lo = 0.0;",
+        "motion->Lambda_rate_lo = Lambda_rate.lo;",
+        "motion->Lambda_rate_lo = 0.0;",
     ),
     _fault(
         "pair",
         "the low part of the rate of y lost, hyperbolic",
         _HYPERBOLIC_PLAN,
-        "plan->y_rate_lo = y_rate.lo;",
-        "plan->y_rate_lo = 0.0;",
+        "motion->y_rate_lo = y_rate.lo;",
+        "motion->y_rate_lo = 0.0;",
     ),
     _fault(
         "pair",
         "the low part of the rate lost, steady",
         _STEADY_PLAN,
-        "plan->Lambda_rate_lo = Lambda_rate.lo;",
-        "plan->Lambda_rate_lo = 0.0;",
+        "motion->Lambda_rate_lo = Lambda_rate.lo;",
+        "motion->Lambda_rate_lo = 0.0;",
     ),
     _fault(
         "pair",
         "roots of pairs not corrected",
-        "static inline pair pair_sqrt(",
+        "static inline double_double dd_sqrt(",
         "rest / (2.0 * s)",
         "0.0 * s",
     ),
     _fault(
         "pair",
         "a low part lost in sums of pairs",
-        "static inline pair pair_add_xx(",
+        "static inline double_double dd_add_xx(",
         "quick_sum(s.hi, s.lo + t.hi);",
         "quick_sum(s.hi, s.lo + x.lo);",
     ),
     _fault(
         "pair",
         "an exact sum that rounds",
-        "static inline pair two_sum(",
+        "static inline double_double two_sum(",
         "(a - d) + (b - c)",
         "b - c",
     ),
     _fault(
         "scale",
         "the scale of K^2 - 2 H c_b forgotten",
-        _EXCESS,
+        _DISCRIMINANT,
         "return scaled(sum, 2 * scale);",
         "return scaled(sum, scale);",
     ),
     _fault(
         "scale",
         "moments not scaled",
-        "int torque_free_plan_init(torque_free_plan",
+        "int torque_free_motion_init(torque_free_motion",
         "ldexp(inertia[k], -c_scale)",
         "inertia[k]",
     ),
     _fault(
         "scale",
         "attitude0 not scaled",
-        "int torque_free_plan_init(torque_free_plan",
+        "int torque_free_motion_init(torque_free_motion",
         "ldexp(attitude0[k], -q_scale)",
         "attitude0[k]",
     ),
@@ -268,8 +268,8 @@ _DIGITS = (
         "steady",
         "a sphere's rate from one axis",
         _STEADY_PLAN,
-        "pair_mul_xx(Omega3, Omega3)",
-        "pair_mul_xx(Omega3, pair_of(0.0))",
+        "dd_mul_xx(Omega3, Omega3)",
+        "dd_mul_xx(Omega3, dd_of(0.0))",
     ),
     _fault(
         "steady",
@@ -288,9 +288,9 @@ _DIGITS = (
     _fault(
         "special",
         "t = 0 with the rates of the principal order",
-        "static void at_start(",
-        "omega[k] = plan->omega0[k];",
-        "omega[plan->axis[k]] = plan->omega0[k];",
+        "static void at_initial_state(",
+        "omega[k] = motion->omega0[k];",
+        "omega[motion->axis[k]] = motion->omega0[k];",
     ),
     _fault(
         "routes",
@@ -322,7 +322,7 @@ _DIGITS = (
     ),
     _fault(
         "callers",
-        "states of the body before for one that is refused",
+        "memory of the caller left as it was for a body that is refused",
         "int torque_free_propagate(",
         "else if (codes)",
         "else if (codes && k == 0)",

@@ -7,16 +7,16 @@ from rigidsym.validate.faults.fault import Fault
 _fault = partial(Fault, "numpy")
 _PAIR_MUL = "    def __mul__(self, other):"
 _LADDER = "def _ladder("
-_CIRCULAR_PLAN = "def _circular_plan("
+_CIRCULAR_PLAN = "def _circular_constants("
 _CIRCULAR_ANGLES = "def _circular_angles("
 _CIRCULAR_STATE = "def _circular_state("
-_HYPERBOLIC_PLAN = "def _hyperbolic_plan("
+_HYPERBOLIC_PLAN = "def _hyperbolic_constants("
 _HYPERBOLIC_ANGLES = "def _hyperbolic_angles("
 _HYPERBOLIC_STATE = "def _hyperbolic_state("
-_STEADY_PLAN = "def _steady_plan("
+_STEADY_PLAN = "def _steady_constants("
 _STEADY_ANGLES = "def _steady_angles("
 _STEADY_STATE = "def _steady_state("
-_PLAN = "    apart (B, 3): what each moment is"
+_PREPARATION = "    apart (B, 3): what each moment is"
 _MOVING = "def _add_moving("
 
 _SERIES = (
@@ -62,8 +62,8 @@ _GEOMETRY = (
         "axis",
         "axes a and d not swapped below the separatrix",
         "def _axes(",
-        "excess.hi[:, None] >= 0, order[:, ::-1], order)",
-        "excess.hi[:, None] >= 0, order[:, ::-1], order[:, ::-1])",
+        "discriminant.hi[:, None] >= 0, order[:, ::-1], order)",
+        "discriminant.hi[:, None] >= 0, order[:, ::-1], order[:, ::-1])",
     ),
     _fault(
         "sign",
@@ -96,7 +96,7 @@ _GEOMETRY = (
     _fault(
         "attitude",
         "attitude0 not normalised",
-        _PLAN,
+        _PREPARATION,
         "q[:, k] / length",
         "q[:, k] / 1.0",
     ),
@@ -141,7 +141,7 @@ _DECISIONS = (
     _fault(
         "branch",
         "the side of the separatrix decided by pairs, not by integers",
-        "def _exact_excess(",
+        "def _exact_discriminant(",
         "2.0**-10 * (over.hi - under.hi)",
         "-1 * (over.hi - under.hi)",
     ),
@@ -163,8 +163,8 @@ _DECISIONS = (
         "branch",
         "differences taken from what moments are rounded to",
         "    inertia (3, 2), omega0 (3, 2), attitude0 (4, 2)",
-        "return _plan(c, apart,",
-        "return _plan(c, c - _Pair(np.roll(c.hi, -1, -1), np.roll(c.lo, -1, -1)),",
+        "return _prepared(c, apart,",
+        "return _prepared(c, c - _DoubleDouble(np.roll(c.hi, -1, -1), np.roll(c.lo, -1, -1)),",
     ),
     _fault(
         "branch",
@@ -272,19 +272,19 @@ _DIGITS = (
         "K of the ladder a plain double",
         _LADDER,
         "return K0, s5",
-        "return _Pair(K0.hi, 0.0 * K0.hi), s5",
+        "return _DoubleDouble(K0.hi, 0.0 * K0.hi), s5",
     ),
     _fault(
         "scale",
         "the scale of K^2 - 2 H c_b forgotten",
-        "def _exact_excess(",
-        "np.ldexp(excess.hi, 2 * exponent), np.ldexp(excess.lo, 2 * exponent)",
-        "excess.hi, excess.lo",
+        "def _exact_discriminant(",
+        "np.ldexp(discriminant.hi, 2 * exponent), np.ldexp(discriminant.lo, 2 * exponent)",
+        "discriminant.hi, discriminant.lo",
     ),
     _fault(
         "scale",
         "rates scaled once in K^2 - 2 H c_b from integers",
-        "def _integer_excess(",
+        "def _integer_discriminant(",
         "exponent = shift + 2 * (scale_c + scale_omega)",
         "exponent = shift + 2 * scale_c + scale_omega",
     ),
@@ -313,7 +313,7 @@ _DIGITS = (
         "steady",
         "rest without an axis",
         "def _steady(",
-        "first = _Pair(np.where(rest, 1.0, omega.hi[:, 0]), omega.lo[:, 0])",
+        "first = _DoubleDouble(np.where(rest, 1.0, omega.hi[:, 0]), omega.lo[:, 0])",
         "first = omega[:, 0]",
     ),
     _fault(
@@ -327,8 +327,8 @@ _DIGITS = (
         "special",
         "t = 0 on the other sheet",
         "    zero = np.flatnonzero(flat == 0)",
-        'plan["q0"][:, None]',
-        '-plan["q0"][:, None]',
+        'prepared["q0"][:, None]',
+        '-prepared["q0"][:, None]',
     ),
     _fault(
         "routes",
@@ -355,12 +355,12 @@ _DIGITS = (
         "routes",
         "all blocks of many times at those of the first",
         "    timed, kept = (",
-        'inner = float(plan["unit"][body]) * t[some]',
-        'inner = float(plan["unit"][body]) * t[: len(t[some])]',
+        'inner = float(prepared["unit"][body]) * t[some]',
+        'inner = float(prepared["unit"][body]) * t[: len(t[some])]',
     ),
     _fault(
         "callers",
-        "the caller's rates kept in a plan",
+        "the caller's rates kept in a prepared motion",
         "    given = [np.asarray(",
         "rows[1].copy()",
         "rows[1]",
