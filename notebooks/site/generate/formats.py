@@ -16,16 +16,16 @@ from generate.text import code, fenced, prose, table
 from rigidsym.codegen import generate
 from rigidsym.io import tables as states
 from rigidsym.io.cases import _KEYS, PAPER, parse_case
+from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.precise import comparison
 from rigidsym.proof.derivation import derive
 from rigidsym.proof.kernel import ledger as ledgers
 from rigidsym.proof.paper import Verdict, verdicts
 from rigidsym.proof.paper.verdicts import Ruling
-from rigidsym.solution import ledger_data, ledger_text
 from rigidsym.validate import campaign, checkpoint, validate
 from rigidsym.validate.campaign import Progress
 from rigidsym.validate.executors import local
-from rigidsym.validate.faults import detection as noticing
+from rigidsym.validate.faults import detection
 from rigidsym.validate.faults import report as faults
 from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.report import SCHEMA as VALIDATION
@@ -173,7 +173,7 @@ def _ledger() -> Any:
     data = ledger_data(ledger_text())
     shown = ("line32", "line32.by_invariants")
     published = {**data["published"]}
-    published["programmes"] = {"plan": published["programmes"]["plan"]}
+    published["sequences"] = {"constants": published["sequences"]["constants"]}
     return {
         "schema": ledgers.SCHEMA,
         "contexts": [c for c in data["contexts"] if c["name"] == shown[0]],
@@ -199,9 +199,9 @@ def _campaign() -> Any:
 
 def _faults() -> Any:
     """One fault against one stratum."""
-    cases = [noticing.references(STRATUM, 1, 40, 1)]
+    cases = [detection.references(STRATUM, 1, 40, 1)]
     for fault in (fault for fault in BY_HAND if fault.target == "numpy"):
-        if notices := noticing.notices(fault, cases):
+        if notices := detection.notices(fault, cases):
             outcome = faults.Outcome(fault, tuple(notices))
             break
     return faults.FaultReport(("numpy",), (STRATUM,), 1, 40, 1, (outcome,)).to_data()
@@ -304,11 +304,11 @@ FORMATS = (
             "facts[].source": "equations of the paper that it is about",
             "facts[].certificate": "what the rule checks: cofactors, a point, cases or a reference",
             "published": "for readers; proves nothing",
-            "published.programmes": "formulas in order of evaluation, by the name of the whole",
-            "published.programmes.NAME[].fact": "the id of a proved formula, or instead of it",
-            "published.programmes.NAME[].context": "the context whose reading it is",
-            "published.programmes.NAME[].reading": "a name that stands for what it is read as",
-            "published.programmes.NAME[].source": "equations of the paper that it is about",
+            "published.sequences": "formulas in order of evaluation, by the name of the whole",
+            "published.sequences.NAME[].fact": "the id of a proved formula, or instead of it",
+            "published.sequences.NAME[].context": "the context whose reading it is",
+            "published.sequences.NAME[].reading": "a name that stands for what it is read as",
+            "published.sequences.NAME[].source": "equations of the paper that it is about",
             "published.repairs": "equations that a search found for what is refuted",
             "published.repairs[].fact": "the refuted fact",
             "published.repairs[].lhs": "left side",
@@ -316,7 +316,7 @@ FORMATS = (
             "published.mutants": "by fact: how many mutants are refuted, refused or equivalent",
         },
         frozenset({"contexts[].witness", "contexts[].definitions", "contexts[].rates",
-                   "contexts[].reading", "published.programmes", "published.mutants"}),
+                   "contexts[].reading", "published.sequences", "published.mutants"}),
     ),
     Format(
         comparison.SCHEMA,
@@ -383,18 +383,19 @@ FORMATS = (
         "`rigidsym validate --faults --json`, and as `faults.json` with `-o DIR`",
         _faults,
         {
-            "targets": "whose texts were spoilt",
+            "targets": "whose texts were changed",
             "cases": "samples of each stratum",
             "digits": "of the oracle",
             "seed": "of the cases",
             "passed": "whether each fault was caught by some stratum",
             "kinds": "what kinds of faults there are",
             "strata": "how many faults each caught, how many no other did, `of` how many",
-            "faults[].target": "whose text is spoilt",
+            "faults[].target": "whose text is changed",
             "faults[].name": "what is wrong",
             "faults[].kind": "one of `kinds`",
             "faults[].old": "the text that is replaced",
             "faults[].new": "by this",
+            "faults[].options": "of the compiler, beyond the usual ones",
             "faults[].caught": "by stratum: the first case, and the measures that say so",
         },
         frozenset({"kinds", "strata", "faults[].caught"}),
