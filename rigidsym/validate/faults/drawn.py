@@ -26,7 +26,7 @@ from rigidsym.language.expression import (
     rebuild,
 )
 from rigidsym.solution import sealed
-from rigidsym.validate.bounds import ULP
+from rigidsym.validate.bounds import BOUND, ULP
 from rigidsym.validate.faults.fault import Fault
 
 # A kind of fault, what is done, and the expression then.
@@ -35,12 +35,16 @@ Change = tuple[str, str, Expression]
 _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
 # How many faults of each kind are drawn for a target.
 EACH = 5
-# Of all faults that can be drawn, those that no motion can show, and why.
+# Of all faults that can be drawn, those that no motion can show, and why; a let stands for all that
+# can be done to it.
 HARMLESS = {
     "turned_other of hyperbolic_angles: a term dropped (2)": "a sum's error, near enough",
     "j_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
     "L_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
-    "tail of half_turns: doubled (4)": "4e-22 of an angle that no time multiplies",
+    "tail of half_turns": "1e-19 of an angle that no time multiplies",
+    "pi_lo off by 1e-12": "1e-28 of an angle below 1/2",
+    "log_2_rest in single precision": "6e-18 of an exponent for each half that is taken off",
+    "log_2_inverse off by 1e-12": "the other of two whole numbers that are equally near",
     "tail of logarithm: a term dropped (22)": "4e-34 of a logarithm",
     "C_5 of hyperbolic_constants: a sign turned (1)": "is times the nome to the 30th, below 2e-41",
     "zeta of hyperbolic_constants: doubled (26)": "the nome to the 30th, below 2e-41",
@@ -56,8 +60,8 @@ class _Series:
     lost: float
 
 
-# Rates depend on logarithms: theirs is what after 2^46 rad is a rounding.
-_AFTER_ALL_TIME = ULP / 2**46
+# Rates depend on logarithms: theirs is what after 2^46 rad is the bound of an angle.
+_AFTER_ALL_TIME = BOUND / 2**46
 _SERIES = {
     "over": _Series(lambda k: float(angles.LARGEST) ** (k - 1), _AFTER_ALL_TIME),
     "sine": _Series(lambda k: 0.5 ** (2 * k + 3), 2 * ULP),
@@ -102,7 +106,12 @@ _PRINTERS = {
 @cache
 def drawn(target: str) -> tuple[Fault, ...]:
     """The first EACH of each kind, but for those that are harmless."""
-    return tuple(fault for fault in first(target) if fault.name not in HARMLESS)
+    return tuple(fault for fault in first(target) if not is_harmless(fault))
+
+
+def is_harmless(fault: Fault) -> bool:
+    """Whether it, or all that can be done to its let, is in HARMLESS."""
+    return fault.name in HARMLESS or fault.name.partition(":")[0] in HARMLESS
 
 
 def first(target: str) -> tuple[Fault, ...]:
