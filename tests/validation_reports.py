@@ -5,7 +5,7 @@ import json
 from dataclasses import replace
 from functools import cache
 
-from rigidsym.validate.campaign import Progress, campaign, run
+from rigidsym.validate.campaign import Campaign, Progress, complete
 from rigidsym.validate.executors import local
 from rigidsym.validate.report import Failure
 from rigidsym.validate.validation import reported
@@ -16,9 +16,9 @@ STRATA = ("uniform", "separatrix", "near separatrix", "nearest separatrix", "res
 @cache
 def whole():
     """The report itself."""
-    progress, chosen = Progress(), campaign(["numpy"], cases=3, strata=STRATA)
+    progress, chosen = Progress(), Campaign.of(["numpy"], cases=3, strata=STRATA)
     with local(1) as place:
-        run(chosen, progress, place)
+        complete(chosen, progress, place)
     return reported(chosen, progress.tally, {"python": "3.11", "workers": 1})
 
 

@@ -55,13 +55,13 @@ def _validate(options: Any) -> int:
         probe(options.output)
     # What a batch system sends is an interrupt, too.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    whole, done = session.begin(chosen, None if mode else options.output, options.resume)
+    campaign, done = session.begin(chosen, None if mode else options.output, options.resume)
     if options.case:
-        return _validate_case(whole, options)
-    return _validate_faults(whole, options) if options.faults else _campaign(whole, done, options)
+        return _validate_case(campaign, options)
+    return _validate_faults(campaign, options) if options.faults else _run(campaign, done, options)
 
 
-def _campaign(whole: Any, done: Any, options: Any) -> int:
+def _run(campaign: Any, done: Any, options: Any) -> int:
     from rigidsym.validate import checkpoint, executors, session, tables, validation
     from rigidsym.validate.record import record
 
@@ -70,8 +70,8 @@ def _campaign(whole: Any, done: Any, options: Any) -> int:
         if options.scheduler is None
         else executors.cluster(options.scheduler)
     )
-    kept = checkpoint.Checkpoint(options.output, whole, done) if options.output else None
-    report = validation.conduct(whole, done, place, progress("validate"), kept)
+    kept = checkpoint.Checkpoint(options.output, campaign, done) if options.output else None
+    report = validation.run(campaign, done, place, progress("validate"), kept)
     if kept:
         say(f"report: {session.write(report, options.output)}")
         kept.remove()
@@ -93,12 +93,12 @@ def _campaign(whole: Any, done: Any, options: Any) -> int:
     return 0 if report.passed else 1
 
 
-def _validate_case(whole: Any, options: Any) -> int:
+def _validate_case(campaign: Any, options: Any) -> int:
     import json
 
     from rigidsym.validate import case_file, session, tables
 
-    finding = session.replay(options.case, whole)
+    finding = session.replay(options.case, campaign)
     if options.output:
         path = options.output / case_file.file_name(finding.sample)
         say(f"case: {case_file.write(path, finding.sample)}")
@@ -108,15 +108,15 @@ def _validate_case(whole: Any, options: Any) -> int:
         else:
             print(case_file.toml(finding.sample), end="")
             table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
-    return 0 if max(map(finding.share, whole.targets)) <= 1 else 1
+    return 0 if max(map(finding.share, campaign.targets)) <= 1 else 1
 
 
-def _validate_faults(whole: Any, options: Any) -> int:
+def _validate_faults(campaign: Any, options: Any) -> int:
     from rigidsym.io.files import write_text
     from rigidsym.validate.faults import inject
 
-    drawn = (whole.targets, whole.cases, whole.digits, whole.seed)
-    report = inject(*drawn, progress=progress("validate --faults"), strata=whole.strata)
+    drawn = (campaign.targets, campaign.cases, campaign.digits, campaign.seed)
+    report = inject(*drawn, progress=progress("validate --faults"), strata=campaign.strata)
     if options.output:
         write_text(options.output / "faults.json", report.to_json())
         write_text(options.output / "faults.md", report.to_markdown())

@@ -1,9 +1,9 @@
-"""Validation of the generated modules, and of one's own: strata of cases, oracles, error measures,
-reports."""
+"""Validation of the generated modules, and of a user's integrator: strata of cases, oracles, error
+measures, reports."""
 
 from rigidsym.validate.bounds import BOUNDS, MEANINGS
 from rigidsym.validate.examination import examine
-from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.finding import Finding, look, measure_case
 from rigidsym.validate.implementations import check_target
 from rigidsym.validate.measure import Errors
 from rigidsym.validate.peers import PEERS, Peer
@@ -28,5 +28,6 @@ __all__ = [
     "draw",
     "examine",
     "look",
+    "measure_case",
     "validate",
 ]

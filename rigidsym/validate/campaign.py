@@ -11,8 +11,8 @@ from rigidsym._version import __version__
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
 from rigidsym.validate.executors import Place
-from rigidsym.validate.finding import look
-from rigidsym.validate.implementations import PEER, check_target, contestant, digest
+from rigidsym.validate.finding import measure_case
+from rigidsym.validate.implementations import PEER, check_target, digest, implementation
 from rigidsym.validate.oracle import precise_motion
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.strata import STRATA, count, draw
@@ -44,20 +44,50 @@ class Campaign:
     peer_versions: tuple[str, ...]
     version: str = __version__
 
+    @classmethod
+    def of(
+        cls,
+        targets: Sequence[str],
+        cases: int = CASES,
+        digits: int = DIGITS,
+        seed: int = SEED,
+        peers: Sequence[str] = (),
+        strata: Sequence[str] = (),
+    ) -> "Campaign":
+        """That of these targets and peers; InputError where one of them cannot be had here."""
+        targets, peers, strata = (
+            (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
+        )
+        for target in targets:
+            check_target(target)
+        for name in strata:
+            if name not in STRATA:
+                raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
+        if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
+            rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
+            raise InputError("digits", digits, rule)
+        if not isinstance(cases, int) or cases < 1:
+            raise InputError("cases", repr(cases), "must be a whole number, at least 1")
+        listed = tuple(dict.fromkeys(targets))
+        wanted = tuple(name for name in STRATA if name in strata or not strata)
+        others = tuple(dict.fromkeys(peers))
+        versions = tuple(map(digest, listed)), _versions(others)
+        return cls(listed, others, wanted, cases, digits, seed, *versions)
+
     @property
-    def contestants(self) -> tuple[str, ...]:
+    def implementations(self) -> tuple[str, ...]:
         """Targets, and peers with a word before them."""
         return (*self.targets, *(PEER + name for name in self.peers))
 
     @property
-    def own(self) -> tuple[str, ...]:
-        """Peers that are none of PEERS: integrators of the user's, which have no name elsewhere."""
+    def user_integrators(self) -> tuple[str, ...]:
+        """Peers that are none of PEERS, which have no name elsewhere."""
         return tuple(name for name in self.peers if name not in PEERS)
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The contestants that have to keep the bounds; of other peers it is only said."""
-        return (*self.targets, *(PEER + name for name in self.own))
+        """The implementations that have to keep the bounds; of other peers it is only said."""
+        return (*self.targets, *(PEER + name for name in self.user_integrators))
 
     @property
     def size(self) -> int:
@@ -77,35 +107,6 @@ class Campaign:
         return cls(**given)
 
 
-def campaign(
-    targets: Sequence[str],
-    cases: int = CASES,
-    digits: int = DIGITS,
-    seed: int = SEED,
-    peers: Sequence[str] = (),
-    strata: Sequence[str] = (),
-) -> Campaign:
-    """A campaign of these targets and peers; InputError where one of them cannot be had here."""
-    targets, peers, strata = (
-        (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
-    )
-    for target in targets:
-        check_target(target)
-    for name in strata:
-        if name not in STRATA:
-            raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")
-    if not LEAST_DIGITS <= inputs.digits(digits) <= MOST_DIGITS:
-        rule = f"must be at least {LEAST_DIGITS} and at most {MOST_DIGITS} for a validation"
-        raise InputError("digits", digits, rule)
-    if not isinstance(cases, int) or cases < 1:
-        raise InputError("cases", repr(cases), "must be a whole number, at least 1")
-    listed = tuple(dict.fromkeys(targets))
-    wanted = tuple(name for name in STRATA if name in strata or not strata)
-    others = tuple(dict.fromkeys(peers))
-    versions = tuple(map(digest, listed)), _versions(others)
-    return Campaign(listed, others, wanted, cases, digits, seed, *versions)
-
-
 @dataclass(slots=True)
 class Progress:
     """What a campaign has done: a tally, and the ranges of cases that are in it, by stratum."""
@@ -118,12 +119,12 @@ class Progress:
         """How many cases are done."""
         return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
 
-    def missing(self, whole: Campaign) -> Iterator[Chunk]:
+    def missing(self, campaign: Campaign) -> Iterator[Chunk]:
         """Chunks that are left to do, found one by one: those of a stratum are what is missing of
         it when the first of them is asked for, whatever is taken in meanwhile."""
-        for stratum in whole.strata:
+        for stratum in campaign.strata:
             begin = 0
-            end = count(stratum, whole.cases)
+            end = count(stratum, campaign.cases)
             for start, stop in [*self.done.get(stratum, []), (end, end)]:
                 for first in range(begin, start, CHUNK):
                     yield stratum, first, min(first + CHUNK, start)
@@ -140,8 +141,8 @@ class Progress:
         self.tally, self.done = merged, done
 
 
-def run(
-    whole: Campaign,
+def complete(
+    campaign: Campaign,
     progress: Progress,
     place: Place,
     after: Callable[[], None] = lambda: None,
@@ -150,12 +151,12 @@ def run(
 
     Whatever stops it, `progress` is whole: each case is in it once or not at all.
     """
-    chunks = progress.missing(whole)
+    chunks = progress.missing(campaign)
     pending: set[Future] = set()
     try:
         while True:
             for chunk in islice(chunks, place.ahead - len(pending)):
-                pending.add(place.submit(tallied, whole, chunk))
+                pending.add(place.submit(tallied, campaign, chunk))
             if not pending:
                 return
             finished, pending = wait(pending, return_when=FIRST_COMPLETED)
@@ -167,26 +168,26 @@ def run(
             future.cancel()
 
 
-def tallied(whole: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
+def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
     """Measure the cases of a chunk; where other modules are installed there is no result."""
-    _check_installed(whole)
+    _check_installed(campaign)
     stratum, start, stop = chunk
     tally = Tally()
     for index in range(start, stop):
-        add_case(tally, whole, stratum, index, whole.contestants)
+        add_case(tally, campaign, stratum, index, campaign.implementations)
     return chunk, tally
 
 
 def add_case(
     tally: Tally,
-    whole: Campaign,
+    campaign: Campaign,
     stratum: str,
     index: int,
-    contestants: Iterable[str] | Mapping[str, Any],
+    implementations: Iterable[str] | Mapping[str, Any],
 ) -> None:
-    """Measure and count one case; contestants as `look` takes them."""
-    sample = draw(stratum, index, whole.seed)
-    finding = look(sample, whole.digits, contestants)
+    """Measure and count one case; implementations as `measure_case` takes them."""
+    sample = draw(stratum, index, campaign.seed)
+    finding = measure_case(sample, campaign.digits, implementations)
     tally.count(finding.reference)
     for name, errors in finding.errors.items():
         tally.add(name, finding.reference, errors)
@@ -196,11 +197,11 @@ def add_case(
         tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)
 
 
-def _check_installed(whole: Campaign) -> None:
+def _check_installed(campaign: Campaign) -> None:
     here = {
-        "version": (__version__, whole.version),
-        "digests": (tuple(map(digest, whole.targets)), whole.digests),
-        "peer_versions": (_versions(whole.peers), whole.peer_versions),
+        "version": (__version__, campaign.version),
+        "digests": (tuple(map(digest, campaign.targets)), campaign.digests),
+        "peer_versions": (_versions(campaign.peers), campaign.peer_versions),
     }
     for name, (found, wanted) in here.items():
         if found != wanted:
@@ -208,7 +209,7 @@ def _check_installed(whole: Campaign) -> None:
 
 
 def _versions(peers: Sequence[str]) -> tuple[str, ...]:
-    return tuple(contestant(PEER + name).version for name in peers)
+    return tuple(implementation(PEER + name).version for name in peers)
 
 
 def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:

@@ -22,8 +22,8 @@ INTERVAL = 10.0
 class Checkpoint:
     """A campaign's progress in a directory: written every few seconds, whole or not at all."""
 
-    def __init__(self, directory: Path, whole: Campaign, progress: Progress) -> None:
-        self.path, self.whole, self.progress = directory / NAME, whole, progress
+    def __init__(self, directory: Path, campaign: Campaign, progress: Progress) -> None:
+        self.path, self.campaign, self.progress = directory / NAME, campaign, progress
         self._last = time.monotonic()
 
     def now_and_then(self) -> None:
@@ -34,7 +34,7 @@ class Checkpoint:
     def write(self) -> None:
         """Write now; raises InputError where that fails, and leaves what was there."""
         data = {
-            "campaign": self.whole.to_data(),
+            "campaign": self.campaign.to_data(),
             "done": self.progress.done,
             "tally": self.progress.tally.to_data(),
         }

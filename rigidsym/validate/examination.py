@@ -1,16 +1,15 @@
-"""One's own integrator, measured as everything else is, in this process."""
+"""A user's integrator, measured as everything else is, in this process."""
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rigidsym.validate import campaign as campaigns
 from rigidsym.validate.bounds import MEASURES
-from rigidsym.validate.campaign import Campaign
-from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.campaign import CASES, DIGITS, SEED, Campaign, add_case
+from rigidsym.validate.finding import Finding, measure_case
 from rigidsym.validate.implementations import PEER
-from rigidsym.validate.peers.user_integrator import Own, own
+from rigidsym.validate.peers.user_integrator import UserIntegrator
 from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.strata import count, draw, in_doubles
@@ -22,16 +21,16 @@ Case = tuple[str, int]
 
 def examine(
     integrator: Any,
-    cases: int = campaigns.CASES,
-    digits: int = campaigns.DIGITS,
-    seed: int = campaigns.SEED,
+    cases: int = CASES,
+    digits: int = DIGITS,
+    seed: int = SEED,
     strata: Sequence[str] = (),
     name: str | None = None,
     reach: float | None = None,
-    sheets: bool | None = None,
+    double_cover_sign: bool | None = None,
     progress: Show = lambda done, total: None,
 ) -> ValidationReport:
-    """Measure an integrator of one's own on `cases` samples of the strata that doubles can say, or
+    """Measure a user's integrator on `cases` samples of the strata that doubles can say, or
     of those named.
 
     integrator: a function of inertia (3,) in kg m^2 about principal axes, omega0 (3,) in rad/s,
@@ -40,34 +39,36 @@ def examine(
     a function gets are all positive or all negative, each farther from zero than the one before.
     name: by which it is reported, that of the function by default.
     reach: the largest |omega0 t| it is asked for, 300 rad by default; math.inf for what needs no
-    steps.  sheets: whether q goes on from attitude0 continuously, its sign included; if not, either
-    sign is right.
+    steps.  double_cover_sign: whether q goes on from attitude0 continuously, its sign included; if
+    not, either sign is right.
 
     It has to keep the bounds of the generated modules for the report to pass; `by_stratum` says how
     good it is.  Whatever it raises, wrong shapes and NaN are infinitely wrong, and said in
     `complaints`.  Raises InputError for options that mean nothing.
     """
-    mine = own(integrator, name, reach, sheets)
-    chosen = campaigns.campaign((), cases, digits, seed, strata=strata or in_doubles())
-    whole = replace(chosen, peers=(mine.name,), peer_versions=(mine.version,))
-    return _Examination(whole, mine).report(progress)
+    user_integrator = UserIntegrator.of(integrator, name, reach, double_cover_sign)
+    chosen = Campaign.of((), cases, digits, seed, strata=strata or in_doubles())
+    campaign = replace(
+        chosen, peers=(user_integrator.name,), peer_versions=(user_integrator.version,)
+    )
+    return _Examination(campaign, user_integrator).report(progress)
 
 
 @dataclass(frozen=True, slots=True)
 class _Examination:
     """A campaign of one integrator, which no name can bring to another process."""
 
-    whole: Campaign
-    integrator: Own
+    campaign: Campaign
+    integrator: UserIntegrator
 
     @property
     def name(self) -> str:
-        """As a contestant."""
+        """As an implementation under test."""
         return PEER + self.integrator.name
 
     @property
-    def entered(self) -> Mapping[str, Own]:
-        """As `look` takes it."""
+    def entered(self) -> Mapping[str, UserIntegrator]:
+        """As `measure_case` takes it."""
         return {self.name: self.integrator}
 
     def report(self, progress: Show) -> ValidationReport:
@@ -75,8 +76,8 @@ class _Examination:
         begin, tally = time.perf_counter(), Tally()
         said = dict(self._measured(tally, progress))
         seconds = time.perf_counter() - begin
-        run = environment(self.whole, "this process", seconds, sum(tally.states.values()))
-        worst = [place[:2] for place in worst_places(self.whole, tally)]
+        run = environment(self.campaign, "this process", seconds, sum(tally.states.values()))
+        worst = [place[:2] for place in worst_places(self.campaign, tally)]
         broken = list(self._broken(tally))
         again = {
             case: self._again(*case) for case in {*worst, *(cell.place[:2] for _, cell in broken)}
@@ -87,29 +88,31 @@ class _Examination:
             for case in [cell.place[:2]]
         )
         found = tuple(again[case] for case in worst)
-        return ValidationReport(self.whole, tally, found, tuple(failures), run)
+        return ValidationReport(self.campaign, tally, found, tuple(failures), run)
 
     def _measured(self, tally: Tally, progress: Show) -> Iterator[tuple[Case, str]]:
         """Count every case; gives what the integrator was heard to say, by case."""
         done = 0
-        for stratum in self.whole.strata:
-            for index in range(count(stratum, self.whole.cases)):
+        for stratum in self.campaign.strata:
+            for index in range(count(stratum, self.campaign.cases)):
                 self.integrator.said.clear()
-                campaigns.add_case(tally, self.whole, stratum, index, self.entered)
+                add_case(tally, self.campaign, stratum, index, self.entered)
                 yield from (((stratum, index), line) for line in self.integrator.said[:1])
                 done += 1
-                progress(done, self.whole.size)
+                progress(done, self.campaign.size)
 
     def _broken(self, tally: Tally) -> Iterator[tuple[str, Cell]]:
         """The worst broken bound in each stratum: a measure, and the part of the bound.
 
         No simpler cases are looked for: that takes too long where all bounds are broken.
         """
-        for stratum in self.whole.strata:
+        for stratum in self.campaign.strata:
             shares = {m: tally.cells.get((self.name, m, "share", stratum)) for m in MEASURES}
             found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
             if found:
                 yield max(found.items(), key=lambda item: item[1].worst)
 
     def _again(self, stratum: str, index: int) -> Finding:
-        return look(draw(stratum, index, self.whole.seed), self.whole.digits, self.entered)
+        return measure_case(
+            draw(stratum, index, self.campaign.seed), self.campaign.digits, self.entered
+        )

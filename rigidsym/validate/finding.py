@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from rigidsym.validate.case_file import hexadecimal
-from rigidsym.validate.implementations import contestant
+from rigidsym.validate.implementations import implementation
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
-from rigidsym.validate.peers.user_integrator import own
+from rigidsym.validate.peers.user_integrator import UserIntegrator
 from rigidsym.validate.strata import Sample
 
 SCHEMA = "rigidsym.case/1"
@@ -19,7 +19,7 @@ SCHEMA = "rigidsym.case/1"
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """The truth about a case, and errors by contestant and measure; a contestant that was asked
+    """The truth about a case, and errors by implementation and measure; one that was asked
     for none of the times has none."""
 
     reference: Reference
@@ -48,32 +48,42 @@ class Finding:
         }
 
     def shares(self, name: str) -> dict[str, float]:
-        """The largest part of each documented bound that a contestant needs, by measure."""
+        """The largest part of each documented bound that an implementation needs, by measure."""
         errors = self.errors.get(name, {})
         return {measure: float(np.max(x.share, initial=0.0)) for measure, x in errors.items()}
 
     def share(self, name: str) -> float:
-        """The largest part of a documented bound that a contestant needs, of all measures."""
+        """The largest part of a documented bound that an implementation needs, of all measures."""
         return max(self.shares(name).values(), default=0.0)
 
 
-def look(sample: Sample, digits: int, contestants: Iterable[str] | Mapping[str, Any]) -> Finding:
-    """Enclose and measure a case, at the times that are within a contestant's reach.
+def measure_case(
+    sample: Sample, digits: int, implementations: Iterable[str] | Mapping[str, Any]
+) -> Finding:
+    """Enclose and measure a case, at the times that are within an implementation's reach.
 
-    contestants: targets and "peer NAME"; or by any names engines, peers, and functions such as
+    implementations: targets and "peer NAME"; or by any names engines, peers, and functions such as
     `examine` takes.
     """
     reference = enclose(sample, digits)
     errors = {}
-    for name, engine in _entered(contestants).items():
+    for name, engine in _entered(implementations).items():
         within = reference.within(getattr(engine, "reach", math.inf))
         if within.sample.times:
             errors[name] = measure(within, engine)
     return Finding(reference, errors)
 
 
-def _entered(contestants: Iterable[str] | Mapping[str, Any]) -> dict[str, Any]:
+def look(sample: Sample, digits: int, contestants: Iterable[str] | Mapping[str, Any]) -> Finding:
+    """`measure_case` by the name it had."""
+    return measure_case(sample, digits, contestants)
+
+
+def _entered(implementations: Iterable[str] | Mapping[str, Any]) -> dict[str, Any]:
     """Engines and peers by name."""
-    if isinstance(contestants, Mapping):
-        return {name: x if hasattr(x, "prepare") else own(x) for name, x in contestants.items()}
-    return {name: contestant(name) for name in contestants}
+    if isinstance(implementations, Mapping):
+        return {
+            name: x if hasattr(x, "prepare") else UserIntegrator.of(x)
+            for name, x in implementations.items()
+        }
+    return {name: implementation(name) for name in implementations}

@@ -23,22 +23,22 @@ def check_target(target: str) -> None:
         raise InputError("target", target, error.rule) from None
 
 
-def contestant(name: str) -> Any:
+def implementation(name: str) -> Any:
     """The engine of a target, or "peer NAME"; InputError where it cannot be had."""
     # Peers serve one thread at a time, and workers of a cluster have several.
-    return _contestant(name, threading.get_ident())
+    return _implementation(name, threading.get_ident())
 
 
 @cache
-def _contestant(name: str, thread: int) -> Any:
+def _implementation(name: str, thread: int) -> Any:
     if name.startswith(PEER):
         return peer(name.removeprefix(PEER))
     return engines.exactly(name)
 
 
 def forget() -> None:
-    """Look for every contestant again when it is next asked for."""
-    _contestant.cache_clear()
+    """Look for every implementation again when it is next asked for."""
+    _implementation.cache_clear()
 
 
 def digest(target: str) -> str:

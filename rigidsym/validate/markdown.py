@@ -6,7 +6,7 @@ from typing import Any
 from rigidsym.validate.bounds import CONDITIONED, MEASURES, ULP
 from rigidsym.validate.tally import DRAWN
 
-HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "routes")
+HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "entry points")
 
 
 def markdown(data: Mapping[str, Any]) -> str:
@@ -32,8 +32,8 @@ def markdown(data: Mapping[str, Any]) -> str:
     lines[-1] += f"{_worst(apart) * data['agreement']:.1g} and has to agree to "
     lines[-1] += f"{data['agreement']:g}."
     lines += _failures(data["failures"])
-    for contestant in data["contestants"]:
-        lines += _contestant(contestant, data["strata"])
+    for implementation in data["contestants"]:
+        lines += _implementation(implementation, data["strata"])
     lines += _regimes(data["contestants"])
     return "\n".join(lines) + "\n"
 
@@ -52,32 +52,36 @@ def _failures(failures: Sequence[Mapping[str, Any]]) -> list[str]:
     return lines
 
 
-def _contestant(contestant: Mapping[str, Any], strata: Iterable[Mapping[str, Any]]) -> list[str]:
+def _implementation(
+    implementation: Mapping[str, Any], strata: Iterable[Mapping[str, Any]]
+) -> list[str]:
     columns = ["stratum", "cases", "states", *HEADS, "share", ""]
-    lines = ["", f"## {contestant['name']}", ""]
+    lines = ["", f"## {implementation['name']}", ""]
     lines += [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
     for stratum in strata:
         name = stratum["name"]
-        found = contestant["strata"].get(name, {})
-        share = float(contestant["share"][name])
+        found = implementation["strata"].get(name, {})
+        share = float(implementation["share"][name])
         cells = [_shown(found.get(measure), measure in DRAWN) for measure in MEASURES]
-        beyond = "beyond" if contestant["peer"] else "BROKEN"
+        beyond = "beyond" if implementation["peer"] else "BROKEN"
         mark = "ok" if share <= 1 else beyond if found else "not asked"
         row = [name, str(stratum["cases"]), str(stratum["states"]), *cells, f"{share:.2g}", mark]
         lines.append(f"| {' | '.join(row)} |")
     return lines
 
 
-def _regimes(contestants: Sequence[Mapping[str, Any]]) -> list[str]:
+def _regimes(implementations: Sequence[Mapping[str, Any]]) -> list[str]:
     """Targets x regimes: angle and rates."""
-    names = [contestant["name"] for contestant in contestants]
-    regimes = sorted({regime for contestant in contestants for regime in contestant["regimes"]})
+    names = [implementation["name"] for implementation in implementations]
+    regimes = sorted(
+        {regime for implementation in implementations for regime in implementation["regimes"]}
+    )
     lines = ["", "## By regime", "", "Angle, and rates after the stroke.", ""]
     lines += [f"| regime | {' | '.join(names)} |", "|---" * (len(names) + 1) + "|"]
     for regime in regimes:
         cells = [
             " / ".join(_shown(found["regimes"].get(regime, {}).get(m), False) for m in DRAWN)
-            for found in contestants
+            for found in implementations
         ]
         lines.append(f"| {regime} | {' | '.join(cells)} |")
     return lines

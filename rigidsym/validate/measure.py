@@ -8,7 +8,7 @@ import numpy as np
 from rigidsym.validate import entry_points
 from rigidsym.validate.bounds import BOUNDS, MEASURES, ULP
 from rigidsym.validate.oracle import Reference, lengths
-from rigidsym.validate.quadrature_residual import arc, residual
+from rigidsym.validate.quadrature_residual import Quadrature, residual
 from rigidsym.validate.strata import Sample
 
 
@@ -41,7 +41,7 @@ def measure(reference: Reference, engine: Any) -> dict[str, Errors]:
 def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str, Errors]:
     sample, rate = reference.sample, reference.rate or 1.0
     later = np.nextafter(times, np.inf)
-    paths = [arc(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
+    paths = [Quadrature.over(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
     asked = [times, later, *(path.nodes for path in paths)]
     prepared, body = _made(sample, engine)
     states = engine.states(prepared, np.concatenate(asked))
@@ -80,7 +80,7 @@ def _made(sample: Sample, engine: Any) -> tuple[Any, Any]:
 def _angle(q: np.ndarray, reference: Reference, engine: Any) -> np.ndarray:
     """The angle of the turn between, up to 2 pi: the difference is taken before it is rounded."""
     chord = _apart(q, reference.q)
-    if not getattr(engine, "sheets", True):
+    if not getattr(engine, "double_cover_sign", True):
         chord = np.minimum(chord, _apart(-q, reference.q))
     return 4 * np.arcsin(np.minimum(chord / 2, 1)) + 2 * reference.radius
 

@@ -12,7 +12,7 @@ from rigidsym.validate.campaign import Campaign
 PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
 
 
-def environment(whole: Campaign, place: str, seconds: float, states: int) -> dict[str, Any]:
+def environment(campaign: Campaign, place: str, seconds: float, states: int) -> dict[str, Any]:
     """Versions, machine, time and memory."""
     return {
         "place": place,
@@ -24,8 +24,8 @@ def environment(whole: Campaign, place: str, seconds: float, states: int) -> dic
         "system": f"{platform.system()} {platform.machine()}",
         "cores": os.cpu_count(),
         **{name: _version(name) for name in PACKAGES},
-        **({"compiler": _compiler()} if "c" in whole.targets else {}),
-        **dict(zip(whole.peers, whole.peer_versions, strict=True)),
+        **({"compiler": _compiler()} if "c" in campaign.targets else {}),
+        **dict(zip(campaign.peers, campaign.peer_versions, strict=True)),
     }
 
 

@@ -23,21 +23,22 @@ def record(report: ValidationReport) -> Path:
     known: dict[str, Any] = {}
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))
-    whole = report.campaign
+    campaign = report.campaign
     if not report.passed:
         raise InputError("record", report.complaints[0], "only what passed is recorded")
-    if len(whole.strata) < len(STRATA):
-        raise InputError("record", ", ".join(whole.strata), "the heads speak of all strata")
-    for target, ran in zip(whole.targets, whole.digests, strict=True):
+    if len(campaign.strata) < len(STRATA):
+        raise InputError("record", ", ".join(campaign.strata), "the heads speak of all strata")
+    for target, ran in zip(campaign.targets, campaign.digests, strict=True):
         digest = generate(target).manifest["digest"]
         if ran != digest:
             rule = f"is not the module that `rigidsym codegen {target}` writes now: run that first"
             raise InputError("record", ran[:12], rule)
         views = [report.tally.view(target, measure, "stratum") for measure in DRAWN]
         worst = [
-            [stratum, *(_digits(view[stratum].worst) for view in views)] for stratum in whole.strata
+            [stratum, *(_digits(view[stratum].worst) for view in views)]
+            for stratum in campaign.strata
         ]
-        drawn = f"--cases {whole.cases} --digits {whole.digits} --seed {whole.seed}"
+        drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
         command = f"rigidsym validate {target} {drawn} --record"
         known[target] = {"digest": digest, "command": command, "worst": worst}
     return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")

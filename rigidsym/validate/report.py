@@ -94,9 +94,9 @@ class ValidationReport:
         told = {(failure.target, failure.stratum) for failure in self.failures}
         lines = [failure.line for failure in self.failures]
         for stratum in self.campaign.strata:
-            tested, whole = self.tally.cases.get(stratum, 0), count(stratum, self.campaign.cases)
-            if tested != whole or not tested:
-                lines.append(f"{stratum}: {tested} of {whole} cases were tested")
+            tested, wanted = self.tally.cases.get(stratum, 0), count(stratum, self.campaign.cases)
+            if tested != wanted or not tested:
+                lines.append(f"{stratum}: {tested} of {wanted} cases were tested")
             elif not self.agreement(stratum) <= 1:
                 apart = self.agreement(stratum) * second_oracle.AGREEMENT
                 lines.append(f"{stratum}: the oracles disagree by {apart:.2g}")
@@ -108,7 +108,7 @@ class ValidationReport:
         return tuple(lines)
 
     def share(self, name: str, stratum: str) -> float:
-        """The largest part of a bound a contestant needs in a stratum; infinite where untested."""
+        """The largest part of a bound that is needed in a stratum; infinite where untested."""
         expected = [m for m in MEASURES if m != "routes" or not name.startswith(PEER)]
         cells = (self.tally.cells.get((name, m, "share", stratum)) for m in expected)
         return max(float("inf") if cell is None else cell.worst for cell in cells)
@@ -121,26 +121,26 @@ class ValidationReport:
     @property
     def command(self) -> str:
         """What writes this report."""
-        if self.campaign.own:
+        if self.campaign.user_integrators:
             return self._call
         return f"rigidsym validate {self.options}"
 
     @property
     def _call(self) -> str:
         """In Python: an integrator of the user's is out of the command's sight."""
-        whole = self.campaign
-        drawn = f"cases={whole.cases}, digits={whole.digits}, seed={whole.seed}"
-        chosen = "" if whole.strata == in_doubles() else f", strata={[*whole.strata]}"
-        return f"examine({_variable(whole.own[0])}, {drawn}{chosen})"
+        campaign = self.campaign
+        drawn = f"cases={campaign.cases}, digits={campaign.digits}, seed={campaign.seed}"
+        chosen = "" if campaign.strata == in_doubles() else f", strata={[*campaign.strata]}"
+        return f"examine({_variable(campaign.user_integrators[0])}, {drawn}{chosen})"
 
     @property
     def options(self) -> str:
         """Targets and options of the campaign."""
-        whole = self.campaign
-        chosen = [f"--stratum '{name}'" for name in whole.strata] if self._partial else []
-        peers = [f"--peer {name}" for name in whole.peers]
-        drawn = f"--cases {whole.cases} --digits {whole.digits} --seed {whole.seed}"
-        return " ".join([*whole.targets, drawn, *peers, *chosen])
+        campaign = self.campaign
+        chosen = [f"--stratum '{name}'" for name in campaign.strata] if self._partial else []
+        peers = [f"--peer {name}" for name in campaign.peers]
+        drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
+        return " ".join([*campaign.targets, drawn, *peers, *chosen])
 
     @property
     def _partial(self) -> bool:
@@ -169,7 +169,7 @@ class ValidationReport:
                 for name in self.campaign.strata
             ],
             "agreement": second_oracle.AGREEMENT,
-            "contestants": [self._contestant(name) for name in self.campaign.contestants],
+            "contestants": [self._implementation(name) for name in self.campaign.implementations],
             "worst": [self._case(finding) for finding in self.worst],
             "failures": [
                 {
@@ -195,13 +195,13 @@ class ValidationReport:
         return as_json(self.to_data())
 
     def by_stratum(self, measure: str = "angle", name: str | None = None) -> dict[str, Worst]:
-        """The worst error in each stratum where a contestant was asked, the first by default.
+        """The worst error in each stratum where an implementation was asked, the first by default.
 
         measure: a key of BOUNDS.  Raises InputError for others, and for who was not measured.
         """
         if measure not in MEASURES:
             raise InputError("measure", measure, f"must be one of: {', '.join(MEASURES)}")
-        known = {x.removeprefix(PEER): x for x in self.campaign.contestants}
+        known = {x.removeprefix(PEER): x for x in self.campaign.implementations}
         who = next(iter(known)) if name is None else name.removeprefix(PEER)
         if who not in known:
             raise InputError("name", name, f"must be one of: {', '.join(known)}")
@@ -220,11 +220,11 @@ class ValidationReport:
 
     def _file(self, failure: Failure) -> str | None:
         """Where the case of a failure lies; None where it is one that is drawn."""
-        return None if self.campaign.own else failure.file
+        return None if self.campaign.user_integrators else failure.file
 
-    def _contestant(self, name: str) -> dict[str, Any]:
-        whole, peer = self.campaign, name.startswith(PEER)
-        digest = None if peer else whole.digests[whole.targets.index(name)]
+    def _implementation(self, name: str) -> dict[str, Any]:
+        campaign, peer = self.campaign, name.startswith(PEER)
+        digest = None if peer else campaign.digests[campaign.targets.index(name)]
         views = {
             view: {measure: _cells(self.tally.view(name, measure, view)) for measure in DRAWN}
             for view in ("distance", "turned", "condition")
@@ -237,31 +237,32 @@ class ValidationReport:
                 }
                 for m in DRAWN
             }
-            for stratum in whole.strata
+            for stratum in campaign.strata
         }
         return {
             "name": name,
             "peer": peer,
             "digest": digest,
-            "passed": all(self.share(name, stratum) <= 1 for stratum in whole.strata),
+            "passed": all(self.share(name, stratum) <= 1 for stratum in campaign.strata),
             "strata": self._by_measure(name, "stratum"),
             "shares": self._by_measure(name, "share"),
-            "share": {stratum: _figure(self.share(name, stratum)) for stratum in whole.strata},
+            "share": {stratum: _figure(self.share(name, stratum)) for stratum in campaign.strata},
             "regimes": self._by_measure(name, "regime"),
             "sizes": sizes,
             **views,
         }
 
     def _replay(self, case: str) -> Iterator[str]:
-        whole = self.campaign
-        if whole.own:
+        campaign = self.campaign
+        if campaign.user_integrators:
             stratum, _, index = case.rpartition(":")
-            mine = f"{{{whole.own[0]!r}: {_variable(whole.own[0])}}}"
-            yield f"look(draw({stratum!r}, {index}, {whole.seed}), {whole.digits}, {mine})"
+            name = campaign.user_integrators[0]
+            sample = f"draw({stratum!r}, {index}, {campaign.seed})"
+            yield f"measure_case({sample}, {campaign.digits}, {{{name!r}: {_variable(name)}}})"
             return
-        yield from ("rigidsym validate", *whole.targets, "--case", shlex.quote(case))
-        yield from (f"--digits {whole.digits}", f"--seed {whole.seed}")
-        yield from (f"--peer {name}" for name in whole.peers)
+        yield from ("rigidsym validate", *campaign.targets, "--case", shlex.quote(case))
+        yield from (f"--digits {campaign.digits}", f"--seed {campaign.seed}")
+        yield from (f"--peer {name}" for name in campaign.peers)
 
     def _by_measure(self, name: str, view: str) -> dict[str, Any]:
         """Parts of a view, of each its measures."""
@@ -281,8 +282,8 @@ class ValidationReport:
             "distance": _figure(reference.distance),
             **hexadecimal(sample),
             "errors": {
-                contestant: {measure: _worst(found) for measure, found in errors.items()}
-                for contestant, errors in finding.errors.items()
+                implementation: {measure: _worst(found) for measure, found in errors.items()}
+                for implementation, errors in finding.errors.items()
             },
             "replay": " ".join(self._replay(file or name)),
         }

@@ -9,14 +9,14 @@ from rigidsym import engines
 from rigidsym.errors import InputError
 from rigidsym.io.files import write_text
 from rigidsym.validate import case_file, checkpoint
-from rigidsym.validate.campaign import Campaign, Progress, campaign
-from rigidsym.validate.finding import Finding, look
+from rigidsym.validate.campaign import Campaign, Progress
+from rigidsym.validate.finding import Finding, measure_case
 from rigidsym.validate.markdown import markdown
 from rigidsym.validate.report import FAILURES, ValidationReport, as_json
 from rigidsym.validate.strata import STRATA, Sample, count, draw
 from rigidsym.view.validation import page
 
-# The arguments of `campaign` that a user can choose.
+# The arguments of `Campaign.of` that a user can choose.
 CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
 
 
@@ -32,12 +32,12 @@ def begin(
             rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
             raise InputError("output", directory, rule)
         defaults: dict[str, Any] = {"targets": engines.ENGINES}
-        return campaign(**defaults | dict(chosen)), Progress()
+        return Campaign.of(**defaults | dict(chosen)), Progress()
     if directory is None:
         raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
     found, progress = checkpoint.load(directory)
     known: dict[str, Any] = {name: getattr(found, name) for name in CHOICES}
-    checkpoint.check_same(directory, found, campaign(**known | dict(chosen)))
+    checkpoint.check_same(directory, found, Campaign.of(**known | dict(chosen)))
     return found, progress
 
 
@@ -55,11 +55,11 @@ def write(report: ValidationReport, directory: Path) -> Path:
     return write_text(directory / "validation.html", page(data))
 
 
-def replay(name: str, whole: Campaign) -> Finding:
+def replay(name: str, campaign: Campaign) -> Finding:
     """One case of a campaign, by a name such as "uniform:7", or that of a case file; raises
     InputError for neither."""
-    sample = case_file.read(name) if name.endswith(".toml") else _drawn(name, whole.seed)
-    return look(sample, whole.digits, whole.contestants)
+    sample = case_file.read(name) if name.endswith(".toml") else _drawn(name, campaign.seed)
+    return measure_case(sample, campaign.digits, campaign.implementations)
 
 
 def _drawn(name: str, seed: int) -> Sample:

@@ -10,15 +10,15 @@ Table = tuple[Sequence[str], Sequence[Sequence[str]]]
 
 
 def summary(report: ValidationReport) -> Table:
-    """Strata, and of each contestant its worst angle and rates, and the part of a bound used."""
-    whole, tally = report.campaign, report.tally
+    """Strata; of each implementation its worst angle and rates, and the part of a bound used."""
+    campaign, tally = report.campaign, report.tally
     columns = ["stratum", "cases", "states"]
-    for name in whole.contestants:
+    for name in campaign.implementations:
         columns += [f"{name}: angle", "rates", "share"]
     rows = []
-    for stratum in whole.strata:
+    for stratum in campaign.strata:
         row = [stratum, *(str(x.get(stratum, 0)) for x in (tally.cases, tally.states))]
-        for name in whole.contestants:
+        for name in campaign.implementations:
             cells = (tally.cells.get((name, measure, "stratum", stratum)) for measure in DRAWN)
             row += [*map(_units, cells), _share(report.share(name, stratum))]
         rows.append(row)
@@ -26,7 +26,7 @@ def summary(report: ValidationReport) -> Table:
 
 
 def case(finding: Finding) -> Table:
-    """Times, angles turned, and errors of each contestant with the condition of the problem."""
+    """Times, angles turned, and errors of each implementation with the condition of the problem."""
     columns = ["t (s)", "turned (rad)", "condition"]
     for name in finding.errors:
         columns += [f"{name}: angle", "rates"]

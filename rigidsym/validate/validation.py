@@ -9,11 +9,10 @@ from typing import Any
 
 from rigidsym import engines
 from rigidsym.errors import InputError
-from rigidsym.validate import campaign as campaigns
 from rigidsym.validate import checkpoint, executors
 from rigidsym.validate.bounds import MEASURES
-from rigidsym.validate.campaign import Campaign, Progress
-from rigidsym.validate.finding import look
+from rigidsym.validate.campaign import CASES, DIGITS, SEED, Campaign, Progress, complete
+from rigidsym.validate.finding import measure_case
 from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.shrink import simplest
@@ -25,9 +24,9 @@ Show = Callable[[int, int], None]
 
 def validate(
     targets: Sequence[str] = engines.ENGINES,
-    cases: int = campaigns.CASES,
-    digits: int = campaigns.DIGITS,
-    seed: int = campaigns.SEED,
+    cases: int = CASES,
+    digits: int = DIGITS,
+    seed: int = SEED,
     peers: Sequence[str] = (),
     strata: Sequence[str] = (),
     workers: int | None = 1,
@@ -38,12 +37,12 @@ def validate(
     workers: processes, None for one on each core; the report is the same for any number.  Raises
     InputError for a target, a peer or a stratum that does not exist, and fewer than 20 digits.
     """
-    whole = campaigns.campaign(targets, cases, digits, seed, peers, strata)
-    return conduct(whole, Progress(), executors.local(workers), progress)
+    campaign = Campaign.of(targets, cases, digits, seed, peers, strata)
+    return run(campaign, Progress(), executors.local(workers), progress)
 
 
-def conduct(
-    whole: Campaign,
+def run(
+    campaign: Campaign,
     progress: Progress,
     place: AbstractContextManager[executors.Place],
     show: Show = lambda done, total: None,
@@ -59,33 +58,33 @@ def conduct(
         kept.write()
 
     def after() -> None:
-        show(progress.cases, whole.size)
+        show(progress.cases, campaign.size)
         if kept:
             kept.now_and_then()
 
     try:
         with place as where:
-            campaigns.run(whole, progress, where, after)
+            complete(campaign, progress, where, after)
         if kept:
             kept.write()
         seconds = time.perf_counter() - begin
         states = sum(progress.tally.states.values()) - before
-        run = environment(whole, where.name, seconds, states)
-        return reported(whole, progress.tally, run)
+        how = environment(campaign, where.name, seconds, states)
+        return reported(campaign, progress.tally, how)
     except BaseException as error:
         if kept:
             with executors.undisturbed():
                 kept.write()
-        raise _told(error, progress, whole, kept) from None
+        raise _told(error, progress, campaign, kept) from None
 
 
 def _told(
-    error: BaseException, progress: Progress, whole: Campaign, kept: checkpoint.Checkpoint | None
+    error: BaseException, progress: Progress, campaign: Campaign, kept: checkpoint.Checkpoint | None
 ) -> BaseException:
     """What stopped a campaign, in one line that says what is kept."""
     fate = "nothing is kept without a directory (-o DIR)"
     if kept:
-        fate = f"{progress.cases} of {whole.size} cases are kept, --resume goes on from there"
+        fate = f"{progress.cases} of {campaign.size} cases are kept, --resume goes on from there"
     if isinstance(error, KeyboardInterrupt):
         return KeyboardInterrupt(f"interrupted: {fate}")
     if isinstance(error, BrokenProcessPool):
@@ -95,18 +94,22 @@ def _told(
     return error
 
 
-def reported(whole: Campaign, tally: Tally, run: Mapping[str, Any]) -> ValidationReport:
+def reported(campaign: Campaign, tally: Tally, run: Mapping[str, Any]) -> ValidationReport:
     """The report of a campaign: its worst cases are measured once more, in full."""
-    worst = (draw(stratum, index, whole.seed) for stratum, index, _ in worst_places(whole, tally))
-    findings = tuple(look(sample, whole.digits, whole.contestants) for sample in worst)
-    return ValidationReport(whole, tally, findings, tuple(_failures(whole, tally)), run)
+    worst = (
+        draw(stratum, index, campaign.seed) for stratum, index, _ in worst_places(campaign, tally)
+    )
+    findings = tuple(
+        measure_case(sample, campaign.digits, campaign.implementations) for sample in worst
+    )
+    return ValidationReport(campaign, tally, findings, tuple(_failures(campaign, tally)), run)
 
 
-def worst_places(whole: Campaign, tally: Tally) -> list[Place]:
+def worst_places(campaign: Campaign, tally: Tally) -> list[Place]:
     """Where each who is judged is worst in each stratum, by angle and by rates; each case once."""
     cells = (
         cell
-        for target in whole.judged
+        for target in campaign.judged
         for measure in DRAWN
         for cell in tally.view(target, measure, "stratum").values()
     )
@@ -114,22 +117,22 @@ def worst_places(whole: Campaign, tally: Tally) -> list[Place]:
     return [places[key] for key in sorted(places)]
 
 
-def _failures(whole: Campaign, tally: Tally) -> Iterator[Failure]:
+def _failures(campaign: Campaign, tally: Tally) -> Iterator[Failure]:
     """The worst broken bound of each target in each stratum, with the simplest case like it."""
-    for target in whole.targets:
-        for stratum in whole.strata:
+    for target in campaign.targets:
+        for stratum in campaign.strata:
             shares = {m: tally.cells.get((target, m, "share", stratum)) for m in MEASURES}
             found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
             if found:
                 name = max(found, key=lambda m: found[m].worst)
-                yield _failure(whole, target, name, found[name])
+                yield _failure(campaign, target, name, found[name])
 
 
-def _failure(whole: Campaign, target: str, measure: str, cell: Cell) -> Failure:
+def _failure(campaign: Campaign, target: str, measure: str, cell: Cell) -> Failure:
     def fails(sample: Sample) -> bool:
-        return look(sample, whole.digits, [target]).shares(target).get(measure, 0.0) > 1
+        return measure_case(sample, campaign.digits, [target]).shares(target).get(measure, 0.0) > 1
 
     stratum, index, _ = cell.place
-    simple = simplest(draw(stratum, index, whole.seed), fails)
-    finding = look(simple, whole.digits, whole.contestants)
+    simple = simplest(draw(stratum, index, campaign.seed), fails)
+    finding = measure_case(simple, campaign.digits, campaign.implementations)
     return Failure(target, measure, cell.worst, stratum, index, finding)

@@ -7,7 +7,7 @@ from rigidsym import inputs
 from rigidsym.engines import ENGINES, batches, exactly
 from rigidsym.engines.numpy_engine import NumpyEngine
 from rigidsym.validate import callers, entry_points
-from rigidsym.validate.faults.mutated_build import spoilt
+from rigidsym.validate.faults.mutated_build import mutated_engine
 from rigidsym.validate.faults.tables import BY_HAND
 
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
@@ -72,7 +72,7 @@ def test_states_that_are_not_written_are_noticed():
 
 
 def test_a_plan_that_keeps_memory_is_noticed():
-    overwritten, *_ = apart(spoilt(KEEPS_RATES))
+    overwritten, *_ = apart(mutated_engine(KEEPS_RATES))
     assert overwritten > 1
 
 

@@ -24,23 +24,23 @@ from rigidsym.validate import (
     validation,
 )
 from rigidsym.validate.bounds import BOUNDS
-from rigidsym.validate.campaign import CHUNK, Progress, campaign, run, tallied
+from rigidsym.validate.campaign import CHUNK, Campaign, Progress, complete, tallied
 from rigidsym.validate.checkpoint import Checkpoint
-from rigidsym.validate.finding import look
+from rigidsym.validate.finding import measure_case
 from rigidsym.validate.record import record
 from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.strata.times import MAX_ANGLE
 from rigidsym.validate.tally import Tally
-from rigidsym.validate.validation import conduct
+from rigidsym.validate.validation import run
 
 NAMES = ("sphere", "rest")
 CASES = 3 * CHUNK
 CHOSEN = {"targets": ["c"], "cases": CASES, "strata": NAMES}
 
 
-def whole():
-    return campaign(**CHOSEN)
+def small():
+    return Campaign.of(**CHOSEN)
 
 
 @pytest.fixture(scope="module")
@@ -58,14 +58,14 @@ def stopping_at(cases):
 
 def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
     progress = Progress()
-    kept = Checkpoint(tmp_path, whole(), progress)
+    kept = Checkpoint(tmp_path, small(), progress)
     with pytest.raises(KeyboardInterrupt, match=f"interrupted: {2 * CHUNK} of {2 * CASES} cases"):
-        conduct(whole(), progress, executors.local(1), stopping_at(2 * CHUNK), kept)
+        run(small(), progress, executors.local(1), stopping_at(2 * CHUNK), kept)
     again, found = session.begin({}, tmp_path, resume=True)
-    assert again == whole()
+    assert again == small()
     assert found == progress
     assert found.cases == 2 * CHUNK
-    report = conduct(again, found, executors.local(1))
+    report = run(again, found, executors.local(1))
     assert report.to_data()["contestants"] == expected
     assert found.done == {name: [(0, CASES)] for name in NAMES}
 
@@ -73,9 +73,9 @@ def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
 @pytest.mark.parametrize("cells", [0, 1, 5])
 def test_an_interrupt_while_a_chunk_is_taken_in_leaves_all_of_it_out(cells, monkeypatch):
     progress = Progress()
-    progress.take(*tallied(whole(), ("rest", 0, 2)))
+    progress.take(*tallied(small(), ("rest", 0, 2)))
     before = json.dumps([progress.tally.to_data(), progress.done])
-    chunk, tally = tallied(whole(), ("rest", 2, 4))
+    chunk, tally = tallied(small(), ("rest", 2, 4))
     put, left = Tally.put, iter(range(cells))
 
     def interrupted(*arguments):
@@ -96,8 +96,8 @@ def test_an_interrupt_while_the_report_is_made_loses_no_case(tmp_path, monkeypat
     monkeypatch.setattr(validation, "reported", interrupted)
     progress = Progress()
     with pytest.raises(KeyboardInterrupt, match=f"{2 * CASES} of {2 * CASES} cases are kept"):
-        conduct(whole(), progress, executors.local(1), kept=Checkpoint(tmp_path, whole(), progress))
-    assert checkpoint.load(tmp_path) == (whole(), progress)
+        run(small(), progress, executors.local(1), kept=Checkpoint(tmp_path, small(), progress))
+    assert checkpoint.load(tmp_path) == (small(), progress)
 
 
 def test_a_case_that_fails_in_both_modules_leaves_a_file_of_each(tmp_path, monkeypatch):
@@ -108,10 +108,10 @@ def test_a_case_that_fails_in_both_modules_leaves_a_file_of_each(tmp_path, monke
 
 
 def test_a_large_campaign_is_not_laid_out_in_memory():
-    large, progress = campaign(["c"], 5_000_000, strata=NAMES), Progress()
+    large, progress = Campaign.of(["c"], 5_000_000, strata=NAMES), Progress()
     tracemalloc.start()
     with executors.local(1) as place, pytest.raises(KeyboardInterrupt):
-        run(large, progress, place, lambda: stopping_at(1)(progress.cases, large.size))
+        complete(large, progress, place, lambda: stopping_at(1)(progress.cases, large.size))
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert progress.cases == CHUNK
@@ -123,7 +123,7 @@ def test_what_is_missing_is_each_case_once_whatever_was_done():
     for chunk in (("rest", 20, 30), ("rest", 60, 149), ("sphere", 0, 1), ("rest", 30, 31)):
         progress.take(chunk, tally)
     assert progress.done["rest"] == [(20, 31), (60, 149)]
-    missing = list(progress.missing(whole()))
+    missing = list(progress.missing(small()))
     listed = [(name, k) for name, start, stop in missing for k in range(start, stop)]
     done = {("rest", k) for k in [*range(20, 31), *range(60, 149)]} | {("sphere", 0)}
     assert sorted([*listed, *done]) == sorted((name, k) for name in NAMES for k in range(CASES))
@@ -132,7 +132,7 @@ def test_what_is_missing_is_each_case_once_whatever_was_done():
 
 def test_tallies_merge_in_any_order_and_come_back_from_json():
     chunks = [("sphere", 0, 7), ("rest", 3, 9), ("sphere", 7, 20)]
-    parts = [tallied(whole(), chunk)[1] for chunk in chunks]
+    parts = [tallied(small(), chunk)[1] for chunk in chunks]
     there, back = Tally(), Tally()
     for part in parts:
         there.merge(part)
@@ -144,12 +144,14 @@ def test_tallies_merge_in_any_order_and_come_back_from_json():
 
 def test_a_tally_does_not_grow_with_its_cases():
     """Cells are as many as strata, regimes, decades and half octaves: not as many as cases."""
-    few, many = (tallied(campaign(**CHOSEN | {"cases": n}), ("sphere", 0, n))[1] for n in (40, 400))
+    few, many = (
+        tallied(Campaign.of(**CHOSEN | {"cases": n}), ("sphere", 0, n))[1] for n in (40, 400)
+    )
     assert len(many.cells) < 1.5 * len(few.cells)
 
 
 def test_a_worker_that_dies_is_one_line_and_its_cases_are_not_counted(tmp_path):
-    progress, large = Progress(), campaign(["c"], 2000, strata=NAMES)
+    progress, large = Progress(), Campaign.of(["c"], 2000, strata=NAMES)
 
     def show(done, total):
         for child in active_children():
@@ -157,7 +159,7 @@ def test_a_worker_that_dies_is_one_line_and_its_cases_are_not_counted(tmp_path):
 
     kept = Checkpoint(tmp_path, large, progress)
     with pytest.raises(InputError, match=r"one process: died.* cases are kept, --resume"):
-        conduct(large, progress, executors.local(2), show, kept)
+        run(large, progress, executors.local(2), show, kept)
     _, found = checkpoint.load(tmp_path)
     assert found == progress
     assert 0 < found.cases == sum(found.tally.cases.values()) < large.size
@@ -174,18 +176,18 @@ def test_a_worker_that_dies_is_one_line_and_its_cases_are_not_counted(tmp_path):
     ],
 )
 def test_a_directory_of_another_campaign_is_refused(tmp_path, chosen, message):
-    Checkpoint(tmp_path, whole(), Progress()).write()
+    Checkpoint(tmp_path, small(), Progress()).write()
     before = (tmp_path / checkpoint.NAME).read_bytes()
     with pytest.raises(InputError, match=message):
         session.begin(chosen, tmp_path, resume=True)
-    assert session.begin({"cases": CASES}, tmp_path, resume=True)[0] == whole()
+    assert session.begin({"cases": CASES}, tmp_path, resume=True)[0] == small()
     with pytest.raises(InputError, match="holds an unfinished campaign: --resume goes on"):
         session.begin(chosen, tmp_path, resume=False)
     assert (tmp_path / checkpoint.NAME).read_bytes() == before
 
 
 def test_a_campaign_of_other_modules_is_refused(tmp_path):
-    other = replace(whole(), digests=("0" * 64,))
+    other = replace(small(), digests=("0" * 64,))
     Checkpoint(tmp_path, other, Progress()).write()
     with pytest.raises(InputError, match="its digests 000000000000, not"):
         session.begin({}, tmp_path, resume=True)
@@ -218,8 +220,8 @@ def test_nothing_to_resume(tmp_path):
 )
 def test_an_edited_checkpoint_is_refused(tmp_path, change):
     progress = Progress()
-    progress.take(*tallied(whole(), ("rest", 0, 5)))
-    Checkpoint(tmp_path, whole(), progress).write()
+    progress.take(*tallied(small(), ("rest", 0, 5)))
+    Checkpoint(tmp_path, small(), progress).write()
     path = tmp_path / checkpoint.NAME
     text = change(path.read_text())
     assert text != path.read_text()
@@ -236,16 +238,16 @@ def test_a_report_that_cannot_be_made_leaves_the_campaign(tmp_path, monkeypatch)
 
     monkeypatch.setattr(validation, "reported", interrupted)
     progress = Progress()
-    kept = Checkpoint(tmp_path, whole(), progress)
+    kept = Checkpoint(tmp_path, small(), progress)
     with pytest.raises(KeyboardInterrupt, match=f"{2 * CASES} of {2 * CASES} cases are kept"):
-        conduct(whole(), progress, executors.local(1), kept=kept)
+        run(small(), progress, executors.local(1), kept=kept)
     assert checkpoint.load(tmp_path)[1].cases == 2 * CASES
 
 
 def test_errors_of_workers_arrive_as_they_are():
-    other = replace(whole(), version="0")
+    other = replace(small(), version="0")
     with pytest.raises(InputError, match=r"version = .*: a worker has others"):
-        conduct(other, Progress(), executors.local(2))
+        run(other, Progress(), executors.local(2))
 
 
 def interrupted_work(done):
@@ -268,7 +270,7 @@ def test_interrupts_wait_for_undisturbed_work():
 
 def test_a_full_disk_is_one_line_and_leaves_the_last_checkpoint(tmp_path, monkeypatch):
     progress = Progress()
-    kept = Checkpoint(tmp_path, whole(), progress)
+    kept = Checkpoint(tmp_path, small(), progress)
     kept.write()
     before = (tmp_path / checkpoint.NAME).read_bytes()
 
@@ -278,7 +280,7 @@ def test_a_full_disk_is_one_line_and_leaves_the_last_checkpoint(tmp_path, monkey
     monkeypatch.setattr(checkpoint, "INTERVAL", 0.0)
     monkeypatch.setattr(files.os, "replace", full)
     with pytest.raises(InputError, match="cannot be written: No space left on device"):
-        conduct(whole(), progress, executors.local(1), kept=kept)
+        run(small(), progress, executors.local(1), kept=kept)
     assert (tmp_path / checkpoint.NAME).read_bytes() == before
     assert [path.name for path in tmp_path.iterdir()] == [checkpoint.NAME]
 
@@ -341,14 +343,14 @@ def test_case_files_are_read_back_as_the_same_numbers(tmp_path, stratum):
     assert tuple(map(tuple, motion.exact.values())) == numbers
     found = case_file.read(str(path))
     assert replace(found, stratum=stratum, index=1) == sample
-    assert session.replay(str(path), whole()).share("c") < 1
+    assert session.replay(str(path), small()).share("c") < 1
 
 
 def test_a_case_of_a_campaign_is_found_by_its_name():
-    finding = session.replay("published:3", whole())
+    finding = session.replay("published:3", small())
     assert finding.sample == draw("published", 3, 1)
-    assert finding.share("c") == look(finding.sample, 40, ["c"]).share("c")
+    assert finding.share("c") == measure_case(finding.sample, 40, ["c"]).share("c")
     for name in ("published", "moon:1", "published:999", "uniform:-1", "uniform:1e3"):
         with pytest.raises(InputError, match=r"^case = "):
-            session.replay(name, whole())
+            session.replay(name, small())
     assert count("published", 999) == STRATA["published"].size

@@ -12,8 +12,8 @@ import pytest
 
 from rigidsym import InputError
 from rigidsym.validate import executors, validate
-from rigidsym.validate.campaign import Progress, campaign
-from rigidsym.validate.validation import conduct
+from rigidsym.validate.campaign import Campaign, Progress
+from rigidsym.validate.validation import run
 
 pytest.importorskip("distributed", reason="Dask is not installed (extra cluster)")
 
@@ -54,7 +54,7 @@ def alone():
 
 
 def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(alone, tmp_path):
-    whole = campaign(("numpy", "c"), CASES, strata=STRATA)
+    campaign = Campaign.of(("numpy", "c"), CASES, strata=STRATA)
     progress, killed = Progress(), []
 
     def show(done, total):
@@ -63,9 +63,9 @@ def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(alone, 
             killed.append(done)
 
     with scheduler(tmp_path) as (address, _), worker(address) as first, worker(address):
-        report = conduct(whole, progress, executors.cluster(address), show)
+        report = run(campaign, progress, executors.cluster(address), show)
     assert killed
-    assert killed[0] < whole.size
+    assert killed[0] < campaign.size
     assert report.tally.cases == dict.fromkeys(STRATA, CASES)
     assert progress.done == {name: [(0, CASES)] for name in STRATA}
     assert report.run.pop("place").endswith("of a cluster")
@@ -73,14 +73,14 @@ def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(alone, 
 
 
 def test_a_scheduler_that_is_lost_is_one_line(tmp_path):
-    whole = campaign(("numpy",), 100_000, strata=STRATA)
+    campaign = Campaign.of(("numpy",), 100_000, strata=STRATA)
     with scheduler(tmp_path) as (address, process), worker(address):
 
         def show(done, total):
             process.kill()
 
         with pytest.raises((InputError, CancelledError), match="was lost: nothing is kept"):
-            conduct(whole, Progress(), executors.cluster(address), show)
+            run(campaign, Progress(), executors.cluster(address), show)
 
 
 def test_a_scheduler_without_workers_is_one_line(tmp_path, monkeypatch):

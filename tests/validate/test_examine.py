@@ -1,4 +1,4 @@
-"""One's own integrator: the truth passes, and whatever is wrong is a finding in the report."""
+"""A user's integrator: the truth passes, and whatever is wrong is a finding in the report."""
 
 import json
 import math
@@ -8,7 +8,7 @@ import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.engines import engine
-from rigidsym.validate import STRATA, draw, examine, look, validate
+from rigidsym.validate import STRATA, draw, examine, measure_case, validate
 from rigidsym.validate.strata import in_doubles
 from rigidsym.view.validation import page
 
@@ -46,7 +46,7 @@ def test_the_report_is_that_of_everybody():
         "examine(the_truth, cases=2, digits=40, seed=1, strata=['uniform', 'spin'])"
     )
     assert [one["name"] for one in data["contestants"]] == ["peer the truth"]
-    assert data["worst"][0]["replay"].startswith("look(draw('spin', ")
+    assert data["worst"][0]["replay"].startswith("measure_case(draw('spin', ")
     assert "| uniform | 2 | 44 |" in report.to_markdown()
     assert "the truth" in page(data)
     assert "the truth" in report._repr_html_()
@@ -79,11 +79,11 @@ def raising(error):
     return raises
 
 
-def spoilt(change):
-    def spoils(inertia, omega0, attitude0, times):
+def altered(change):
+    def alters(inertia, omega0, attitude0, times):
         return change(*exact(inertia, omega0, attitude0, times))
 
-    return spoils
+    return alters
 
 
 WRONG = {
@@ -91,17 +91,17 @@ WRONG = {
     "two lines": (raising(RuntimeError("a\nb")), "RuntimeError: a b"),
     "no words": (raising(ZeroDivisionError()), "ZeroDivisionError"),
     "recursion": (raising(RecursionError("deep")), "RecursionError: deep"),
-    "transposed": (spoilt(lambda q, w: (q.T, w.T)), "q: shape (4, "),
-    "rates of four": (spoilt(lambda q, w: (q, q)), "omega: shape ("),
-    "one state": (spoilt(lambda q, w: (q[0], w[0])), "q: shape (4,)"),
-    "attitude alone": (spoilt(lambda q, w: q[:3]), "must be (q, omega)"),
+    "transposed": (altered(lambda q, w: (q.T, w.T)), "q: shape (4, "),
+    "rates of four": (altered(lambda q, w: (q, q)), "omega: shape ("),
+    "one state": (altered(lambda q, w: (q[0], w[0])), "q: shape (4,)"),
+    "attitude alone": (altered(lambda q, w: q[:3]), "must be (q, omega)"),
     "nothing": (lambda *given: None, "gives NoneType: must be (q, omega)"),
-    "words": (spoilt(lambda q, w: ([["a"] * 4] * len(q), w)), "q: must be real numbers"),
-    "complex": (spoilt(lambda q, w: (q + 1j, w)), "q: must be real numbers"),
-    "ragged": (spoilt(lambda q, w: ([[1.0], [1.0, 2.0]], w)), "q: must be real numbers"),
+    "words": (altered(lambda q, w: ([["a"] * 4] * len(q), w)), "q: must be real numbers"),
+    "complex": (altered(lambda q, w: (q + 1j, w)), "q: must be real numbers"),
+    "ragged": (altered(lambda q, w: ([[1.0], [1.0, 2.0]], w)), "q: must be real numbers"),
     "too few arguments": (lambda inertia: None, "TypeError: "),
-    "NaN": (spoilt(lambda q, w: (np.full_like(q, np.nan), w)), "angle inf"),
-    "infinite": (spoilt(lambda q, w: (q, w * np.inf)), "inf of its bound"),
+    "NaN": (altered(lambda q, w: (np.full_like(q, np.nan), w)), "angle inf"),
+    "infinite": (altered(lambda q, w: (q, w * np.inf)), "inf of its bound"),
 }
 
 
@@ -135,25 +135,25 @@ def test_what_fails_on_one_side_is_right_on_the_other():
     assert "not backwards" in report.complaints[0]
     worst = report.by_stratum()["uniform"]
     assert (worst.error, worst.time < 0) == (math.inf, True)
-    found = look(draw("uniform", 0, 1), 40, {"x": forward}).errors["x"]["angle"]
+    found = measure_case(draw("uniform", 0, 1), 40, {"x": forward}).errors["x"]["angle"]
     assert np.isinf(found.units[found.times < 0]).all()
     assert np.all(found.share[found.times >= 0] <= 1)
     assert np.all(found.values[found.times >= 0] < 2e-15)
 
 
 def test_errors_are_in_their_own_units_with_case_and_time():
-    report = few(spoilt(lambda q, w: (q, w * (1 + 1e-6))), strata=["uniform"])
+    report = few(altered(lambda q, w: (q, w * (1 + 1e-6))), strata=["uniform"])
     worst = report.by_stratum("omega")["uniform"]
     assert worst.error == pytest.approx(1e-6, rel=1e-6)
     assert worst.time in draw(*worst.case, seed=1).times
-    assert report.by_stratum(name="spoils")["uniform"].error < 2e-15
-    assert report.by_stratum(name="peer spoils") == report.by_stratum()
+    assert report.by_stratum(name="alters")["uniform"].error < 2e-15
+    assert report.by_stratum(name="peer alters") == report.by_stratum()
 
 
 class Rotations:
-    """An object with a peer's methods, on no sheet."""
+    """An object with a peer's methods, without a double-cover sign."""
 
-    name, version, reach, sheets = "rotations", "7", 20.0, False
+    name, version, reach, double_cover_sign = "rotations", "7", 20.0, False
 
     def __init__(self):
         self.engine = engine("numpy")
@@ -172,7 +172,10 @@ def test_an_object_says_itself_what_it_is():
     assert report.by_stratum("angle")["uniform"].error < 2e-15
     assert report.campaign.peers == ("rotations",)
     assert report.campaign.peer_versions == ("7",)
-    assert few(Rotations(), strata=["uniform"], sheets=True).by_stratum()["uniform"].error > 1
+    assert (
+        few(Rotations(), strata=["uniform"], double_cover_sign=True).by_stratum()["uniform"].error
+        > 1
+    )
     assert few(Rotations(), name="other").campaign.peers == ("other",)
 
 

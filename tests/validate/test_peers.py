@@ -68,7 +68,7 @@ def test_peers_agree_with_the_derivation(peer, name):
     assert q.shape == (t.size, 4)
     assert omega.shape == (t.size, 3)
     apart = gaps(q, exact_q)
-    if not peer.sheets:
+    if not peer.double_cover_sign:
         apart = np.minimum(apart, gaps(-q, exact_q))
     assert np.max(apart) < within
     assert np.max(gaps(omega, exact_omega)) < within * math.hypot(*motion[1])
@@ -81,7 +81,7 @@ def test_the_start_is_the_attitude_with_its_sign(integrator):
     assert omega.tolist() == [[0.1, 0.2, 0.8]]
 
 
-def test_a_whole_turn_is_the_other_sheet(integrator):
+def test_a_whole_turn_turns_the_double_cover_sign(integrator):
     prepared = integrator.prepare((1, 1, 1), (0, 0, 1), (1, 0, 0, 0))
     q, _ = integrator.states(prepared, [2 * np.pi, 4 * np.pi, -2 * np.pi])
     assert gaps(q[:, 0], [-1, 1, -1]).max() < 1e-10
@@ -227,4 +227,4 @@ def test_peers_name_themselves_and_how_far_they_go(peer):
     assert peer.name in PEERS
     assert peer.version[0].isdigit()
     assert peer.reach >= 300
-    assert peer.sheets == (peer.name != "orekit")
+    assert peer.double_cover_sign == (peer.name != "orekit")

@@ -9,11 +9,10 @@ import pytest
 
 from rigidsym import InputError
 from rigidsym.engines import EngineError, engine
-from rigidsym.validate import implementations as contestants
-from rigidsym.validate import validate
+from rigidsym.validate import implementations, validate
 from rigidsym.validate.bounds import BOUNDS, MEASURES
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES
-from rigidsym.validate.finding import look
+from rigidsym.validate.finding import measure_case
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import distance, enclose
 from rigidsym.validate.report import ValidationReport
@@ -83,16 +82,16 @@ def without(tally, *keys):
 
 
 def test_what_tested_nothing_fails(report):
-    whole, tally = report.campaign, report.tally
+    campaign, tally = report.campaign, report.tally
     untested = {name: n for name, n in tally.cases.items() if name != "rod"}
-    found = ValidationReport(whole, Tally(tally.cells, untested, tally.states))
+    found = ValidationReport(campaign, Tally(tally.cells, untested, tally.states))
     assert found.complaints == ("rod: 0 of 6 cases were tested",)
-    found = ValidationReport(whole, without(tally, ("c", "norm", "share", "rod")))
+    found = ValidationReport(campaign, without(tally, ("c", "norm", "share", "rod")))
     assert found.complaints == ("c: rod: a bound is broken, or was not tested",)
-    found = ValidationReport(whole, without(tally, (ORACLES, DISAGREEMENT, "stratum", "rod")))
+    found = ValidationReport(campaign, without(tally, (ORACLES, DISAGREEMENT, "stratum", "rod")))
     assert found.complaints == ("rod: the oracles disagree by inf",)
     assert not found.passed
-    assert ValidationReport(whole, tally).passed
+    assert ValidationReport(campaign, tally).passed
 
 
 def test_oracles_that_disagree_fail(report):
@@ -105,7 +104,7 @@ def test_oracles_that_disagree_fail(report):
     assert not found.passed
 
 
-class Spoilt:
+class Altered:
     """NumPy's engine with something done to its states."""
 
     def __init__(self, change):
@@ -136,8 +135,8 @@ def turned(t, q, omega):
     q[...] = np.stack([q[:, 1], -q[:, 0], q[:, 2], q[:, 3]], axis=-1)
 
 
-def other_sheet(t, q, omega):
-    # An arc begins there.
+def other_sign(t, q, omega):
+    # An interval begins there.
     q[t > UNIFORM.times[len(UNIFORM.times) // 2]] *= -1
 
 
@@ -159,21 +158,21 @@ def refused(t, q, omega):
         (longer, {"angle", "norm"}, {"omega", "energy"}),
         (faster, {"omega"}, {"angle", "norm", "jump"}),
         (turned, {"angle", "residual"}, {"omega", "norm", "jump"}),
-        (other_sheet, {"jump", "residual"}, {"omega", "norm"}),
+        (other_sign, {"jump", "residual"}, {"omega", "norm"}),
         (drifting, {"angle", "residual", "norm"}, {"omega"}),
         (nothing, {"angle", "norm", "jump"}, {"omega"}),
         (refused, set(MEASURES), set()),
     ],
 )
 def test_each_measure_notices_what_it_is_for(change, noticed, not_noticed):
-    found = measure(enclose(UNIFORM, 40), Spoilt(change))
+    found = measure(enclose(UNIFORM, 40), Altered(change))
     beyond = {name for name, errors in found.items() if np.any(errors.share > 1)}
     assert noticed <= beyond
     assert not_noticed.isdisjoint(beyond)
 
 
 def test_drifts_are_judged_by_what_errors_of_the_rates_make_of_them():
-    tenth = Spoilt(lambda t, q, omega: np.multiply(omega, 1.1, omega))
+    tenth = Altered(lambda t, q, omega: np.multiply(omega, 1.1, omega))
     found = measure(enclose(UNIFORM, 40), tenth)
     for name in ("energy", "momentum"):
         np.testing.assert_allclose(found[name].units * 2**-53, 0.21, rtol=1e-9)
@@ -192,7 +191,7 @@ def test_the_condition_tells_ill_conditioning_from_sloppiness():
     expected = math.sqrt(0.25 * 3.3125 / 4.5)
     np.testing.assert_allclose(growth, expected, rtol=0.2)
     assert steep.distance == 0
-    found = look(steep.sample, 40, ["numpy"])
+    found = measure_case(steep.sample, 40, ["numpy"])
     assert found.share("numpy") < 1
 
 
@@ -203,12 +202,12 @@ def test_the_distance_from_the_separatrix():
 
 
 def test_errors_of_states_that_are_refused_are_infinite_and_still_json(monkeypatch):
-    monkeypatch.setattr(contestants.engines, "exactly", lambda name: Spoilt(refused))
-    contestants.forget()
+    monkeypatch.setattr(implementations.engines, "exactly", lambda name: Altered(refused))
+    implementations.forget()
     try:
         report = validate(["numpy"], cases=1, strata=["uniform"])
     finally:
-        contestants.forget()
+        implementations.forget()
     assert not report.passed
     data = json.loads(report.to_json())
     assert data["contestants"][0]["strata"]["uniform"]["angle"]["units"] == "inf"

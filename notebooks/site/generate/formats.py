@@ -22,8 +22,8 @@ from rigidsym.proof.derivation import derive
 from rigidsym.proof.kernel import ledger as ledgers
 from rigidsym.proof.paper import Verdict, verdicts
 from rigidsym.proof.paper.verdicts import Ruling
-from rigidsym.validate import campaign, checkpoint, validate
-from rigidsym.validate.campaign import Progress
+from rigidsym.validate import checkpoint, validate
+from rigidsym.validate.campaign import Campaign, Progress, complete
 from rigidsym.validate.executors import local
 from rigidsym.validate.faults import detection
 from rigidsym.validate.faults import report as faults
@@ -187,12 +187,12 @@ def _validation() -> Any:
 
 
 def _campaign() -> Any:
-    whole = campaign.campaign(["numpy"], cases=1, strata=[STRATUM])
+    campaign = Campaign.of(["numpy"], cases=1, strata=[STRATUM])
     progress = Progress()
     with local(1) as place:
-        campaign.run(whole, progress, place)
+        complete(campaign, progress, place)
     with tempfile.TemporaryDirectory() as folder:
-        kept = checkpoint.Checkpoint(Path(folder), whole, progress)
+        kept = checkpoint.Checkpoint(Path(folder), campaign, progress)
         kept.write()
         return _json(kept.path.read_text("utf-8"))
 
@@ -201,8 +201,8 @@ def _faults() -> Any:
     """One fault against one stratum."""
     cases = [detection.references(STRATUM, 1, 40, 1)]
     for fault in (fault for fault in BY_HAND if fault.target == "numpy"):
-        if notices := detection.notices(fault, cases):
-            outcome = faults.Outcome(fault, tuple(notices))
+        if detections := detection.detections(fault, cases):
+            outcome = faults.Outcome(fault, tuple(detections))
             break
     return faults.FaultReport(("numpy",), (STRATUM,), 1, 40, 1, (outcome,)).to_data()
 

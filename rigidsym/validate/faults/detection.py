@@ -7,7 +7,7 @@ import numpy as np
 
 from rigidsym.engines import Engine
 from rigidsym.validate.faults.fault import Fault
-from rigidsym.validate.faults.mutated_build import spoilt
+from rigidsym.validate.faults.mutated_build import mutated_engine
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.strata import count, draw
@@ -17,7 +17,7 @@ RAISED, CRASHED = "raised", "crashed"
 
 
 @dataclass(frozen=True, slots=True)
-class Notice:
+class Detection:
     """The first case of a stratum that a fault breaks a bound in, and the measures that say so."""
 
     stratum: str
@@ -30,18 +30,18 @@ def references(stratum: str, cases: int, digits: int, seed: int) -> list[Referen
     return [enclose(draw(stratum, index, seed), digits) for index in range(count(stratum, cases))]
 
 
-def notices(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Notice]:
+def detections(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Detection]:
     """What the strata notice, at most one case of each."""
-    engine = spoilt(fault)
+    engine = mutated_engine(fault)
     found = (first(engine, stratum) for stratum in strata)
-    return [notice for notice in found if notice]
+    return [detection for detection in found if detection]
 
 
-def first(engine: Engine, stratum: Sequence[Reference]) -> Notice | None:
+def first(engine: Engine, stratum: Sequence[Reference]) -> Detection | None:
     """The first case in which an engine breaks a bound, or cannot do what it should."""
     for reference in stratum:
         if measures := broken(engine, reference):
-            return Notice(reference.sample.stratum, reference.sample.index, measures)
+            return Detection(reference.sample.stratum, reference.sample.index, measures)
     return None
 
 

@@ -7,7 +7,7 @@ from functools import partial
 
 from rigidsym.engines.threads import processors
 from rigidsym.validate.executors import processes, undisturbed
-from rigidsym.validate.faults.detection import CRASHED, Notice, notices, references
+from rigidsym.validate.faults.detection import CRASHED, Detection, detections, references
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.mutated_build import faulty
 from rigidsym.validate.faults.report import FaultReport, Outcome
@@ -69,7 +69,7 @@ def _enclosed(
 
 def _found(
     faults: Sequence[Fault], strata: Strata, told: Callable[[int], None]
-) -> dict[Fault, list[Notice]]:
+) -> dict[Fault, list[Detection]]:
     """The notices of every fault; those that may have ended a process are looked at alone."""
     left, found = list(faults), {}
     while left:
@@ -82,8 +82,8 @@ def _found(
 
 def _until_a_crash(
     faults: Sequence[Fault], strata: Strata
-) -> Iterator[tuple[Fault, list[Notice] | None]]:
-    """Faults and notices; None for all that were under way when a process was lost, the last."""
+) -> Iterator[tuple[Fault, list[Detection] | None]]:
+    """Faults and detections; None for all that were under way when a process was lost, the last."""
     waiting, running = list(faults), dict[Future, Fault]()
     lost = False
     with processes(processors()) as pool:
@@ -91,7 +91,7 @@ def _until_a_crash(
             try:
                 while waiting and len(running) < processors() and not lost:
                     with undisturbed():
-                        job = pool.submit(notices, waiting[0], strata)
+                        job = pool.submit(detections, waiting[0], strata)
                     running[job] = waiting.pop(0)
             except BrokenProcessPool:
                 lost = True
@@ -101,13 +101,13 @@ def _until_a_crash(
                 yield running.pop(job), None if crashed else job.result()
 
 
-def _alone(fault: Fault, strata: Strata) -> list[Notice]:
-    """The notices of a fault that may end a process: each stratum has its own."""
+def _alone(fault: Fault, strata: Strata) -> list[Detection]:
+    """The detections of a fault that may end a process: each stratum has its own."""
     found = []
     for stratum in strata:
         try:
             with processes(1) as pool:
-                found += pool.submit(notices, fault, [stratum]).result()
+                found += pool.submit(detections, fault, [stratum]).result()
         except BrokenProcessPool:
-            found.append(Notice(stratum[0].sample.stratum, 0, (CRASHED,)))
+            found.append(Detection(stratum[0].sample.stratum, 0, (CRASHED,)))
     return found

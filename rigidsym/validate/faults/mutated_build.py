@@ -16,9 +16,13 @@ from rigidsym.validate.faults.fault import FILES, Fault
 _QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
 
 
-def spoilt(fault: Fault) -> Engine:
+def mutated_engine(fault: Fault) -> Engine:
     """The engine that runs on a faulty module; raises StaleFaultError as `Fault.applied`."""
     return on_text(fault.target, faulty(fault), fault.options)
+
+
+# By the name it had.
+spoilt = mutated_engine
 
 
 def faulty(fault: Fault) -> str:

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rigidsym.validate.faults.detection import Notice
+from rigidsym.validate.faults.detection import Detection
 from rigidsym.validate.faults.fault import KINDS, Fault
 
 SCHEMA = "rigidsym.faults/1"
@@ -15,20 +15,22 @@ _NAMED = 4
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """A fault, and a notice of each stratum that caught it."""
+    """A fault, and a detection of each stratum that caught it."""
 
     fault: Fault
-    notices: tuple[Notice, ...]
+    detections: tuple[Detection, ...]
 
     @property
     def strata(self) -> tuple[str, ...]:
         """The strata that caught it."""
-        return tuple(notice.stratum for notice in self.notices)
+        return tuple(detection.stratum for detection in self.detections)
 
     @property
     def measures(self) -> tuple[str, ...]:
         """All measures by which it was caught, each once."""
-        return tuple(dict.fromkeys(name for notice in self.notices for name in notice.measures))
+        return tuple(
+            dict.fromkeys(name for detection in self.detections for name in detection.measures)
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +53,7 @@ class FaultReport:
     @property
     def missed(self) -> tuple[Fault, ...]:
         """Faults that no stratum caught."""
-        return tuple(outcome.fault for outcome in self.outcomes if not outcome.notices)
+        return tuple(outcome.fault for outcome in self.outcomes if not outcome.detections)
 
     def caught(self, stratum: str) -> int:
         """How many faults a stratum caught."""
@@ -136,10 +138,10 @@ def _fault(outcome: Outcome) -> Mapping[str, Any]:
         "new": fault.new,
         "options": list(fault.options),
         "caught": {
-            notice.stratum: {
-                "case": f"{notice.stratum}:{notice.index}",
-                "by": list(notice.measures),
+            detection.stratum: {
+                "case": f"{detection.stratum}:{detection.index}",
+                "by": list(detection.measures),
             }
-            for notice in outcome.notices
+            for detection in outcome.detections
         },
     }

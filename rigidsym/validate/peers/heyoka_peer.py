@@ -21,7 +21,7 @@ class HeyokaPeer:
     The tolerance is of the largest of q and omega: at fast rates q gets less than its share.
     """
 
-    name, reach, sheets = "heyoka", _REACH, True
+    name, reach, double_cover_sign = "heyoka", _REACH, True
 
     def __init__(self) -> None:
         heyoka, self.version = needed(self.name, "heyoka", "heyoka")

@@ -28,11 +28,11 @@ _CLASSES = {
 class OrekitPeer:
     """`TorqueFree` asked for each time alone; Java starts with the first motion.
 
-    It answers by rotations, which know of no sheet.
+    It answers by rotations, which know of no double-cover sign.
     """
 
     # Nothing is integrated over time.
-    name, reach, sheets = "orekit", math.inf, False
+    name, reach, double_cover_sign = "orekit", math.inf, False
 
     def __init__(self) -> None:
         (_, self.version), (jpype, _) = _packages()

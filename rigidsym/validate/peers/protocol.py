@@ -31,7 +31,7 @@ class Peer(Protocol):
         ...
 
     @property
-    def sheets(self) -> bool:
+    def double_cover_sign(self) -> bool:
         """Whether q is continuous from attitude0 on, its sign included.
 
         If not, q is a rotation by either of its signs, and the smaller error of the two is due.

@@ -22,7 +22,7 @@ _TOLERANCE = 100 * float(np.finfo(float).eps)
 class ScipyPeer:
     """`solve_ivp` by one of its methods, at 2.2e-14 of unit quaternions and of |omega0|."""
 
-    reach, sheets = _REACH, True
+    reach, double_cover_sign = _REACH, True
 
     def __init__(self, method: str) -> None:
         self.name, self._method = method.lower(), method

@@ -20,19 +20,46 @@ Given = TypeVar("Given")
 # What goes in steps would never return from the farthest times: as far as short strata go, rad.
 REACH = 300.0
 VERSION = "not numbered"
+_RULE = "must be a function of (inertia, omega0, attitude0, times), or have prepare and states"
 _NAME = re.compile(r"[\w.+-]+( [\w.+-]+)*")
 
 
 @dataclass(frozen=True, slots=True)
-class Own:
+class UserIntegrator:
     """A peer whose failures, of whatever kind, are refusals; `said` keeps what they were."""
 
     peer: Any
     name: str
     version: str
     reach: float
-    sheets: bool
+    double_cover_sign: bool
     said: list[str] = field(default_factory=list)
+
+    @classmethod
+    def of(
+        cls,
+        integrator: Any,
+        name: str | None = None,
+        reach: float | None = None,
+        double_cover_sign: bool | None = None,
+    ) -> "UserIntegrator":
+        """A callable, or an object with the methods of `Peer`, as a peer; what is None is taken
+        from the object where it has it.  Raises InputError where it is neither, or cannot be called
+        so."""
+        said: list[str] = []
+        is_peer = all(
+            callable(getattr(integrator, method, None)) for method in ("prepare", "states")
+        )
+        if not is_peer and not callable(integrator):
+            raise InputError("integrator", repr(integrator), _RULE)
+        return cls(
+            integrator if is_peer else Follower(integrator, said),
+            _name(_first(name, getattr(integrator, "name", None), _called(integrator))),
+            str(getattr(integrator, "version", VERSION)),
+            _reach(_first(reach, getattr(integrator, "reach", None), REACH)),
+            bool(_first(double_cover_sign, getattr(integrator, "double_cover_sign", None), True)),
+            said,
+        )
 
     def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
         """See `Peer`."""
@@ -69,31 +96,6 @@ class Follower:
         ]
         states = _tried(self.said, lambda: shaped(self.integrator(*given), times.size))
         return np.hstack(states)
-
-
-def own(
-    integrator: Any,
-    name: str | None = None,
-    reach: float | None = None,
-    sheets: bool | None = None,
-) -> Own:
-    """A callable, or an object with the methods of `Peer`, as a peer; what is None is taken from
-    the object where it has it.  Raises InputError where it is neither, or cannot be called so."""
-    said: list[str] = []
-    is_peer = all(callable(getattr(integrator, method, None)) for method in ("prepare", "states"))
-    if not is_peer and not callable(integrator):
-        rule = (
-            "must be a function of (inertia, omega0, attitude0, times), or have prepare and states"
-        )
-        raise InputError("integrator", repr(integrator), rule)
-    return Own(
-        integrator if is_peer else Follower(integrator, said),
-        _name(_first(name, getattr(integrator, "name", None), _called(integrator))),
-        str(getattr(integrator, "version", VERSION)),
-        _reach(_first(reach, getattr(integrator, "reach", None), REACH)),
-        bool(_first(sheets, getattr(integrator, "sheets", None), True)),
-        said,
-    )
 
 
 def shaped(states: Any, count: int) -> States:

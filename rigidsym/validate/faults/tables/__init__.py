@@ -1,7 +1,7 @@
 """The faults, by target: those written by hand, and those drawn from the derived lines.
 
 By hand are faults of runtime text and of what no change of one place of a tree says: quadrants,
-sheets, lengths, some units in the last place.
+double-cover signs, lengths, some units in the last place.
 """
 
 from functools import cache

@@ -325,7 +325,7 @@ _DIGITS = (
     ),
     _fault(
         "special",
-        "t = 0 on the other sheet",
+        "t = 0 with the other double-cover sign",
         "    zero = np.flatnonzero(flat == 0)",
         'prepared["q0"][:, None]',
         '-prepared["q0"][:, None]',
