@@ -542,9 +542,10 @@ def test_terminals_without_our_letters():
 def test_a_damaged_sealed_ledger_is_one_line(text, monkeypatch, capsys):
     from rigidsym.solution import formulas
 
-    monkeypatch.setattr("rigidsym.solution.ledger_text", lambda: text)
+    monkeypatch.setattr("rigidsym.io.ledger.ledger_text", lambda: text)
     monkeypatch.setattr(formulas, "ledger_text", lambda: text)
     formulas.sealed.cache_clear()
+    formulas.sequence.cache_clear()
     try:
         for arguments in (
             ["errata"],
@@ -557,6 +558,7 @@ def test_a_damaged_sealed_ledger_is_one_line(text, monkeypatch, capsys):
             assert len(error.splitlines()) == (1 if status else 0)
     finally:
         formulas.sealed.cache_clear()
+        formulas.sequence.cache_clear()
 
 
 def test_the_papers_case_ships_with_the_package(capsys):
