@@ -12,9 +12,20 @@ from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from numbers import Rational, Real
-from typing import Any
+from typing import TYPE_CHECKING, Any, Union
 
 from rigidsym.errors import InputError, written
+
+if TYPE_CHECKING:
+    import flint
+    import mpmath
+    from numpy.typing import ArrayLike
+
+# What users give: numbers that are taken exactly, or within a radius; and vectors of them.
+ExactNumber = Union[float, int, str, Fraction, Decimal, "mpmath.mpf", "flint.arb"]
+Vector3 = Union[Sequence[ExactNumber], "ArrayLike"]
+Quaternion = Union[Sequence[ExactNumber], "ArrayLike"]
+Times = Union[ExactNumber, Sequence[ExactNumber], "ArrayLike"]
 
 _HEX = re.compile(r"[+-]?0[xX]")
 # Room for the rounding of moments, as a part of the smallest.

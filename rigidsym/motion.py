@@ -10,12 +10,16 @@ from numbers import Integral
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym import engines, inputs
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
+from rigidsym.inputs import Quaternion, Times, Vector3
 
 if TYPE_CHECKING:
+    from scipy.spatial.transform import Rotation
+
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.solution.polhode import Regime
@@ -54,9 +58,9 @@ class TorqueFreeMotion:
 
     def __init__(
         self,
-        inertia: Any,
-        omega0: Any,
-        attitude0: Any = IDENTITY,
+        inertia: Vector3,
+        omega0: Vector3,
+        attitude0: Quaternion = IDENTITY,
         *,
         engine: str = "numpy",
         allow_nonphysical: bool = False,
@@ -133,7 +137,7 @@ class TorqueFreeMotion:
         return motion_latex(self)
 
     def __call__(
-        self, t: Any, out: tuple[np.ndarray, np.ndarray] | None = None, errors: str = "raise"
+        self, t: ArrayLike, out: tuple[np.ndarray, np.ndarray] | None = None, errors: str = "raise"
     ) -> tuple[np.ndarray, np.ndarray]:
         """Attitude and body rates at t (s): (4,), (3,) for a number, (N, 4), (N, 3) for N of them.
 
@@ -223,7 +227,7 @@ class TorqueFreeMotion:
         return {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
 
     def precise(
-        self, t: Any, digits: int = 50, *, method: str = "theta", max_seconds: float | None = None
+        self, t: Times, digits: int = 50, *, method: str = "theta", max_seconds: float | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
@@ -240,7 +244,7 @@ class TorqueFreeMotion:
 
     def enclose(
         self,
-        t: Any,
+        t: Times,
         digits: int = 50,
         *,
         method: str | None = None,
@@ -274,7 +278,7 @@ class TorqueFreeMotion:
 
         return BoxedMotion(*self._given.values())
 
-    def rotation(self, t: Any) -> Any:
+    def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
         try:
             from scipy.spatial.transform import Rotation
@@ -282,7 +286,7 @@ class TorqueFreeMotion:
             raise ImportError("rotation needs SciPy: pip install 'rigidsym[app]'") from None
         return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
 
-    def plot(self, times: Any = None) -> "Figure":
+    def plot(self, times: Times | None = None) -> "Figure":
         """Rates and attitude against time, and the momentum sphere (needs matplotlib).
 
         `times` (N,) in s; some periods of the rates where None.  The figure shows itself in a
@@ -295,10 +299,10 @@ class TorqueFreeMotion:
 
 
 def propagate(
-    inertia: Any,
-    omega0: Any,
-    t: Any,
-    attitude0: Any = IDENTITY,
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
     *,
     engine: str = "numpy",
     out: tuple[np.ndarray, np.ndarray] | None = None,
@@ -391,7 +395,7 @@ def _is_lenient(errors: str) -> bool:
     return _refusing(lambda: engines.is_lenient(errors), errors=errors)
 
 
-def _number(name: str, value: Any) -> float:
+def _number(name: str, value: ArrayLike) -> float:
     """One finite number."""
     array = batches.array(name, value)
     if array.ndim:
@@ -399,7 +403,7 @@ def _number(name: str, value: Any) -> float:
     return float(array)
 
 
-def _is_one_double(t: Any) -> bool:
+def _is_one_double(t: object) -> bool:
     """A finite number that needs no array on its way."""
     is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
     return is_number and abs(t) <= sys.float_info.max
@@ -410,7 +414,9 @@ def _doubles(t: Any, errors: str) -> Any:
     return float(t) if _is_one_double(t) else _times(t, errors)
 
 
-def _floats(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, tuple[float, ...]]:
+def _floats(
+    inertia: Vector3, omega0: Vector3, attitude0: Quaternion
+) -> dict[str, tuple[float, ...]]:
     """Inertia, omega0 and attitude0 by name where they are nothing but good floats."""
     moments, rates = inputs.floats(inertia, 3), inputs.floats(omega0, 3)
     start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(attitude0, 4)
@@ -421,7 +427,7 @@ def _floats(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, tuple[float,
     return {"inertia": moments, "omega0": rates, "attitude0": start}
 
 
-def _times(t: Any, errors: str = "raise") -> np.ndarray:
+def _times(t: ArrayLike, errors: str = "raise") -> np.ndarray:
     times = batches.array("t", t, _is_lenient(errors))
     if times.ndim > 1:
         raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")

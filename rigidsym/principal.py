@@ -1,9 +1,9 @@
 """Principal axes of a body: from its inertia tensor to what `TorqueFreeMotion` takes, and back."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
@@ -29,20 +29,20 @@ class PrincipalAxes:
     matrix: np.ndarray
     quaternion: np.ndarray
 
-    def to_principal(self, omega: Any, attitude: Any) -> tuple[np.ndarray, np.ndarray]:
+    def to_principal(self, omega: ArrayLike, attitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Rates (..., 3) and attitudes (..., 4) of the principal axes, from those of the given
         ones: `omega0` and `attitude0` of a motion.  Raises InputError for other shapes."""
         rates, q = _array("omega", omega, 3), _array("attitude", attitude, 4)
         return rates @ self.matrix, product(q, self.quaternion)
 
-    def from_principal(self, q: Any, omega: Any) -> tuple[np.ndarray, np.ndarray]:
+    def from_principal(self, q: ArrayLike, omega: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Attitudes (..., 4) and rates (..., 3) of the given axes, from what a motion returns for
         the principal ones.  Raises InputError for other shapes."""
         attitude, rates = _array("q", q, 4), _array("omega", omega, 3)
         return product(attitude, conjugate(self.quaternion)), rates @ self.matrix.T
 
 
-def principal_axes(tensor: Any) -> PrincipalAxes:
+def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
     """The principal moments and axes of an inertia tensor (3, 3) in kg m^2.
 
     The tensor has to be symmetric to 1e-9 of its largest entry, and is then made so; the signs of
@@ -71,7 +71,7 @@ def principal_axes(tensor: Any) -> PrincipalAxes:
     return PrincipalAxes(moments, matrix, of_matrix(matrix))
 
 
-def _entries(tensor: Any) -> np.ndarray:
+def _entries(tensor: ArrayLike) -> np.ndarray:
     rows = inputs.sequence("tensor", tensor, ndim=2)
     if len(rows) != 3:
         raise InputError("tensor", f"{len(rows)} rows", "must have 3 rows of 3 numbers")
@@ -101,7 +101,7 @@ def _right_handed(axes: np.ndarray) -> np.ndarray:
     return np.stack([first, second, np.cross(first, second)], axis=1)
 
 
-def _array(field: str, values: Any, size: int) -> np.ndarray:
+def _array(field: str, values: ArrayLike, size: int) -> np.ndarray:
     try:
         array = np.asarray(values, dtype=float)
     except (TypeError, ValueError):

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 States = tuple[np.ndarray, np.ndarray]
 Outputs = States | None
@@ -33,7 +34,7 @@ class Engine(Protocol):
     errors="nan" bodies and times that are refused have states of NaN instead.
     """
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Any:
         """Constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
         ...
 
@@ -46,7 +47,9 @@ class Engine(Protocol):
         """Constants of one motion from exact numbers, which are not rounded to float64 first."""
         ...
 
-    def states(self, prepared: Any, t: Any, out: Outputs = None, errors: str = "raise") -> States:
+    def states(
+        self, prepared: Any, t: ArrayLike, out: Outputs = None, errors: str = "raise"
+    ) -> States:
         """(q, omega): (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
         ...
 
@@ -61,10 +64,10 @@ class Engine(Protocol):
 
     def propagate(
         self,
-        inertia: Any,
-        omega0: Any,
-        attitude0: Any,
-        t: Any,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:
