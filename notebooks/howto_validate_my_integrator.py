@@ -33,7 +33,7 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
-from rigidsym.validate import STRATA, draw, examine, look
+from rigidsym.validate import STRATA, draw, examine, measure_case
 
 
 def rates(y, c):
@@ -110,14 +110,14 @@ assert all(1e-12 < found.error < 1e-3 for found in report.by_stratum().values())
 # that is lost says that the quaternion should be normalised. Where an error is large, look at the
 # *condition number* beside it: if that is large too, the problem is hard for everybody who rounds,
 # and not your fault. The case and the time are there as well; `draw` gives the case again, and
-# `look` measures it alone. Here is a body that is all but a rod:
+# `measure_case` measures it alone. Here is a body that is all but a rod:
 
 # %%
 worst = examine(mine, strata=["rod"], cases=2, reach=REACH).by_stratum()["rod"]
 print(f"condition number: about 1e{round(np.log10(worst.condition))}")
 sample = draw(*worst.case, seed=1)
 print("moments:", ", ".join(f"{moment:.2g}" for moment in sorted(sample.inertia)))
-finer = look(sample, 40, {"finer": rk4(step=0.01)}).errors["finer"]["angle"]
+finer = measure_case(sample, 40, {"finer": rk4(step=0.01)}).errors["finer"]["angle"]
 print("finer steps help:", bool(finer.values.max() < 1e-6))
 assert worst.condition > 1e12
 assert finer.values.max() > 1e-4

@@ -3,7 +3,7 @@ measures, reports."""
 
 from rigidsym.validate.bounds import BOUNDS, MEANINGS
 from rigidsym.validate.examination import examine
-from rigidsym.validate.finding import Finding, look, measure_case
+from rigidsym.validate.finding import Finding, measure_case
 from rigidsym.validate.implementations import check_target
 from rigidsym.validate.measure import Errors
 from rigidsym.validate.peers import PEERS, Peer
@@ -27,7 +27,6 @@ __all__ = [
     "check_target",
     "draw",
     "examine",
-    "look",
     "measure_case",
     "validate",
 ]

@@ -74,11 +74,6 @@ def measure_case(
     return Finding(reference, errors)
 
 
-def look(sample: Sample, digits: int, contestants: Iterable[str] | Mapping[str, Any]) -> Finding:
-    """`measure_case` by the name it had."""
-    return measure_case(sample, digits, contestants)
-
-
 def _entered(implementations: Iterable[str] | Mapping[str, Any]) -> dict[str, Any]:
     """Engines and peers by name."""
     if isinstance(implementations, Mapping):

@@ -21,10 +21,6 @@ def mutated_engine(fault: Fault) -> Engine:
     return on_text(fault.target, faulty(fault), fault.options)
 
 
-# By the name it had.
-spoilt = mutated_engine
-
-
 def faulty(fault: Fault) -> str:
     """The installed module of a fault's target with the fault."""
     return fault.applied(installed(FILES[fault.target]))

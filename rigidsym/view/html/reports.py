@@ -11,10 +11,10 @@ PASSED, BROKEN = "passed", "NOT PASSED"
 
 
 def report_html(report: Any) -> str:
-    """Passed or not and why, then the strata: cases, and the worst of each contestant."""
+    """Passed or not and why, then the strata: cases, and the worst of each implementation."""
     data = report.to_data()
     title = head("Validation", badge(PASSED if data["passed"] else BROKEN), code(data["command"]))
-    names = [contestant["name"] for contestant in data["contestants"]]
+    names = [implementation["name"] for implementation in data["contestants"]]
     columns = ("stratum", "cases", "states", *(f"{name}: angle, bound used" for name in names))
     said = [bullets(data["complaints"])] if data["complaints"] else []
     unit = muted("worst rotation angle in units of 2⁻⁵³ rad; the largest part used of any bound")
@@ -23,13 +23,13 @@ def report_html(report: Any) -> str:
 
 def _strata(data: Mapping[str, Any]) -> Iterator[tuple[Any, ...]]:
     for stratum in data["strata"]:
-        cells = [_cell(contestant, stratum["name"]) for contestant in data["contestants"]]
+        cells = [_cell(implementation, stratum["name"]) for implementation in data["contestants"]]
         yield stratum["name"], stratum["cases"], stratum["states"], *cells
 
 
-def _cell(contestant: Mapping[str, Any], stratum: str) -> Markup:
-    found = contestant["strata"].get(stratum, {}).get("angle")
-    shares = [float(cell["units"]) for cell in contestant["shares"].get(stratum, {}).values()]
+def _cell(implementation: Mapping[str, Any], stratum: str) -> Markup:
+    found = implementation["strata"].get(stratum, {}).get("angle")
+    shares = [float(cell["units"]) for cell in implementation["shares"].get(stratum, {}).values()]
     if found is None or not shares:
         return join(muted("not asked"))
     share = _part(max(shares))

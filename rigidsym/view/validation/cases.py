@@ -94,7 +94,7 @@ def _errors(data: Data, found: Data) -> Markup:
         tag("tr", row(one["name"]), *(_error(one, errors.get(name)) for name in names))
         for one, errors in _in_order(data, found)
     )
-    head = tag("tr", column("contestant"), *map(column, names))
+    head = tag("tr", column("implementation"), *map(column, names))
     return table(f"Errors of {found['case']}, in units of {UNIT}", [head], rows)
 
 

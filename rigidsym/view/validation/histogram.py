@@ -1,4 +1,4 @@
-"""How often errors are how large: half octaves, a row of bars for each contestant."""
+"""How often errors are how large: half octaves, a row of bars for each implementation."""
 
 import math
 from collections import Counter
@@ -21,11 +21,11 @@ ROOM = 24.0
 SHORT = 12
 
 
-def common(contestants: Iterable[Mapping[str, Any]], measure: str, bound: float) -> Axis:
+def common(implementations: Iterable[Mapping[str, Any]], measure: str, bound: float) -> Axis:
     """One axis for every stratum, so that pictures can be compared."""
     parts = {
         figures.half_octave(part)
-        for one in contestants
+        for one in implementations
         for sizes in one["sizes"].values()
         for part in sizes.get(measure, {})
     }
@@ -34,14 +34,18 @@ def common(contestants: Iterable[Mapping[str, Any]], measure: str, bound: float)
 
 
 def histogram(
-    contestants: Sequence[Mapping[str, Any]], stratum: str, measure: str, bound: float, axis: Axis
+    implementations: Sequence[Mapping[str, Any]],
+    stratum: str,
+    measure: str,
+    bound: float,
+    axis: Axis,
 ) -> Markup:
     """The SVG of one stratum by one measure; `bound` in units of 2^-53."""
-    base = TOP + ROW * len(contestants)
+    base = TOP + ROW * len(implementations)
     limit = axis.at(math.log2(bound))
     rows = [
         _row(k, one, one["sizes"].get(stratum, {}).get(measure, {}), axis)
-        for k, one in enumerate(contestants)
+        for k, one in enumerate(implementations)
     ]
     return tag(
         "svg",

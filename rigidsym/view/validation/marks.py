@@ -1,4 +1,4 @@
-"""Marks of contestants: one colour and one shape each, told apart without colour too."""
+"""Marks of implementations: one colour and one shape each, told apart without colour too."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -20,18 +20,18 @@ SHAPES: tuple[Sequence[tuple[float, float]], ...] = (
 
 
 def colour(k: int) -> str:
-    """The class of what is drawn in the colour of contestant k."""
+    """The class of what is drawn in the colour of implementation k."""
     return f"c{k % len(SERIES)}"
 
 
 def mark(k: int, x: float, y: float, title: str) -> Markup:
-    """The mark of contestant k, with what a pointer over it says."""
+    """The mark of implementation k, with what a pointer over it says."""
     return _shape(k, x, y, f"mark {colour(k)}", tag("title", title))
 
 
-def legend(contestants: Sequence[Mapping[str, Any]]) -> Markup:
+def legend(implementations: Sequence[Mapping[str, Any]]) -> Markup:
     """Whose marks are whose."""
-    return tag("ul", *(_entry(k, one) for k, one in enumerate(contestants)), class_="legend")
+    return tag("ul", *(_entry(k, one) for k, one in enumerate(implementations)), class_="legend")
 
 
 def palette() -> str:

@@ -61,7 +61,7 @@ def sizes(data: Data) -> Markup:
         tag("h2", "How large errors are"),
         tag(
             "p",
-            "States by the size of their error, in half octaves; a row for each contestant, in "
+            "States by the size of their error, in half octaves; a row for each implementation, in "
             "the order of the legend and scaled to its highest bar. "
             "The dashed line is the documented bound.",
         ),

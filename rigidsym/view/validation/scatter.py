@@ -16,7 +16,7 @@ WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM = 480, 270, 76, 14, 12, 46
 SLOT_X, SLOT_Y = 40.0, 22.0
 # Errors below this are drawn as one, in decades: rounding of doubles ends above it.
 LEAST = -18
-# How far marks of one decade lie apart: all contestants together, and two of them at most.
+# How far marks of one decade lie apart: all implementations together, and two of them at most.
 SPREAD, MOST = 14.0, 5.0
 # How far apart labels have to be.
 ROOM_X, ROOM_Y = 33.0, 14.0
@@ -24,7 +24,7 @@ ROOM_X, ROOM_Y = 33.0, 14.0
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """The mark of contestant k: exponents, pixels aside of others, and what is said of it."""
+    """The mark of implementation k: exponents, pixels aside of others, and what is said of it."""
 
     k: int
     x: float
@@ -43,13 +43,17 @@ class Labels:
 
 
 def scatter(
-    contestants: Sequence[Mapping[str, Any]], view: str, measure: str, bound: float, labels: Labels
+    implementations: Sequence[Mapping[str, Any]],
+    view: str,
+    measure: str,
+    bound: float,
+    labels: Labels,
 ) -> Markup:
     """The SVG of one view by one measure; `bound` in units of 2^-53."""
     points = [
         point
-        for k, one in enumerate(contestants)
-        for point in _points(k, one, len(contestants), view, measure)
+        for k, one in enumerate(implementations)
+        for point in _points(k, one, len(implementations), view, measure)
     ]
     limit = math.log10(bound * ULP)
     x = fitted([p.x for p in points], LEFT, WIDTH - RIGHT, SLOT_X)
@@ -62,7 +66,7 @@ def scatter(
             _x_labels(x, labels),
             _y_labels(y, labels),
             line("bound", LEFT, y.at(limit), WIDTH - RIGHT, y.at(limit)),
-            *(_trace(k, points, x, y) for k in range(len(contestants))),
+            *(_trace(k, points, x, y) for k in range(len(implementations))),
             *(mark(p.k, x.at(p.x) + p.aside, y.at(p.y), p.title) for p in points),
             _limit(y.at(limit), bound),
         ),
@@ -75,7 +79,7 @@ def scatter(
 
 
 def _points(k: int, one: Mapping[str, Any], count: int, view: str, measure: str) -> list[Point]:
-    """In the order of their decades, beside those of other contestants."""
+    """In the order of their decades, beside those of other implementations."""
     aside = (k - (count - 1) / 2) * min(SPREAD / count, MOST)
     found = sorted((figures.decade(part), cell) for part, cell in one[view][measure].items())
     return [
@@ -142,7 +146,7 @@ def _limit(at: float, bound: float) -> Markup:
 
 
 def _trace(k: int, points: Sequence[Point], x: Axis, y: Axis) -> Markup:
-    """A line through the marks of one contestant; what has a place of its own is not on it."""
+    """A line through the marks of one implementation; what has a place of its own is not on it."""
     inside = [p for p in points if p.k == k and math.isfinite(p.x) and y.low <= p.y <= y.high]
     path = " ".join(f"{x.at(p.x) + p.aside:.2f},{y.at(p.y):.2f}" for p in inside)
     return tag("polyline", class_=f"trace {colour(k)}", points=path)

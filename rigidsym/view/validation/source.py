@@ -9,12 +9,12 @@ Data = Mapping[str, Any]
 
 
 def modules(data: Data) -> list[Data]:
-    """The contestants that have to pass."""
+    """The implementations that have to pass."""
     return [one for one in data["contestants"] if not one["peer"]]
 
 
 def peers(data: Data) -> list[Data]:
-    """The contestants that are there for comparison."""
+    """The implementations that are there for comparison."""
     return [one for one in data["contestants"] if one["peer"]]
 
 
@@ -33,17 +33,17 @@ def anchors(data: Data) -> dict[str, str]:
     return {case["case"]: f"case-{k}" for k, case in enumerate(data["worst"], 1)}
 
 
-def cells(contestants: list[Data], view: str, measure: str) -> Iterator[tuple[str, str, Data]]:
+def cells(implementations: list[Data], view: str, measure: str) -> Iterator[tuple[str, str, Data]]:
     """Contestant, part and cell of a view that has parts and then measures."""
-    for one in contestants:
+    for one in implementations:
         for part, found in sorted(one[view].items()):
             if measure in found:
                 yield one["name"], part, found[measure]
 
 
-def worst(contestants: list[Data], view: str, measure: str) -> tuple[str, str, Data] | None:
+def worst(implementations: list[Data], view: str, measure: str) -> tuple[str, str, Data] | None:
     """The worst cell of a view by a measure, and whose it is; None where nothing was measured."""
-    listed = cells(contestants, view, measure)
+    listed = cells(implementations, view, measure)
     return max(listed, key=lambda found: number(found[2]["units"]), default=None)
 
 

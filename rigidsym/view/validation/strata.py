@@ -1,4 +1,4 @@
-"""Tables: contestants by regime and by stratum."""
+"""Tables: implementations by regime and by stratum."""
 
 from typing import Any
 
@@ -20,7 +20,7 @@ SHOWN = {"angle": "angle", "omega": "rate"}
 
 
 def regimes(data: Data) -> Markup:
-    """The worst errors by regime of motion, contestants side by side."""
+    """The worst errors by regime of motion, implementations side by side."""
     names = sorted({name for one in data["contestants"] for name in one["regimes"]})
     cases = anchors(data)
     rows = (_regime(data, name, cases) for name in names)
@@ -38,7 +38,7 @@ def regimes(data: Data) -> Markup:
 
 
 def strata(data: Data) -> Markup:
-    """What was tested, how much of the bounds it takes, and every measure of every contestant."""
+    """What was tested, how much of the bounds it takes, and all measures of implementations."""
     rows = (_stratum(data, stratum) for stratum in data["strata"])
     names = (one["name"] for one in data["contestants"])
     head = ["stratum", *names, "cases", "states", "oracles"]

@@ -18,7 +18,7 @@ from rigidsym.view.validation.source import Data, cells, modules, passed, peers,
 
 
 def summary(data: Data) -> Markup:
-    """Verdict, contestants, worst figures, and the command that writes them."""
+    """Verdict, implementations, worst figures, and the command that writes them."""
     verdict, word = ("passed", "Passed") if passed(data) else ("failed", "Failed")
     return tag(
         "header",
