@@ -152,11 +152,11 @@ int main(void)
     const double inertia[3] = {0.0109, 0.04, 0.0506}; /* kg m^2 */
     const double omega0[3] = {0.05, 0.03, -0.02};     /* rad/s */
     const double attitude0[4] = {1, 0, 0, 0};         /* scalar first, body to inertial */
-    torque_free_motion plan;
+    torque_free_motion motion;
     double q[4], omega[3];
-    int code = torque_free_motion_init(&plan, inertia, omega0, attitude0);
+    int code = torque_free_motion_init(&motion, inertia, omega0, attitude0);
     for (int k = 0; code == 0 && k <= 1000; k++) {
-        code = torque_free_state_at(&plan, 3.6 * k, q, omega);
+        code = torque_free_state_at(&motion, 3.6 * k, q, omega);
         printf("%.17g %.17g %.17g %.17g\n", q[0], q[1], q[2], q[3]);
     }
     return code == 0 ? 0 : (puts(torque_free_message(code)), code);

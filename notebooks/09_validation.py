@@ -71,7 +71,7 @@ table({"stratum": f"**{name}**", "covers": STRATA[name].about} for name in SOME)
 # rounding of a single double. Each measure has a documented bound:
 
 # %%
-from rigidsym.validate.measure import BOUNDS, MEANINGS, ULP
+from rigidsym.validate.bounds import BOUNDS, MEANINGS, ULP
 
 assert BOUNDS["angle"] == 2e-15
 meanings = {name: text.replace("|", "&#124;") for name, text in MEANINGS.items()}

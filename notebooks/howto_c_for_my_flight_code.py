@@ -75,11 +75,11 @@ int main(void)
 {
     const double inertia[3] = {0.0109, 0.04, 0.0506}, omega0[3] = {0.05, 0.03, -0.02};
     const double attitude0[4] = {1, 0, 0, 0};
-    torque_free_motion plan;
+    torque_free_motion motion;
     double q[4], omega[3];
-    int code = torque_free_motion_init(&plan, inertia, omega0, attitude0);
+    int code = torque_free_motion_init(&motion, inertia, omega0, attitude0);
     if (code == 0)
-        code = torque_free_state_at(&plan, 180.0, q, omega);
+        code = torque_free_state_at(&motion, 180.0, q, omega);
     if (code != 0)
         return puts(torque_free_message(code)), code;
     printf("%a %a %a %a\n", q[0], q[1], q[2], q[3]);

@@ -69,7 +69,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        9.1e-16  4.5e-16
 
 rigidsym 0.1.0, emitter c/2
-digest 3fea10afa580cd422b7fc34e3f082377ddc135d8ead95da0eb1bab34d7e879c3
+digest bfcb31852c09738a441109c64c4ce4d2f3b305ffee85355b00ea2704ee36e447
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

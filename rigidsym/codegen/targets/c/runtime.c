@@ -523,7 +523,7 @@ static void grid_angles(const torque_free_motion *motion, double start, double s
 static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
-    double base[4 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
+    double base[6 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
     const size_t rows = motion->branch == 0 ? 2 : 4;
     grid_angles(motion, start, step, first, BLOCK, (n + BLOCK - 1) / BLOCK, base);
     for (size_t i = 0; i < n; i += BLOCK) {
@@ -564,7 +564,7 @@ static size_t grid_zero(double start, double step, size_t first, size_t n)
 int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
                                size_t n, double *q, double *omega)
 {
-    double table[4 * BLOCK];
+    double table[6 * BLOCK];
     /* Sample number 0 does not depend on the step, however large. */
     const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
     const double begin = inner + inner_step * (double)first;
