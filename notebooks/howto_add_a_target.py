@@ -259,3 +259,4 @@ assert apart < 1e-15
 targets.TARGETS.remove("floats")
 _ = targets.__path__.pop()
 home.cleanup()
+assert targets.TARGETS == ["numpy", "c"]

@@ -12,7 +12,9 @@ from rigidsym import InputError, TorqueFreeMotion
 BODY, RATES = ("0.0109", "0.04", "0.0506"), (0.05, 0.03, -0.02)
 
 
-@pytest.mark.parametrize("name", ["inertia", "omega0", "attitude0", "engine", "anything", "_plan"])
+@pytest.mark.parametrize(
+    "name", ["inertia", "omega0", "attitude0", "engine", "anything", "_prepared"]
+)
 def test_nothing_of_a_motion_changes(name):
     motion = TorqueFreeMotion(BODY, RATES)
     before = repr(motion), motion(1.0)[0].tolist()
@@ -71,7 +73,7 @@ def test_replace_keeps_the_rest():
 def test_copies_and_messages():
     motion = TorqueFreeMotion(BODY, ("0.05 +/- 1e-9", 0.03, -0.02)).replace(omega0=RATES)
     state = motion(1.0)[0]
-    assert motion._plan is motion._plan
+    assert motion._prepared is motion._prepared
     assert copy.copy(motion) is copy.deepcopy([motion])[0] is motion
     again = pickle.loads(pickle.dumps(motion))
     assert again == motion

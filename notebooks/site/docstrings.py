@@ -57,7 +57,9 @@ def _signed(
 def _badge(ruling: str) -> Any:
     """A role that shows its words as a badge of that verdict."""
 
-    def role(name: str, raw: str, text: str, *rest: Any) -> tuple[list[nodes.Node], list]:
+    def role(
+        name: str, raw: str, text: str, *rest: Any
+    ) -> tuple[list[nodes.Node], list[nodes.Node]]:
         return [nodes.inline(raw, text, classes=["badge", ruling])], []
 
     return role

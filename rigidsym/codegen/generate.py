@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from rigidsym.codegen.functions import constants, functions
+from rigidsym.codegen.lines import Place
 from rigidsym.codegen.targets import builder
 from rigidsym.io.files import write_text
 from rigidsym.solution import Solution, sealed
@@ -18,7 +19,7 @@ class Generated:
     """The files of a target by name, the map from lines to equations, and a manifest."""
 
     files: Mapping[str, str]
-    map: Mapping[str, list[dict]]
+    map: Mapping[str, list[Place]]
     manifest: Mapping[str, Any]
 
     def texts(self) -> dict[str, str]:

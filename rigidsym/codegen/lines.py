@@ -5,6 +5,9 @@ from dataclasses import dataclass
 
 from rigidsym.codegen.ir import Function, Let
 
+# A derived line, counted from 1, with its equations and facts, as JSON has them.
+Place = dict[str, int | list[str]]
+
 
 @dataclass(frozen=True, slots=True)
 class Lines:
@@ -37,7 +40,7 @@ class Module:
     lets: Mapping[str, Mapping[int, Let]]
     digest: str
 
-    def places(self) -> dict[str, list[dict]]:
+    def places(self) -> dict[str, list[Place]]:
         """For each file, the derived lines (counted from 1) with their equations and facts."""
         return {
             name: [

@@ -14,7 +14,7 @@ from rigidsym.engines.library import Library
 from rigidsym.engines.protocol import EngineError, Outputs, States
 
 # Doubles, whose memory the caller owns; nobody writes to it once it is made.
-Prepared = ctypes.Array
+Prepared = ctypes.Array[c_double]
 _DOUBLE = ctypes.sizeof(c_double)
 # One state, q before omega.
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE

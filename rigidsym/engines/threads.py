@@ -74,7 +74,7 @@ def _next(left: deque[int]) -> int | None:
     return None
 
 
-def _started(run: Callable[[], None], count: int) -> list[Future]:
+def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
     """So many helpers; none where the interpreter is about to end and starts no threads."""
     with suppress(RuntimeError), _LOCK:
         if not _kept:

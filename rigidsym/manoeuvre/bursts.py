@@ -4,6 +4,7 @@ Momenta are in the largest moment of inertia over the duration, rates in 1 over 
 """
 
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
@@ -35,7 +36,7 @@ class Bursts:
         """The bursts of a manoeuvre."""
         largest = max(manoeuvre.inertia)
 
-        def momentum(spin: tuple) -> np.ndarray:
+        def momentum(spin: tuple[Fraction, ...]) -> np.ndarray:
             return np.array(
                 [float(c * w / largest) for c, w in zip(manoeuvre.inertia, spin, strict=True)]
             )

@@ -119,7 +119,9 @@ def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
     return values
 
 
-def load(path: str | Path, others: frozenset[str] = frozenset()) -> tuple[Manoeuvre, Mapping]:
+def load(
+    path: str | Path, others: frozenset[str] = frozenset()
+) -> tuple[Manoeuvre, Mapping[str, Any]]:
     """A manoeuvre file and its tables as they are; raises InputError about the first bad thing.
 
     `others` are tables that a file may hold for those who fly the manoeuvre.

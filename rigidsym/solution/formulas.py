@@ -154,7 +154,7 @@ def load(text: str) -> Solution:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
     for name in INPUTS:
         if name not in sequences:
-            raise LedgerError(f"ledger: it does not publish the sequence {name}")
+            raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         _check_order(name, sequences[name])
         _check_together(name, published[name], facts)
     return Solution(sequences, _digest(sequences))

@@ -152,7 +152,7 @@ def complete(
     Whatever stops it, `progress` is whole: each case is in it once or not at all.
     """
     chunks = progress.missing(campaign)
-    pending: set[Future] = set()
+    pending: set[Future[Any]] = set()
     try:
         while True:
             for chunk in islice(chunks, place.ahead - len(pending)):

@@ -29,7 +29,7 @@ class Place:
     ahead: int
     name: str
 
-    def submit(self, work: Callable[..., Any], *arguments: Any) -> Future:
+    def submit(self, work: Callable[..., Any], *arguments: Any) -> Future[Any]:
         """Give it work, for which it may have to start a process."""
         with undisturbed():
             return self.executor.submit(work, *arguments)
@@ -38,9 +38,9 @@ class Place:
 class Here(Executor):
     """One after the other, in this process."""
 
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future:
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         """The result, or what was raised, at once."""
-        future: Future = Future()
+        future: Future[Any] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
         except Exception as error:

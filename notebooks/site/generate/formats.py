@@ -200,10 +200,8 @@ def _campaign() -> Any:
 def _faults() -> Any:
     """One fault against one stratum."""
     cases = [detection.references(STRATUM, 1, 40, 1)]
-    for fault in (fault for fault in BY_HAND if fault.target == "numpy"):
-        if detections := detection.detections(fault, cases):
-            outcome = faults.Outcome(fault, tuple(detections))
-            break
+    tried = ((x, detection.detections(x, cases)) for x in BY_HAND if x.target == "numpy")
+    outcome = next(faults.Outcome(x, tuple(found)) for x, found in tried if found)
     return faults.FaultReport(("numpy",), (STRATUM,), 1, 40, 1, (outcome,)).to_data()
 
 

@@ -83,7 +83,7 @@ class _Work:
         found: dict[int, Any] = {}
         while len(found) < len(calls):
             for k, (function, *arguments) in islice(left, self.place.ahead - len(pending)):
-                future: Future = self.place.submit(function, *arguments)
+                future: Future[Any] = self.place.submit(function, *arguments)
                 pending[future] = k
             ended, _ = wait(pending, return_when=FIRST_COMPLETED)
             for future in ended:
