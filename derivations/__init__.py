@@ -1,8 +1,20 @@
 """The derivation: one chapter per file, in the paper's order; ledger.json is their sealed result.
 
-Each chapter has a `derive(book)` that states its claims to the kernel, in an order in which every
-claim rests on what stands before it.
+Each chapter has a `derive(book)`.  Those of `FORWARD` compute: from the basis (4) and the kinetic
+energy, by the steps of `rigidsym.proof.steps`, to Theorem 1, for whatever `Setting` the book has.  In
+the others a right-hand side is a guess until the kernel has decided it.
 """
+
+FORWARD = (
+    "lie_algebra",
+    "euler_lax",
+    "conjugacy",
+    "kinematics",
+    "phi1_integral",
+    "winding",
+    "lemma1",
+    "theorem1",
+)
 
 CHAPTERS = (
     "lie_algebra",
@@ -17,6 +29,8 @@ CHAPTERS = (
     "lemma1",
     "real_axes",
     "theorem1",
+    "misprints",
+    "theorem1_signs",
     "descended_form",
     "landen_step",
     "theta_form",

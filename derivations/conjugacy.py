@@ -1,136 +1,172 @@
-"""Reducing the momentum to K A1: equations (22) to (29).
+"""Turning the momentum onto one axis: from R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1) to (29).
 
-With R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), the matrix K R^-1 A1 R does not see phi1; compared
-with M of (8) it gives the angles phi2 and phi3.
+The momentum in space is constant, so there is an R with R M R^-1 = K A1.  Multiplied out,
+K R^-1 A1 R does not see phi1: compared with M it gives phi2 and phi3, and no integration was
+needed.  `Setting` chooses the axes of the turns and the one that the momentum is turned onto.
 """
 
-from derivations.euler_lax import INERTIA
-from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, names
-from rigidsym.proof.algebra.su2 import (
-    Complex,
-    Matrix,
-    basis,
-    combination,
-    commutator,
-    exponential,
-    from_quaternion,
+from dataclasses import dataclass, replace
+
+import sympy
+from sympy import ImmutableMatrix, MatrixExpr
+
+from derivations.euler_lax import MOMENTA, RATES, Dynamics
+from derivations.lie_algebra import UNITS, A, Algebra, M, R, combination
+from derivations.setting import Setting
+from rigidsym.proof.algebra import Book, Part, circle, double_angle, half_angle, join
+from rigidsym.proof.steps import (
+    Desk,
+    Rate,
+    coordinates,
+    matrix,
+    multiply,
+    rewrite,
+    solve,
 )
-from rigidsym.proof.kernel import Element, Ring
+from rigidsym.proof.steps.names import Dictionary, symbol, symbols
 
 MOMENTUM = Part(witness={"K": "1"}, units=("K",), reading={"K": "|M|, kg m^2 rad/s"})
-ANGLES = (
-    half_angle("phi1", "phi1_rate"),
-    half_angle("phi2", "phi2_rate"),
-    half_angle("phi3", "phi3_rate"),
-)
-RATES = Part(
+TURNING = Part(
     witness={f"phi{k}_rate": "1" for k in (1, 2, 3)},
     rates={f"phi{k}_rate": "?" for k in (1, 2, 3)},
     reading={f"phi{k}_rate": f"d phi{k}/dt, rad/s" for k in (1, 2, 3)},
 )
+K, *MOMENTS = symbols("K c1 c2 c3")
+PHI = symbols("phi1 phi2 phi3")
+E1, E2, E3 = map(matrix, ("E1", "E2", "E3"))
 
 
-def rotation(ring: Ring) -> Matrix:
-    """(25): exp(phi1 A1) exp(phi2 A2) exp(phi3 A1)"""
-    half = [names(ring, f"cos_half_phi{k} sin_half_phi{k}") for k in (1, 2, 3)]
-    first, second, third = (exponential(a, *h) for a, h in zip((1, 2, 1), half, strict=True))
-    return first @ second @ third
+@dataclass(frozen=True, slots=True)
+class Reduction:
+    """What this chapter found: M = K * direction, with the matrices and angles that it is of.
+
+    `angles` has half of each angle, or what exp(phi A) has; `circles` the whole phi2 and phi3.
+    """
+
+    direction: tuple[sympy.Expr, ...]
+    momenta: tuple[sympy.Expr, ...]
+    matrices: dict[str, ImmutableMatrix | MatrixExpr]
+    angles: tuple[Part, ...]
+    circles: tuple[Part, ...]
 
 
-def phase(ring: Ring) -> Complex:
-    """e^(i phi3)"""
-    return Complex(*names(ring, "cos_phi3 sin_phi3"))
+def turns(setting: Setting) -> tuple[Part, ...]:
+    """The three angles, by the cosine and sine that exp(phi A) has."""
+    angle = half_angle if setting.factor < 1 else double_angle
+    plain = [angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3)]
+    tilted = [dict(zip(part.witness, ("4/5", "3/5"), strict=True)) for part in plain]
+    return tuple(replace(part, witness=w) for part, w in zip(plain, tilted, strict=True))
 
 
-def reduced_momentum(ring: Ring) -> Matrix:
-    """The right side of (26)."""
-    K, cosine, sine = names(ring, "K cos_phi2 sin_phi2")
-    i = Complex(ring.element(0), ring.element(1))
-    diagonal = i * (K * cosine / 2)
-    off = K * sine / 2
-    turn = phase(ring)
-    return Matrix(diagonal, i * turn.conjugate() * off, i * turn * off, -diagonal)
+def exponential(setting: Setting, axis: int, angle: sympy.Symbol) -> ImmutableMatrix:
+    """exp(angle A) = cos(w angle) + sin(w angle)/w A, for A^2 = -w^2."""
+    w = setting.factor
+    A = setting.basis()[axis - 1]
+    return ImmutableMatrix.eye(2) * sympy.cos(w * angle) + A * sympy.sin(w * angle) / w
+
+
+def rotation(setting: Setting) -> dict[str, ImmutableMatrix | MatrixExpr]:
+    """(25): three turns, and before them the constant one that takes the outer axis to another."""
+    pairs = zip(setting.sequence, PHI, strict=True)
+    factors = {f"E{k}": exponential(setting, *pair) for k, pair in enumerate(pairs, 1)}
+    front = _front(setting)
+    constant = {} if front is None else {"T": front}
+    product = E1 * E2 * E3 if front is None else matrix("T") * E1 * E2 * E3
+    return {**constant, **factors, "R": product}
+
+
+def _front(setting: Setting) -> ImmutableMatrix | None:
+    """(1 +- (i + j + k))/2, which turns the axes cyclically, so that the outer one is the target."""
+    if setting.target == setting.sequence[0]:
+        return None
+    basis = setting.basis()
+    diagonal = sum((UNITS[f"e{k}"] for k in (1, 2, 3)), sympy.zeros(2))
+    for sign in (1, -1):
+        T = ImmutableMatrix((sympy.eye(2) + sign * diagonal) / 2)
+        turned = T * basis[setting.sequence[0] - 1] * T.H
+        if (turned - basis[setting.target - 1]).applyfunc(sympy.expand).is_zero_matrix:
+            return T
+    raise AssertionError("one of the two turns takes any axis to any other")
 
 
 def derive(book: Book) -> None:
-    """(22); (25), (26) for free angles; (23), (24), (27) to (29) with the momentum put in."""
-    _start(book)
-    ring = book.open(join("three_angles", MOMENTUM, RATES, *ANGLES))
-    A1, K = basis(ring)[0], ring.read("K")
-    R = rotation(ring)
-    turn = exponential(1, *names(ring, "cos_half_phi1 sin_half_phi1"))
-    book.claim(
-        "three_angles.exponential", equal(turn.rate(), (A1 @ turn) * ring.read("phi1_rate")), ["25"]
+    """(22) to (29)."""
+    algebra = book.found(Algebra)
+    setting = algebra.setting
+    parts, target = turns(setting), A[setting.target - 1]
+    matrices = {**algebra.basis, **rotation(setting)}
+    desk = Desk.open(book, "three_angles", MOMENTUM, TURNING, *parts, matrices=matrices)
+    first = A[setting.sequence[0] - 1]
+    rate = symbol("phi1_rate")
+    why = "a turn about a fixed axis"
+    multiply(desk, "three_angles.exponential", Rate(E1), rate * first * E1, why, ["25"])
+    multiply(desk, "three_angles.inverse", R * R.adjoint(), sympy.Identity(2), "R is unitary", ["1", "25"])
+    why = "the first turn leaves its own axis where it is"
+    multiply(desk, "three_angles.stabiliser", E1 * first * E1.I, first, why, ["25"])
+    why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
+    seen = coordinates(desk, "three_angles.momentum", R.I * target * R, A, why, ["24", "26"])
+    momenta = book.found(Dynamics).momenta
+    circles = tuple(
+        circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
     )
-    book.claim("three_angles.stabiliser", equal(turn @ A1 @ turn.inverse(), A1), ["25"])
-    book.claim(
-        "three_angles.momentum", equal((R.inverse() @ A1 @ R) * K, reduced_momentum(ring)), ["26"]
+    reduction = Reduction(seen.value, momenta, matrices, parts, circles)
+    book.keep(reduction)
+    _reduced(book, reduction)
+    _angles(book, reduction)
+
+
+def _reduced(book: Book, reduction: Reduction) -> None:
+    """With M = K times that direction: R M R^-1 is K A."""
+    setting, given = book.found(Algebra).setting, book.found(Dynamics).parameters
+    parts = (given, MOMENTUM, *reduction.angles)
+    body = by_angles(book, reduction, *parts)
+    matrices = {**reduction.matrices, "M": combination("M1 M2 M3")}
+    desk = Desk.open(book, "reduced", *parts, body, matrices=matrices, static=True)
+    target = A[setting.target - 1]
+    why = "with these components of M, R turns M onto the axis"
+    multiply(desk, "reduced.conjugate", R * M * R.I, K * target, why, ["23"])
+    multiply(desk, "reduced.momentum", M, K * (R.I * target * R), "and back", ["24"])
+
+
+def by_angles(book: Book, reduction: Reduction, *parts: Part) -> Part:
+    """The body whose momentum is K times the direction, in the names that these parts give."""
+    dynamics, wheels = book.found(Dynamics), book.found(Algebra).setting.wheel()
+    text = Dictionary(join("by_angles", *parts, static=True)).text
+    rates = {
+        str(rate): text((K * x - h) / c)
+        for rate, x, h, c in zip(RATES, reduction.direction, wheels, MOMENTS, strict=True)
+    }
+    known = {name: dynamics.body.definitions[name] for name in ("M1", "M2", "M3", "H")}
+    return Part(definitions={**rates, **known})
+
+
+def _angles(book: Book, reduction: Reduction) -> None:
+    """(27) to (29): the components of M solved for the angles."""
+    setting = book.found(Algebra).setting
+    axes = [axis - 1 for axis in setting.axes]
+    outer, middle, third = (reduction.direction[axis] for axis in axes)
+    free = Part(
+        witness={**dict.fromkeys(("M1", "M2", "M3"), "1"), "sin_phi2": "4/5"},
+        units=("sin_phi2",),
+        reading={"sin_phi2": str(sympy.sin(2 * setting.factor * PHI[1]))},
     )
-
-    body = Part(
-        definitions={
-            "Omega1": "K*cos_phi2/c1",
-            "Omega2": "K*sin_phi2*sin_phi3/c2",
-            "Omega3": "K*sin_phi2*cos_phi3/c3",
-            "M1": "c1*Omega1",
-            "M2": "c2*Omega2",
-            "M3": "c3*Omega3",
-        },
-    )
-    ring = book.open(join("reduced", INERTIA, MOMENTUM, *ANGLES, body, static=True))
-    A1, K = basis(ring)[0], ring.read("K")
-    R, M = rotation(ring), combination(names(ring, "M1 M2 M3"))
-    book.claim("reduced.conjugate", equal(R @ M @ R.inverse(), A1 * K), ["23"])
-    book.claim("reduced.momentum", equal(M, (R.inverse() @ A1 @ R) * K), ["24"])
-    book.claim("reduced.form", equal(M, reduced_momentum(ring)), ["26"])
-    book.claim("reduced.phi2", {"c1*Omega1": "K*cos_phi2"}, ["27"])
-    book.claim("reduced.phi3", _off_diagonal(ring), ["28"])
-    _converse(book)
-    _tangent(book, body)
-
-
-def _start(book: Book) -> None:
-    """R M R^-1 = M, at t = 0 the claim of (9) and (22), says that R M = M R: no more, no less."""
-    ring = book.ledger.rings["moving_body"]
-    R, M = from_quaternion(names(ring, "q0 q1 q2 q3")), combination(names(ring, "M1 M2 M3"))
-    gap = R @ M @ R.inverse() - M
-    book.claim("moving_body.start", equal(gap @ R, commutator(R, M)), ["9", "22"])
-
-
-def _off_diagonal(ring: Ring) -> list[tuple[Element, Element]]:
-    """(28): c2 Omega2 + i c3 Omega3 = i K e^(-i phi3) sin phi2, and its companion."""
-    M2, M3, radius = names(ring, "M2 M3 K*sin_phi2")
-    up = Complex(ring.element(0), radius) * phase(ring)
-    down = Complex(ring.element(0), radius) * phase(ring).conjugate()
-    return [(M2, down.real), (M3, down.imag), (M2 * -1, up.real), (M3, up.imag)]
-
-
-def _converse(book: Book) -> None:
-    """(26) minus (8), entry by entry, is (27) and (28): nothing is lost in the comparison."""
-    free = Part(witness={"M1": "0", "M2": "0", "M3": "0"})
-    ring = book.open(join("compared", MOMENTUM, free, *ANGLES, static=True))
-    M = combination(names(ring, "M1 M2 M3"))
-    gap = M - reduced_momentum(ring)
-    M1, M2, M3, K, cosine, sine = names(ring, "M1 M2 M3 K cos_phi2 K*sin_phi2")
-    down = Complex(ring.element(0), sine) * phase(ring).conjugate()
-    book.claim(
-        "compared.entries",
-        [
-            (gap.a.real, 0),
-            (gap.a.imag * 2, M1 - K * cosine),
-            (gap.b.real * 2, M2 - down.real),
-            (gap.b.imag * 2, M3 - down.imag),
-        ],
-        ["27", "28"],
-    )
-
-
-def _tangent(book: Book, body: Part) -> None:
-    """(29) where the division is allowed: K sin(phi2) cos(phi3) = c3 Omega3 is not zero."""
+    unknown = [sympy.cos(2 * setting.factor * PHI[1])]
+    unknown += [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
+    names = ("cos_phi2", "cos_phi3", "sin_phi3")
     angles = Part(
-        witness={"sin_phi2": "1", "cos_phi2": "0", "cos_phi3": "4/5", "sin_phi3": "3/5"},
-        units=("sin_phi2", "cos_phi3"),
-        relations=("cos_phi2**2 + sin_phi2**2 - 1", "sin_phi3**2 + cos_phi3**2 - 1"),
+        witness=dict.fromkeys(names, "1"),
+        reading=dict(zip(names, map(str, unknown), strict=True)),
     )
-    book.open(join("tangent", INERTIA, MOMENTUM, angles, body, static=True))
-    book.claim("tangent.phi3", {"sin_phi3/cos_phi3": "c2*Omega2/(c3*Omega3)"}, ["29"])
+    desk = Desk.open(book, "compared", MOMENTUM, free, angles, static=True)
+    M_outer, M_middle, M_third = (MOMENTA[axis] for axis in axes)
+    why = "the component along the outer axis gives phi2"
+    solve(desk, "compared.phi2", [(M_outer, K * outer)], unknown[:1], why, ["27"])
+    equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
+    found = solve(desk, "compared.phi3", equations, unknown[1:], why, ["28"])
+    cosine, sine = unknown[1:]
+    quotient = sympy.cancel(found[sine] / found[cosine]).subs(dict(zip(MOMENTA, reduction.momenta, strict=True)))
+    parts = (book.found(Dynamics).parameters, MOMENTUM, *reduction.circles)
+    body = by_angles(book, reduction, *parts)
+    tangent = Desk.open(book, "phi3", *parts, body, static=True)
+    why = "their quotient, where it is one; it gives phi3 up to half a turn"
+    rewrite(tangent, "tangent.phi3", sine / cosine, quotient, why, ["29"], "quotient")

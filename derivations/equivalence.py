@@ -8,10 +8,7 @@ to e_1: they are the shortest rotation that does so.  psi' has lost the denomina
 """
 
 from derivations.attitude import PULL_BACK, SHORTEST, TURN
-from derivations.conjugacy import ANGLES, MOMENTUM
-from derivations.euler_lax import INERTIA
-from derivations.kinematics import MOTION
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part, join, part_of
 
 # The regular form's names about axis 1: a, b, d = 1, 2, 3 are right-handed, sigma = 1, p = 1.
 AXES = {"a": 1, "b": 2, "d": 3}
@@ -42,7 +39,8 @@ ABOUT_1 = Part(
 
 def derive(book: Book) -> None:
     """(25) with its angles is a model of the regular form, whose quaternion is that of (18)."""
-    book.open(join("both_forms", INERTIA, MOMENTUM, *ANGLES, MOTION, ABOUT_1))
+    angles = part_of(book.ledger.contexts["three_angle_motion"])
+    book.open(join("both_forms", angles, ABOUT_1))
     book.model("both_forms", "attitude")
     book.claim("both_forms.turn", {"psi_rate": "phi1_rate + phi3_rate"}, ["32", "33"])
     book.claim(

@@ -1,106 +1,176 @@
-"""Euler's equations, the Hamiltonian and the Lax pair: equations (5) to (9) and (22).
+"""From the kinetic energy to Euler's equations, the Lax pair and the conserved momentum.
 
-In the basis (4) the matrix equation M' = [M, Omega] is Euler's equations, so the spectrum of M,
-that is K, cannot change; H is conserved as well, and its gradient in the momenta is Omega.  With
-the kinematics (3) the matrix R M R^-1 is constant.  It equals M(0), as (9) and (22) say, because
-motions start at R(0) = e: for another start it is R(0) M(0) R(0)^-1, as the counterexample shows.
+The variation of the Lagrangian gives M' for M = dL/dOmega; solved for the rates these are Euler's
+equations (5).  The equation M' = [M, B] is solved for B: Omega, up to a multiple of M.  So the
+spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R Omega the matrix R M R^-1 is
+constant, (9) and (22); the gradient of H in the momenta is Omega (8).
 """
 
-from derivations.lie_algebra import UNIT_QUATERNION
-from rigidsym.proof.algebra import Book, Part, equal, join, names, text
-from rigidsym.proof.algebra.quaternion import product
-from rigidsym.proof.algebra.su2 import combination, commutator, from_quaternion
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy
+
+from derivations.lie_algebra import (
+    UNIT_QUATERNION,
+    A,
+    Algebra,
+    M,
+    Omega,
+    R,
+    combination,
+    commutator,
+    from_quaternion,
+)
+from derivations.setting import Setting
+from rigidsym.proof.algebra import Book, Part
+from rigidsym.proof.steps import (
+    Desk,
+    Rate,
+    coordinates,
+    determinant,
+    differentiate,
+    matrix,
+    multiply,
+    solve,
+    solve_family,
+    vary,
+)
+from rigidsym.proof.steps.names import symbol, symbols
 
 INERTIA = Part(
     witness={"c1": "1", "c2": "2", "c3": "5/2"},
     units=("c1", "c2", "c3"),
     reading={f"c{k}": f"principal moment of inertia {k}, kg m^2" for k in (1, 2, 3)},
 )
-BODY = Part(
-    witness={"Omega1": "1", "Omega2": "2", "Omega3": "3"},
-    definitions={
-        "delta1": "(c2 - c3)/c1",
-        "delta2": "(c3 - c1)/c2",
-        "delta3": "(c1 - c2)/c3",
-        "M1": "c1*Omega1",
-        "M2": "c2*Omega2",
-        "M3": "c3*Omega3",
-        "H": "(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2",
-        "K_squared": "c1**2*Omega1**2 + c2**2*Omega2**2 + c3**2*Omega3**2",
-    },
-    rates={
-        "Omega1": "delta1*Omega2*Omega3",
-        "Omega2": "delta2*Omega1*Omega3",
-        "Omega3": "delta3*Omega1*Omega2",
-    },
-    reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
-)
-ATTITUDE = Part(
-    rates={
-        "q0": "(-q1*Omega1 - q2*Omega2 - q3*Omega3)/2",
-        "q1": "(q0*Omega1 + q2*Omega3 - q3*Omega2)/2",
-        "q2": "(q0*Omega2 + q3*Omega1 - q1*Omega3)/2",
-        "q3": "(q0*Omega3 + q1*Omega2 - q2*Omega1)/2",
-    },
-)
+RATES = symbols("Omega1 Omega2 Omega3")
+MOMENTA = symbols("M1 M2 M3")
+
+
+@dataclass(frozen=True, slots=True)
+class Dynamics:
+    """What this chapter found: the body's parameters, and a Part with its equations of motion."""
+
+    parameters: Part
+    body: Part
+    momenta: tuple[sympy.Expr, ...]
+
+
+def parameters(setting: Setting) -> Part:
+    """The moments of inertia, and the wheels' momenta where there are any."""
+    names = sorted({str(h) for linear in setting.wheel() for h in linear.free_symbols})
+    return Part(
+        witness={**INERTIA.witness, **dict.fromkeys(names, "1")},
+        units=INERTIA.units,
+        reading={**INERTIA.reading, **{h: f"momentum of wheel {h[1]}, kg m^2 rad/s" for h in names}},
+    )
 
 
 def derive(book: Book) -> None:
-    """(5) to (9) and (22), in the paper's order."""
-    body = book.open(join("body", INERTIA, BODY))
-    M = combination(names(body, "M1 M2 M3"))
-    Omega = combination(names(body, "Omega1 Omega2 Omega3"))
-    book.claim(
-        "body.euler",
-        equal(
-            combination(
-                names(
-                    body, "c1*delta1*Omega2*Omega3 c2*delta2*Omega1*Omega3 c3*delta3*Omega1*Omega2"
-                )
-            ),
-            commutator(M, Omega),
-        ),
-        ["5", "7"],
+    """(5) to (9), (15) and (22)."""
+    algebra = book.found(Algebra)
+    given = parameters(algebra.setting)
+    lagrangian, why = algebra.setting.energy(), "vary the Lagrangian, delta Omega = eta' + [Omega, eta]"
+    varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
+    unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
+    equations, why = varied.equations, "Euler's equations: solve for the rates of the rates"
+    euler = solve(varied.desk, "variation.euler", equations, unknown, why, ["5"])
+    body = _body(book, algebra, given, varied.momenta, euler.value)
+    book.keep(Dynamics(given, body, varied.momenta))
+    _lax_pair(book, algebra, given, body)
+    _gradient(book, algebra, given)
+    _conjugation(book, algebra, given, body)
+
+
+def _body(
+    book: Book,
+    algebra: Algebra,
+    given: Part,
+    momenta: tuple[sympy.Expr, ...],
+    rates: Mapping[sympy.Symbol, sympy.Expr],
+) -> Part:
+    """The rates with Euler's equations; H by Legendre's transform, K^2 from the spectrum of M."""
+    free = Part(
+        witness=dict.fromkeys(map(str, MOMENTA), "1"),
+        reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
     )
-    book.claim("body.conserved", {"D(H)": "0", "D(K_squared)": "0"}, ["6", "15"])
-    book.claim("body.lax", equal(M.rate(), commutator(M, Omega)), ["7"])
-    square = M @ M
-    trace = square.a + square.d
-    book.claim("body.spectrum", [(trace.real, "-K_squared/2"), (trace.imag, 0)], ["7"])
-    _gradient(book)
-    _conjugation(book)
+    matrices = {**algebra.basis, "M": combination("M1 M2 M3")}
+    desk = Desk.open(book, "spectrum", free, matrices=matrices, static=True)
+    why = "the eigenvalues of M, whose trace is 0, are the square roots of -det M"
+    spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
+    square = sympy.expand(spectrum.value / algebra.setting.factor**2)
+    velocities = zip(momenta, RATES, strict=True)
+    energy = sum(m * w for m, w in velocities) - algebra.setting.energy()
+    return Part(
+        witness={"Omega1": "1", "Omega2": "2", "Omega3": "3"},
+        definitions={
+            **{str(name): str(momentum) for name, momentum in zip(MOMENTA, momenta, strict=True)},
+            "H": str(sympy.factor(sympy.expand(energy))),
+            "K_squared": str(square),
+        },
+        rates={str(w): str(rates[symbol(f"{w}_rate")]) for w in RATES},
+        reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
+    )
 
 
-def _gradient(book: Book) -> None:
+def _lax_pair(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
+    """M' = [M, B] solved for B; and what it conserves."""
+    matrices = {
+        **algebra.basis,
+        "M": combination("M1 M2 M3"),
+        "Omega": combination("Omega1 Omega2 Omega3"),
+    }
+    desk = Desk.open(book, "body", given, body, matrices=matrices)
+    why = "the bracket of M with the velocity"
+    bracket = coordinates(desk, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
+    multiply(desk, "body.lax", Rate(M), commutator(M, Omega), "M and Omega are a Lax pair", ["7"])
+    differentiate(desk, "body.energy", symbol("H"), "energy is conserved", ["6", "15"])
+    why = "and so is the spectrum of M"
+    differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"])
+
+    unknown = symbols("b1 b2 b3")
+    ansatz = Part(
+        witness={**dict.fromkeys(map(str, unknown), "1"), "b_free": "1"},
+        reading={f"b{k}": f"coordinate {k} of a matrix B with M' = [M, B]" for k in (1, 2, 3)},
+    )
+    B = matrix("B")
+    partner = {**matrices, "B": combination("b1 b2 b3")}
+    desk = Desk.open(book, "partner", given, body, ansatz, matrices=partner)
+    why = "which matrices B have M' = [M, B]?"
+    wanted = coordinates(desk, "partner.bracket", commutator(M, B), A, why, ["7"])
+    equations = list(zip(wanted.value, bracket.value, strict=True))
+    why = "Omega, up to a multiple of M"
+    solve_family(desk, "partner.found", equations, unknown, symbol("b_free"), why, ["7"])
+
+
+def _gradient(book: Book, algebra: Algebra, given: Part) -> None:
     """(8): dH/dM_i = Omega_i, with d/dt read as the derivative along one momentum."""
+    wheels = algebra.setting.wheel()
+    velocities = {w: (m - h) / c for w, m, h, c in zip(RATES, MOMENTA, wheels, symbols("c1 c2 c3"), strict=True)}
+    energy = sum(m * w for m, w in zip(MOMENTA, RATES, strict=True)) - algebra.setting.energy()
     momenta = Part(
         witness={"M1": "1", "M2": "1", "M3": "1"},
-        definitions={"H": "(M1**2/c1 + M2**2/c2 + M3**2/c3)/2"},
+        definitions={"H": str(sympy.factor(sympy.expand(energy.subs(velocities))))},
         reading={f"M{k}": f"body momentum along axis {k}" for k in (1, 2, 3)},
     )
     for k in (1, 2, 3):
-        context = f"gradient{k}"
-        book.open(join(context, INERTIA, momenta, Part(rates={f"M{k}": "1"})))
-        book.claim(f"{context}.rate", {"D(H)": f"M{k}/c{k}"}, ["7", "8"])
+        desk = Desk.open(book, f"gradient{k}", given, momenta, Part(rates={f"M{k}": "1"}))
+        why = f"the slope of H along M{k} is Omega{k}"
+        differentiate(desk, f"gradient{k}.rate", symbol("H"), why, ["7", "8"])
 
 
-def _conjugation(book: Book) -> None:
-    """(9), (22): R M R^-1 is constant; at R = e it is M, elsewhere it need not be."""
-    moving = book.open(join("moving_body", INERTIA, BODY, UNIT_QUATERNION, ATTITUDE))
-    q, rates = names(moving, "q0 q1 q2 q3"), names(moving, "Omega1 Omega2 Omega3")
-    R, M = from_quaternion(q), combination(names(moving, "M1 M2 M3"))
-    kinematics = [x / 2 for x in product(q, (moving.element(0), *rates))]
-    book.claim("moving_body.kinematics", equal(R.rate(), R @ combination(rates)), ["3"])
-    book.claim("moving_body.quaternion", equal(map(moving.rate, q), kinematics), ["3"])
-    conjugated = R @ M @ R.inverse()
-    constant = [(f"D({text(entry)})", 0) for entry in conjugated]
-    book.claim("moving_body.momentum_is_constant", constant, ["9", "22"])
-    quarter_turn = {"q0": "3/5", "q2": "4/5"}
-    book.refute("moving_body.any_start", equal(conjugated, M), quarter_turn, ["9", "22"])
-
-    start = Part(relations=("q0 - 1", "q1", "q2", "q3"))
-    at_rest = Part(witness={f"q{k}": str(int(k == 0)) for k in range(4)})
-    ring = book.open(join("identity_start", INERTIA, at_rest, BODY, start, static=True))
-    R = from_quaternion(names(ring, "q0 q1 q2 q3"))
-    M = combination(names(ring, "M1 M2 M3"))
-    book.claim("identity_start.momentum", equal(R @ M @ R.inverse(), M), ["9", "22"])
+def _conjugation(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
+    """(9), (22): R M R^-1 is constant."""
+    matrices = {
+        **algebra.basis,
+        "M": combination("M1 M2 M3"),
+        "Omega": combination("Omega1 Omega2 Omega3"),
+        "R": from_quaternion("q"),
+    }
+    parts = (given, body, UNIT_QUATERNION, algebra.attitude)
+    desk = Desk.open(book, "moving_body", *parts, matrices=matrices)
+    why = "the attitude turns with the body"
+    multiply(desk, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"])
+    why = "the momentum in space is constant"
+    nothing = sympy.ZeroMatrix(2, 2)
+    multiply(desk, "moving_body.momentum_is_constant", Rate(R * M * R.I), nothing, why, ["9", "22"])

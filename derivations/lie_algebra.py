@@ -1,13 +1,19 @@
-"""SU(2), its Lie algebra, and the unit quaternions: equations (1) to (4).
+"""SU(2), its Lie algebra, and the unit quaternions: from the basis (4) to (1), (2), (3).
 
-A matrix of the form (1) is unitary with determinant one; the map F of (2) turns the quaternion
-product into the matrix product; the basis (4) has the brackets that make the Lie bracket the cross
-product; and under F the kinematics (3) is the familiar q' = (1/2) q (0, Omega).
+A matrix of the form (1) is unitary with determinant one.  The map F of (2) turns the matrix product
+into a product of quaternions, which is read off; so are the brackets of the basis and, from
+R' = R Omega, the rates of a quaternion.
 """
 
-from rigidsym.proof.algebra import Book, Part, equal, join, names
-from rigidsym.proof.algebra.quaternion import product
-from rigidsym.proof.algebra.su2 import basis, combination, commutator, from_quaternion
+from dataclasses import dataclass
+
+import sympy
+from sympy import ImmutableMatrix, MatrixExpr
+
+from derivations.setting import Setting
+from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.steps import Desk, coordinates, determinant, matrix, multiply
+from rigidsym.proof.steps.names import symbol, symbols
 
 UNIT_QUATERNION = Part(
     witness={"q0": "1", "q1": "0", "q2": "0", "q3": "0"},
@@ -23,30 +29,87 @@ PAIR = Part(
         **{f"Omega{k}": f"body rate about axis {k}" for k in (1, 2, 3)},
     },
 )
+# 1, i, j, k as matrices, by (1) and (2).
+UNITS = {
+    f"e{k}": ImmutableMatrix(rows)
+    for k, rows in enumerate(
+        (
+            ((1, 0), (0, 1)),
+            ((sympy.I, 0), (0, -sympy.I)),
+            ((0, 1), (-1, 0)),
+            ((0, sympy.I), (sympy.I, 0)),
+        )
+    )
+}
+e = tuple(map(matrix, UNITS))
+A = tuple(map(matrix, ("A1", "A2", "A3")))
+R, M, Omega = map(matrix, ("R", "M", "Omega"))
+
+
+@dataclass(frozen=True, slots=True)
+class Algebra:
+    """What this chapter found: [A_i, A_j] = sum f_ijk A_k, and the rates of a quaternion."""
+
+    setting: Setting
+    constants: tuple[tuple[tuple[sympy.Expr, ...], ...], ...]
+    kinematics: tuple[sympy.Expr, ...]
+
+    @property
+    def basis(self) -> dict[str, ImmutableMatrix]:
+        """A1, A2, A3 by their names."""
+        return dict(zip(("A1", "A2", "A3"), self.setting.basis(), strict=True))
+
+    @property
+    def attitude(self) -> Part:
+        """The unit quaternion of an attitude that moves by (3)."""
+        rates = {f"q{k}": str(rate) for k, rate in enumerate(self.kinematics)}
+        return Part(rates=rates)
+
+
+def from_quaternion(name: str) -> ImmutableMatrix:
+    """F of (1) and (2): q0 + q1 i + q2 j + q3 k -> ((z1, z2), (-z2*, z1*))"""
+    q0, q1, q2, q3 = symbols(f"{name}0 {name}1 {name}2 {name}3")
+    z1, z2 = q0 + sympy.I * q1, q2 + sympy.I * q3
+    return ImmutableMatrix(((z1, z2), (-z2.conjugate(), z1.conjugate())))
+
+
+def combination(names: str) -> MatrixExpr:
+    """x1 A1 + x2 A2 + x3 A3, the paper's (8)."""
+    x1, x2, x3 = symbols(names)
+    return x1 * A[0] + x2 * A[1] + x3 * A[2]
+
+
+def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
+    """[x, y] = x y - y x"""
+    return x * y - y * x
 
 
 def derive(book: Book) -> None:
-    """(1): R is in SU(2).  (2): F is a homomorphism.  (4): brackets.  (3): the kinematics."""
-    ring = book.open(join("SU2", UNIT_QUATERNION, static=True))
-    R = from_quaternion(names(ring, "q0 q1 q2 q3"))
-    identity = from_quaternion([ring.element(k) for k in (1, 0, 0, 0)])
-    book.claim("SU2.unitary", equal(R @ R.dagger(), identity), source=["1"])
-    determinant = R.determinant()
-    book.claim("SU2.special", [(determinant.real, 1), (determinant.imag, 0)], source=["1"])
+    """(1), (2), (4) and (3)."""
+    setting = book.found(Setting)
+    desk = Desk.open(book, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True)
+    multiply(desk, "SU2.unitary", R * R.adjoint(), sympy.Identity(2), "R is unitary", ["1"])
+    determinant(desk, "SU2.special", R, "and special", ["1"])
 
-    ring = book.open(join("quaternions", PAIR, static=True))
-    p, q = names(ring, "p0 p1 p2 p3"), names(ring, "q0 q1 q2 q3")
-    F = from_quaternion
-    book.claim("quaternions.product", equal(F(product(p, q)), F(p) @ F(q)), source=["2"])
+    P, Q = map(matrix, "PQ")
+    basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
+    pair = {"P": from_quaternion("p"), "Q": from_quaternion("q"), **UNITS, **basis}
+    matrices = {**pair, "Omega": combination("Omega1 Omega2 Omega3")}
+    desk = Desk.open(book, "quaternions", PAIR, matrices=matrices, static=True)
+    coordinates(desk, "quaternions.product", P * Q, e, "the product of two quaternions", ["2"])
+    constants = _brackets(desk)
+    why = "R' = R Omega in the components of a quaternion"
+    rates = coordinates(desk, "quaternions.kinematics", Q * Omega, e, why, ["3"])
+    book.keep(Algebra(setting, constants, rates.value))
 
-    A1, A2, A3 = basis(ring)
-    brackets = [
-        *equal(commutator(A1, A2), A3),
-        *equal(commutator(A2, A3), A1),
-        *equal(commutator(A1, A3), A2 * -1),
-    ]
-    book.claim("quaternions.brackets", brackets, source=["4"])
 
-    rates = names(ring, "Omega1 Omega2 Omega3")
-    half_turn = [component / 2 for component in product(q, (ring.element(0), *rates))]
-    book.claim("quaternions.kinematics", equal(F(half_turn), F(q) @ combination(rates)), ["3"])
+def _brackets(desk: Desk) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:
+    """The structure constants: three brackets decided, the others by their signs."""
+    found = {}
+    for i, j in ((0, 1), (1, 2), (0, 2)):
+        fact = f"quaternions.bracket_{i + 1}{j + 1}"
+        step = coordinates(desk, fact, commutator(A[i], A[j]), A, "a bracket of the basis", ["4"])
+        found[i, j] = step.value
+        found[j, i] = tuple(-x for x in step.value)
+    zero = (sympy.S.Zero,) * 3
+    return tuple(tuple(found.get((i, j), zero) for j in range(3)) for i in range(3))

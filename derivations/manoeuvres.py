@@ -11,8 +11,8 @@ theorem on all such equations; and when the turn that is left is a whole one, wh
 """
 
 from derivations.attitude import INERTIA as AXES
-from derivations.euler_lax import ATTITUDE, BODY, INERTIA
-from derivations.lie_algebra import UNIT_QUATERNION
+from derivations.euler_lax import INERTIA, Dynamics
+from derivations.lie_algebra import UNIT_QUATERNION, Algebra
 from derivations.regular_form import BY_RATES, DIFFERENCES
 from rigidsym.proof.algebra import Book, Part, equal, join, names
 from rigidsym.proof.algebra.quaternion import product
@@ -43,7 +43,6 @@ def matrix(name: str, q: str) -> dict[str, str]:
 FASTER = Part(
     witness={"s": "2"},
     definitions={f"W{k}": f"s*Omega{k}" for k in (1, 2, 3)},
-    rates={name: f"s*({rate})" for name, rate in {**BODY.rates, **ATTITUDE.rates}.items()},
     reading={
         "s": "constant: the other names stand for a motion at the time s t",
         **{f"W{k}": f"rate about axis {k} in the time t, rad/s" for k in (1, 2, 3)},
@@ -133,7 +132,10 @@ def derive(book: Book) -> None:
 
 def _faster(book: Book) -> None:
     """q(s t) and s Omega(s t) are a motion; momentum goes with s, energy with s^2."""
-    ring = book.open(join("faster", INERTIA, BODY, UNIT_QUATERNION, ATTITUDE, FASTER))
+    body, attitude = book.found(Dynamics).body, book.found(Algebra).attitude
+    rates = {name: f"s*({rate})" for name, rate in {**body.rates, **attitude.rates}.items()}
+    faster = Part(rates=rates)
+    ring = book.open(join("faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster))
     q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "W1 W2 W3")
     half_turn = [x / 2 for x in product(q, (ring.element(0), *rates))]
     book.claim("faster.kinematics", equal(map(ring.rate, q), half_turn), ["3"])
@@ -208,7 +210,8 @@ def _ring(book: Book) -> None:
     A motion from q = 1 that is at p at the time T has the rates W there: it goes on as x and W do,
     so that q(T + t) = q(t) p, and from whatever q(t) it is at, it turns by p in the time T.
     """
-    motion = (INERTIA, TURN, BODY, UNIT_QUATERNION, ATTITUDE)
+    body, attitude = book.found(Dynamics).body, book.found(Algebra).attitude
+    motion = (INERTIA, TURN, body, UNIT_QUATERNION, attitude)
     ring = book.open(join("ring", *motion, BESIDE, SYMMETRY))
     x, rates = names(ring, "x0 x1 x2 x3"), names(ring, "W1 W2 W3")
     book.claim("ring.symmetry", {f"R{j}{k}*(1/c{k} - 1/c{j})": "0" for j, k in ACROSS})

@@ -1,83 +1,107 @@
-"""phi1 as an elliptic integral of the third kind: equations (34) to (36).
+"""phi1 as an elliptic integral of the third kind: from (33) by partial fractions to (34), (35), (36).
 
-The split (34) is exact wherever Omega1 = zeta sn.  (35) is right only when its mu is read as the
-modulus; Lemma 1, and zeta sn(xi t + gamma, mu) of (34), read it as the parameter.  The left side of
-(36) is phi1, not its derivative.
+Where a rate is zeta sn, the integrand (33) is a fraction in sn^2.  Its partial fractions are a
+constant and a multiple of 1/(1 - n sn^2), which is the derivative of Legendre's Pi in the table: n
+and the factor kappa are read off.
 """
 
-from rigidsym.proof.algebra import Book, Part, jacobi, join
+from dataclasses import dataclass
 
-CONSTANTS = Part(
-    witness={"c1": "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
-    units=("c1", "K"),
-    reading={
-        "H": "kinetic energy, J",
-        "K": "|M|, kg m^2 rad/s",
-        "zeta": "amplitude of Omega1, rad/s",
-        "xi": "rate of the argument, rad/s",
-        "mu": "parameter (k^2) of the Jacobi functions",
-    },
+import sympy
+
+from derivations.euler_lax import RATES
+from derivations.kinematics import Phi1
+from derivations.lie_algebra import Algebra
+from rigidsym.proof.algebra import Book, Part, jacobi
+from rigidsym.proof.algebra.jacobi_functions import jacobi_dn, jacobi_sn
+from rigidsym.proof.steps import Desk, apart, integrate, rewrite
+from rigidsym.proof.steps.names import symbol, symbols
+
+K, H, ZETA, XI, MU, T = symbols("K H zeta xi mu t")
+ARGUMENT = XI * T + symbol("gamma")
+SN, DN = jacobi_sn(ARGUMENT, MU), jacobi_dn(ARGUMENT, MU)
+FUNCTIONS = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
+AMPLITUDE = Part(
+    witness={"theta": "0"},
+    rates={"theta": "xi*dn"},
+    reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
 )
-SINE = Part(
-    units=("K - c1*zeta*sn", "K + c1*zeta*sn"),
-    definitions={"Omega1": "zeta*sn"},
-)
-THIRD_KIND = Part(
-    witness={"Pi": "0", "t": "0"},
-    definitions={
-        "n": "(c1*zeta/K)**2",
-        "kappa": "(2*H*c1 - K**2)/(K*c1*xi)",
-        "phi1": "K/c1*t + kappa*Pi",
-    },
-    rates={"Pi": "xi/(1 - n*sn**2)", "t": "1"},
-    units=("xi",),
-    reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
-)
+
+
+def constants(axis: int) -> Part:
+    """A moment of inertia, the invariants, and what zeta sn(xi t + gamma | mu) has."""
+    return Part(
+        witness={f"c{axis}": "1", "H": "1", "K": "2", "zeta": "1", "xi": "1", "mu": "9/16"},
+        units=(f"c{axis}", "K"),
+        reading={
+            "H": "kinetic energy, J",
+            "K": "|M|, kg m^2 rad/s",
+            "zeta": f"amplitude of Omega{axis}, rad/s",
+            "xi": "rate of the argument, rad/s",
+            "mu": "parameter (k^2) of the Jacobi functions",
+        },
+    )
+
+
+def sine(axis: int) -> Part:
+    """A rate that is zeta sn, and never so large that K^2 - (c Omega)^2 is zero."""
+    return Part(
+        units=(f"K - c{axis}*zeta*sn", f"K + c{axis}*zeta*sn"),
+        definitions={f"Omega{axis}": "zeta*sn"},
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class ThirdKind:
+    """What this chapter found: the parts with which phi1 = K/c t + kappa Pi, and phi1' split."""
+
+    axis: int
+    parts: tuple[Part, ...]
+    rate: sympy.Expr
 
 
 def derive(book: Book) -> None:
-    """(34), its integral (36), and (35) with mu as modulus and as parameter."""
-    functions = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu", "xi")
-    book.open(join("sine_motion", CONSTANTS, functions, SINE, static=True))
-    integrand = "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)"
-    split = "K/c1 + (2*H*c1 - K**2)/(K*c1)/(1 - (c1*zeta/K)**2*sn**2)"
-    book.claim("sine_motion.split", {integrand: split}, ["34"])
-    for name, side in (("plus", "K - c1*zeta*sn"), ("minus", "K + c1*zeta*sn")):
-        pole = Part(
-            witness={
-                "K": "1",
-                "c1": "1",
-                "zeta": "1",
-                "sn": "1" if name == "plus" else "-1",
-                "cn": "0",
-                "mu": "0",
-                "dn": "1",
-            },
-            definitions=SINE.definitions,
-            relations=(side,),
-        )
-        book.open(join(f"pole_{name}", CONSTANTS, functions, pole, static=True))
-        book.claim(f"pole_{name}.denominator", {"K**2 - (c1*Omega1)**2": "0"}, ["34"])
-    book.open(join("third_kind", CONSTANTS, functions, SINE, THIRD_KIND))
-    book.claim("third_kind.phi1", {"D(phi1)": integrand}, ["19", "33"])
-    integral = {"D(phi1)": "K/c1*t + kappa*Pi"}
-    book.refute("third_kind.left_side", integral, {}, ["36"])
-    book.claim("third_kind.integral", {"phi1": "K/c1*t + kappa*Pi"}, ["36"])
-    _amplitude(book, functions)
+    """(34), its integral (36), and (35)."""
+    axis = book.found(Algebra).setting.axes[0]
+    integrand = book.found(Phi1).by_invariants
+    if integrand.free_symbols & {*RATES} != {RATES[axis - 1]}:
+        return  # wheels about other axes: phi1' is no function of one rate
+    if any(h != 0 for h in book.found(Algebra).setting.wheel()):
+        return  # a gyrostat's rates are no multiples of sn
+    given = (constants(axis), FUNCTIONS, sine(axis))
+    desk = Desk.open(book, "sine_motion", *given, static=True)
+    put_in = integrand.subs(RATES[axis - 1], ZETA * SN)
+    split = apart(put_in, SN**2)
+    why = "with the rate put in, partial fractions in sn^2"
+    rewrite(desk, "sine_motion.split", integrand, split, why, ["34"], "partial_fractions")
 
-
-def _amplitude(book: Book, functions: Part) -> None:
-    """(35): right where mu is the modulus, wrong where it is the parameter."""
-    amplitude = Part(
-        witness={"theta": "0"},
-        rates={"theta": "xi*dn"},
-        reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
+    (n,) = (_parameter(term) for term in split.args if term.has(SN))
+    table = Part(
+        witness={"Pi": "0", "t": "0"},
+        definitions={"n": str(n)},
+        rates={"Pi": "xi/(1 - n*sn**2)", "t": "1"},
+        units=("xi",),
+        reading={"Pi": "elliptic_pi(n, jacobi_am(xi*t + gamma, mu), mu)", "t": "time, s"},
     )
-    book.open(join("amplitude", CONSTANTS, functions, amplitude))
-    printed = {"D(theta)**2": "xi**2*(1 - mu**2*sn**2)"}
-    point = {"sn": "4/5", "cn": "3/5", "dn": "4/5"}
-    book.refute("amplitude.printed", printed, point, ["35"])
-    book.claim("amplitude.repaired", {"D(theta)**2": "xi**2*(1 - mu*sn**2)"}, ["35"])
-    of_modulus = jacobi("sn", "cn", "dn", "xi*t + gamma", "mu**2", "xi")
-    book.open(join("amplitude_of_modulus", CONSTANTS, of_modulus, amplitude))
-    book.claim("amplitude_of_modulus.printed", printed, ["35"])
+    desk = Desk.open(book, "table", *given, table)
+    rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found
+    why = "integrated by the table: d/dt Pi(n; am(xi t + gamma) | mu) = xi/(1 - n sn^2)"
+    phi1 = integrate(desk, "table.phi1", split, rates, why, ["19", "36"])
+    kappa = phi1.value.coeff(symbol("Pi"))
+    named = Part(definitions={"kappa": desk.text(kappa), "phi1": f"{desk.text(phi1.value.coeff(T))}*t + kappa*Pi"})
+    desk = Desk.open(book, "third_kind", *given, table, named)
+    why = "so phi1 has the rate (33)"
+    rewrite(desk, "third_kind.phi1", sympy.Function("D")(symbol("phi1")), integrand, why, ["19", "33"], "differentiate")
+    book.keep(ThirdKind(axis, (*given, table, named), split))
+
+    desk = Desk.open(book, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
+    why = "the amplitude, theta = am(xi t + gamma | mu), in the place of t"
+    by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)[0]
+    squared = sympy.Function("D")(symbol("theta")) ** 2
+    rewrite(desk, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
+
+
+def _parameter(term: sympy.Expr) -> sympy.Expr:
+    """n of c/(1 - n sn^2)"""
+    (below,) = (1 / factor for factor in sympy.Mul.make_args(term) if factor.has(SN))
+    return -sympy.expand(below).coeff(SN**2)

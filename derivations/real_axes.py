@@ -7,7 +7,7 @@ circulation axis both roots are squares but alpha times either is minus a square
 vanishes, and no real constants make it a sine amplitude.
 """
 
-from derivations.lemma1 import INERTIA, MOVING, QUARTIC, ROOTS
+from derivations.lemma1 import INERTIA, Lemma1
 from derivations.regular_form import REGULAR
 from rigidsym.proof.algebra import Book, Part, join
 
@@ -101,7 +101,8 @@ def _choice(book: Book) -> None:
         definitions={"s_j_above_s_i": "s_j - s_i", "ratio_above_1": "s_i**2 - s_j**2"},
         nonnegative=("s_j_above_s_i", "ratio_above_1"),
     )
-    body = (INERTIA, MOVING, QUARTIC, ROOTS, NAMED)
+    lemma = book.found(Lemma1)
+    body = (INERTIA, lemma.moving, lemma.quartic, lemma.roots, NAMED)
     book.open(join("two_conditions", *body, differ))
     book.root(
         "two_conditions.names", "root_of_discriminant", "beta**2 - 4*alpha*chi", ["13", "Remark 1"]

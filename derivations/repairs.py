@@ -10,9 +10,9 @@ from rigidsym.proof.algebra.repairs import repairs
 
 # Where each refuted fact holds what the paper prints: a side of it, or a definition.
 PRINTED = {
-    "sine.over_inertia": "Omega_printed",
-    "sine.slope_over_inertia": "rhs",
-    "start.over_inertia": "rhs",
+    "printed_sine.over_inertia": "Omega_printed",
+    "printed_sine.slope_over_inertia": "rhs",
+    "printed_start.over_inertia": "rhs",
     "half_angle_step.everywhere": "y_star",
     "theorem1_printed.n": "n_printed",
     "amplitude.printed": "rhs",

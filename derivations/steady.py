@@ -2,15 +2,15 @@
 of a symmetric body.  There M and Omega commute, and the attitude is one exponential.
 """
 
-from derivations.euler_lax import BODY, INERTIA
+from dataclasses import replace
+
+from derivations.euler_lax import INERTIA, Dynamics
 from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, names
 from rigidsym.proof.algebra.quaternion import product
 
 CONSTANT = Part(
     witness={"Omega1": "1", "Omega2": "0", "Omega3": "0"},
-    definitions=BODY.definitions,
     relations=("(c2 - c3)*Omega2*Omega3", "(c3 - c1)*Omega3*Omega1", "(c1 - c2)*Omega1*Omega2"),
-    reading=BODY.reading,
 )
 SPIN = Part(
     witness={"omega": "1", "t": "0"},
@@ -43,8 +43,10 @@ PULL_BACK = Part(
 def derive(book: Book) -> None:
     """Euler's equations, and |q| = 1 and q' = (1/2) q (0, Omega) for q = p exp(t Omega)."""
     turn = half_angle("theta", "omega")
-    book.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
-    euler = {f"D(Omega{k})": BODY.rates[f"Omega{k}"] for k in (1, 2, 3)}
+    body = book.found(Dynamics).body
+    constant = replace(CONSTANT, definitions=body.definitions, reading=body.reading)
+    book.open(join("steady", INERTIA, constant, SPIN, AXIS, turn, PULL_BACK))
+    euler = {f"D(Omega{k})": body.rates[f"Omega{k}"] for k in (1, 2, 3)}
     book.claim("steady.euler", euler, ["5"])
     ring = book.ledger.rings["steady"]
     q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "Omega1 Omega2 Omega3")

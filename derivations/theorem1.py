@@ -1,259 +1,78 @@
-"""Theorem 1 and its true domain: equations (18) to (21), (36) and Remarks 2 and 3.
+"""Theorem 1: R of (25) as a quaternion (18), its factors from x and y (19), and phi1 (20), (36).
 
-(18) is R of (25) written as a quaternion, with F1, F2 the cosine and sine of phi2/2 and F3, F4
-those of phi3/2.  (19) takes them from x = cos(phi2) and y = tan(phi3), with signs.  The step to y*
-is the half-angle step only where c3 Omega3 > 0.  Where it is negative, S1 S2 = -1 makes up for it:
-R still has the momentum M.  But no constant signs do for a motion in which Omega3 changes sign, and
-when S1 S2 follows it phi1 has to jump by pi.  The sign of c3 Omega3 before the square root in y*
-mends all of that.  With s1 the root in Omega_1^2 (Lemma 1), n in (20) and (21) lacks c1^2.
+The product of three turns is read off as a quaternion.  Its factors are halves of angles: of phi2
+by its cosine x, of phi3 by its tangent y, where a quadratic equation leaves a choice that is the
+sign of cos(phi3).  phi1 is the integral of the third kind, in the amplitude as variable.
 """
 
-from derivations.conjugacy import ANGLES, MOMENTUM, rotation
-from derivations.phi1_integral import CONSTANTS, SINE, THIRD_KIND
-from rigidsym.proof.algebra import Book, Part, equal, half_angle, jacobi, join, names, sign
-from rigidsym.proof.algebra.quaternion import product
-from rigidsym.proof.algebra.su2 import Matrix, basis, combination, from_quaternion
-from rigidsym.proof.kernel import Element, Ring
+import sympy
 
-# cos(phi3) = side * rho with rho = 1/sqrt(1 + y^2) > 0: side tells the half plane phi3 is in.
-TANGENT = Part(
-    witness={"cos_half": "3/5", "sin_half": "4/5", "side": "-1"},
-    units=("side", "cos_half**2 - sin_half**2", "1 + side*(cos_half**2 - sin_half**2)"),
-    relations=("sin_half**2 + cos_half**2 - 1", "side**2 - 1"),
-    definitions={
-        "cos_phi3": "cos_half**2 - sin_half**2",
-        "sin_phi3": "2*sin_half*cos_half",
-        "rho": "side*cos_phi3",
-        "y": "sin_phi3/cos_phi3",
-        "y_star": "y/(1 + 1/rho)",
-    },
-    nonnegative=("rho",),
-    reading={
-        "rho": "1/sqrt(1 + y**2)",
-        "side": "the sign of cos(phi3), that is of c3 Omega3",
-        "cos_half": "cos(phi3/2)",
-        "sin_half": "sin(phi3/2)",
-    },
-)
+from derivations.conjugacy import PHI, Reduction, turns
+from derivations.lie_algebra import UNITS, Algebra, R, e
+from derivations.phi1_integral import DN, SN, XI, ThirdKind
+from rigidsym.proof.algebra import Book, Part
+from rigidsym.proof.steps import Desk, coordinates, eliminate, rewrite
+from rigidsym.proof.steps.names import symbol, symbols
 
-# F1 to F4 as (19) makes them: phi2 in [0, pi] from x, phi3 in (-pi/2, pi/2) from y.
-FACTORS = (
-    MOMENTUM,
-    sign("side", "the sign of c3 Omega3"),
-    *(sign(f"S{k}", f"the sign S_{k} of (19)") for k in (1, 3, 2, 4)),
-    *(half_angle(f"phi{k}") for k in (1, 2, 3)),
-    Part(
-        witness={
-            f"{f}_half_phi{k}": v for k in (2, 3) for f, v in (("cos", "4/5"), ("sin", "3/5"))
-        },
-        definitions={
-            "F1": "S1*cos_half_phi2",
-            "F2": "S2*sin_half_phi2",
-            "F3": "S3*cos_half_phi3",
-            "F4": "S4*sin_half_phi3",
-            "q0": "F1*(cos_half_phi1*F3 - sin_half_phi1*F4)",
-            "q1": "F1*(sin_half_phi1*F3 + cos_half_phi1*F4)",
-            "q2": "F2*(cos_half_phi1*F3 + sin_half_phi1*F4)",
-            "q3": "F2*(sin_half_phi1*F3 - cos_half_phi1*F4)",
-            "M1": "K*cos_phi2",
-            "M2": "side*K*sin_phi2*sin_phi3",
-            "M3": "side*K*sin_phi2*cos_phi3",
-        },
-        nonnegative=("sin_phi2", "cos_phi3"),
-    ),
-)
+Y, TAU, ROOT = symbols("y tau root")
 
 
 def derive(book: Book) -> None:
-    """(18); (19) on both sides of Omega3 = 0 and its signs; (20), (21), (36); Remarks 2 and 3."""
-    ring = book.open(join("theorem1", *ANGLES, static=True))
-    cosine, sine = names(ring, "cos_half_phi1 sin_half_phi1")
-    F1, F2, F3, F4 = names(ring, "cos_half_phi2 sin_half_phi2 cos_half_phi3 sin_half_phi3")
-    quaternion = _by_18(cosine, sine, F1, F2, F3, F4)
-    book.claim("theorem1.quaternion", equal(rotation(ring), from_quaternion(quaternion)), ["18"])
-    book.claim(
-        "theorem1.outer_halves",
-        {
-            "cos_half_phi2**2": "(1 + cos_phi2)/2",
-            "sin_half_phi2**2": "(1 - cos_phi2)/2",
-        },
-        ["19"],
+    """(18); (19); (20), (21) and (36)."""
+    algebra, reduction = book.found(Algebra), book.found(Reduction)
+    matrices = {**reduction.matrices, **UNITS}
+    parts = turns(algebra.setting)
+    desk = Desk.open(book, "theorem1", *parts, matrices=matrices, static=True)
+    why = "the three turns as a quaternion"
+    coordinates(desk, "theorem1.quaternion", R, e, why, ["18"])
+    _outer_halves(desk, algebra)
+    _inner_half(book)
+    if ThirdKind in book:
+        _third_kind(book)
+
+
+def _outer_halves(desk: Desk, algebra: Algebra) -> None:
+    """cos^2 and sin^2 of half of phi2, by the cosine of the whole."""
+    angle = algebra.setting.factor * PHI[1]
+    cosine, sine, whole = sympy.cos(angle), sympy.sin(angle), sympy.cos(2 * angle)
+    double = [cosine**2 + sine**2 - 1, cosine**2 - sine**2 - whole]
+    for name, half in (("cosine", cosine), ("sine", sine)):
+        why = f"its {name} by the cosine of the whole angle"
+        squares = [cosine**2, sine**2]
+        eliminate(desk, f"theorem1.outer_{name}", half**2, double, squares, why, ["19"])
+
+
+def _inner_half(book: Book) -> None:
+    """tan of half an angle from its tangent: two roots, and cos(phi3) tells which."""
+    free = Part(
+        witness={"y": "3/4", "root": "5/4", "tau": "1/3"},
+        units=("y",),
+        relations=("root**2 - y**2 - 1",),
+        reading={"y": "tan(phi3)", "tau": "tan(phi3/2)", "root": "sqrt(1 + y**2) or less that"},
     )
-    _inner_halves(book)
-    _signs(book)
-    _crossing(book)
-    _third_kind(book)
-    _first_derivative(book)
-    _pull_back(book)
-
-
-def _inner_halves(book: Book) -> None:
-    """y* = tan(phi3/2) where c3 Omega3 > 0, and -cot(phi3/2) where it is negative."""
-    book.open(join("half_angle_step", TANGENT, Part(units=("cos_half",)), static=True))
-    tangent = {"y_star*cos_half": "sin_half"}
-    mended = "y/(1 + side/rho)"
-    book.claim(
-        "half_angle_step.mended",
-        {
-            f"{mended}*cos_half": "sin_half",
-            f"cos_half**2*(1 + ({mended})**2)": "1",
-            f"sin_half**2*(1 + ({mended})**2)": f"({mended})**2",
-        },
-        ["19", "Remark 2"],
-    )
-    book.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
-    book.refute("half_angle_step.everywhere", tangent, {}, ["19", "Remark 2"])
-    half_turn = Part({"cos_half": "0", "sin_half": "1"}, relations=("cos_half",))
-    book.open(join("half_turn", TANGENT, half_turn, static=True))
-    book.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
-    right = Part(
-        relations=("side - 1",), witness={"cos_half": "4/5", "sin_half": "3/5", "side": "1"}
-    )
-    book.open(join("half_angle_right", TANGENT, right, static=True))
-    book.claim("half_angle_right.tangent", tangent, ["19"])
-    book.claim(
-        "half_angle_right.squares",
-        {
-            "cos_half**2*(1 + y_star**2)": "1",
-            "sin_half**2*(1 + y_star**2)": "y_star**2",
-        },
-        ["19"],
-    )
-    left = Part(relations=("side + 1",))
-    book.open(join("half_angle_left", TANGENT, left, static=True))
-    book.claim("half_angle_left.cotangent", {"y_star*sin_half": "-cos_half"}, ["19"])
-    book.claim(
-        "half_angle_left.squares",
-        {
-            "sin_half**2*(1 + y_star**2)": "1",
-            "cos_half**2*(1 + y_star**2)": "y_star**2",
-        },
-        ["19", "Remark 2"],
-    )
-
-
-def _signs(book: Book) -> None:
-    """(18) with (19) has the momentum M where S1 S2 is the sign of c3 Omega3 and S3 S4 = 1."""
-    ring = book.open(join("signed", *FACTORS, static=True))
-    R, found, M = _momenta(ring)
-    for pair, other in (("S1_S2", "S2"), ("S3_S4", "S4")):
-        wrong = {other: "-1"}
-        book.refute(f"signed.any_{pair}", equal(found, M), wrong, ["19", "Remark 2"])
-    # A reflected frame would have the determinant -1.
-    determinant = R.determinant()
-    book.claim("signed.frame", [(determinant.real, 1), (determinant.imag, 0)], ["footnote 3"])
-    reflected = {"S2": "-1"}
-    book.refute("signed.reflection", [(determinant.real, "S1*S2")], reflected, ["footnote 3"])
-
-    matched = Part(relations=("S2 - side*S1", "S4 - S3"))
-    ring = book.open(join("matched_signs", *FACTORS, matched, static=True))
-    _, found, M = _momenta(ring)
-    book.claim("matched_signs.momentum", equal(found, M), ["19", "24", "Remark 2"])
-    book.claim(
-        "matched_signs.side", {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, ["19", "Remark 2", "footnote 3"]
-    )
-
-
-def _momenta(ring: Ring) -> tuple[Matrix, Matrix, Matrix]:
-    """R of (18), the momentum K R^-1 A1 R that it has, and M."""
-    R, K = from_quaternion(names(ring, "q0 q1 q2 q3")), ring.read("K")
-    return R, (R.inverse() @ basis(ring)[0] @ R) * K, combination(names(ring, "M1 M2 M3"))
-
-
-def _crossing(book: Book) -> None:
-    """Where Omega3 passes zero y* jumps from 1 to -1: with S2 turned, phi1 has to jump by pi."""
-    jump = Part(witness={"h": "1"}, reading={"h": "F3 at the zero of Omega3, there |F4| = F3"})
-    ring = book.open(join("crossing", *ANGLES[:2], jump, static=True))
-    c, s, F1, F2, h = names(ring, "cos_half_phi1 sin_half_phi1 cos_half_phi2 sin_half_phi2 h")
-    before, after = _by_18(c, s, F1, F2, h, h), _by_18(c, s, F1, F2 * -1, h, h * -1)
-    turned = _by_18(s * -1, c, F1, F2 * -1, h, h * -1)
-    book.refute("crossing.continuous", equal(before, after), {}, ["19", "Remark 2"])
-    book.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"])
-
-
-def _by_18(c: Element, s: Element, *F: Element) -> tuple[Element, ...]:
-    """(18) from the cosine and sine of phi1/2 and F1 to F4."""
-    F1, F2, F3, F4 = F
-    cosine = (c * F3 - s * F4, c * F3 + s * F4)
-    sine = (s * F3 + c * F4, s * F3 - c * F4)
-    return F1 * cosine[0], F1 * sine[0], F2 * cosine[1], F2 * sine[1]
+    desk = Desk.open(book, "half_tangent", free, static=True)
+    quadratic = sympy.numer(sympy.together(2 * TAU / (1 - TAU**2) - Y))
+    quadratic = sympy.expand(quadratic * (-1 if quadratic.coeff(TAU) < 0 else 1))
+    found = [x.subs(sympy.sqrt(Y**2 + 1), ROOT) for x in sympy.solve(quadratic, TAU)]
+    leading = sympy.Poly(quadratic, TAU).LC()
+    product = sympy.Mul(leading, *(TAU - x for x in found), evaluate=False)
+    why = "tan(phi3) = 2 tau/(1 - tau^2) with tau = tan(phi3/2): the roots"
+    rewrite(desk, "half_tangent.roots", quadratic, product, why, ["19"], "roots")
 
 
 def _third_kind(book: Book) -> None:
-    """phi1' with n = c1^2 s1/K^2, but not with n = s1/K^2; and (36)."""
-    functions = jacobi("sn", "cn", "dn", "f", "mu", "xi")
-    phi1 = Part(
-        definitions={
-            "s_1": "zeta**2",
-            "rate": "K*(2*H - c1*Omega1**2)/(K**2 - (c1*Omega1)**2)",
-            "theta_rate": "xi*dn",
-            "sigma": "(2*H*c1 - K**2)/(K*c1*xi)",
-        },
+    """(36): the integrand with the amplitude as variable."""
+    third = book.found(ThirdKind)
+    amplitude = Part(
+        witness={"theta": "0"},
+        units=("dn",),
+        rates={"theta": "xi*dn"},
+        reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
     )
-    body = (CONSTANTS, functions, SINE, THIRD_KIND, phi1)
-    book.open(join("theorem1_phi1", *body))
-    book.claim("theorem1_phi1.n", {"n": "c1**2*s_1/K**2", "kappa": "sigma"}, ["20", "21"])
-    book.claim("theorem1_phi1.rate", {"K/c1 + kappa*xi/(1 - n*sn**2)": "rate"}, ["20", "21"])
-    book.open(join("theorem1_amplitude", *body, Part(units=("dn",))))
-    integrand = "K/c1 + sigma/(1 - (c1*zeta/K)**2*sn**2)/dn*theta_rate"
-    book.claim("theorem1_amplitude.integrand", {integrand: "rate"}, ["36"])
-    _third_kind_printed(book, functions, *body)
-
-
-def _third_kind_printed(book: Book, functions: Part, *body: Part) -> None:
-    """(20), (21) and (36) as printed; and n = s1/K^2 with s1 a root in (c1 Omega1)^2."""
-    printed = Part(
-        units=("K - zeta*sn", "K + zeta*sn"),
-        definitions={"n_printed": "s_1/K**2", "root_printed": "1 - mu**2*sn**2"},
-    )
-    book.open(join("theorem1_printed", *body, printed))
-    point = {"c1": "2", "K": "4", "sn": "4/5", "cn": "3/5", "dn": "4/5", "mu": "9/16"}
-    book.refute(
-        "theorem1_printed.n",
-        {"K/c1 + kappa*xi/(1 - n_printed*sn**2)": "rate"},
-        point,
-        ["20", "21"],
-    )
-    in_momentum = "K*(2*H - (zeta*sn)**2/c1)/(K**2 - (zeta*sn)**2)"
-    book.claim(
-        "theorem1_printed.with_14_mended",
-        {"K/c1 + kappa*xi/(1 - n_printed*sn**2)": in_momentum},
-        ["14", "20", "21", "Theorem 1"],
-    )
-    squared = {"(sigma/(1 - n*sn**2)*theta_rate)**2": "(rate - K/c1)**2*root_printed"}
-    book.refute("theorem1_printed.modulus", squared, point, ["36"])
-    rest = Part({"sn": "1", "cn": "0", "dn": "0", "mu": "1"}, relations=("mu*sn**2 - 1",))
-    book.open(join("amplitude_at_rest", CONSTANTS, functions, rest, static=True))
-    book.claim("amplitude_at_rest.denominator", {"dn**2": "0"}, ["36"])
-
-
-def _first_derivative(book: Book) -> None:
-    """Remark 2 sets signs by q0' = Omega_0 q0: it is q' = q (0, Omega)/2, factors in that order."""
-    ring = book.ledger.rings["moving_body"]
-    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "Omega1 Omega2 Omega3")
-    velocity = (ring.element(0), *rates)
-    moved, start = list(map(ring.rate, q)), {"q0": "3/5", "q2": "4/5"}
-    left = [component / 2 for component in product(velocity, q)]
-    book.refute("moving_body.left_factor", equal(moved, left), start, ["Remark 2"])
-    book.refute("moving_body.without_half", equal(moved, product(q, velocity)), {}, ["Remark 2"])
-
-
-def _pull_back(book: Book) -> None:
-    """(37): at t = 0 it is R_int, so R_int is R(0); with R_int = e only motions from e are left."""
-    three = {"p": "R_int", "r": "Rbar(0)"}
-    quaternions = [
-        Part(
-            witness={f"{x}{k}": str(int(k == 0)) for k in range(4)},
-            relations=(f"{x}3**2 + {x}2**2 + {x}1**2 + {x}0**2 - 1",),
-            reading={f"{x}{k}": f"component {k} of {name}" for k in range(4)},
-        )
-        for x, name in three.items()
-    ]
-    ring = book.open(join("pulled_back", *quaternions, static=True))
-    R_int, Rbar = (from_quaternion(names(ring, f"{x}0 {x}1 {x}2 {x}3")) for x in three)
-    start = R_int @ Rbar.inverse() @ Rbar
-    book.claim("pulled_back.start", equal(start, R_int), ["37", "Remark 3"])
-    away = {"p0": "3/5", "p1": "4/5"}
-    book.refute(
-        "pulled_back.from_identity", equal(Rbar.inverse() @ Rbar, R_int), away, ["37", "Remark 3"]
-    )
+    desk = Desk.open(book, "theorem1_amplitude", *third.parts, amplitude)
+    slope, theta = third.rate, sympy.Function("D")(symbol("theta"))
+    constant = sympy.Add(*(x for x in slope.args if not x.has(SN)))
+    changed = constant + (slope - constant) / (XI * DN) * theta
+    why = "the amplitude as variable: dt = d theta/(xi dn)"
+    rate = sympy.Function("D")(symbol("phi1"))
+    rewrite(desk, "theorem1_amplitude.integrand", rate, changed, why, ["36"], "substitute")

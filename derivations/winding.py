@@ -6,7 +6,11 @@
 so both sides grow alike; that they agree at one theta is the assumption that balls confirm.
 """
 
-from rigidsym.proof.algebra import Book, Part, join
+import sympy
+
+from rigidsym.proof.algebra import Book, Part
+from rigidsym.proof.steps import Desk, differentiate, nonnegative
+from rigidsym.proof.steps.names import symbols
 
 # theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + k pi.
 TURNING = Part(
@@ -42,8 +46,13 @@ WINDINGS = [
 
 def derive(book: Book) -> None:
     """What the rule leaves out does not change with theta; its denominator is never negative."""
-    book.open(join("windings", TURNING, INTEGRAL))
-    book.claim("windings.slope", {"D(Pi_later - 2*k*Pi_c - Pi)": "0"}, ["19", "20", "21"])
-    book.sign("windings.path", {"1 - n*sine**2": "cosine**2 + (1 - n)*sine**2"}, ["19"])
+    desk = Desk.open(book, "windings", TURNING, INTEGRAL)
+    later, Pi, complete, k, n, sine, cosine = symbols("Pi_later Pi Pi_c k n sine cosine")
+    why = "what half turns add grows no further"
+    rest = later - 2 * k * complete - Pi
+    differentiate(desk, "windings.slope", rest, why, ["19", "20", "21"])
+    path, circle = 1 - n * sine**2, cosine**2 + sine**2
+    form = sympy.collect(sympy.expand(path - 1 + circle), sine**2)
+    nonnegative(desk, "windings.path", path, form, "the integral meets no pole", ["19"])
     reference = "DLMF 19.2.7, whose integrand has the period pi"
     book.assume("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)

@@ -8,11 +8,13 @@ from importlib import import_module, resources
 from pathlib import Path
 from time import perf_counter
 
-from derivations import CHAPTERS
+from derivations import CHAPTERS, FORWARD
+from derivations.setting import Setting
 from rigidsym.errors import InputError
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Fact, KernelError
+from rigidsym.proof.steps import Step, StepError
 from rigidsym.view.html.reports import chapter_html, derivation_html
 
 
@@ -28,6 +30,14 @@ class Chapter:
     title: str
     facts: tuple[Fact, ...]
     seconds: float
+    steps: tuple[Step, ...] = ()
+    opening: str = ""
+
+    @property
+    def computed(self) -> int:
+        """How many facts a step computed; the others were guessed, and decided by the kernel."""
+        found = {step.fact.id for step in self.steps}
+        return sum(fact.id in found for fact in self.facts)
 
     def _repr_html_(self) -> str:
         facts = Claims(Claim(asdict(fact)) for fact in self.facts)
@@ -42,11 +52,13 @@ class Derivation:
     ledger: str
 
     def to_json(self) -> str:
-        """The schema rigidsym.derive/1: every claim with its grade and source."""
+        """The schema rigidsym.derive/2: every claim with its grade and source."""
         chapters = [
             {
                 "chapter": chapter.name,
                 "title": chapter.title,
+                "computed": chapter.computed,
+                "guessed": len(chapter.facts) - chapter.computed,
                 "facts": [
                     {"id": f.id, "statement": statement(f), "grade": f.grade, "source": f.source}
                     for f in chapter.facts
@@ -54,7 +66,7 @@ class Derivation:
             }
             for chapter in self.chapters
         ]
-        return json.dumps({"schema": "rigidsym.derive/1", "chapters": chapters}, indent=1) + "\n"
+        return json.dumps({"schema": "rigidsym.derive/2", "chapters": chapters}, indent=1) + "\n"
 
     def _repr_html_(self) -> str:
         return derivation_html(self)
@@ -68,19 +80,23 @@ def sealed_path() -> Path:
 def derive(
     wanted: Iterable[str] = (),
     progress: Callable[[int, int], None] = lambda done, total: None,
+    setting: Setting | None = None,
 ) -> Derivation:
     """Run all chapters, or those up to the last one wanted and report the wanted ones.
 
-    Raises InputError for an unknown chapter and DerivationError where a claim is not proved.
+    With a setting, another derivation: the chapters up to Theorem 1, for its sequence of turns, its
+    basis and its Lagrangian.  Raises InputError for an unknown chapter and DerivationError where a
+    step cannot be done or a claim is not proved.
     """
-    chosen = tuple(wanted)
+    chosen, known = tuple(wanted), CHAPTERS if setting is None else FORWARD
     for name in chosen:
-        if name not in CHAPTERS:
-            raise InputError("chapter", name, f"must be one of: {', '.join(CHAPTERS)}")
-    last = max(map(CHAPTERS.index, chosen), default=len(CHAPTERS) - 1)
+        if name not in known:
+            raise InputError("chapter", name, f"must be one of: {', '.join(known)}")
+    last = max(map(known.index, chosen), default=len(known) - 1)
     book, ran = Book(), []
+    book.keep(setting or Setting())
     try:
-        for done, name in enumerate(CHAPTERS[: last + 1]):
+        for done, name in enumerate(known[: last + 1]):
             progress(done, last + 1)
             ran.append(_run(book, name))
     finally:
@@ -90,17 +106,24 @@ def derive(
 
 
 def _run(book: Book, name: str) -> Chapter:
-    before, start = len(book.ledger.facts), perf_counter()
+    facts, steps, start = len(book.ledger.facts), len(book.steps), perf_counter()
     try:
         module = import_module(f"derivations.{name}")
         module.derive(book)
-    except KernelError as error:
+    except (KernelError, StepError) as error:
         raise DerivationError(f"chapter {name}: {error}") from None
     except Exception as error:
         raise DerivationError(f"chapter {name}: {type(error).__name__}: {error}") from error
-    title = " ".join(re.split(r"[:.]\s", module.__doc__ or name)[0].split())
-    facts = tuple(book.ledger.facts.values())[before:]
-    return Chapter(name, title, facts, perf_counter() - start)
+    title, opening = _words(module.__doc__ or name)
+    found = tuple(book.ledger.facts.values())[facts:]
+    seconds = perf_counter() - start
+    return Chapter(name, title, found, seconds, tuple(book.steps[steps:]), opening)
+
+
+def _words(docstring: str) -> tuple[str, str]:
+    """The title of a chapter, which ends at the first colon or full stop, and its opening."""
+    head, _, rest = docstring.strip().partition("\n\n")
+    return " ".join(re.split(r"[:.](?:\s|$)", head)[0].split()), rest
 
 
 def statement(fact: Fact) -> str:

@@ -2,6 +2,28 @@
 rigid body, trigonometric and Jacobi functions.  Every claim ends in the kernel."""
 
 from rigidsym.proof.algebra.book import Book, equal, names, text
-from rigidsym.proof.algebra.parts import Part, half_angle, jacobi, join, sign
+from rigidsym.proof.algebra.parts import (
+    Part,
+    circle,
+    double_angle,
+    half_angle,
+    jacobi,
+    join,
+    part_of,
+    sign,
+)
 
-__all__ = ["Book", "Part", "equal", "half_angle", "jacobi", "join", "names", "sign", "text"]
+__all__ = [
+    "Book",
+    "Part",
+    "circle",
+    "double_angle",
+    "equal",
+    "half_angle",
+    "jacobi",
+    "join",
+    "names",
+    "part_of",
+    "sign",
+    "text",
+]

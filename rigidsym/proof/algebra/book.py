@@ -5,7 +5,7 @@ Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel de
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from typing import TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide
@@ -13,6 +13,7 @@ from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Le
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
 
+Found = TypeVar("Found")
 # What the kernel reads, or what `text` makes into that.
 Side: TypeAlias = str | int | Element
 Equations: TypeAlias = Mapping[str, str] | Iterable[tuple[Side, Side]]
@@ -28,6 +29,23 @@ class Book:
 
     def __init__(self) -> None:
         self.ledger = Ledger(encloses)
+        # What the steps of a derivation did, in order; nothing rests on it.
+        self.steps: list[Any] = []
+        self._found: dict[type, Any] = {}
+
+    def keep(self, result: Any) -> None:
+        """Hand what a chapter found to the chapters after it."""
+        self._found[type(result)] = result
+
+    def __contains__(self, kind: type) -> bool:
+        """Whether a chapter has found this."""
+        return kind in self._found
+
+    def found(self, kind: type[Found]) -> Found:
+        """What an earlier chapter found, by its type."""
+        if kind not in self._found:
+            raise LookupError(f"no chapter has found {kind.__name__} yet")
+        return self._found[kind]
 
     def open(self, context: Context) -> Ring:
         """Admit a context and return its ring; raises KernelError where the kernel refuses it."""

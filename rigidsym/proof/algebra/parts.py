@@ -4,7 +4,7 @@ A part is a context without a name.  `join` merges parts in order and names the 
 parts may use what earlier ones introduced.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from rigidsym.proof.kernel import Context
@@ -23,6 +23,25 @@ class Part:
     reading: Mapping[str, str] = field(default_factory=dict)
 
 
+def part_of(context: Context, *names: str) -> Part:
+    """What an earlier context says, or of its definitions and generators only these."""
+    chosen = set(names) or {*context.generators, *context.definitions}
+
+    def among(table: Mapping[str, str] | None) -> dict[str, str]:
+        return {name: text for name, text in (table or {}).items() if name in chosen}
+
+    whole = not names
+    return Part(
+        witness=among(context.witness),
+        units=context.units if whole else (),
+        definitions=among(context.definitions),
+        relations=context.relations if whole else (),
+        rates=among(context.rates),
+        nonnegative=context.nonnegative if whole else (),
+        reading=among(context.reading),
+    )
+
+
 def join(name: str, *parts: Part, static: bool = False) -> Context:
     """One context from parts; `static` leaves out the time derivative."""
     merged: dict[str, dict[str, str]] = {
@@ -34,13 +53,17 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
         name=name,
         generators=tuple(merged["witness"]),
         witness=merged["witness"],
-        units=tuple(unit for part in parts for unit in part.units),
+        units=_once(unit for part in parts for unit in part.units),
         definitions=merged["definitions"],
-        relations=tuple(relation for part in parts for relation in part.relations),
+        relations=_once(relation for part in parts for relation in part.relations),
         rates=rates,
-        nonnegative=tuple(sign for part in parts for sign in part.nonnegative),
+        nonnegative=_once(sign for part in parts for sign in part.nonnegative),
         reading=merged["reading"],
     )
+
+
+def _once(texts: Iterable[str]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(texts))
 
 
 def sign(name: str, reading: str) -> Part:
@@ -50,16 +73,39 @@ def sign(name: str, reading: str) -> Part:
 
 def half_angle(name: str, rate: str = "") -> Part:
     """cos and sin of half an angle; `rate` is the angle's time derivative."""
-    cosine, sine = f"cos_half_{name}", f"sin_half_{name}"
+    return _doubled(f"half_{name}", name, f"{name}/2", name, f"({rate})/2" if rate else "")
+
+
+def double_angle(name: str, rate: str = "") -> Part:
+    """cos and sin of an angle, and of its double; `rate` is the angle's time derivative."""
+    return _doubled(name, f"2{name}", name, f"2*{name}", rate)
+
+
+def _doubled(name: str, double: str, angle: str, twice: str, rate: str) -> Part:
+    cosine, sine = f"cos_{name}", f"sin_{name}"
     return Part(
         witness={cosine: "1", sine: "0"},
         definitions={
-            f"cos_{name}": f"{cosine}**2 - {sine}**2",
-            f"sin_{name}": f"2*{sine}*{cosine}",
+            f"cos_{double}": f"{cosine}**2 - {sine}**2",
+            f"sin_{double}": f"2*{sine}*{cosine}",
         },
         relations=(f"{sine}**2 + {cosine}**2 - 1",),
-        rates={cosine: f"-({rate})*{sine}/2", sine: f"({rate})*{cosine}/2"} if rate else {},
-        reading={cosine: f"cos({name}/2)", sine: f"sin({name}/2)"},
+        rates={cosine: f"-({rate})*{sine}", sine: f"({rate})*{cosine}"} if rate else {},
+        reading={
+            cosine: f"cos({angle})",
+            sine: f"sin({angle})",
+            f"cos_{double}": f"cos({twice})",
+            f"sin_{double}": f"sin({twice})",
+        },
+    )
+
+
+def circle(cosine: str, sine: str, angle: str) -> Part:
+    """cos and sin of an angle at one instant, by themselves."""
+    return Part(
+        witness={sine: "4/5", cosine: "3/5"},
+        relations=(f"{cosine}**2 + {sine}**2 - 1",),
+        reading={cosine: f"cos({angle})", sine: f"sin({angle})"},
     )
 
 

@@ -1,0 +1,62 @@
+"""The elliptic curve of a body with wheels: M = c Omega + h, with constant wheel momenta h.
+
+With one wheel, along axis a, the square of Omega_a' is a quartic in Omega_a.  With any wheels, the
+rates move on the intersection of two quadrics, 2 H and K^2, and the determinant of their pencil is
+the quartic whose square root has the same periods.
+"""
+
+import sympy
+
+from derivations.euler_lax import RATES, Dynamics
+from derivations.lie_algebra import Algebra
+from rigidsym.proof.algebra import Book, Part, part_of
+from rigidsym.proof.steps import Desk, eliminate, rewrite
+from rigidsym.proof.steps.names import read, symbol, symbols
+
+H, K_SQUARED, X = symbols("H K_squared x")
+
+
+def gyrostat(book: Book) -> None:
+    """The quartic of one wheel's axis where there is one wheel; the pencil's always."""
+    dynamics, setting = book.found(Dynamics), book.found(Algebra).setting
+    turning = [k for k, h in enumerate(setting.wheel()) if h != 0]
+    if len(turning) == 1:
+        _along(book, dynamics, turning[0])
+    _pencil(book, dynamics)
+
+
+def _quadrics(dynamics: Dynamics) -> tuple[sympy.Expr, sympy.Expr]:
+    """2 H and K^2 by the rates."""
+    return 2 * read(dynamics.body.definitions["H"]), sum(m**2 for m in dynamics.momenta)
+
+
+def _along(book: Book, dynamics: Dynamics, axis: int) -> None:
+    body = book.ledger.contexts["body"]
+    parts = (dynamics.parameters, part_of(body, *body.rates, *dynamics.body.definitions))
+    desk = Desk.open(book, "gyrostat", *parts)
+    rate = desk.rate(RATES[axis])
+    energy, momentum = _quadrics(dynamics)
+    squares = [other**2 for k, other in enumerate(RATES) if k != axis]
+    why = "the rate along the wheel, squared, two rates eliminated by H and K: a quartic"
+    equations = [2 * H - energy, K_SQUARED - momentum]
+    squared = sympy.Function("D")(RATES[axis]) ** 2
+    eliminate(desk, "gyrostat.quartic", rate**2, equations, squares, why, ["14"], squared)
+
+
+def _pencil(book: Book, dynamics: Dynamics) -> None:
+    variable = Part(
+        witness={"x": "1", "H": "1", "K_squared": "1"},
+        reading={"x": "the parameter of the pencil x (2 H - ...) - (K^2 - ...)"},
+    )
+    desk = Desk.open(book, "pencil", dynamics.parameters, variable, static=True)
+    matrix = X * _matrix(_quadrics(dynamics)[0], 2 * H) - _matrix(_quadrics(dynamics)[1], K_SQUARED)
+    leibniz = matrix.applyfunc(sympy.factor).det(method="berkowitz")
+    why = "the determinant of the pencil of both quadrics: the quartic of the elliptic curve"
+    rewrite(desk, "pencil.quartic", leibniz, sympy.factor(leibniz), why, ["14"])
+
+
+def _matrix(quadric: sympy.Expr, value: sympy.Expr) -> sympy.Matrix:
+    """The symmetric matrix of quadric - value in (Omega1, Omega2, Omega3, 1)."""
+    one = symbol("one")
+    homogeneous = sympy.Poly(sympy.expand(quadric - value), *RATES).homogenize(one)
+    return sympy.hessian(homogeneous.as_expr(), [*RATES, one]) / 2

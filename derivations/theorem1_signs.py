@@ -1,0 +1,196 @@
+"""The signs of Theorem 1: where (19) is right, which signs match, and what they cannot do.
+
+The step to y* is the half-angle step only where c3 Omega3 > 0.  Where it is negative, S1 S2 = -1
+makes up for it: R still has the momentum M.  But no constant signs do for a motion in which Omega3
+changes sign, and when S1 S2 follows it phi1 has to jump by pi.  The sign of c3 Omega3 before the
+square root in y* mends all of that.
+"""
+
+from derivations.conjugacy import MOMENTUM
+from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, names, sign
+from rigidsym.proof.algebra.quaternion import product
+from rigidsym.proof.algebra.su2 import Matrix, basis, combination, from_quaternion
+from rigidsym.proof.kernel import Element, Ring
+
+ANGLES = tuple(half_angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
+
+# cos(phi3) = side * rho with rho = 1/sqrt(1 + y^2) > 0: side tells the half plane phi3 is in.
+TANGENT = Part(
+    witness={"cos_half": "3/5", "sin_half": "4/5", "side": "-1"},
+    units=("side", "cos_half**2 - sin_half**2", "1 + side*(cos_half**2 - sin_half**2)"),
+    relations=("sin_half**2 + cos_half**2 - 1", "side**2 - 1"),
+    definitions={
+        "cos_phi3": "cos_half**2 - sin_half**2",
+        "sin_phi3": "2*sin_half*cos_half",
+        "rho": "side*cos_phi3",
+        "y": "sin_phi3/cos_phi3",
+        "y_star": "y/(1 + 1/rho)",
+    },
+    nonnegative=("rho",),
+    reading={
+        "rho": "1/sqrt(1 + y**2)",
+        "side": "the sign of cos(phi3), that is of c3 Omega3",
+        "cos_half": "cos(phi3/2)",
+        "sin_half": "sin(phi3/2)",
+    },
+)
+
+# F1 to F4 as (19) makes them: phi2 in [0, pi] from x, phi3 in (-pi/2, pi/2) from y.
+FACTORS = (
+    MOMENTUM,
+    sign("side", "the sign of c3 Omega3"),
+    *(sign(f"S{k}", f"the sign S_{k} of (19)") for k in (1, 3, 2, 4)),
+    *(half_angle(f"phi{k}") for k in (1, 2, 3)),
+    Part(
+        witness={
+            f"{f}_half_phi{k}": v for k in (2, 3) for f, v in (("cos", "4/5"), ("sin", "3/5"))
+        },
+        definitions={
+            "F1": "S1*cos_half_phi2",
+            "F2": "S2*sin_half_phi2",
+            "F3": "S3*cos_half_phi3",
+            "F4": "S4*sin_half_phi3",
+            "q0": "F1*(cos_half_phi1*F3 - sin_half_phi1*F4)",
+            "q1": "F1*(sin_half_phi1*F3 + cos_half_phi1*F4)",
+            "q2": "F2*(cos_half_phi1*F3 + sin_half_phi1*F4)",
+            "q3": "F2*(sin_half_phi1*F3 - cos_half_phi1*F4)",
+            "M1": "K*cos_phi2",
+            "M2": "side*K*sin_phi2*sin_phi3",
+            "M3": "side*K*sin_phi2*cos_phi3",
+        },
+        nonnegative=("sin_phi2", "cos_phi3"),
+    ),
+)
+
+
+def derive(book: Book) -> None:
+    """(19) on both sides of Omega3 = 0 and its signs; Remarks 2 and 3."""
+    _inner_halves(book)
+    _signs(book)
+    _crossing(book)
+    _first_derivative(book)
+    _pull_back(book)
+
+
+def _inner_halves(book: Book) -> None:
+    """y* = tan(phi3/2) where c3 Omega3 > 0, and -cot(phi3/2) where it is negative."""
+    book.open(join("half_angle_step", TANGENT, Part(units=("cos_half",)), static=True))
+    tangent = {"y_star*cos_half": "sin_half"}
+    mended = "y/(1 + side/rho)"
+    book.claim(
+        "half_angle_step.mended",
+        {
+            f"{mended}*cos_half": "sin_half",
+            f"cos_half**2*(1 + ({mended})**2)": "1",
+            f"sin_half**2*(1 + ({mended})**2)": f"({mended})**2",
+        },
+        ["19", "Remark 2"],
+    )
+    book.claim("half_angle_step.rho", {"rho**2*(1 + y**2)": "1"}, ["19"])
+    book.refute("half_angle_step.everywhere", tangent, {}, ["19", "Remark 2"])
+    half_turn = Part({"cos_half": "0", "sin_half": "1"}, relations=("cos_half",))
+    book.open(join("half_turn", TANGENT, half_turn, static=True))
+    book.claim("half_turn.denominator", {"rho + side": "0"}, ["19", "Remark 2"])
+    right = Part(
+        relations=("side - 1",), witness={"cos_half": "4/5", "sin_half": "3/5", "side": "1"}
+    )
+    book.open(join("half_angle_right", TANGENT, right, static=True))
+    book.claim("half_angle_right.tangent", tangent, ["19"])
+    book.claim(
+        "half_angle_right.squares",
+        {
+            "cos_half**2*(1 + y_star**2)": "1",
+            "sin_half**2*(1 + y_star**2)": "y_star**2",
+        },
+        ["19"],
+    )
+    left = Part(relations=("side + 1",))
+    book.open(join("half_angle_left", TANGENT, left, static=True))
+    book.claim("half_angle_left.cotangent", {"y_star*sin_half": "-cos_half"}, ["19"])
+    book.claim(
+        "half_angle_left.squares",
+        {
+            "sin_half**2*(1 + y_star**2)": "1",
+            "cos_half**2*(1 + y_star**2)": "y_star**2",
+        },
+        ["19", "Remark 2"],
+    )
+
+
+def _signs(book: Book) -> None:
+    """(18) with (19) has the momentum M where S1 S2 is the sign of c3 Omega3 and S3 S4 = 1."""
+    ring = book.open(join("signed", *FACTORS, static=True))
+    R, found, M = _momenta(ring)
+    for pair, other in (("S1_S2", "S2"), ("S3_S4", "S4")):
+        wrong = {other: "-1"}
+        book.refute(f"signed.any_{pair}", equal(found, M), wrong, ["19", "Remark 2"])
+    # A reflected frame would have the determinant -1.
+    determinant = R.determinant()
+    book.claim("signed.frame", [(determinant.real, 1), (determinant.imag, 0)], ["footnote 3"])
+    reflected = {"S2": "-1"}
+    book.refute("signed.reflection", [(determinant.real, "S1*S2")], reflected, ["footnote 3"])
+
+    matched = Part(relations=("S2 - side*S1", "S4 - S3"))
+    ring = book.open(join("matched_signs", *FACTORS, matched, static=True))
+    _, found, M = _momenta(ring)
+    book.claim("matched_signs.momentum", equal(found, M), ["19", "24", "Remark 2"])
+    book.claim(
+        "matched_signs.side", {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, ["19", "Remark 2", "footnote 3"]
+    )
+
+
+def _momenta(ring: Ring) -> tuple[Matrix, Matrix, Matrix]:
+    """R of (18), the momentum K R^-1 A1 R that it has, and M."""
+    R, K = from_quaternion(names(ring, "q0 q1 q2 q3")), ring.read("K")
+    return R, (R.inverse() @ basis(ring)[0] @ R) * K, combination(names(ring, "M1 M2 M3"))
+
+
+def _crossing(book: Book) -> None:
+    """Where Omega3 passes zero y* jumps from 1 to -1: with S2 turned, phi1 has to jump by pi."""
+    jump = Part(witness={"h": "1"}, reading={"h": "F3 at the zero of Omega3, there |F4| = F3"})
+    ring = book.open(join("crossing", *ANGLES[:2], jump, static=True))
+    c, s, F1, F2, h = names(ring, "cos_half_phi1 sin_half_phi1 cos_half_phi2 sin_half_phi2 h")
+    before, after = _by_18(c, s, F1, F2, h, h), _by_18(c, s, F1, F2 * -1, h, h * -1)
+    turned = _by_18(s * -1, c, F1, F2 * -1, h, h * -1)
+    book.refute("crossing.continuous", equal(before, after), {}, ["19", "Remark 2"])
+    book.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"])
+
+
+def _by_18(c: Element, s: Element, *F: Element) -> tuple[Element, ...]:
+    """(18) from the cosine and sine of phi1/2 and F1 to F4."""
+    F1, F2, F3, F4 = F
+    cosine = (c * F3 - s * F4, c * F3 + s * F4)
+    sine = (s * F3 + c * F4, s * F3 - c * F4)
+    return F1 * cosine[0], F1 * sine[0], F2 * cosine[1], F2 * sine[1]
+
+
+def _first_derivative(book: Book) -> None:
+    """Remark 2 sets signs by q0' = Omega_0 q0: it is q' = q (0, Omega)/2, factors in that order."""
+    ring = book.ledger.rings["moving_body"]
+    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "Omega1 Omega2 Omega3")
+    velocity = (ring.element(0), *rates)
+    moved, start = list(map(ring.rate, q)), {"q0": "3/5", "q2": "4/5"}
+    left = [component / 2 for component in product(velocity, q)]
+    book.refute("moving_body.left_factor", equal(moved, left), start, ["Remark 2"])
+    book.refute("moving_body.without_half", equal(moved, product(q, velocity)), {}, ["Remark 2"])
+
+
+def _pull_back(book: Book) -> None:
+    """(37): at t = 0 it is R_int, so R_int is R(0); with R_int = e only motions from e are left."""
+    three = {"p": "R_int", "r": "Rbar(0)"}
+    quaternions = [
+        Part(
+            witness={f"{x}{k}": str(int(k == 0)) for k in range(4)},
+            relations=(f"{x}3**2 + {x}2**2 + {x}1**2 + {x}0**2 - 1",),
+            reading={f"{x}{k}": f"component {k} of {name}" for k in range(4)},
+        )
+        for x, name in three.items()
+    ]
+    ring = book.open(join("pulled_back", *quaternions, static=True))
+    R_int, Rbar = (from_quaternion(names(ring, f"{x}0 {x}1 {x}2 {x}3")) for x in three)
+    start = R_int @ Rbar.inverse() @ Rbar
+    book.claim("pulled_back.start", equal(start, R_int), ["37", "Remark 3"])
+    away = {"p0": "3/5", "p1": "4/5"}
+    book.refute(
+        "pulled_back.from_identity", equal(Rbar.inverse() @ Rbar, R_int), away, ["37", "Remark 3"]
+    )

@@ -1,0 +1,216 @@
+"""A context to work in: SymPy's expressions in its names, its matrices, its time derivative."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import sympy
+from sympy import ImmutableMatrix, MatrixExpr
+
+from rigidsym.language.expression import parse, to_text
+from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
+from rigidsym.proof.steps.collected import collected
+from rigidsym.proof.steps.matrices import (
+    INDICES,
+    Real,
+    determinant,
+    entries,
+    explicit,
+    part_name,
+    split,
+)
+from rigidsym.proof.steps.names import Dictionary, read, symbol
+from rigidsym.proof.steps.record import Step, StepError
+
+# What a body that moves has: none of these is ever zero.
+STANDING = {*map(symbol, "c1 c2 c3 c_i c_j c_k K".split())}
+
+
+class Desk:
+    """One context of a book, its matrices, and what SymPy calls its quantities."""
+
+    def __init__(
+        self, book: Book, context: Context, matrices: Mapping[str, ImmutableMatrix]
+    ) -> None:
+        self.book, self.context, self.matrices = book, context, dict(matrices)
+        self.dictionary = Dictionary(context)
+
+    @classmethod
+    def open(
+        cls,
+        book: Book,
+        name: str,
+        *parts: Part,
+        matrices: Mapping[str, ImmutableMatrix | MatrixExpr] | None = None,
+        static: bool = False,
+    ) -> "Desk":
+        """Open a context of these parts and of named matrices, each explicit or by those before."""
+        desk = cls(book, join(name, *parts, static=static), {})
+        for matrix, value in (matrices or {}).items():
+            desk._define(matrix, value)
+        book.open(desk.context)
+        return desk
+
+    def _define(self, name: str, value: ImmutableMatrix | MatrixExpr) -> None:
+        if isinstance(value, MatrixExpr) and not isinstance(value, ImmutableMatrix):
+            found, known = self.entries(value), self.explicit(value)
+        else:
+            found, known = self._written(value), value
+        texts = {
+            part_name(name, index, k): text
+            for index in INDICES
+            for k, text in enumerate(found[index])
+            if text is not None
+        }
+        definitions = {**self.context.definitions, **texts}
+        self.context = replace(self.context, definitions=definitions)
+        self.matrices[name] = known
+
+    def where(self, name: str, *nonzero: sympy.Expr) -> "Desk":
+        """The same context where some quantities are not zero."""
+        units = tuple(map(self.text, nonzero))
+        narrower = replace(self.context, name=name, units=(*self.context.units, *units))
+        self.book.open(narrower)
+        return Desk(self.book, narrower, self.matrices)
+
+    @property
+    def name(self) -> str:
+        """That of the context."""
+        return self.context.name
+
+    @property
+    def ring(self) -> Ring:
+        """The kernel's."""
+        return self.book.ledger.rings[self.name]
+
+    def text(self, expression: sympy.Expr | int | str) -> str:
+        """What the kernel reads; a text is left as it is."""
+        return expression if isinstance(expression, str) else self.dictionary.text(expression)
+
+    def read(self, text: str) -> sympy.Expr:
+        """What SymPy reads: functions in the place of their names."""
+        return self.dictionary.meant(read(text))
+
+    def entries(self, expression: MatrixExpr) -> dict[tuple[int, int], tuple[str | None, ...]]:
+        """Real and imaginary parts of the entries, as texts that the kernel multiplies out."""
+        trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
+        return {index: tuple(map(_printed, parts)) for index, parts in trees.items()}
+
+    def determinant(self, expression: MatrixExpr) -> tuple[str, str | None]:
+        """Real and imaginary part of the determinant, as texts."""
+        trees = entries(expression, self.matrices, lambda factor: parse(self.text(factor)))
+        real, imaginary = determinant(trees)
+        return _printed(real) or "0", _printed(imaginary)
+
+    def _written(self, value: ImmutableMatrix) -> dict[tuple[int, int], tuple[str | None, ...]]:
+        """The same for a matrix as it is."""
+        found = {}
+        for i, j in INDICES:
+            parts = split(value[i - 1, j - 1])
+            found[i, j] = tuple(self.text(part) if part else None for part in parts)
+        return found
+
+    def explicit(self, expression: MatrixExpr) -> ImmutableMatrix:
+        """An expression in named matrices, multiplied out by SymPy."""
+        return explicit(expression, self.matrices, self.rate)
+
+    @cached_property
+    def _rates(self) -> Mapping[sympy.Symbol, sympy.Expr]:
+        rates = self.context.rates
+        if rates is None:
+            raise StepError(f"D: {self.name} has no time derivative")
+        return {symbol(name): read(text) for name, text in rates.items() if text != "?"}
+
+    def rate(self, expression: sympy.Expr) -> sympy.Expr:
+        """The time derivative by the rates of the context."""
+        named = self.dictionary.named(sympy.sympify(expression))
+        return sympy.expand(self.dictionary.meant(self._named_rate(named)))
+
+    def _named_rate(self, named: sympy.Expr) -> sympy.Expr:
+        total = sympy.S.Zero
+        for name in sorted(named.free_symbols, key=str):
+            total += sympy.diff(named, name) * self._rate_of(name)
+        return total
+
+    def _rate_of(self, name: sympy.Symbol) -> sympy.Expr:
+        if name in self._rates:
+            return self._rates[name]
+        if str(name) in self.context.definitions:
+            return self._named_rate(read(self.context.definitions[str(name)]))
+        if self.context.rates is not None and self.context.rates.get(str(name)) == "?":
+            raise StepError(f"D({name}) is not known in {self.name}")
+        return sympy.S.Zero
+
+    def reduced(self, expression: sympy.Expr) -> sympy.Expr:
+        """A quotient in generators, above and below modulo the relations, collected."""
+        named = self.dictionary.named(expression)
+        parts = sympy.fraction(sympy.together(named))
+        if self.context.relations and {*map(str, named.free_symbols)} <= {*self.context.generators}:
+            parts = tuple(self._modulo(part) for part in parts)
+        return collected(self.dictionary.meant(sympy.cancel(parts[0] / parts[1])))
+
+    def _modulo(self, polynomial: sympy.Expr) -> sympy.Expr:
+        """A polynomial modulo the relations, or as it is where that is no longer."""
+        numerator = self.ring.read(self.text(sympy.expand(polynomial))).numerator
+        rest = read(str(self.ring.reduce(numerator)[1]))
+        return min(polynomial, rest, key=lambda x: sympy.count_ops(sympy.expand(x)))
+
+    def divisors(self, *expressions: sympy.Expr) -> tuple[sympy.Expr, ...]:
+        """What expressions divide by, in the generators and factor by factor; nothing twice.
+
+        What is never zero, such as a moment of inertia, is left out.
+        """
+        found: dict[sympy.Expr, None] = {}
+        for expression in expressions:
+            below = sympy.denom(sympy.together(expression))
+            if below.is_Number:
+                continue
+            numerator = self.ring.read(self.text(below)).numerator
+            factors = sympy.factor_list(read(str(self.ring.reduce(numerator)[1])))[1]
+            found.update((self.dictionary.meant(x), None) for x, _ in factors if x not in STANDING)
+        return tuple(sorted(found, key=sympy.default_sort_key))
+
+    def decide(
+        self,
+        fact_id: str,
+        pairs: Iterable[tuple[sympy.Expr | str, sympy.Expr | str]],
+        source: Sequence[str],
+    ) -> Fact:
+        """The kernel's decision on equations; StepError names what it could not decide."""
+        texts = [(self.text(left), self.text(right)) for left, right in pairs]
+        try:
+            return self.book.claim(fact_id, texts, source)
+        except KernelError as error:
+            raise StepError(str(error)) from None
+
+    def decide_matrices(
+        self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
+    ) -> Fact:
+        """The kernel's decision on left = right, entry by entry."""
+        x, y = self.entries(left), self.entries(right)
+        pairs = [
+            (a or "0", b or "0")
+            for index in INDICES
+            for a, b in zip(x[index], y[index], strict=True)
+            if a != b
+        ]
+        return self.decide(fact_id, pairs, source)
+
+    def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Desk":
+        """Where a fact is stated: here, or in a context of its own where these are not zero."""
+        name = fact_id.split(".")[0]
+        if name == self.name:
+            return self
+        if name in self.book.ledger.contexts:
+            return Desk(self.book, self.book.ledger.contexts[name], self.matrices)
+        return self.where(name, *nonzero)
+
+    def note(self, step: Step) -> Step:
+        """Keep a step in the book, for those who read the derivation."""
+        self.book.steps.append(step)
+        return step
+
+
+def _printed(tree: Real) -> str | None:
+    return None if tree is None else to_text(tree)

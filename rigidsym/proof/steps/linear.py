@@ -1,0 +1,163 @@
+"""Linear equations solved, with what they leave free, and decided in both directions."""
+
+from collections.abc import Sequence
+from itertools import combinations
+
+import sympy
+from sympy import Eq, Matrix
+
+from rigidsym.proof.steps.desk import Desk
+from rigidsym.proof.steps.record import Step, StepError
+
+
+def solve(
+    desk: Desk,
+    fact_id: str,
+    equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
+    unknowns: Sequence[sympy.Symbol],
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """The one solution of linear equations left = right.
+
+    With e = left - right, the kernel decides that each unknown minus its value is a combination of
+    the e, so that nothing else is a solution, and that each e is one of these differences, so that
+    it is a solution.  Raises StepError where there is none, or more than one.
+    """
+    named = [tuple(map(desk.dictionary.named, pair)) for pair in equations]
+    asked = [desk.dictionary.named(unknown) for unknown in unknowns]
+    system, constants = sympy.linear_eq_to_matrix([x - y for x, y in named], asked)
+    inverse, rows = _inverse(desk, fact_id, system, asked)
+    value = (inverse * constants[rows, :]).applyfunc(desk.reduced)
+    there = desk.at(fact_id, *desk.divisors(*value, *inverse))
+    lefts = [f"({there.text(x)}) - ({there.text(y)})" for x, y in named]
+    gaps = [f"({there.text(x)} - ({there.text(v)}))" for x, v in zip(asked, value, strict=True)]
+    pairs = [
+        (gap[1:-1], _combination(there, inverse.row(k), lefts, rows)) for k, gap in enumerate(gaps)
+    ]
+    pairs += [
+        (left, _combination(there, system.row(k), gaps, range(len(gaps))))
+        for k, left in enumerate(lefts)
+    ]
+    fact = there.decide(fact_id, pairs, source)
+    meant = [desk.dictionary.meant(v) for v in value]
+    found = dict(zip(map(desk.dictionary.meant, asked), meant, strict=True))
+    shown = tuple(Eq(x, v, evaluate=False) for x, v in found.items())
+    return there.note(
+        Step("solve", why, found, shown, fact, desk.divisors(*meant), source=tuple(source))
+    )
+
+
+def _inverse(
+    desk: Desk, fact_id: str, system: Matrix, unknowns: Sequence[sympy.Symbol]
+) -> tuple[Matrix, list[int]]:
+    """The inverse of rows that determine the unknowns, its determinant modulo the relations."""
+    rows = list(system.T.rref(simplify=True)[1])
+    if len(rows) < len(unknowns):
+        pivots = system.rref(simplify=True)[1]
+        free = ", ".join(str(x) for k, x in enumerate(unknowns) if k not in pivots)
+        raise StepError(f"solve: {fact_id}: the equations leave {free} free")
+    square = system[rows, :]
+    determinant = desk.reduced(square.det(method="berkowitz"))
+    adjugate = square.adjugate(method="berkowitz")
+    return adjugate.applyfunc(lambda x: desk.reduced(x / determinant)), rows
+
+
+def _combination(
+    desk: Desk, factors: Matrix, texts: Sequence[str], rows: Sequence[int]
+) -> str:
+    terms = [
+        f"({desk.text(factor)})*({texts[row]})"
+        for factor, row in zip(factors, rows, strict=True)
+        if factor != 0
+    ]
+    return " + ".join(terms) or "0"
+
+
+def solve_family(
+    desk: Desk,
+    fact_id: str,
+    equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
+    unknowns: Sequence[sympy.Symbol],
+    parameter: sympy.Symbol,
+    why: str,
+    source: Sequence[str] = (),
+) -> Step:
+    """All solutions of linear equations that leave one direction free: found + parameter * free.
+
+    Of all solutions the one without a denominator is found.  The kernel decides that each of them
+    solves the equations, and that what solves them differs from it by a multiple of the direction.
+    Raises StepError where not exactly one direction is free.
+    """
+    system, constants = sympy.linear_eq_to_matrix([x - y for x, y in equations], list(unknowns))
+    free = system.nullspace()
+    if len(free) != 1:
+        raise StepError(f"solve: {fact_id}: {len(free)} directions are free, one was expected")
+    direction = _primitive(free[0])
+    particular = _regular(system, constants, direction, unknowns)
+    family = {x: p + parameter * d for x, p, d in zip(unknowns, particular, direction, strict=True)}
+    pairs = [(desk.text(x.subs(family)), desk.text(y)) for x, y in equations]
+    pairs += _parallel(desk, system, equations, unknowns, particular, direction)
+    fact = desk.decide(fact_id, pairs, source)
+    shown = tuple(Eq(x, value, evaluate=False) for x, value in family.items())
+    choice = f"{parameter} is free"
+    return desk.note(Step("solve", why, family, shown, fact, (), choice, tuple(source)))
+
+
+def _primitive(vector: Matrix) -> Matrix:
+    """A multiple without denominators and without a common factor."""
+    below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in vector])
+    whole = vector.applyfunc(lambda x: sympy.cancel(x * below))
+    return whole / sympy.gcd_list(list(whole))
+
+
+def _regular(
+    system: Matrix, constants: Matrix, direction: Matrix, unknowns: Sequence[sympy.Symbol]
+) -> Matrix:
+    """The solution without denominators: the free unknown is chosen so that they divide."""
+    (solution,) = sympy.linsolve((system, constants), *unknowns)
+    free = next(x for x, value in zip(unknowns, solution, strict=True) if x == value)
+    below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in solution])
+    at_pole = [sympy.numer(sympy.together(x)) for x in solution]
+    for numerator in at_pole:
+        # Where the denominator is zero, so has the numerator to be.
+        rest = sympy.expand(numerator.subs({s: 0 for s in below.free_symbols}))
+        if rest.has(free):
+            value = sympy.solve(rest, free)[0]
+            return Matrix(solution).applyfunc(lambda x, v=value: sympy.cancel(x.subs(free, v)))
+    return Matrix(solution)
+
+
+def _parallel(
+    desk: Desk,
+    system: Matrix,
+    equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
+    unknowns: Sequence[sympy.Symbol],
+    particular: Matrix,
+    direction: Matrix,
+) -> list[tuple[str, str]]:
+    """The minors of (difference, direction) as combinations of the equations."""
+    size = len(unknowns)
+    lefts = [f"({desk.text(x)}) - ({desk.text(y)})" for x, y in equations]
+    found = []
+    for i, j in combinations(range(size), 2):
+        row = sympy.zeros(1, size)
+        row[j], row[i] = direction[i], -direction[j]
+        factors = _factors(system, row)
+        one, two = (f"({desk.text(unknowns[k])} - ({desk.text(particular[k])}))" for k in (i, j))
+        minor = f"({desk.text(direction[i])})*{two} - ({desk.text(direction[j])})*{one}"
+        found.append((minor, _combination(desk, factors, lefts, range(len(lefts)))))
+    return found
+
+
+def _factors(system: Matrix, row: Matrix) -> Matrix:
+    """A row as a combination of those of the system, without denominators if one row will do."""
+    for k in range(system.rows):
+        pairs = list(zip(row, system.row(k), strict=True))
+        ratios = {sympy.cancel(x / y) for x, y in pairs if y != 0}
+        if len(ratios) == 1 and all(x == 0 for x, y in pairs if y == 0):
+            found = sympy.zeros(1, system.rows)
+            found[k] = ratios.pop()
+            return found
+    factors, free = system.T.gauss_jordan_solve(row.T)
+    return factors.subs({symbol: 0 for symbol in free}).applyfunc(sympy.cancel).T

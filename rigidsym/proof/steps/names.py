@@ -1,0 +1,119 @@
+"""SymPy's expressions in the names of a context, and back.
+
+The kernel knows names only: `cos_half_phi1` is a generator whose reading says cos(phi1/2).  Where a
+reading is a function of other quantities, SymPy works with the function, and this is the dictionary.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import ClassVar
+
+import sympy
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.str import StrPrinter
+
+from rigidsym.language.expression import Call, Expression, Name, Number, Operation, parse
+from rigidsym.proof.algebra.jacobi_functions import jacobi_am, jacobi_cn, jacobi_dn, jacobi_sn
+from rigidsym.proof.kernel import Context
+from rigidsym.proof.steps.record import StepError
+
+_FUNCTIONS: dict[str, Callable[..., sympy.Expr]] = {
+    **{f.__name__: f for f in (jacobi_sn, jacobi_cn, jacobi_dn, jacobi_am)},
+    "cos": sympy.cos,
+    "sin": sympy.sin,
+    "sqrt": sympy.sqrt,
+    "elliptic_pi": sympy.elliptic_pi,
+    "neg": lambda x: -x,
+}
+_OPERATIONS: dict[str, Callable[[sympy.Expr, sympy.Expr], sympy.Expr]] = {
+    "+": lambda x, y: x + y,
+    "-": lambda x, y: x - y,
+    "*": lambda x, y: x * y,
+    "/": lambda x, y: x / y,
+    "**": lambda x, y: x**y,
+}
+
+
+def symbol(name: str) -> sympy.Symbol:
+    """The real symbol of a name."""
+    return sympy.Symbol(name, real=True)
+
+
+def symbols(text: str) -> tuple[sympy.Symbol, ...]:
+    """The real symbols of several names: `symbols("c1 c2 c3")`."""
+    return tuple(map(symbol, text.split()))
+
+
+def read(text: str) -> sympy.Expr:
+    """A text of the ledger, or the reading of a name, as SymPy's expression in real symbols."""
+    return _read(parse(text))
+
+
+def _read(expression: Expression) -> sympy.Expr:
+    match expression:
+        case Number(value):
+            return sympy.Integer(value)
+        case Name(name):
+            return symbol(name)
+        case Operation(operator, left, right):
+            return _OPERATIONS[operator](_read(left), _read(right))
+        case Call(function, arguments) if function in _FUNCTIONS:
+            return _FUNCTIONS[function](*map(_read, arguments))
+    raise ValueError(f"{expression}: not a function that SymPy is told of")
+
+
+class Dictionary:
+    """The names of a context for functions that its readings tell of."""
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    @cached_property
+    def names(self) -> Mapping[sympy.Expr, sympy.Symbol]:
+        """cos(phi1/2) -> cos_half_phi1, and so on."""
+        found = {}
+        for name, reading in self.context.reading.items():
+            try:
+                meaning = read(reading)
+            except (ValueError, SyntaxError):
+                continue  # words
+            if isinstance(meaning, sympy.Function):
+                found[meaning] = symbol(name)
+        return found
+
+    @cached_property
+    def functions(self) -> Mapping[sympy.Symbol, sympy.Expr]:
+        """cos_half_phi1 -> cos(phi1/2), and so on."""
+        return {name: function for function, name in self.names.items()}
+
+    def named(self, expression: sympy.Expr) -> sympy.Expr:
+        """The expression in names alone."""
+        return sympy.sympify(expression).xreplace(dict(self.names))
+
+    def meant(self, expression: sympy.Expr) -> sympy.Expr:
+        """The expression with functions in the place of their names."""
+        return expression.xreplace(dict(self.functions))
+
+    def text(self, expression: sympy.Expr | int) -> str:
+        """What the kernel reads; raises StepError where a part has no name here."""
+        named = self.named(sympy.sympify(expression))
+        strange = [f for f in named.atoms(sympy.Function) if f.func.__name__ != "D"]
+        if strange := sorted(map(str, (*strange, *named.atoms(sympy.core.numbers.ImaginaryUnit)))):
+            raise StepError(f"{strange[0]} has no name in {self.context.name}")
+        return _Printer().doprint(named)
+
+
+class _Printer(StrPrinter):
+    """SymPy's own text, with quotients in the place of negative powers."""
+
+    printmethod: ClassVar[str] = "_kernel_text"
+
+    def _print_Pow(self, expr: sympy.Pow, rational: bool = False) -> str:
+        base, exponent = expr.as_base_exp()
+        if not exponent.is_Integer:
+            raise StepError(f"{expr}: the kernel knows whole powers only")
+        inner = self.parenthesize(base, PRECEDENCE["Pow"])
+        if exponent > 0:
+            return inner if exponent == 1 else f"{inner}**{exponent}"
+        return f"1/{inner}" if exponent == -1 else f"1/{inner}**{-exponent}"
+

@@ -1,0 +1,38 @@
+"""What a step leaves behind, and how it fails."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy
+
+from rigidsym.proof.kernel import Fact
+
+# What a SymPy user can go on with.
+Value = sympy.Expr | sympy.MatrixBase | Mapping[sympy.Symbol, sympy.Expr]
+
+
+class StepError(ValueError):
+    """A step that cannot be done: its name and the reason in one line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One line of a derivation: what was done, what came of it, and the fact that says so.
+
+    `shown` are the equations of the line as SymPy's `Eq`, unevaluated and with matrices by their
+    names; `conditions` are what must not be zero, `choice` says in words what was chosen.
+    """
+
+    verb: str
+    why: str
+    value: Any
+    shown: tuple[sympy.Basic, ...]
+    fact: Fact
+    conditions: tuple[sympy.Expr, ...] = ()
+    choice: str = ""
+    source: tuple[str, ...] = field(default=())
+
+    def __getitem__(self, key: Any) -> Any:
+        """An entry of the value: `step[Omega1]`, `step[0, 1]`."""
+        return self.value[key]

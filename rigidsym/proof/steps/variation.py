@@ -1,0 +1,112 @@
+"""Equations of motion from a Lagrangian in body rates, by the variation of Euler and Poincare."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy
+from sympy import Eq
+
+from rigidsym.proof.algebra import Book, Part
+from rigidsym.proof.steps.desk import Desk
+from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps.record import Step, StepError
+
+RATES, MOMENTA = symbols("Omega1 Omega2 Omega3"), symbols("M1 M2 M3")
+# f[i][j][k]: the coordinates of [A_i, A_j] = sum f_ijk A_k.
+Constants = Sequence[Sequence[Sequence[sympy.Expr]]]
+
+
+@dataclass(frozen=True, slots=True)
+class Variation:
+    """What the variation of a Lagrangian gives: M' = moments, these in the rates and M1 to M3."""
+
+    momenta: tuple[sympy.Expr, ...]
+    moments: tuple[sympy.Expr, ...]
+    desk: Desk
+    step: Step
+
+    @property
+    def equations(self) -> list[tuple[sympy.Expr, sympy.Expr]]:
+        """M' = moment, with the rates' rates as unknowns."""
+        known = dict(zip(MOMENTA, self.momenta, strict=True))
+        pairs = zip(self.momenta, self.moments, strict=True)
+        return [(self.desk.rate(momentum), moment.subs(known)) for momentum, moment in pairs]
+
+
+def vary(
+    book: Book,
+    name: str,
+    lagrangian: sympy.Expr,
+    constants: Constants,
+    parameters: Part,
+    why: str,
+    source: Sequence[str] = (),
+) -> Variation:
+    """The equations of motion of a Lagrangian L(Omega), by the variation of Euler and Poincare.
+
+    For R' = R Omega and delta R = R eta, delta Omega = eta' + [Omega, eta].  Then delta L is the
+    rate of M eta less (M' - moment) eta, with M = dL/dOmega, for every eta.  The kernel decides it
+    with eps, eps^2 = 0, for the small number.  Raises StepError where L is not in Omega1 to Omega3
+    and the parameters.
+    """
+    etas = symbols("eta1 eta2 eta3")
+    turned = _turned(constants, etas)
+    momenta = tuple(sympy.diff(lagrangian, rate) for rate in RATES)
+    change = sympy.expand(sum(m * t for m, t in zip(MOMENTA, turned, strict=True)))
+    moments = tuple(sympy.factor(change.coeff(eta)) for eta in etas)
+    strange = lagrangian.free_symbols - {*RATES} - {*map(symbol, parameters.witness)}
+    if strange:
+        raise StepError(f"vary: {name}: the Lagrangian has {min(map(str, strange))} in it")
+    pairs = zip(RATES, turned, strict=True)
+    small = {rate: rate + symbol("eps") * change for rate, change in pairs}
+    desk = Desk.open(book, name, parameters, _free_motion(lagrangian, small, momenta, moments))
+    boundary = " + ".join(f"M{k}*eta{k}" for k in (1, 2, 3))
+    rest = " + ".join(f"E{k}*eta{k}" for k in (1, 2, 3))
+    change = [("L_varied - L", f"eps*(D({boundary}) - ({rest}))")]
+    fact = desk.decide(f"{name}.by_parts", change, source)
+    shown = tuple(
+        Eq(symbol(f"M{k}_rate"), moment, evaluate=False) for k, moment in enumerate(moments, 1)
+    )
+    step = Step("vary", why, moments, shown, fact, source=tuple(source))
+    return Variation(momenta, moments, desk, desk.note(step))
+
+
+def _turned(constants: Constants, etas: Sequence[sympy.Symbol]) -> list[sympy.Expr]:
+    """delta Omega_k = eta_k' + sum f_ijk Omega_i eta_j"""
+    triple = range(3)
+    return [
+        symbol(f"{etas[k]}_rate")
+        + sum(constants[i][j][k] * RATES[i] * etas[j] for i in triple for j in triple)
+        for k in triple
+    ]
+
+
+def _free_motion(
+    lagrangian: sympy.Expr,
+    small: Mapping[sympy.Symbol, sympy.Expr],
+    momenta: Sequence[sympy.Expr],
+    moments: Sequence[sympy.Expr],
+) -> Part:
+    """Any motion and any variation of it: nothing is known of the rates' rates."""
+    names = [f"{name}{k}" for name in ("Omega", "eta") for k in (1, 2, 3)]
+    numbered = list(enumerate(zip(momenta, moments, strict=True), 1))
+    return Part(
+        witness={**dict.fromkeys([*names, *(f"{x}_rate" for x in names)], "1"), "eps": "0"},
+        definitions={
+            "L": _text(lagrangian),
+            "L_varied": _text(lagrangian.subs(small, simultaneous=True)),
+            **{f"M{k}": _text(momentum) for k, (momentum, _) in numbered},
+            **{f"E{k}": f"D(M{k}) - ({_text(moment)})" for k, (_, moment) in numbered},
+        },
+        relations=("eps**2",),
+        rates={**{x: f"{x}_rate" for x in names}, **{f"{x}_rate": "?" for x in names}},
+        reading={
+            "L": "the Lagrangian",
+            "eps": "a small number: its square is nothing",
+            **{f"eta{k}": f"component {k} of R^-1 delta R" for k in (1, 2, 3)},
+        },
+    )
+
+
+def _text(expression: sympy.Expr) -> str:
+    return str(expression)
