@@ -8,7 +8,7 @@ R' = R Omega, the rates of a quaternion.
 from dataclasses import dataclass
 
 import sympy
-from sympy import ImmutableMatrix, MatrixExpr
+from sympy import ImmutableMatrix, MatAdd, MatrixExpr
 
 from derivations.setting import Setting
 from rigidsym.proof.algebra import Book, Part, join
@@ -81,7 +81,7 @@ def combination(names: str) -> MatrixExpr:
 
 def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
     """[x, y] = x y - y x"""
-    return x * y - y * x
+    return MatAdd(x * y, -y * x, evaluate=False)
 
 
 def derive(book: Book) -> None:

@@ -5,6 +5,7 @@ R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.
 """
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import permutations
 
@@ -97,12 +98,27 @@ class Setting:
         return linear
 
 
-def axes_of(field_name: str, text: str) -> tuple[int, int, int]:
-    """"3-1-3" or "313" as three axes; raises InputError for anything else."""
-    if not re.fullmatch(r"[123](-?)[123]\1[123]", text):
-        raise InputError(field_name, text, "must be three axes such as 3-1-3")
-    first, second, third = map(int, text.replace("-", ""))
-    return first, second, third
+def setting_of(texts: Mapping[str, str]) -> Setting:
+    """A setting from what a user typed, by the names of its fields; InputError for what is wrong."""
+    readers = {"sequence": _axes, "order": _axes, "axis": _whole, "sign": _whole}
+    return Setting(**{name: readers.get(name, _as_it_is)(name, t) for name, t in texts.items()})
+
+
+def _axes(name: str, text: str) -> tuple[int, ...]:
+    """"3-1-3" or "313" as three axes."""
+    if not re.fullmatch(r"[1-3](-?)[1-3]\1[1-3]", text):
+        raise InputError(name, text, "must be three axes such as 3-1-3")
+    return tuple(map(int, text.replace("-", "")))
+
+
+def _whole(name: str, text: str) -> int:
+    if not re.fullmatch(r"[+-]?[0-9]+", text):
+        raise InputError(name, text, "must be a whole number")
+    return int(text)
+
+
+def _as_it_is(name: str, text: str) -> object:
+    return sympy.Rational(text) if name == "factor" and text in ("1/2", "1") else text
 
 
 def _dashed(axes: tuple[int, ...]) -> str:

@@ -19,7 +19,7 @@ TURNING = Part(
     relations=("cosine**2 + sine**2 - 1", "root**2 + m*sine**2 - 1"),
     rates={"sine": "cosine", "cosine": "-sine", "root": "-m*sine*cosine/root"},
     nonnegative=("root", "1 - n"),
-    reading={"root": "sqrt(1 - m*sine**2)", "k": "a whole number of half turns"},
+    reading={"sine": "sin(theta)", "cosine": "cos(theta)", "root": "sqrt(1 - m*sine**2)", "k": "a whole number of half turns"},
 )
 INTEGRAL = Part(
     witness={"theta": "0", "Pi": "0", "Pi_later": "0", "Pi_c": "0"},
@@ -47,12 +47,13 @@ WINDINGS = [
 def derive(book: Book) -> None:
     """What the rule leaves out does not change with theta; its denominator is never negative."""
     desk = Desk.open(book, "windings", TURNING, INTEGRAL)
-    later, Pi, complete, k, n, sine, cosine = symbols("Pi_later Pi Pi_c k n sine cosine")
+    later, Pi, complete, k, n, theta = symbols("Pi_later Pi Pi_c k n theta")
     why = "what half turns add grows no further"
     rest = later - 2 * k * complete - Pi
     differentiate(desk, "windings.slope", rest, why, ["19", "20", "21"])
-    path, circle = 1 - n * sine**2, cosine**2 + sine**2
-    form = sympy.collect(sympy.expand(path - 1 + circle), sine**2)
+    sine, cosine = sympy.sin(theta), sympy.cos(theta)
+    path = 1 - n * sine**2
+    form = sympy.collect(sympy.expand(path - 1 + cosine**2 + sine**2), sine**2)
     nonnegative(desk, "windings.path", path, form, "the integral meets no pole", ["19"])
     reference = "DLMF 19.2.7, whose integrand has the period pi"
     book.assume("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)

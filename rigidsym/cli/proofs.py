@@ -14,6 +14,10 @@ def add(command: Command) -> None:
     derive.add_argument("chapters", metavar="CHAPTER", nargs="*", help="all, unless some are named")
     derive.add_argument("-o", "--output", metavar="LEDGER", type=as_path, help="where to write it")
     derive.add_argument("--json", action="store_true", help="to stdout alone")
+    derive.add_argument("--show", action="store_true", help="line by line, in the terminal")
+    forms = ("text", "markdown", "latex", "html")
+    derive.add_argument("--format", choices=forms, help="an article, to stdout or --output")
+    _add_setting(derive)
 
     check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
     check.add_argument("ledger", metavar="LEDGER", nargs="?", type=as_path, help="the sealed one")
@@ -23,29 +27,78 @@ def add(command: Command) -> None:
     errata.add_argument("--json", action="store_true", help="to stdout alone")
 
 
-def _derive(options: Any) -> int:
-    from rigidsym.io.files import write_text
-    from rigidsym.proof.derivation import DerivationError, derive, sealed_path
+def _add_setting(derive: Any) -> None:
+    """Another derivation, as far as Theorem 1: nothing of it touches the sealed ledger."""
+    other = derive.add_argument_group("another derivation, up to Theorem 1")
+    other.add_argument("--sequence", metavar="I-J-I", help="axes of the turns; 1-2-1")
+    other.add_argument("--axis", metavar="I", help="where the momentum is turned; the outer axis")
+    other.add_argument("--factor", metavar="F", help="of the basis (4): 1/2, or 1")
+    other.add_argument("--sign", metavar="S", help="of the basis (4): 1, or -1")
+    other.add_argument("--order", metavar="I-J-K", help="of i, j, k in the basis; 1-2-3")
+    other.add_argument("--lagrangian", metavar="L", help="with wheels: ... + h1*Omega1")
 
+
+def _derive(options: Any) -> int:
+    from derivations.setting import setting_of
+    from rigidsym.proof.derivation import DerivationError, derive
+
+    names = ("sequence", "axis", "factor", "sign", "order", "lagrangian")
+    chosen = {name: value for name in names if (value := getattr(options, name)) is not None}
+    reading = options.show or options.format is not None
     try:
-        derivation = derive(options.chapters, progress("derive"))
+        setting = setting_of(chosen) if chosen or reading else None
+        derivation = derive(options.chapters, progress("derive"), setting)
     except DerivationError as error:
         say(f"rigidsym derive: {error}")
         return 1
+    if reading:
+        return _article(derivation, options.format or "text", options.output)
     if options.json:
         print(derivation.to_json(), end="")
     else:
-        rows = [
-            (chapter.name, chapter.title, str(len(chapter.facts)), f"{chapter.seconds:.2f} s")
-            for chapter in derivation.chapters
-        ]
-        table("rigidsym derive", ("chapter", "", "facts", "time"), rows)
+        _chapters(derivation)
     sys.stdout.flush()
-    if options.chapters and options.output is None:
-        say("the ledger is sealed by all chapters together: not written")
-    else:
-        say(f"ledger: {write_text(options.output or sealed_path(), derivation.ledger)}")
+    _seal(derivation, options, sealed=setting is None and not options.chapters)
     return 0
+
+
+def _chapters(derivation: Any) -> None:
+    """Each chapter with its facts: how many a step computed, and how many were guessed."""
+    rows = []
+    for chapter in derivation.chapters:
+        facts, computed = len(chapter.facts), chapter.computed
+        counts = (str(computed), str(facts - computed), f"{chapter.seconds:.2f} s")
+        rows.append((chapter.name, chapter.title, *counts))
+    table("rigidsym derive", ("chapter", "", "computed", "guessed", "time"), rows)
+
+
+def _article(derivation: Any, form: str, output: Path | None) -> int:
+    from rigidsym.io.files import write_text
+    from rigidsym.view.article import article
+
+    try:
+        text = article(derivation.chapters, form)
+    except ImportError as error:
+        say(f"rigidsym derive: --format {form} needs {error.name}: pip install 'rigidsym[docs]'")
+        return 1
+    if output is None:
+        print(text, end="")
+    else:
+        say(f"article: {write_text(output, text)}")
+    return 0
+
+
+def _seal(derivation: Any, options: Any, sealed: bool) -> None:
+    """Write the ledger: of all chapters to its place, else where the user says."""
+    from rigidsym.io.files import write_text
+    from rigidsym.proof.derivation import sealed_path
+
+    if options.output is not None:
+        say(f"ledger: {write_text(options.output, derivation.ledger)}")
+    elif sealed:
+        say(f"ledger: {write_text(sealed_path(), derivation.ledger)}")
+    else:
+        say("the ledger is sealed by all chapters together: not written")
 
 
 def _check(options: Any) -> int:

@@ -46,6 +46,8 @@ def symbol(name: str) -> Symbol:
     first, _, rest = name.partition("_")
     if first in FUNCTIONS and rest:
         return _function(FUNCTIONS[first], rest)
+    if first == "sqrt" and rest:
+        return Symbol(rf"\sqrt{{{symbol(rest).latex}}}", raised=True)
     if base and last in PARTS:
         return Symbol(PARTS[last], symbol(base).latex)
     if base and last == "squared":

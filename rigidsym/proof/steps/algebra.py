@@ -34,7 +34,8 @@ def coordinates(
     """
     whole = desk.explicit(expression)
     found = tuple(tidy(desk, _coordinate(whole, desk.explicit(b))) for b in basis)
-    terms = [MatMul(x, b) for x, b in zip(found, basis, strict=True) if x != 0]
+    pairs = zip(found, basis, strict=True)
+    terms = [b if x == 1 else MatMul(x, b) for x, b in pairs if x != 0]
     right = MatAdd(*terms, evaluate=False) if terms else ZeroMatrix(2, 2)
     fact = desk.decide_matrices(fact_id, expression, right, source)
     shown = Eq(expression, right, evaluate=False)

@@ -15,16 +15,14 @@ def differentiate(
     desk: Desk, fact_id: str, expression: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
     """The time derivative of an expression, by the rates of the context."""
-    value = desk.reduced(desk.rate(expression))
+    value = min(map(desk.reduced, desk.rates(expression)), key=sympy.count_ops)
     fact = desk.decide(fact_id, [(f"D({desk.text(expression)})", value)], source)
     shown = Eq(rate_of(expression), value, evaluate=False)
     return desk.note(Step("differentiate", why, value, (shown,), fact, source=tuple(source)))
 
 
 def rate_of(expression: Expr) -> Expr:
-    """The derivative of an expression, not yet formed: a dot on a symbol, D(...) else."""
-    if isinstance(expression, Symbol):
-        return symbol(f"{expression}_rate")
+    """The derivative of an expression, not yet formed."""
     return sympy.Function("D")(expression)
 
 

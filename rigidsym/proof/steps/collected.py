@@ -12,6 +12,11 @@ def collected(expression: Expr) -> Expr:
     return sign_above * sign_below * above / below
 
 
+def positive(expression: Expr) -> Expr:
+    """The expression or its negative: the one that begins with a plus."""
+    return -expression if str(expression).startswith("-") else expression
+
+
 def _side(side: Expr) -> tuple[int, Expr]:
     """A product with factors that begin with a plus, multiplied out where that is shorter."""
     sign, factors = 1, []

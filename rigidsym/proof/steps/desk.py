@@ -10,7 +10,7 @@ from sympy import ImmutableMatrix, MatrixExpr
 from rigidsym.language.expression import parse, to_text
 from rigidsym.proof.algebra import Book, Part, join
 from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
-from rigidsym.proof.steps.collected import collected
+from rigidsym.proof.steps.collected import collected, positive
 from rigidsym.proof.steps.matrices import (
     INDICES,
     Real,
@@ -142,6 +142,15 @@ class Desk:
             raise StepError(f"D({name}) is not known in {self.name}")
         return sympy.S.Zero
 
+    def rates(self, expression: sympy.Expr) -> tuple[sympy.Expr, sympy.Expr]:
+        """The time derivative, and the same with definitions written out."""
+        rate = self.rate(expression)
+        texts = self.context.definitions
+        written = rate
+        while known := {x: self.read(texts[str(x)]) for x in written.free_symbols if str(x) in texts}:
+            written = written.subs(known)
+        return rate, sympy.expand(written)
+
     def reduced(self, expression: sympy.Expr) -> sympy.Expr:
         """A quotient in generators, above and below modulo the relations, collected."""
         named = self.dictionary.named(expression)
@@ -168,7 +177,8 @@ class Desk:
                 continue
             numerator = self.ring.read(self.text(below)).numerator
             factors = sympy.factor_list(read(str(self.ring.reduce(numerator)[1])))[1]
-            found.update((self.dictionary.meant(x), None) for x, _ in factors if x not in STANDING)
+            unknown = (x for x, _ in factors if x not in STANDING)
+            found.update((self.dictionary.meant(positive(x)), None) for x in unknown)
         return tuple(sorted(found, key=sympy.default_sort_key))
 
     def decide(

@@ -1,0 +1,120 @@
+"""SymPy's expressions as the paper writes them: in LaTeX, and in the letters of a terminal."""
+
+from typing import Any
+
+import sympy
+from sympy.printing.latex import LatexPrinter
+from sympy.printing.precedence import PRECEDENCE
+from sympy.printing.pretty.pretty import PrettyPrinter
+from sympy.printing.pretty.pretty_symbology import pretty_symbol
+from sympy.printing.pretty.stringpict import prettyForm
+
+from rigidsym.language.symbols import symbol
+
+# Constants of a motion, which the paper writes in front of what moves.
+CONSTANTS = ("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3")
+_FUNCTIONS = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn", "jacobi_am": "am"}
+_DOT = "\N{COMBINING DOT ABOVE}"
+
+
+def latex(expression: sympy.Basic) -> str:
+    """An expression, a matrix expression or an equation in LaTeX."""
+    return _Latex().doprint(expression)
+
+
+def pretty(expression: sympy.Basic, width: int = 100) -> str:
+    """The same in two dimensions, for a terminal."""
+    settings = {"use_unicode": True, "wrap_line": True, "num_columns": width}
+    return _Pretty(settings).doprint(expression)
+
+
+def _rank(factor: sympy.Expr) -> tuple[int, str]:
+    """Numbers, constants, sums of constants, then what moves."""
+    names = {str(x) for x in factor.free_symbols}
+    if factor.is_Number:
+        return 0, str(factor)
+    moving = bool(names - {*CONSTANTS}) or bool(factor.atoms(sympy.Function))
+    return 1 + factor.is_Add + 2 * moving, str(factor)
+
+
+def _negative(term: sympy.MatrixExpr) -> bool:
+    return term.could_extract_minus_sign()
+
+
+class _Latex(LatexPrinter):
+    def __init__(self) -> None:
+        super().__init__({"fold_func_brackets": True})
+
+    def _print_Symbol(self, expr: sympy.Symbol, style: str = "plain") -> str:
+        return expr.name if "\\" in expr.name else symbol(expr.name).latex
+
+    def _print_MatrixSymbol(self, expr: sympy.MatrixSymbol) -> str:
+        return symbol(expr.name).latex
+
+    def _print_Mul(self, expr: sympy.Mul) -> str:
+        above, below = sympy.fraction(expr, exact=True)
+        sign = ""
+        if above.as_coeff_Mul()[0].is_negative:
+            sign, above = "-", -above
+        if below == 1:
+            return f"{sign}{self._row(above)}"
+        inside = [self._row(side, alone=True) for side in (above, below)]
+        return rf"{sign}\frac{{{inside[0]}}}{{{inside[1]}}}"
+
+    def _print_MatAdd(self, expr: sympy.MatAdd) -> str:
+        terms = [self._print(term) for term in expr.args]
+        signed = (t if t.startswith("-") else f"+ {t}" for t in terms[1:])
+        return " ".join([terms[0], *signed])
+
+    def _row(self, product: sympy.Expr, alone: bool = False) -> str:
+        factors = sorted(sympy.Mul.make_args(product), key=_rank)
+        if alone and len(factors) == 1:
+            return self._print(factors[0])
+        bracketed = [self.parenthesize(factor, PRECEDENCE["Mul"]) for factor in factors]
+        return " ".join(x for x, f in zip(bracketed, factors, strict=True) if f != 1) or "1"
+
+    def _print_Function(self, expr: Any, exp: str | None = None) -> str:
+        name = expr.func.__name__
+        if name == "D":
+            inner = self._print(expr.args[0])
+            simple = expr.args[0].is_Symbol and "^" not in inner
+            text = rf"\dot{{{inner}}}" if simple else rf"\frac{{d}}{{dt}}\left({inner}\right)"
+            return text if exp is None else rf"{{{text}}}^{{{exp}}}"
+        if name in _FUNCTIONS:
+            power = "" if exp is None else f"^{{{exp}}}"
+            arguments = r" \mid ".join(map(self._print, expr.args))
+            return rf"\mathrm{{{_FUNCTIONS[name]}}}{power}\left({arguments}\right)"
+        return super()._print_Function(expr, exp)
+
+
+class _Pretty(PrettyPrinter):
+    def _print_Symbol(self, e: sympy.Symbol, bold_name: bool = False) -> prettyForm:
+        base, _, last = e.name.rpartition("_")
+        if last == "rate" and base:
+            shown = pretty_symbol(base)
+            return prettyForm(shown[0] + _DOT + shown[1:])
+        return super()._print_Symbol(e, bold_name)
+
+    def _print_MatrixSymbol(self, e: sympy.MatrixSymbol) -> prettyForm:
+        return self._print_Symbol(sympy.Symbol(e.name))
+
+    def _print_MatAdd(self, expr: sympy.MatAdd) -> prettyForm:
+        whole = self._print(expr.args[0])
+        for term in expr.args[1:]:
+            shown = self._print(term)
+            glue = " - " if _negative(term) else " + "
+            whole = prettyForm(*whole.right(glue))
+            whole = prettyForm(*whole.right(self._print(-term) if glue == " - " else shown))
+        return whole
+
+    def _print_D(self, expr: sympy.Expr) -> prettyForm:
+        inner = self._print(expr.args[0])
+        if expr.args[0].is_Symbol and "_" not in expr.args[0].name:
+            return self._print_Symbol(sympy.Symbol(f"{expr.args[0].name}_rate"))
+        return prettyForm(*prettyForm("d/dt ").right(*inner.parens()))
+
+    def _print_Rate(self, e: sympy.MatrixExpr) -> prettyForm:
+        inner = self._print(e.args[0])
+        if isinstance(e.args[0], sympy.MatrixSymbol):
+            return self._print_Symbol(sympy.Symbol(f"{e.args[0].name}_rate"))
+        return prettyForm(*prettyForm("d/dt ").right(*inner.parens()))
