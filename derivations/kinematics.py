@@ -1,4 +1,4 @@
-"""From the kinematics to phi1: R^-1 R' multiplied out, solved for the rates of the angles, (30) to (33).
+"""From the kinematics to phi1: R^-1 R' solved for the rates of the angles, (30) to (33).
 
 R^-1 R' = Omega is linear in the rates of the angles.  With the momentum in the place of phi2 and
 phi3, phi1' is (32); with H and K in the place of two rates it is (33), a function of one rate.
@@ -6,13 +6,14 @@ Conversely, angles that move so carry a motion: R' = R Omega, and M' = [M, Omega
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 
 from derivations.conjugacy import MOMENTUM, PHI, TURNING, K, Reduction, by_angles
 from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import A, Algebra, M, Omega, R, combination, commutator
-from rigidsym.proof.algebra import Book, Part, part_of
+from rigidsym.proof.algebra import Book, Part
 from rigidsym.proof.steps import Desk, Rate, coordinates, eliminate, multiply, rewrite, solve
 from rigidsym.proof.steps.names import read, symbol, symbols
 
@@ -58,15 +59,15 @@ def _phi1(book: Book, reduction: Reduction, rate: sympy.Expr) -> Phi1:
     dynamics = book.found(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.circles)
     base = Desk.open(book, "on_momentum", *parts, by_angles(book, reduction, *parts), static=True)
-    momenta = dict(zip(MOMENTA, dynamics.momenta, strict=True))
-    put_in = dict(zip(RATES, (base.read(base.context.definitions[str(w)]) for w in RATES), strict=True))
+    momenta: Any = dict(zip(MOMENTA, dynamics.momenta, strict=True))
+    put_in: Any = {rate: base.read(base.context.definitions[str(rate)]) for rate in RATES}
     by_phi = base.reduced(rate.subs(put_in))
     why = "phi1' with the momentum put in"
     rewrite(base, "line32.by_angles", rate, by_phi, why, ["32"], "substitute")
     quotient = base.reduced(_by_momentum(book, reduction, rate).subs(momenta))
     why = "phi1' with the momentum in the place of the angles"
     line = rewrite(base, "line32.rate", rate, quotient, why, ["32"], "substitute")
-    outer, middle, third = book.found(Algebra).setting.axes
+    _, middle, third = book.found(Algebra).setting.axes
     squares = [RATES[middle - 1] ** 2, RATES[third - 1] ** 2]
     energy = 2 * symbol("H") - 2 * read(dynamics.body.definitions["H"])
     momentum = K**2 - sum(x**2 for x in dynamics.momenta)

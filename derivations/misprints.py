@@ -1,13 +1,12 @@
 """What the printed lines need, and where they fail: counterexamples, poles and other readings.
 
 With roots in Omega_i^2 by (13) and (14), (10) to (12), (16), (20) and (21) divide by c_i as if they
-were roots in (c_i Omega_i)^2: both cannot be.  Dropping the c_i mends each of them; c_i^2 moved from
-the denominator of chi to that of alpha in (14) mends them all at once.
+were roots in (c_i Omega_i)^2: both cannot be.  Dropping the c_i mends each of them; c_i^2 moved
+from the denominator of chi to that of alpha in (14) mends them all at once.
 """
 
 from derivations.conjugacy import MOMENTUM
 from derivations.euler_lax import INERTIA as MOMENTS
-from derivations.euler_lax import Dynamics
 from derivations.lemma1 import INERTIA, SCALED, SINE, Lemma1
 from derivations.phi1_integral import AMPLITUDE, FUNCTIONS, ThirdKind, constants
 from derivations.phi1_integral import sine as sine_of
@@ -99,7 +98,9 @@ def _degenerate(book: Book) -> None:
 def _sine(book: Book) -> None:
     """Omega_i = sqrt(s_i) sn solves the quadratic with roots s_i, s_j; over c_i it does not."""
     book.open(join("printed_sine", SINE, SCALED, PRINTED))
-    book.refute("printed_sine.over_inertia", {"D(Omega_printed)**2": "quartic_printed"}, {}, ["10", "11"])
+    book.refute(
+        "printed_sine.over_inertia", {"D(Omega_printed)**2": "quartic_printed"}, {}, ["10", "11"]
+    )
     book.refute("printed_sine.slope_over_inertia", {"D(Omega_i)": "xi*zeta/c_i*cn*dn"}, {}, ["16"])
 
     under_root = "alpha*(s_i - s_i/c_i*sn**2)*(s_j - s_i/c_i*sn**2)"
@@ -108,7 +109,9 @@ def _sine(book: Book) -> None:
     scaled = "(s_i/c_i**2 - Omega_printed**2)*(s_j/c_i**2 - Omega_printed**2)"
     rate = "D(Omega_printed)**2"
     book.refute("printed_sine.roots_in_momentum", {rate: f"alpha*{scaled}"}, {}, ["10"])
-    book.claim("printed_sine.with_14_mended", {rate: f"c_i**2*alpha*{scaled}"}, ["10", "14", "Lemma 1"])
+    book.claim(
+        "printed_sine.with_14_mended", {rate: f"c_i**2*alpha*{scaled}"}, ["10", "14", "Lemma 1"]
+    )
     slope = {"D(Omega_printed)": "xi*zeta/c_i*cn*dn"}
     book.claim("printed_sine.slope_with_14_mended", slope, ["14", "16", "Lemma 1"])
     modulus = {"D(Omega_i)**2": "(zeta*xi)**2*(1 - sn**2)*(1 - mu**2*sn**2)"}
@@ -132,7 +135,9 @@ def _start(book: Book) -> None:
     principal = {"D(Omega_i)": "xi*zeta*cn_principal*dn"}
     left = {**point, "cn": "-4/5", "half": "-1"}
     book.refute("printed_start.principal_value", principal, left, ["footnote 2", "Remark 1"])
-    book.claim("printed_start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"])
+    book.claim(
+        "printed_start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"]
+    )
     book.claim(
         "printed_start.other_value",
         {

@@ -24,7 +24,7 @@ from rigidsym.proof.steps.names import Dictionary, read, symbol
 from rigidsym.proof.steps.record import Step, StepError
 
 # What a body that moves has: none of these is ever zero.
-STANDING = {*map(symbol, "c1 c2 c3 c_i c_j c_k K".split())}
+STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
 
 class Desk:
@@ -129,7 +129,7 @@ class Desk:
 
     def _named_rate(self, named: sympy.Expr) -> sympy.Expr:
         total = sympy.S.Zero
-        for name in sorted(named.free_symbols, key=str):
+        for name in map(symbol, sorted(map(str, named.free_symbols))):
             total += sympy.diff(named, name) * self._rate_of(name)
         return total
 
@@ -147,7 +147,9 @@ class Desk:
         rate = self.rate(expression)
         texts = self.context.definitions
         written = rate
-        while known := {x: self.read(texts[str(x)]) for x in written.free_symbols if str(x) in texts}:
+        while known := {
+            x: self.read(texts[str(x)]) for x in written.free_symbols if str(x) in texts
+        }:
             written = written.subs(known)
         return rate, sympy.expand(written)
 

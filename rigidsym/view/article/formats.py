@@ -10,7 +10,6 @@ from rigidsym.language.symbols import GREEK, symbol
 from rigidsym.view.article.mathematics import latex, pretty
 from rigidsym.view.html.markup import Markup, join, lines, tag
 
-
 # A row that is longer than so many letters of LaTeX is broken where it can be.
 LONG = 150
 
@@ -195,7 +194,9 @@ def _html(chapters: Sequence[Chapter]) -> str:
             where = [mathematics(latex(c), "inline") for c in provided(line)]
             note = join(" where ", *where) if where else ""
             body.append(tag("p", _sentence(line), tag("code", line.fact.id, class_="fact")))
-            body.append(tag("div", *rows, tag("span", numbers(line), class_="number"), class_="line"))
+            body.append(
+                tag("div", *rows, tag("span", numbers(line), class_="number"), class_="line")
+            )
             body += [tag("p", note, class_="where")] if note else []
     title = "The torque-free motion of a rigid body, derived"
     head = lines(tag("meta", charset="utf-8"), tag("title", title), tag("style", Markup(_STYLE)))
