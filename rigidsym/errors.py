@@ -5,7 +5,7 @@ from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from importlib import import_module
 from importlib.util import find_spec
 from numbers import Rational
-from typing import Any
+from types import ModuleType
 
 _LONGEST = 120
 _SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
@@ -45,7 +45,7 @@ class PrecisionError(ArithmeticError):
     """The digits asked for were not reached."""
 
 
-def package(name: str, user: str) -> Any:
+def package(name: str, user: str) -> ModuleType:
     """A module of the extra `lab` by its name; raises ImportError, in one line, without it."""
     try:
         return import_module(name)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from numbers import Rational, Real
-from typing import TYPE_CHECKING, Literal, TypeGuard, Union, overload
+from typing import TYPE_CHECKING, Literal, TypedDict, TypeGuard, Union, overload
 
 from rigidsym.errors import InputError, written
 
@@ -49,6 +49,16 @@ class Uncertain:
 
     def __str__(self) -> str:
         return f"{decimal(self.middle, 12)} +/- {decimal(self.radius, 3)}"
+
+
+class MotionInputs(TypedDict, total=False):
+    """Arguments of a motion, by name."""
+
+    inertia: Vector3
+    omega0: Vector3
+    attitude0: Quaternion
+    engine: str
+    allow_nonphysical: bool
 
 
 # A number as it was understood.

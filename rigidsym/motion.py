@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, NoReturn, TypedDict, TypeGuard, TypeVar, Unpack
+from typing import TYPE_CHECKING, NoReturn, TypeGuard, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from rigidsym import engines, inputs
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.inputs import Number, Quaternion, Times, Vector3
+from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
@@ -33,16 +33,6 @@ _OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
 Value = TypeVar("Value")
-
-
-class Changes(TypedDict, total=False):
-    """Arguments of a motion."""
-
-    inertia: Vector3
-    omega0: Vector3
-    attitude0: Quaternion
-    engine: str
-    allow_nonphysical: bool
 
 
 class TorqueFreeMotion:
@@ -104,9 +94,9 @@ class TorqueFreeMotion:
         """The attitude at t = 0 as it was given, exactly."""
         return tuple(map(Fraction, self._floats["attitude0"]))
 
-    def replace(self, **changes: Unpack[Changes]) -> "TorqueFreeMotion":
+    def replace(self, **changes: Unpack[MotionInputs]) -> "TorqueFreeMotion":
         """Another motion, with some of the arguments changed; raises as the class does."""
-        own: Changes = {
+        own: MotionInputs = {
             "inertia": self.inertia,
             "omega0": self.omega0,
             "attitude0": self.attitude0,
