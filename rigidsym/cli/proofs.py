@@ -1,8 +1,8 @@
 """The commands `derive`, `check` and `errata`."""
 
 import sys
+from argparse import Namespace
 from pathlib import Path
-from typing import Any
 
 from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import progress, say, table
@@ -23,7 +23,7 @@ def add(command: Command) -> None:
     errata.add_argument("--json", action="store_true", help="to stdout alone")
 
 
-def _derive(options: Any) -> int:
+def _derive(options: Namespace) -> int:
     from rigidsym.io.files import write_text
     from rigidsym.proof.derivation import DerivationError, derive, sealed_path
 
@@ -48,7 +48,7 @@ def _derive(options: Any) -> int:
     return 0
 
 
-def _check(options: Any) -> int:
+def _check(options: Namespace) -> int:
     if options.independent:
         return _check_independently(options.ledger)
     from collections import Counter
@@ -86,7 +86,7 @@ def _ledger_text(path: Path | None) -> str:
     return ledger_text() if path is None else read_text("ledger", path)
 
 
-def _errata(options: Any) -> int:
+def _errata(options: Namespace) -> int:
     import json
 
     from rigidsym.io.ledger import ledger_data

@@ -1,13 +1,13 @@
 """What is true of a sample: enclosures of its states, and how much they depend on the inputs."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
-from typing import Any
 
 import numpy as np
+from flint import arb
 
 from rigidsym.precise import PreciseMotion
 from rigidsym.precise.adaptive import GUARD_BITS
@@ -157,6 +157,8 @@ def _bend(inertia: Sequence[Fraction], unit: np.ndarray) -> np.ndarray:
     return lengths(np.array(factors) * np.roll(unit, -1, axis=1) * np.roll(unit, -2, axis=1), 0.0)
 
 
-def _table(compute: Any, *tables: Sequence[Sequence[Any]]) -> list[list[float]]:
+def _table(
+    compute: Callable[..., float], *tables: Sequence[Sequence[arb | float]]
+) -> list[list[float]]:
     """compute, entry by entry."""
     return [list(map(compute, *rows)) for rows in zip(*tables, strict=True)]
