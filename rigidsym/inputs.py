@@ -12,18 +12,20 @@ from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from numbers import Rational, Real
-from typing import TYPE_CHECKING, Literal, TypedDict, TypeGuard, Union, overload
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeGuard, Union, overload
 
 from rigidsym.errors import InputError, written
 
 if TYPE_CHECKING:
     import flint
-    import mpmath
     import numpy as np
+
+    # mpmath makes its mpf as it runs, of this class.
+    from mpmath.ctx_mp_python import _mpf
     from numpy.typing import ArrayLike
 
 # What users give: numbers that are taken exactly, or within a radius; and vectors of them.
-ExactNumber = Union[float, int, str, Fraction, Decimal, "mpmath.mpf", "flint.arb", "Uncertain"]
+ExactNumber = Union[float, int, str, Fraction, Decimal, "_mpf", "flint.arb", "Uncertain"]
 Vector3 = Union[Sequence[ExactNumber], "ArrayLike"]
 Quaternion = Union[Sequence[ExactNumber], "ArrayLike"]
 Times = Union[ExactNumber, Sequence[ExactNumber], "ArrayLike"]
@@ -105,7 +107,7 @@ def _is_ball(value: object) -> "TypeGuard[flint.arb]":
     return hasattr(value, "rad") and hasattr(value, "mid")
 
 
-def _is_mpf(value: object) -> "TypeGuard[mpmath.mpf | flint.arb]":
+def _is_mpf(value: object) -> "TypeGuard[_mpf | flint.arb]":
     """Whether it says what it is as mpmath's numbers do, balls of radius 0 among them."""
     return hasattr(value, "_mpf_")
 
@@ -135,7 +137,7 @@ def exact(field: str, value: ExactNumber) -> Fraction:
     raise InputError(field, written(value, repr), "must be a number")
 
 
-def _exact_mpf(field: str, value: "mpmath.mpf | flint.arb") -> Fraction:
+def _exact_mpf(field: str, value: "_mpf | flint.arb") -> Fraction:
     sign, mantissa, exponent, _ = value._mpf_
     if not mantissa and exponent:  # mpmath's way to write nan and the infinities
         raise InputError(field, value, "must be finite")
@@ -190,7 +192,7 @@ def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Numbe
 def sequence(field: str, values: Times, ndim: Literal[1] = 1) -> list[ExactNumber]: ...
 @overload
 def sequence(field: str, values: "ArrayLike", ndim: Literal[2]) -> list[Vector3]: ...
-def sequence(field: str, values: Times, ndim: int = 1) -> list[ExactNumber] | list[Vector3]:
+def sequence(field: str, values: Times, ndim: int = 1) -> list[Any]:
     """The items of a list, tuple or array of `ndim` axes; raises InputError for anything else."""
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
@@ -257,13 +259,18 @@ def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]
     return quaternion
 
 
+def _is_one(values: object) -> TypeGuard[ExactNumber]:
+    """Whether it is one number rather than several."""
+    return isinstance(values, str | Real | Decimal) or _is_mpf(values)
+
+
 def _is_zero_dimensional(values: object) -> "TypeGuard[np.ndarray | np.generic]":
     return getattr(values, "ndim", 1) == 0
 
 
 def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
     """Times exactly, and whether one number was given rather than a list."""
-    if isinstance(values, str | Real | Decimal) or _is_mpf(values):
+    if _is_one(values):
         return (exact("t", values),), True
     if _is_zero_dimensional(values):
         return (exact("t", values.item()),), True
