@@ -43,7 +43,7 @@ ALLOWED = {
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
-    "rigidsym.view.html": f"{FOUNDATION} inputs view.palette",
+    "rigidsym.view.html": f"{FOUNDATION} inputs view.palette view.report_data",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
     "rigidsym.view.validation": "validate.bounds view",

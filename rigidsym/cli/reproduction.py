@@ -1,6 +1,6 @@
 """The command `reproduce`."""
 
-from typing import Any
+from argparse import Namespace
 
 from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import progress, say, table
@@ -14,7 +14,7 @@ def add(command: Command) -> None:
     )
 
 
-def _reproduce(options: Any) -> int:
+def _reproduce(options: Namespace) -> int:
     from rigidsym.cli.reproduce import reproduce
     from rigidsym.io.files import probe
     from rigidsym.proof.derivation import DerivationError

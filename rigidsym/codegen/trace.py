@@ -5,8 +5,8 @@ import re
 from collections.abc import Collection, Iterator
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
+from rigidsym.codegen.lines import Place
 from rigidsym.errors import InputError
 
 
@@ -14,7 +14,7 @@ class TraceError(LookupError):
     """There is nothing to be told of a line or an equation, and why."""
 
 
-def _maps() -> Iterator[tuple[str, dict[int, Any], list[str]]]:
+def _maps() -> Iterator[tuple[str, dict[int, Place], list[str]]]:
     """Every generated file of this installation with its map and its lines."""
     home = resources.files("rigidsym.generated")
     for entry in sorted(home.iterdir(), key=lambda entry: entry.name):

@@ -8,7 +8,7 @@ import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import TypedDict
 
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_data, ledger_text
@@ -105,6 +105,34 @@ _OF_PARAMETER = {
 }
 
 
+class Fact(TypedDict):
+    """What is read of a fact of the ledger: sides are lists of texts."""
+
+    id: str
+    context: str
+    kind: str
+    grade: str
+    lhs: list[str]
+    rhs: list[str]
+    source: list[str]
+
+
+class Context(TypedDict):
+    """What is read of a context: the standard functions that its names stand for."""
+
+    name: str
+    reading: dict[str, str]
+
+
+class Entry(TypedDict, total=False):
+    """A formula that is published: by its fact, or by a context's reading of a name."""
+
+    fact: str
+    context: str
+    reading: str
+    source: list[str]
+
+
 @dataclass(frozen=True, slots=True)
 class Formula:
     """name = expression, by a fact of the ledger; `source` lists the equations it comes from.
@@ -160,9 +188,7 @@ def load(text: str) -> Solution:
     return Solution(sequences, _digest(sequences))
 
 
-def _formula(
-    entry: Mapping[str, Any], facts: Mapping[str, Any], contexts: Mapping[str, Any]
-) -> Formula:
+def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:
     if "reading" in entry:
         return _by_reading(entry["reading"], contexts[entry["context"]], tuple(entry["source"]))
     fact = facts[entry["fact"]]
@@ -176,7 +202,7 @@ def _formula(
     return Formula(name, expression, fact["id"], tuple(fact["source"]))
 
 
-def _by_reading(name: str, context: Mapping[str, Any], source: tuple[str, ...]) -> Formula:
+def _by_reading(name: str, context: Context, source: tuple[str, ...]) -> Formula:
     """The standard function that a context reads a name as."""
     reading, place = context["reading"][name], f"{context['name']}:{name}"
     expression = _by_complement(parse(reading))
@@ -201,9 +227,7 @@ def _check_order(sequence: str, formulas: tuple[Formula, ...]) -> None:
         known.add(formula.name)
 
 
-def _check_together(
-    sequence: str, entries: Sequence[Mapping[str, Any]], facts: Mapping[str, Any]
-) -> None:
+def _check_together(sequence: str, entries: Sequence[Entry], facts: Mapping[str, Fact]) -> None:
     """All formulas hold at once: one context is a model of every other they come from."""
     contexts = {
         entry["context"] if "reading" in entry else facts[entry["fact"]]["context"]
@@ -213,7 +237,7 @@ def _check_together(
         raise LedgerError(f"ledger: {sequence}: no context is a model of all: {sorted(contexts)}")
 
 
-def _modelled(context: str, facts: Mapping[str, Any]) -> set[str]:
+def _modelled(context: str, facts: Mapping[str, Fact]) -> set[str]:
     """A context, what it is proved to be a model of, what that is a model of, and so on."""
     found = [context]
     for name in found:

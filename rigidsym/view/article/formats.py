@@ -2,12 +2,12 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, Protocol
 
 import sympy
 
 from rigidsym.language.symbols import GREEK, symbol
 from rigidsym.view.article.mathematics import latex, pretty
+from rigidsym.view.article.protocols import Chapter, Line
 from rigidsym.view.html.markup import Markup, join, lines, tag
 
 # A row that is longer than so many letters of LaTeX is broken where it can be.
@@ -20,26 +20,6 @@ NAMES = re.compile(
     rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|sn))\b"
     r"(?P<prime>')?(?:\^(?P<power>-?[0-9]))?"
 )
-
-
-class Line(Protocol):
-    """A step, as it is shown."""
-
-    why: str
-    shown: tuple[sympy.Basic, ...]
-    conditions: tuple[sympy.Expr, ...]
-    choice: str
-    source: tuple[str, ...]
-    fact: Any
-
-
-class Chapter(Protocol):
-    """A chapter, as it is shown."""
-
-    name: str
-    title: str
-    opening: str
-    steps: Sequence[Line]
 
 
 def article(chapters: Iterable[Chapter], form: str) -> str:
