@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 from pathlib import Path
 
 from rigidsym._version import __version__
@@ -16,6 +17,7 @@ from rigidsym.codegen.special_functions import (
     theta_circular,
     theta_hyperbolic,
 )
+from rigidsym.errors import InputError
 
 DIGEST = "@digest@"
 # Written by `rigidsym validate TARGET --record`.
@@ -88,16 +90,33 @@ def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:
     """
     covered = "\0".join(f"{name}\0{text}" for name, text in files.items())
     digest = hashlib.sha256(covered.encode()).hexdigest()
-    measured = "\n".join(_measured(target, digest))
-    filled = {
-        name: text.replace(MEASURED, measured).replace(DIGEST, digest)
-        for name, text in files.items()
-    }
-    return filled, digest
+    return {name: filled(text, target, digest) for name, text in files.items()}, digest
 
 
-def _measured(target: str, digest: str) -> list[str]:
+def filled(text: str, target: str, digest: str) -> str:
+    """A text with the digest, and what was measured of code that has it, in their places."""
+    return text.replace(MEASURED, _measured(target, digest)).replace(DIGEST, digest)
+
+
+def unsealed(text: str, target: str, digest: str) -> str:
+    """A text with the places themselves again: the inverse of `filled`."""
+    return text.replace(digest, DIGEST).replace(_measured(target, digest), MEASURED)
+
+
+def digest_in(file: str, text: str) -> str:
+    """The digest that a file names; raises InputError where it names none, or several."""
+    found = set(re.findall(r"\b[0-9a-f]{64}\b", text))
+    if len(found) != 1:
+        raise InputError(file, f"{len(found)} digests", "a module names its own, and no other")
+    return found.pop()
+
+
+def _measured(target: str, digest: str) -> str:
     """The worst errors by regime, of exactly this code."""
+    return "\n".join(_measured_lines(target, digest))
+
+
+def _measured_lines(target: str, digest: str) -> list[str]:
     known = json.loads(MEASURED_FILE.read_text("utf-8")) if MEASURED_FILE.is_file() else {}
     found = known.get(target)
     if not found or found["digest"] != digest:

@@ -4,11 +4,14 @@ import hashlib
 import re
 from pathlib import Path
 
+import pytest
+
 import rigidsym
-from rigidsym import generate
+from rigidsym import InputError, generate
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.seal import seal_text
-from rigidsym.codegen.targets.c import emit, module
+from rigidsym.codegen.targets.c import module
+from rigidsym.codegen.targets.c.expressions import Reader
 from rigidsym.language.expression import parse
 from rigidsym.solution import sealed
 
@@ -30,11 +33,22 @@ def test_what_is_printed_reads_back_as_the_lets():
 
 
 def test_reading_back_undoes_what_only_c_needs():
-    text = "    const double_double x = dd_mul_dx(2.0, dd_add_xx(a, dd_of(3.0))); /* (34); f.g */"
-    assert emit.read(text) == parse("2*(a + 3)")
-    assert emit.read("const double y = fused(a, -b, fabs(c)) / 2.0;") == parse(
-        "fma(a, -b, size(c))/2"
-    )
+    read = Reader("f", "dd", {"a"}, {}).read
+    assert read("dd_mul_dx(2.0, dd_add_xx(a, dd_of(3.0)))") == (parse("2*(a + 3)"), True)
+    assert read("fused(b, -c, fabs(d)) / 2.0") == (parse("fma(b, -c, size(d))/2"), False)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *["b / 2", "2.0f*b", "02.0*b", "1e5", "b ** 2.0", "b if c else d", "(b, c)", "b +"],
+        *["fma(b, c, d)", "exp(b)", "size(b)", "neg(b)", "ladder(b)", "dd_turn(a)", "exact_neg(a)"],
+        *["a + b", "-a", "dd_add_xx(a, b)", "dd_add_dd(b, c)", "dd_of(a)", "fabs(a)", "dd_neg(b)"],
+    ],
+)
+def test_what_c_does_not_say_so_is_no_expression(text):
+    with pytest.raises(InputError, match=r"^f = "):
+        Reader("f", "dd", {"a"}, {}).read(text)
 
 
 def test_constants_are_written_to_the_last_digit():

@@ -7,11 +7,13 @@ of these and compares with the ledger, or with what a special function states:
     sharing   lines put together again are the formulas that ledger and special functions state
     facts     formulas that name a fact of the ledger are that fact
     states    rows, gains and states together are the ledger's attitude and rates
-    text      printed files read back as the lines
+    text      printed files read back: numbers, signatures, lines and tables are what they print,
+              in order, and all else is what the package has written by hand, word for word
+    by_hand   cuts out what is written by hand;  digests  are those of the files
 
 Not seen: whether a special function (nome, theta series, angles and their reduction) is the
 standard one that it stands for, which its proved bounds and tests speak of, and what the runtimes
-make of it all.
+make of it all.  Of these the arithmetic of pairs is held against exact arithmetic by tests.
 """
 
 from rigidsym.codegen.seal.decide import seal

@@ -1,15 +1,19 @@
-"""`seal_text(generated, solution)`: printed files read back as the lines they print."""
+"""`seal_text(generated, solution)`: printed files read back, all of their text."""
 
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.generate import Generated
+from rigidsym.codegen.seal import digests
 from rigidsym.codegen.targets import reader
 from rigidsym.solution import Solution
 
 
 def seal_text(generated: Generated, solution: Solution) -> int:
-    """Read every derived line of a module back; returns how many there are.
+    """Read the files of a module back; returns how many derived lines there are.
 
-    Raises InputError, naming function and line, where one is not what the lets say.
+    Raises InputError, naming function or line, where one is not what the lets say, where what is
+    written by hand is not what the package brings, and where a digest is that of other files.
     """
     check = reader(str(generated.manifest["target"]))
-    return check(generated.files, functions(solution), constants())
+    decided = check(generated.files, functions(solution), constants())
+    digests.check(generated)
+    return decided

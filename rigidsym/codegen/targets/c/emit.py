@@ -1,9 +1,8 @@
 """Lets as C99: double-doubles by calls, doubles by operators.
 
-`function` prints one function of lets; `read` is its inverse on one expression.
+`pieces` prints a function of lets; `rigidsym.codegen.targets.c.expressions` reads a line of it.
 """
 
-import re
 from collections.abc import Iterable
 from dataclasses import replace
 
@@ -16,7 +15,6 @@ from rigidsym.language.expression import (
     Name,
     Number,
     Operation,
-    parse,
     to_text,
 )
 
@@ -24,7 +22,6 @@ from rigidsym.language.expression import (
 _TYPES = {"dd": "double_double", "exact": "exact", "double": "double"}
 _VERBS = {"+": "add", "-": "sub", "*": "mul", "/": "div"}
 _DOUBLE_CALLS = {"fma": "fused", "size": "fabs", "sqrt": "sqrt", "exp": "exponential"}
-_CALLED_BACK = {"fused": "fma", "fabs": "size", "exponential": "exp"}
 
 
 def lowered(expression: Expression, extended: frozenset[str], number: str) -> Expression:
@@ -93,37 +90,6 @@ def constant_text(constant: Constant) -> str:
 
 def _literal(value: float) -> str:
     return repr(value) if "." in repr(value) or "e" in repr(value) else f"{value!r}.0"
-
-
-def read(line: str) -> Expression:
-    """The expression of a printed line, without what only C needs."""
-    text = line.split(" /*")[0].strip().rstrip(";")
-    text = re.sub(r"^const (double|double_double|exact) \w+ = ", "", text)
-    text = re.sub(r"(?<![\w.])(\d+)\.0(?![\w.])", r"\1", text)
-    return _read(parse(text))
-
-
-def _read(expression: Expression) -> Expression:
-    match expression:
-        case Operation(symbol, left, right):
-            return Operation(symbol, _read(left), _read(right))
-        case Call("neg", (operand,)):
-            return Call("neg", (_read(operand),))
-        case Call(function, arguments):
-            return _read_call(function, tuple(map(_read, arguments)))
-    return expression
-
-
-def _read_call(function: str, arguments: tuple[Expression, ...]) -> Expression:
-    number, _, verb = function.partition("_")
-    if number not in ("dd", "exact"):
-        return Call(_CALLED_BACK.get(function, function), arguments)
-    if verb == "of":
-        return arguments[0]
-    for symbol, name in _VERBS.items():
-        if verb.startswith(f"{name}_"):
-            return Operation(symbol, *arguments)
-    return Call(verb, arguments)
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:

@@ -71,25 +71,41 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
     constants_of = [function for function in functions if function.rounds]
     whole = joined(
         [
-            Lines.plain(_INCLUDES + "\n"),
-            Lines.plain(_part("double_double.c") + "\n"),
-            Lines.plain(_part("exact.c") + "\n"),
+            Lines.plain(source_first()),
             *emit.module(functions, constants),
-            Lines.plain(_part("arithmetic.c") + "\n\n"),
-            Lines.plain(_runtime(by_name)),
+            Lines.plain(_limited(_filled(source_last(), by_name))),
         ]
     )
-    files = {HEADER: _header(constants_of), SOURCE: "\n".join(whole.text) + "\n"}
+    structs = "\n\n".join(map(emit.branch_struct, constants_of))
+    header_text = f"{header_first()}{structs}\n{_header_last(constants_of)}"
+    files = {HEADER: header_text, SOURCE: "\n".join(whole.text) + "\n"}
     files, digest = header.sealed(files, "c")
     return Module(files, {SOURCE: whole.lets}, digest)
 
 
-def _header(constants_of: list[Function]) -> str:
-    structs = "\n\n".join(emit.branch_struct(one) for one in constants_of)
+def header_first() -> str:
+    """What is written by hand before the structs, with places for digest and errors."""
+    return f"{_HEAD.format(text=header.text('c'))}\n{_FIRST}\n"
+
+
+def header_last() -> str:
+    """What is written by hand after the structs, with places for their members and for limits."""
+    return f"\n{_part('interface.h')}\n{_LAST.strip()}\n"
+
+
+def source_first() -> str:
+    """What is written by hand before the numbers."""
+    return "\n".join([_INCLUDES, _part("double_double.c"), _part("exact.c"), ""])
+
+
+def source_last() -> str:
+    """What is written by hand after the functions, with places for names and limits."""
+    return "\n\n".join([_part("arithmetic.c"), _part("runtime.c")]) + "\n"
+
+
+def _header_last(constants_of: list[Function]) -> str:
     members = "\n".join(f"        torque_free_{b} {b};" for b in map(emit.branch, constants_of))
-    interface = _limited(_part("interface.h").replace("@branches@", members))
-    head = _HEAD.format(text=header.text("c"))
-    return "\n".join([head, _FIRST, structs, "", interface, _LAST.strip("\n"), ""])
+    return _limited(header_last().replace("@branches@", members))
 
 
 def _limited(text: str) -> str:
@@ -99,7 +115,7 @@ def _limited(text: str) -> str:
     return text
 
 
-def _runtime(by_name: dict[str, Function]) -> str:
+def _filled(text: str, by_name: dict[str, Function]) -> str:
     start = by_name["_initial_state"]
     places = {
         "@initial@": ", ".join(start.results),
@@ -113,10 +129,9 @@ def _runtime(by_name: dict[str, Function]) -> str:
     )
     for branch in ("circular", "hyperbolic"):
         places[f"@{branch} given@"] = ", ".join(by_name[f"_{branch}_constants"].parameters)
-    text = _part("runtime.c")
     for mark, meaning in places.items():
         text = text.replace(mark, meaning)
-    return _limited(text)
+    return text
 
 
 def _part(name: str) -> str:

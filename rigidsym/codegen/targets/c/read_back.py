@@ -1,131 +1,162 @@
-"""The C source read back: its functions hold the lets, one a line, and nothing else that counts."""
+"""The C module read back: numbers, functions and structs in order, and nothing else.
+
+What is written by hand is compared word for word, with what the functions say at its marks.
+"""
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import astuple
 
+from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function, Let
-from rigidsym.codegen.lines import flat_results
+from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.passes import fuse, unfused
+from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
-from rigidsym.codegen.targets.c import emit, module
+from rigidsym.codegen.targets.c import module
+from rigidsym.codegen.targets.c.expressions import Reader
+from rigidsym.codegen.targets.c.frames import Frame, frames, struct
+from rigidsym.codegen.targets.c.statements import Statement, statements
 from rigidsym.errors import InputError
-from rigidsym.language.expression import Call, Expression, children, rebuild
 
-_SET = re.compile(r"const (?:double|double_double|exact) (\w+) = (.*);")
-_CALL = re.compile(r"(\w+\(.*?), (&\w+(?:, &\w+)*)\);")
-_STORES = (
-    re.compile(r"\*(\w+)_out = (\w+);"),
-    re.compile(r"(\w+)_out\[i\] = (\w+);"),
-    re.compile(r"motion->(\w+) = (?:dd_rounded\((?=\w+\)))?([\w.]+)\)?;"),
-)
-_FRAME = re.compile(
-    r"(?:double_double|exact) \w+(?:, \w+)*;|for \(size_t i = 0; i < n; i\+\+\) \{|\}"
-)
+# The types of extended numbers by what begins the names of their operations.
+_PAIRS = {"dd": "double_double", "exact": "exact"}
+_SET = re.compile(r"const (\w+) (\w+) = (.*);")
+_CALL = re.compile(r"(\w+\([^&]*), &(\w+(?:, &\w+)*)\);")
 
 
 def check(
     files: Mapping[str, str], functions: tuple[Function, ...], constants: tuple[Constant, ...]
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    source = files[module.SOURCE]
-    _check_numbers(source, functions, constants)
+    _check_header(files[module.HEADER], functions)
+    derived = _derived(files[module.SOURCE], functions)
+    given = iter(list(statements(module.SOURCE, derived)))
+    for number in _numbers(functions, constants):
+        _expect(module.SOURCE, given, number)
+    known: dict[str, Function] = {}
     decided = 0
-    for function in functions:
-        for name, printed in _printed(function):
-            _check_function(name, printed, _body(source, name))
-            decided += len(printed.lets)
+    for frame in frames(functions):
+        _check_function(frame, given, known)
+        known[frame.name] = frame.function
+        decided += len(frame.function.lets)
+    _expect_end(module.SOURCE, given)
     return decided
 
 
-def _check_numbers(
-    source: str, functions: tuple[Function, ...], constants: tuple[Constant, ...]
-) -> None:
-    """Named numbers are written to the last digit."""
+def _check_header(text: str, functions: tuple[Function, ...]) -> None:
+    first = header.filled(module.header_first(), "c", header.digest_in(module.HEADER, text))
+    last = _filled(module.header_last(), functions)
+    given = statements(module.HEADER, between(module.HEADER, text, first, last))
+    given = iter(_without_rows(given))
+    for function in functions:
+        if function.rounds:
+            for line in struct(function):
+                _expect(module.HEADER, given, line)
+    _expect_end(module.HEADER, given)
+
+
+def _without_rows(given: Iterator[Statement]) -> list[Statement]:
+    """Members declared in several rows as if it were one."""
+    rows: list[Statement] = []
+    for statement in given:
+        if rows and all(x.text.startswith("double ") for x in (statement, rows[-1])):
+            line, text = rows.pop()
+            more = statement.text.removeprefix("double ")
+            statement = Statement(line, f"{text.removesuffix(';')}, {more}")
+        rows.append(statement)
+    return rows
+
+
+def _derived(text: str, functions: tuple[Function, ...]) -> Between:
+    """What stands between the parts written by hand."""
+    digest = header.digest_in(module.SOURCE, text)
+    last = header.filled(_filled(module.source_last(), functions), "c", digest)
+    return between(module.SOURCE, text, module.source_first(), last)
+
+
+def _filled(text: str, functions: tuple[Function, ...]) -> str:
+    """The text written by hand with what functions take and give, and limits, at its marks."""
+    by_name = {function.name: function for function in functions}
+    start = by_name["_initial_state"]
+    marks = {
+        "initial": ", ".join(start.results),
+        "initial given": ", ".join(start.parameters),
+        "initial out": ", ".join(f"&{name}" for name in start.results),
+        "circular given": ", ".join(by_name["_circular_constants"].parameters),
+        "hyperbolic given": ", ".join(by_name["_hyperbolic_constants"].parameters),
+        "branches": "\n".join(
+            f"        torque_free_{name} {name};" for name in ("circular", "hyperbolic", "steady")
+        ),
+        "limits": "\n".join(
+            f"static const double {name} = {2.0**exponent!r}; /* 2^{exponent}, {meaning} */"
+            for name, exponent, meaning in map(astuple, LIMITS)
+        ),
+    }
+    marks |= {limit.name: str(limit.exponent) for limit in LIMITS}
+    for mark, meaning in marks.items():
+        text = text.replace(f"@{mark}@", meaning)
+    return text
+
+
+def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:
+    """The numbers that functions use, to the last digit."""
     used = {name for function in functions for name in function.used()}
     for number in constants:
-        found = re.findall(rf"static const \w+ {number.name} = (.*?); /\*", source)
-        expected = [number.hi] if number.lo is None else [number.hi, number.lo]
-        values = [[float(part) for part in text.strip("{}").split(",")] for text in found]
-        if number.name in used and values != [expected]:
-            raise InputError(module.SOURCE, number.name, f"is not {expected}")
+        if number.name in used and number.lo is None:
+            yield f"static const double {number.name} = {number.hi!r};"
+        elif number.name in used:
+            pair = f"{{{number.hi!r}, {number.lo!r}}}"
+            yield f"static const double_double {number.name} = {pair};"
 
 
-def _printed(function: Function) -> Iterator[tuple[str, Function]]:
-    """The functions of C that print this one."""
-    if function.name == "_discriminant":
-        every = replace(function, extended=frozenset(function.parameters))
-        yield from (("discriminant_dd", every), ("discriminant_exact", every))
-    else:
-        yield function.name[1:], function
+def _next(file: str, given: Iterator[Statement], expected: object) -> Statement:
+    for statement in given:
+        return statement
+    raise InputError(file, expected, "is not there")
 
 
-def _body(source: str, name: str) -> list[str]:
-    """The lines of a function between its braces, without comments."""
-    pattern = rf"^static (?:inline )?\w+ {name}\([^)]*\)\n{{\n(.*?)^}}"
-    found = re.findall(pattern, source, re.DOTALL | re.MULTILINE)
-    if len(found) != 1:
-        raise InputError(name, module.SOURCE, f"is there {len(found)} times")
-    return [re.sub(r" /\*.*?\*/", "", line).strip() for line in found[0].splitlines()]
+def _expect(file: str, given: Iterator[Statement], expected: str) -> None:
+    line, text = _next(file, given, expected)
+    if text != expected:
+        raise InputError(f"{file}:{line}", text, f"is not {expected:.80}")
 
 
-def _check_function(name: str, function: Function, lines: list[str]) -> None:
-    fused = zip(function.lets, fuse(function), strict=True)
-    stored: dict[str, str] = {}
-    returned = None
-    for line in lines:
-        if line.startswith("return "):
-            returned = line.removeprefix("return ").rstrip(";")
-        elif store := next(filter(None, (form.fullmatch(line) for form in _STORES)), None):
-            stored[store[1]] = store[2]
-        elif not _FRAME.fullmatch(line) and not _is_load(line):
-            _check_line(name, line, next(fused, None))
-    if (missing := next(fused, None)) is not None:
-        raise InputError(name, missing[0], "is not printed")
-    _check_results(name, function, returned, stored)
+def _expect_end(file: str, given: Iterator[Statement]) -> None:
+    for line, text in given:
+        raise InputError(f"{file}:{line}", text, "is nothing that this module has")
 
 
-def _is_load(line: str) -> bool:
-    """A parameter that comes from the motion or from an array, under its own name."""
-    found = _SET.fullmatch(line)
-    return bool(found) and found[2] in (f"motion->{found[1]}", f"{found[1]}_in[i]")
-
-
-def _check_line(name: str, line: str, expected: tuple[Let, Let] | None) -> None:
-    if expected is None:
-        raise InputError(name, line, "no let stands behind it")
-    let, fused = expected
-    if _read(line) != (let.targets, _without_prefix(fused.expression)):
-        raise InputError(name, line, f"{let}: {DIFFERS}")
-    if not is_equal(unfused(fused.expression), let.expression):
-        raise InputError(name, line, f"{let}: not what was fused")
-
-
-def _read(line: str) -> tuple[tuple[str, ...], Expression] | None:
-    """What a line sets, and to what."""
-    if found := _SET.fullmatch(line):
-        return (found[1],), emit.read(line)
-    if found := _CALL.fullmatch(line):
-        return tuple(found[2].replace("&", "").split(", ")), emit.read(f"{found[1]})")
-    return None
-
-
-def _without_prefix(expression: Expression) -> Expression:
-    """Functions of the module have a leading underscore in lets and none in C."""
-    parts = tuple(map(_without_prefix, children(expression)))
-    if isinstance(expression, Call):
-        return Call(expression.function.removeprefix("_"), parts)
-    return rebuild(expression, parts)
-
-
-def _check_results(
-    name: str, function: Function, returned: str | None, stored: dict[str, str]
+def _check_function(
+    frame: Frame, given: Iterator[Statement], known: Mapping[str, Function]
 ) -> None:
-    """Each result is handed out under its own name."""
-    names = flat_results(function) if function.rounds else list(function.results)
-    halves = {f"{split}_{half}": f"{split}.{half}" for split in function.split
-              for half in ("hi", "lo")}  # fmt: skip
-    expected = {result: halves.get(result, result) for result in names}
-    if stored != expected and (stored or [returned] != names):
-        raise InputError(name, stored or returned, f"does not hand out {', '.join(names)}")
+    for statement in frame.before:
+        _expect(module.SOURCE, given, statement)
+    function = frame.function
+    extended = function.all_extended()
+    reader = Reader(frame.name, frame.number, extended, known)
+    for let, fused in zip(function.lets, fuse(function), strict=True):
+        if len(let.targets) > 1:
+            _expect(module.SOURCE, given, f"double_double {', '.join(let.targets)};")
+        _check_line(reader, _next(module.SOURCE, given, let).text, fused)
+        if not is_equal(unfused(fused.expression), let.expression):
+            raise InputError(frame.name, fused, f"{let}: not what was fused")
+    for statement in frame.after:
+        _expect(module.SOURCE, given, statement)
+
+
+def _check_line(reader: Reader, line: str, let: Let) -> None:
+    """A line sets what its let sets, to that, as a number of its kind."""
+    if found := _SET.fullmatch(line):
+        expression, is_pair = reader.read(found[3])
+        kind = _PAIRS[reader.number] if is_pair else "double"
+        read = (found[2],), expression
+        if found[1] != kind:
+            raise InputError(reader.place, line, f"{let}: is a {kind}")
+    elif found := _CALL.fullmatch(line):
+        read = tuple(found[2].split(", &")), reader.read(f"{found[1]})")[0]
+    else:
+        raise InputError(reader.place, line, f"sets no name: {let}")
+    if read != (let.targets, let.expression):
+        raise InputError(reader.place, line, f"{let}: {DIFFERS}")

@@ -9,13 +9,11 @@ from rigidsym.language.expression import (
     Name,
     Operation,
     children,
-    parse,
     rebuild,
     to_text,
 )
 
 _CALLS = {name: f"_{name}" for name in CALLS} | {"size": "abs", "neg": "neg"}
-_BACK = {text: name for name, text in _CALLS.items()}
 
 
 def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
@@ -79,34 +77,12 @@ def _polynomial(expression: Expression) -> tuple[Expression, tuple[Expression, .
     return expression, (expression,)
 
 
-def _nested(variable: Expression, coefficients: tuple[Expression, ...]) -> Expression:
-    first, *rest = coefficients
-    if not rest:
-        return first
-    return Operation("+", first, Operation("*", variable, _nested(variable, tuple(rest))))
-
-
 def _check(expression: Expression) -> None:
     called = expression.function if isinstance(expression, Call) else "_"
     if called not in CALLS and not called.startswith("_"):
         raise ValueError(f"{called}: the NumPy target has no such function")
     for part in children(expression):
         _check(part)
-
-
-def read(line: str) -> Expression:
-    """The expression of a printed line."""
-    return _read(parse(line.split("  #")[0].split(" = ", 1)[1]))
-
-
-def _read(expression: Expression) -> Expression:
-    match rebuild(expression, tuple(map(_read, children(expression)))):
-        case Call("_horner", (variable, *coefficients)):
-            return _nested(variable, tuple(coefficients))
-        case Call(function, arguments):
-            return Call(_BACK.get(function, function), arguments)
-        case other:
-            return other
 
 
 def _results(function: Function) -> str:

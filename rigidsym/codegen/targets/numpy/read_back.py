@@ -1,80 +1,181 @@
-"""The NumPy module read back: its functions hold the lets, one a line, and nothing else."""
+"""The NumPy module read back: numbers, functions, tables and limits in order, and nothing else."""
 
 import ast
-from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
+from copy import copy
 
+from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function, Let
+from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import flat_results
 from rigidsym.codegen.passes import specialise
+from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
 from rigidsym.codegen.targets.numpy import emit, module
+from rigidsym.codegen.targets.numpy.expressions import read
 from rigidsym.errors import InputError
 from rigidsym.language.expression import Expression, Number, put
+
+_BRANCHES = ("circular", "hyperbolic", "steady")
 
 
 def check(
     files: Mapping[str, str], functions: tuple[Function, ...], constants: tuple[Constant, ...]
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    tree, functions = ast.parse(files[module.FILE]), emit.own(functions)
-    defined = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
-    _check_bound_once(tree)
-    _check_numbers(tree, functions, constants)
+    derived, functions = _derived(files[module.FILE]), emit.own(functions)
+    statements = iter(_statements(derived))
+    for expected in _numbers(functions, constants):
+        _check_statement(_next(statements, expected), expected)
+    known: set[str] = set()
     for function in functions:
-        if function.name not in defined:
-            raise InputError(function.name, module.FILE, "is not there")
-        _check_function(function, defined[function.name])
+        _check_function(function, _next(statements, f"def {function.name}"), known)
+        known.add(function.name)
+    for expected in (*_tables(functions), *_limits()):
+        _check_statement(_next(statements, expected), expected)
+    for left in statements:
+        raise InputError(_place(left), ast.unparse(left), "is no statement of this module")
     return sum(len(function.lets) for function in functions)
 
 
-def _check_bound_once(tree: ast.Module) -> None:
-    bound = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
-    bound += [ast.unparse(t) for node in tree.body if isinstance(node, ast.Assign)
-              for t in node.targets]  # fmt: skip
-    again = sorted(name for name, count in Counter(bound).items() if count > 1)
-    if again:
-        raise InputError(module.FILE, ", ".join(again), "defined more than once")
+def _derived(text: str) -> Between:
+    """What stands between the parts written by hand."""
+    digest = header.digest_in(module.FILE, text)
+    first = header.filled(module.first(), "numpy", digest)
+    return between(module.FILE, text, first, module.last())
 
 
-def _check_numbers(
-    tree: ast.Module, functions: tuple[Function, ...], constants: tuple[Constant, ...]
-) -> None:
-    """Named numbers are written to the last digit."""
-    written = {
-        ast.unparse(node.targets[0]): ast.unparse(node.value)
-        for node in tree.body
-        if isinstance(node, ast.Assign)
-    }
+def _statements(derived: Between) -> list[ast.stmt]:
+    try:
+        tree = ast.parse(derived.text)
+    except SyntaxError as error:
+        place = f"{module.FILE}:{derived.line - 1 + (error.lineno or 1)}"
+        raise InputError(place, (error.text or "").strip(), f"is no Python: {error.msg}") from None
+    except ValueError as error:
+        raise InputError(module.FILE, "its text", f"is no Python: {error}") from None
+    return list(ast.increment_lineno(tree, derived.line - 1).body)
+
+
+def _next(statements: Iterator[ast.stmt], expected: str) -> ast.stmt:
+    for statement in statements:
+        return statement
+    raise InputError(module.FILE, expected, "is not there")
+
+
+def _place(node: ast.stmt) -> str:
+    return f"{module.FILE}:{node.lineno}"
+
+
+def _check_statement(node: ast.stmt, expected: str) -> None:
+    (wanted,) = ast.parse(expected).body
+    if ast.dump(node) != ast.dump(wanted):
+        found, wanted = map(ast.unparse, _difference(node, wanted))
+        raise InputError(_place(node), found, f"is not {wanted:.80}")
+
+
+def _difference(found: ast.AST, wanted: ast.AST) -> tuple[ast.AST, ast.AST]:
+    """The part of a statement, the entry of a table, that is another one."""
+    match found, wanted:
+        case ast.Assign(targets=[ast.Name(id=name)]), ast.Assign(targets=[ast.Name(id=other)]):
+            return _difference(found.value, wanted.value) if name == other else (found, wanted)
+        case ast.Dict(), ast.Dict() if _keys(found) == _keys(wanted):
+            for one, other in zip(found.values, wanted.values, strict=True):
+                if ast.dump(one) != ast.dump(other):
+                    return _difference(one, other)
+    return found, wanted
+
+
+def _keys(table: ast.Dict) -> list[str]:
+    return [ast.unparse(key) if key else "**" for key in table.keys]
+
+
+def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:
+    """The numbers that functions use, to the last digit."""
     used = {name for function in functions for name in function.used()}
     for number in constants:
-        text = repr(number.hi)
-        if number.lo is not None:
-            text = f"_DoubleDouble({number.hi!r}, {number.lo!r})"
-        if number.name in used and written.get(number.name) != text:
-            raise InputError(module.FILE, number.name, f"is not {text}")
+        if number.name in used:
+            pair = f"_DoubleDouble({number.hi!r}, {number.lo!r})"
+            yield f"{number.name} = {repr(number.hi) if number.lo is None else pair}"
 
 
-def _check_function(function: Function, node: ast.FunctionDef) -> None:
-    parameters = [name for name in function.parameters if name != "t_lo"]
-    if ast.unparse(node.args) != ", ".join(parameters):
-        raise InputError(function.name, ast.unparse(node.args), "are not its parameters")
-    _, *lines, last = node.body  # the first is the docstring
+class _Code(str):
+    """A name in a table."""
+
+    __slots__ = ()
+    __repr__ = str.__str__
+
+
+def _tables(functions: tuple[Function, ...]) -> Iterator[str]:
+    """What the runtime knows of the functions: what they are given, and what they return."""
+    by_name = {function.name: function for function in functions}
+    yield f"INITIAL_STATE = {_step(by_name['_initial_state'])}"
+    branches = {name: _branch(name, by_name) for name in _BRANCHES}
+    yield f"BRANCHES = {branches}"
+
+
+def _step(function: Function) -> dict[str, object]:
+    names = tuple(flat_results(function))
+    return {"constants": _Code(function.name), "given": function.parameters, "names": names}
+
+
+def _branch(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
+    first, angles, state = (functions[f"_{name}_{x}"] for x in ("constants", "angles", "state"))
+    return {
+        **_step(first),
+        "angles": _Code(angles.name),
+        "state": _Code(state.name),
+        "rates": angles.parameters[2:],  # t and t_lo before them
+        "shape": state.parameters[len(angles.results) :],
+        "fast": tuple(f"{x}_hi" for x in first.results if x in ("v_rate", "y_rate", "Lambda_rate")),
+        "steady": name == "steady",
+    }
+
+
+def _limits() -> Iterator[str]:
+    return (f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in LIMITS)
+
+
+def _check_function(function: Function, node: ast.stmt, known: Collection[str]) -> None:
+    parameters = ", ".join(name for name in function.parameters if name != "t_lo")
+    head = f"def {function.name}({parameters}):"
+    if not isinstance(node, ast.FunctionDef) or _head(node) != head:
+        raise InputError(_place(node), _head(node), f"is not {head}")
+    said, *lines, last = node.body
+    if not _says(said, function.summary):
+        raise InputError(_place(said), ast.unparse(said), f"is not {function.summary!r}")
     if len(lines) != len(function.lets):
         raise InputError(function.name, f"{len(lines)} lines", f"has {len(function.lets)} lets")
     for line, let in zip(lines, function.lets, strict=True):
-        _check_line(function, ast.unparse(line), let)
+        _check_line(function, line, let, known)
     results = flat_results(function) if function.rounds else list(function.results)
     if _returned(last) != results:
         raise InputError(function.name, ast.unparse(last), f"does not return {results}")
 
 
-def _check_line(function: Function, line: str, let: Let) -> None:
-    targets, _, _ = line.partition(" = ")
-    read = emit.read(line)
-    if targets.strip("()") != ", ".join(let.targets) or read != _expected(function, let):
-        raise InputError(function.name, line, f"{let}: {DIFFERS}")
+def _head(node: ast.stmt) -> str:
+    """A function without its body: its decorators, its parameters and what is said of them."""
+    if not isinstance(node, ast.FunctionDef):
+        return ast.unparse(node)
+    bare = copy(node)
+    bare.body = [ast.Pass()]
+    return ast.unparse(bare).removesuffix("\n    pass").strip()
+
+
+def _says(node: ast.stmt, text: str) -> bool:
+    return isinstance(node, ast.Expr) and ast.dump(node.value) == ast.dump(ast.Constant(text))
+
+
+def _check_line(function: Function, line: ast.stmt, let: Let, known: Collection[str]) -> None:
+    match line:
+        case ast.Assign(targets=[ast.Name(id=name)], value=value):
+            targets = (name,)
+        case ast.Assign(targets=[ast.Tuple(elts=elements)], value=value):
+            targets = tuple(map(ast.unparse, elements))
+        case _:
+            raise InputError(function.name, ast.unparse(line), f"sets no name: {let}")
+    if targets != let.targets or read(function.name, value, known) != _expected(function, let):
+        raise InputError(function.name, ast.unparse(line), f"{let}: {DIFFERS}")
 
 
 def _expected(function: Function, let: Let) -> Expression:

@@ -1,0 +1,100 @@
+"""Text that was edited is refused by what it says: digests and manifests are those of the edit."""
+
+import hashlib
+import tomllib
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from rigidsym import InputError, generate
+from rigidsym.codegen import header
+from rigidsym.codegen.seal import seal_text
+from rigidsym.solution import sealed
+
+EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
+SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
+CASES = [pytest.param(t, e, id=f"{t}: {e['name']}") for t, edits in EDITS.items() for e in edits]
+
+
+made = cache(generate)
+
+
+def edited(target, edit):
+    """A module with one edit, as a generator that prints this would seal it."""
+    generated = made(target)
+    manifest = generated.manifest
+    files = {n: header.unsealed(x, target, manifest["digest"]) for n, x in generated.files.items()}
+    name = edit.get("file", SOURCES[target])
+    assert edit["find"] in files[name], f"{edit['name']}: there is nothing to edit"
+    files[name] = files[name].replace(edit["find"], edit["replace"], 1)
+    files, digest = header.sealed(files, target)
+    digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in files.items()}
+    manifest = {"target": target, "digest": digest, "sha256": digests}
+    return replace(generated, files=files, manifest=manifest)
+
+
+@pytest.mark.parametrize(("target", "edit"), CASES)
+def test_an_edit_is_refused_in_one_line(target, edit):
+    with pytest.raises(InputError) as refused:
+        seal_text(edited(target, edit), sealed())
+    assert "\n" not in str(refused.value)
+    assert len(str(refused.value)) < 400
+
+
+def test_how_many_edits_there_are():
+    assert {target: len(edits) for target, edits in EDITS.items()} == {"numpy": 32, "c": 31}
+
+
+@pytest.mark.parametrize("target", SOURCES)
+def test_what_was_not_edited_is_sealed_again(target):
+    nothing = {"name": "nothing", "find": "pi", "replace": "pi"}
+    assert edited(target, nothing) == made(target)
+    assert seal_text(edited(target, nothing), sealed()) > 500
+
+
+@pytest.mark.parametrize("target", SOURCES)
+def test_digests_are_those_of_the_files(target):
+    generated = made(target)
+    manifest, files = generated.manifest, generated.files
+    with pytest.raises(
+        InputError, match=r"sha256 = torque_free\.\w+: is not what the manifest says"
+    ):
+        seal_text(replace(generated, manifest={**manifest, "sha256": {}}), sealed())
+    wrong = "0" * 64
+    files = {n: header.unsealed(x, target, manifest["digest"]) for n, x in files.items()}
+    files = {n: header.filled(x, target, wrong) for n, x in files.items()}
+    digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in files.items()}
+    other = {"target": target, "digest": wrong, "sha256": digests}
+    with pytest.raises(InputError, match=f"digest = {wrong}: is not that of the files"):
+        seal_text(replace(generated, files=files, manifest=other), sealed())
+
+
+@pytest.mark.parametrize("target", SOURCES)
+def test_what_a_head_says_of_errors_is_what_was_measured(target):
+    generated = made(target)
+    files = {n: x.replace(" rad, |domega|", " deg, |domega|") for n, x in generated.files.items()}
+    files = {n: x.replace("Errors: not", "Errors: all") for n, x in files.items()}
+    assert files != generated.files
+    with pytest.raises(InputError, match="is not the line written by hand"):
+        seal_text(replace(generated, files=files), sealed())
+
+
+@pytest.mark.parametrize("target", SOURCES)
+def test_a_module_names_its_digest_once(target):
+    generated = made(target)
+    files = {n: x.replace(generated.manifest["digest"], "-") for n, x in generated.files.items()}
+    with pytest.raises(InputError, match="0 digests: a module names its own"):
+        seal_text(replace(generated, files=files), sealed())
+
+
+@pytest.mark.parametrize("target", SOURCES)
+def test_files_that_end_early_are_refused(target):
+    generated = made(target)
+    source = SOURCES[target]
+    lines = generated.files[source].split("\n")
+    for kept in (0, 10, 100, len(lines) // 2, len(lines) - 2):
+        files = {**generated.files, source: "\n".join(lines[:kept])}
+        with pytest.raises(InputError):
+            seal_text(replace(generated, files=files), sealed())
