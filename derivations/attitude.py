@@ -108,30 +108,15 @@ def derive(book: Book) -> None:
     """Invariants in the form without cancellation, the attitude, and the pull-back (37)."""
     book.open(join("attitude", *ATTITUDE))
     book.claim("attitude.conserved", {"D(H)": "0", "D(K**2)": "0"}, ["6"])
-    book.claim(
-        "attitude.H", {"H": "(c_a*Omega_a**2 + c_b*Omega_b**2 + c_d*Omega_d**2)/2"}, ["6", "15"]
-    )
     book.root("attitude.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
     for x in "abd":
-        book.claim(f"attitude.M_{x}", {f"M_{x}": f"c_{x}*Omega_{x}"}, ["8"])
         book.claim(f"attitude.Omega_{x}", {f"Omega_{x}": f"M_{x}/c_{x}"}, ["8"])
-
-    book.claim(
-        "attitude.psi_rate", {"psi_rate": "(2*H + K*sigma*Omega_a)/(K + sigma*M_a)"}, ["32", "33"]
-    )
     book.root("attitude.nu", "nu", "2*K*(K + sigma*M_a)", ["27"])
-    book.claim("attitude.s_0", {"s_0": "nu/(2*K)"}, ["27"])
-    book.claim("attitude.s_b", {"s_b": "sigma*epsilon*M_d/nu"}, ["28"])
-    book.claim("attitude.s_d", {"s_d": "-sigma*epsilon*M_b/nu"}, ["28"])
-    for name, form in TURN.definitions.items():
-        if name.startswith("qbar"):
-            book.claim(f"attitude.{name}", {name: form}, ["18", "25"])
+
     book.claim("attitude.p_0", {"p_0": "q_0*qbar_0 + q_a*qbar_a + q_b*qbar_b + q_d*qbar_d"}, ["37"])
     for x, y, z in ("abd", "bda", "dab"):
         form = f"q_{x}*qbar_0 - q_0*qbar_{x} + epsilon*(q_{z}*qbar_{y} - q_{y}*qbar_{z})"
         book.claim(f"attitude.p_{x}", {f"p_{x}": form}, ["37"])
-    for name, form in PULL_BACK.definitions.items():
-        book.claim(f"attitude.{name}", {name: form}, ["37"])
     book.claim("attitude.particular", kinematics("qbar"), ["3", "23"])
     for name, form in MOMENTUM.items():
         book.claim(f"attitude.{name}_of_attitude", {name: form}, ["24"])

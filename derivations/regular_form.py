@@ -97,8 +97,6 @@ def derive(book: Book) -> None:
     """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
     book.open(join("regular", *REGULAR))
     book.claim("regular.euler", EULER, ["5", "10"])
-    for name, form in DIFFERENCES.items():
-        book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
     for name, form in BY_RATES.items():
         book.claim(f"regular.{name}", {name: form}, ["6", "15"])
     square = "(M_a**2 + M_b**2 + M_d**2)"
@@ -115,9 +113,6 @@ def derive(book: Book) -> None:
         book.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
     for name, form in PARAMETERS.items():
         book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
-    book.claim("regular.tau", {"tau": "-rho*epsilon*sigma"}, ["16", "17"])
-    for name, form in ROTATING.definitions.items():
-        book.claim(f"regular.{name}", {name: form}, ["10"])
     # At t = 0 these say where on the polhode the motion starts.
     book.claim("regular.sn", {"sn": "chi*Omega_b/A_b"}, ["12"])
     book.claim("regular.cn", {"cn": "chi*tau*Omega_d/A_d"}, ["12"])

@@ -51,10 +51,4 @@ def derive(book: Book) -> None:
     book.claim("steady.norm", [(sum(x * x for x in q), 1)], ["1"])
     half_turn = [x / 2 for x in product(q, (ring.element(0), *rates))]
     book.claim("steady.solution", equal(map(ring.rate, q), half_turn), ["3"])
-
     book.root("steady.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
-    book.claim("steady.theta", {"theta": "omega*t"}, ["3"])
-    for k in (1, 2, 3):
-        book.claim(f"steady.axis{k}", {f"axis{k}": f"Omega{k}/omega"}, ["3"])
-    for name, form in PULL_BACK.definitions.items():
-        book.claim(f"steady.{name}", {name: form}, ["37"])

@@ -171,26 +171,17 @@ def _shift(book: Book) -> None:
     book.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
     book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
     book.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
-    book.claim("theta_form.Lambda", {"Lambda": "psi_0/2 + rho*mu*zeta"}, ["33", "34"])
     book.root("theta_form.root_k", "root_k", "k_1", ["27"])
     book.claim("theta_form.B_a", {"B_a": "c_a*A_a"}, ["27"])
     book.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
-    book.claim("theta_form.x", {"x": "B_d/(root_k*(K + B_a))"}, ["28"])
     book.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
     book.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
-    for name in ("s_beta", "c_beta", "d_beta"):
-        book.claim(f"theta_form.{name}", {name: SHIFT.definitions[name]}, ["DLMF 22.6.1"])
     beta = {"s_beta**2 + c_beta**2": "1", "d_beta**2": "1 - (1 - k_1**2)*s_beta**2"}
     book.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
-    for name, form in {**ADDITION, **QUOTIENT}.items():
-        if not name.startswith("Z"):
-            book.claim(f"theta_form.{name}", {name: form}, ["DLMF 22.8.1, 22.2.4"])
 
 
 def _form(book: Book) -> None:
     """The phase moves as psi/2 does, and the quotient is that of the shortest rotation."""
-    for name in ("P4_re", "P4_im", "P1_re", "P1_im"):
-        book.claim(f"theta_form.{name}", {name: PHASE.definitions[name]}, ["18"])
     book.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
     book.model("theta_form", "descended")
     book.carry("theta_form", ["descended.solution"])

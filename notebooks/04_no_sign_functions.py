@@ -38,7 +38,7 @@ import numpy as np
 import rigidsym
 from rigidsym.io.cases import paper_case
 from rigidsym.proof.kernel import Grade
-from support import derived, grades, show
+from support import definitions, derived, grades, show
 
 BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"
 plt.rcParams |= {"figure.dpi": 110, "axes.grid": True, "grid.color": "#e5e5e5", "font.size": 9}
@@ -298,7 +298,7 @@ assert np.max(momentum_drift(following)) < 1e-5
 # that $\sigma M_a=|M_a|$. What is left is one angle $\psi=\phi_1+\phi_3$ about the momentum, with
 
 # %%
-show(ledger, "attitude.psi_rate")
+definitions(ledger, "attitude", "psi_rate")
 
 # %% [markdown]
 # In (33) the denominator is $K^2-(c_1\Omega_1)^2$, which vanishes when the body spins about axis 1.

@@ -12,7 +12,7 @@ from rigidsym.proof.kernel.ring import Ring
 from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses
 from rigidsym.proof.kernel.statement import Context, Fact, Grade, weakest
 
-SCHEMA = "rigidsym.ledger/2"
+SCHEMA = "rigidsym.ledger/3"
 _LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
 
 
