@@ -127,6 +127,7 @@ def _argument(book: Book) -> None:
     book.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     book.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     book.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
+    book.claim("descended.u_1_is_the_argument", {"D(u_1)": "mu"}, ["20", "21"])
 
 
 def _secular(book: Book) -> None:

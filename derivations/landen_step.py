@@ -135,6 +135,9 @@ def _argument(book: Book) -> None:
     book.root("landen.v", "v", "(1 + k_next)*(1 + d)*(d + kc)", ["DLMF 22.7.4"])
     for name, form in FUNCTIONS.items():
         book.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
+    # s = 1 where s_next is: the quarter periods K and (1 + k_next) K_next are the same u.
+    quarter = "(1 - s_next)*(1 - k_next*s_next)/(1 + k_next*s_next**2)"
+    book.claim("landen.quarter", {"1 - s": quarter}, ["DLMF 19.8.12"])
 
 
 def _shift(book: Book) -> None:

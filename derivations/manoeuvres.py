@@ -10,12 +10,14 @@ Not here: that motions with the same rates and attitude at one time are the same
 theorem on all such equations; and when the turn that is left is a whole one, which is for numbers.
 """
 
+from sympy import symbols
+
 from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import ATTITUDE, BODY, INERTIA
 from derivations.lie_algebra import UNIT_QUATERNION
 from derivations.regular_form import BY_RATES, DIFFERENCES
-from rigidsym.proof.algebra import Book, Part, equal, join, names
-from rigidsym.proof.algebra.quaternion import product
+from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra.quaternion import kinematics, product
 
 CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 PAIRS = [(j, k) for j in (1, 2, 3) for k in (1, 2, 3)]
@@ -133,10 +135,8 @@ def derive(book: Book) -> None:
 
 def _faster(book: Book) -> None:
     """q(s t) and s Omega(s t) are a motion; momentum goes with s, energy with s^2."""
-    ring = book.open(join("faster", INERTIA, BODY, UNIT_QUATERNION, ATTITUDE, FASTER))
-    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "W1 W2 W3")
-    half_turn = [x / 2 for x in product(q, (ring.element(0), *rates))]
-    book.claim("faster.kinematics", equal(map(ring.rate, q), half_turn), ["3"])
+    book.open(join("faster", INERTIA, BODY, UNIT_QUATERNION, ATTITUDE, FASTER))
+    book.claim("faster.kinematics", kinematics("q0 q1 q2 q3", "W1 W2 W3"), ["3"])
     euler = {f"c{i}*D(W{i})": f"(c{j} - c{k})*W{j}*W{k}" for i, j, k in CYCLES}
     book.claim("faster.euler", euler, ["5"])
     book.claim(
@@ -168,10 +168,10 @@ def _cone(book: Book) -> None:
 
 def _left(book: Book) -> None:
     """q = z p takes N to L, which is M where z is a turn about M, and only there."""
-    ring = book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
-    p, q, z = (names(ring, f"{x}0 {x}1 {x}2 {x}3") for x in "pqz")
+    book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
+    whole = product(symbols("z:4"), symbols("p:4"))
     book.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
-    book.claim("arrival.left", equal(q, product(z, p)))
+    book.claim("arrival.left", {f"q{k}": part for k, part in enumerate(whole)})
     cross = " + ".join(f"(z{j}*M{k} - z{k}*M{j})**2" for _, j, k in CYCLES)
     book.claim("arrival.gap", {total("(L? - M?)**2"): f"4*({cross})"})
     book.claim("arrival.angle", {f"(K*z0)**2 + along**2 + {cross}": "K**2"})
@@ -209,11 +209,9 @@ def _ring(book: Book) -> None:
     so that q(T + t) = q(t) p, and from whatever q(t) it is at, it turns by p in the time T.
     """
     motion = (INERTIA, TURN, BODY, UNIT_QUATERNION, ATTITUDE)
-    ring = book.open(join("ring", *motion, BESIDE, SYMMETRY))
-    x, rates = names(ring, "x0 x1 x2 x3"), names(ring, "W1 W2 W3")
+    book.open(join("ring", *motion, BESIDE, SYMMETRY))
     book.claim("ring.symmetry", {f"R{j}{k}*(1/c{k} - 1/c{j})": "0" for j, k in ACROSS})
-    half_turn = [y / 2 for y in product(x, (ring.element(0), *rates))]
-    book.claim("ring.kinematics", equal(map(ring.rate, x), half_turn), ["3"])
+    book.claim("ring.kinematics", kinematics("x0 x1 x2 x3", "W1 W2 W3"), ["3"])
     book.claim("ring.momentum", {f"P{k}": f"c{k}*W{k}" for k in (1, 2, 3)}, ["8"])
     euler = {f"c{i}*D(W{i})": f"P{j}*W{k} - P{k}*W{j}" for i, j, k in CYCLES}
     book.claim("ring.euler", euler, ["5", "7"])

@@ -176,7 +176,11 @@ def _shift(book: Book) -> None:
     book.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
     book.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
     book.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
-    beta = {"s_beta**2 + c_beta**2": "1", "d_beta**2": "1 - (1 - k_1**2)*s_beta**2"}
+    beta = {
+        "s_beta": "x*c_beta",
+        "s_beta**2 + c_beta**2": "1",
+        "d_beta**2": "1 - (1 - k_1**2)*s_beta**2",
+    }
     book.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
 
 

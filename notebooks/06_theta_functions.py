@@ -462,7 +462,7 @@ table(rows)
 
 # %%
 landen = [name for name in ledger.facts if name.split(".")[0] in ("landen", "scaling", "unscaled")]
-assert len(landen) == 21
+assert len(landen) == 19
 assert grades(ledger, *landen) == {Grade.PROVED}
 
 # %% [markdown]

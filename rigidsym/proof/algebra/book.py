@@ -7,6 +7,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import TypeAlias
 
+from sympy import Expr
+
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
@@ -14,8 +16,8 @@ from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
 
 # What the kernel reads, or what `text` makes into that.
-Side: TypeAlias = str | int | Element
-Equations: TypeAlias = Mapping[str, str] | Iterable[tuple[Side, Side]]
+Side: TypeAlias = str | int | Element | Expr
+Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
 # A context's name, and what its witness has that its parent's has not.
 Case: TypeAlias = tuple[str, Point]
@@ -162,7 +164,7 @@ def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Ent
 
 
 def text(side: Side) -> str:
-    """What the kernel reads back as this: a text itself, a number, or an element of a ring."""
+    """What the kernel reads back as this: a text or a number itself, an expression, an element."""
     if not isinstance(side, Element):
         return str(side)
     factors = zip(side.ring.units, side.powers, strict=True)

@@ -3,6 +3,8 @@
 from collections.abc import Sequence
 from typing import Any
 
+from sympy import Expr, symbols
+
 
 def product(p: Sequence[Any], q: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
     """The Hamilton product: i j = k."""
@@ -14,6 +16,12 @@ def product(p: Sequence[Any], q: Sequence[Any]) -> tuple[Any, Any, Any, Any]:
         p0 * q2 + p2 * q0 + p3 * q1 - p1 * q3,
         p0 * q3 + p3 * q0 + p1 * q2 - p2 * q1,
     )
+
+
+def kinematics(q: str, rates: str) -> dict[str, Expr]:
+    """q' = (1/2) q (0, Omega) by names: `kinematics("q0 q1 q2 q3", "Omega1 Omega2 Omega3")`."""
+    turned = product(symbols(q), (0, *symbols(rates)))
+    return {f"D({name})": side / 2 for name, side in zip(q.split(), turned, strict=True)}
 
 
 def conjugate(q: Sequence[Any]) -> tuple[Any, Any, Any, Any]:

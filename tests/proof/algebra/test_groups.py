@@ -3,7 +3,7 @@
 import pytest
 
 from rigidsym.proof.algebra import equal, names
-from rigidsym.proof.algebra.quaternion import conjugate, product
+from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product
 from rigidsym.proof.algebra.su2 import (
     Complex,
     basis,
@@ -14,6 +14,13 @@ from rigidsym.proof.algebra.su2 import (
 )
 from rigidsym.proof.kernel import Context, Ledger
 
+# q' of (3) as in textbooks, row by row.
+TEXTBOOK = {
+    "D(q0)": "(-Omega1*q1 - Omega2*q2 - Omega3*q3)/2",
+    "D(q1)": "(Omega1*q0 + Omega3*q2 - Omega2*q3)/2",
+    "D(q2)": "(Omega2*q0 - Omega3*q1 + Omega1*q3)/2",
+    "D(q3)": "(Omega3*q0 + Omega2*q1 - Omega1*q2)/2",
+}
 GENERATORS = tuple(f"{name}{k}" for name in "pqr" for k in range(4))
 
 
@@ -136,3 +143,12 @@ def test_matrix_rate_obeys_leibniz_in_order():
     X, Y = from_quaternion((a, b, zero, zero)), from_quaternion((b, zero, a, zero))
     assert holds((X @ Y).rate(), X.rate() @ Y + X @ Y.rate())
     assert not holds((X @ Y).rate(), X.rate() @ Y + Y.rate() @ X)
+
+
+def test_kinematics_are_those_of_textbooks_and_texts_that_the_kernel_reads():
+    found = kinematics("q0 q1 q2 q3", "Omega1 Omega2 Omega3")
+    names = ("q0", "q1", "q2", "q3", "Omega1", "Omega2", "Omega3")
+    ring = Ledger().open(Context("textbook", names, dict.fromkeys(names, "0")))
+    assert found.keys() == TEXTBOOK.keys()
+    for rate, side in found.items():
+        assert not (ring.read(str(side)) - ring.read(TEXTBOOK[rate])).numerator
