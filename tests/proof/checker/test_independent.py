@@ -211,10 +211,10 @@ def excerpt() -> str:
 
 
 def test_both_checkers_accept_the_excerpt(excerpt):
-    assert check(excerpt) == len(replay(excerpt).facts) > 40
+    assert check(excerpt) == len(replay(excerpt).facts) > 30
 
 
-@pytest.mark.parametrize("k", range(1, 41, 4))
+@pytest.mark.parametrize("k", range(1, 31, 3))
 def test_both_checkers_refuse_a_changed_statement(excerpt, k):
     fact = json.loads(excerpt)["facts"][k]
     text = tampered(excerpt, f"facts/{k}/rhs/0", f"{fact['rhs'][0]} + 1")
