@@ -10,14 +10,16 @@ Not here: that motions with the same rates and attitude at one time are the same
 theorem on all such equations; and when the turn that is left is a whole one, which is for numbers.
 """
 
-from sympy import symbols
+from collections.abc import Iterable
+
+from sympy import Expr, symbols
 
 from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import ATTITUDE, BODY, INERTIA
 from derivations.lie_algebra import UNIT_QUATERNION
 from derivations.regular_form import BY_RATES, DIFFERENCES
 from rigidsym.proof.algebra import Book, Part, join
-from rigidsym.proof.algebra.quaternion import kinematics, product
+from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
 
 CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 PAIRS = [(j, k) for j in (1, 2, 3) for k in (1, 2, 3)]
@@ -30,15 +32,18 @@ def total(term: str) -> str:
 
 
 def matrix(name: str, q: str) -> dict[str, str]:
-    """The entries of the rotation matrix of a unit quaternion."""
-    entries = {}
-    for j, k, i in CYCLES:
-        entries |= {
-            f"{name}{j}{j}": f"{q}0**2 + {q}{j}**2 - {q}{k}**2 - {q}{i}**2",
-            f"{name}{j}{k}": f"2*({q}{j}*{q}{k} - {q}0*{q}{i})",
-            f"{name}{k}{j}": f"2*({q}{j}*{q}{k} + {q}0*{q}{i})",
-        }
-    return entries
+    """The entries of the rotation matrix of a unit quaternion: its columns are q e_k q^-1."""
+    columns = (rotated(symbols(f"{q}:4"), [int(j == k) for j in (1, 2, 3)]) for k in (1, 2, 3))
+    return {
+        f"{name}{j}{k}": str(entry)
+        for k, column in enumerate(columns, 1)
+        for j, entry in enumerate(column, 1)
+    }
+
+
+def components(name: str, quaternion: Iterable[Expr]) -> dict[str, str]:
+    """What the components of a quaternion are, as texts."""
+    return {f"{name}{k}": str(component) for k, component in enumerate(quaternion)}
 
 
 # What q and Omega are at the time s t: everything moves s times as fast.
@@ -76,8 +81,7 @@ LEFT = Part(
     definitions={
         **matrix("S", "q"),
         **{f"L{k}": total(f"S{k}?*N?") for k in (1, 2, 3)},
-        "z0": "q0*p0 + q1*p1 + q2*p2 + q3*p3",
-        **{f"z{i}": f"q{i}*p0 - q0*p{i} + q{k}*p{j} - q{j}*p{k}" for i, j, k in CYCLES},
+        **components("z", product(symbols("q:4"), conjugate(symbols("p:4")))),
         "along": total("z?*M?"),
     },
     reading={
@@ -110,8 +114,7 @@ BESIDE = Part(
     definitions={
         **{f"W{k}": total(f"R?{k}*Omega?") for k in (1, 2, 3)},
         **{f"P{k}": total(f"R?{k}*M?") for k in (1, 2, 3)},
-        "x0": "q0*p0 - q1*p1 - q2*p2 - q3*p3",
-        **{f"x{i}": f"q0*p{i} + q{i}*p0 + q{j}*p{k} - q{k}*p{j}" for i, j, k in CYCLES},
+        **components("x", product(symbols("q:4"), symbols("p:4"))),
     },
     reading={f"W{k}": f"rate about axis {k} of the motion beside, rad/s" for k in (1, 2, 3)},
 )
@@ -169,9 +172,8 @@ def _cone(book: Book) -> None:
 def _left(book: Book) -> None:
     """q = z p takes N to L, which is M where z is a turn about M, and only there."""
     book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
-    whole = product(symbols("z:4"), symbols("p:4"))
     book.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
-    book.claim("arrival.left", {f"q{k}": part for k, part in enumerate(whole)})
+    book.claim("arrival.left", components("q", product(symbols("z:4"), symbols("p:4"))))
     cross = " + ".join(f"(z{j}*M{k} - z{k}*M{j})**2" for _, j, k in CYCLES)
     book.claim("arrival.gap", {total("(L? - M?)**2"): f"4*({cross})"})
     book.claim("arrival.angle", {f"(K*z0)**2 + along**2 + {cross}": "K**2"})

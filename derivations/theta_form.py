@@ -17,10 +17,13 @@ each with its reference, which balls agree with at structured points.  By them i
 form, so the attitude solves (3) there too, at their grade.
 """
 
+from sympy import I, expand, symbols
+
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION
 from derivations.regular_form import HALF
 from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra.printing import printed
 
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
 # polynomial.
@@ -82,11 +85,18 @@ TURNING = Part(
     rates={"X_re": "-Lambda*X_im", "X_im": "Lambda*X_re"},
     reading={"X_re": "cos(Lambda*t)", "X_im": "sin(Lambda*t)"},
 )
-QUOTIENT = {
-    "T1_re": "root_k*(SN_re*T4_re - SN_im*T4_im)",
-    "T1_im": "root_k*(SN_re*T4_im + SN_im*T4_re)",
-}
-SLOPE = {"T4_re": "Z_re*T4_re - Z_im*T4_im", "T4_im": "Z_re*T4_im + Z_im*T4_re"}
+
+
+def times(x: str, y: str) -> dict[str, str]:
+    """Real and imaginary part of x y, by those of complex x and y."""
+    names = f"{x}_re {x}_im {y}_re {y}_im"
+    a, b, c, d = symbols(names, real=True)
+    parts = expand((a + I * b) * (c + I * d)).as_real_imag()
+    return {name: printed(part, names) for name, part in zip(("re", "im"), parts, strict=True)}
+
+
+QUOTIENT = {f"T1_{part}": f"root_k*({form})" for part, form in times("SN", "T4").items()}
+SLOPE = {f"T4_{part}": form for part, form in times("Z", "T4").items()}
 # Watson's identities make the sum of the squares a product of two real thetas.
 NORM = {"W": "T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2"}
 # That T1 and W, defined here, are the functions that their readings name, is assumed below.
@@ -122,10 +132,8 @@ FREE = Part(
 # unit quaternion of (37) takes up.
 PHASE = Part(
     definitions={
-        "P4_re": "X_re*T4_re - X_im*T4_im",
-        "P4_im": "X_re*T4_im + X_im*T4_re",
-        "P1_re": "X_re*T1_re - X_im*T1_im",
-        "P1_im": "X_re*T1_im + X_im*T1_re",
+        **{f"P4_{part}": form for part, form in times("X", "T4").items()},
+        **{f"P1_{part}": form for part, form in times("X", "T1").items()},
         "N": "R/s_0",
         "cos_half_psi": "P4_re/R",
         "sin_half_psi": "P4_im/R",

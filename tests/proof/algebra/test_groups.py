@@ -1,9 +1,10 @@
 """The same laws for unit quaternions and for SU(2), as identities over a free ring."""
 
 import pytest
+from sympy import sqrt
 
 from rigidsym.proof.algebra import equal, names
-from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product
+from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
 from rigidsym.proof.algebra.su2 import (
     Complex,
     basis,
@@ -152,3 +153,17 @@ def test_kinematics_are_those_of_textbooks_and_texts_that_the_kernel_reads():
     assert found.keys() == TEXTBOOK.keys()
     for rate, side in found.items():
         assert not (ring.read(str(side)) - ring.read(TEXTBOOK[rate])).numerator
+
+
+def test_axes_of_the_other_handedness_turn_the_other_way(pqr):
+    """With an axis turned round, i and its coefficient change sign; the product is the same one."""
+    p, q, _ = pqr
+    mirrored = [[x[0], x[1] * -1, x[2], x[3]] for x in (p, q)]
+    whole, left = product(*mirrored), product(p, q, -1)
+    assert holds((whole[0], whole[1] * -1, *whole[2:]), left)
+
+
+def test_a_quarter_turn_about_the_third_axis_takes_the_first_to_the_second():
+    half = sqrt(2) / 2
+    assert rotated((half, 0, 0, half), (1, 0, 0)) == [0, 1, 0]
+    assert rotated((half, 0, 0, half), (1, 0, 0), -1) == [0, -1, 0]
