@@ -5,13 +5,16 @@ were roots in (c_i Omega_i)^2: both cannot be.  Dropping the c_i mends each of t
 from the denominator of chi to that of alpha in (14) mends them all at once.
 """
 
+from sympy import MatAdd
+
 from derivations.conjugacy import MOMENTUM
 from derivations.euler_lax import INERTIA as MOMENTS
 from derivations.lemma1 import INERTIA, SCALED, SINE, Lemma1
+from derivations.lie_algebra import Algebra, M, R, combination, commutator, from_quaternion
 from derivations.phi1_integral import AMPLITUDE, FUNCTIONS, ThirdKind, constants
 from derivations.phi1_integral import sine as sine_of
-from rigidsym.proof.algebra import Book, Part, equal, jacobi, join, names, sign
-from rigidsym.proof.algebra.su2 import combination, commutator, from_quaternion
+from rigidsym.proof.algebra import Book, Part, jacobi, join, part_of, sign
+from rigidsym.proof.steps import Desk
 
 PRINTED = Part(
     definitions={
@@ -64,13 +67,15 @@ def derive(book: Book) -> None:
 
 def _start_of_motion(book: Book) -> None:
     """R M R^-1 = M at the start says that R M = M R; it holds at R = e, and not everywhere."""
-    moving = book.ledger.rings["moving_body"]
-    R, M = from_quaternion(names(moving, "q0 q1 q2 q3")), combination(names(moving, "M1 M2 M3"))
-    conjugated = R @ M @ R.inverse()
+    matrices = {"R": from_quaternion("q"), "M": combination("M1 M2 M3")}
+    body = part_of(book.ledger.contexts["moving_body"])
+    matrices = {**book.found(Algebra).basis, **matrices}
+    desk = Desk.open(book, "any_start", body, matrices=matrices, static=True)
+    conjugated, start = R * M * R.I, ["9", "22"]
     quarter_turn = {"q0": "3/5", "q2": "4/5"}
-    book.refute("moving_body.any_start", equal(conjugated, M), quarter_turn, ["9", "22"])
-    gap = conjugated - M
-    book.claim("moving_body.start", equal(gap @ R, commutator(R, M)), ["9", "22"])
+    book.refute("any_start.momentum", desk.entrywise(conjugated, M), quarter_turn, start)
+    gap = MatAdd(conjugated, -M)
+    book.claim("any_start.commutes", desk.entrywise(gap * R, commutator(R, M)), start)
 
 
 def _axis(book: Book) -> None:

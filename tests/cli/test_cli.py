@@ -195,6 +195,29 @@ def test_trace_says_why_it_has_nothing(arguments, line, capsys):
     assert len(said.err.splitlines()) == 1
 
 
+@pytest.mark.parametrize(
+    ("code", "equations", "behind"),
+    [
+        ("H = ", "equations: (6), (15)", ["facts: regular.H"]),
+        ("tau = ", "equations: (16), (17)", ["definitions: regular.tau"]),
+        (
+            "common_8 = 1 + k_c",
+            "equations: DLMF 22.7.1, DLMF 22.7.2",
+            ["facts: descended.k_1, descended.mu", "definitions: landen.kc_next"],
+        ),
+        ("cos_half_theta = ", "equations: (3)", ["readings: steady.cos_half_theta"]),
+    ],
+)
+def test_trace_tells_facts_definitions_and_readings_apart(code, equations, behind, capsys):
+    module = Path(rigidsym.__path__[0]) / "generated" / "torque_free.py"
+    lines = module.read_text("utf-8").splitlines()
+    line = next(k for k, text in enumerate(lines, 1) if text.strip().startswith(code))
+    assert main(["trace", f"torque_free.py:{line}"]) == 0
+    said = capsys.readouterr().out.splitlines()
+    assert said[0].startswith(code)
+    assert said[1:] == [equations, *behind]
+
+
 def test_trace_names_what_rests_on_no_fact(capsys):
     assert main(["trace", "--equation", "Dekker 1971"]) == 0
     place = capsys.readouterr().out.split(": ")[0]

@@ -1,4 +1,6 @@
 import ast
+import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -62,6 +64,40 @@ def test_every_assumption_has_a_reference_and_at_least_five_points(ledger):
     for fact in assumed:
         assert fact.source == (fact.certificate["reference"],)
         assert len(fact.certificate["points"]) >= 5
+
+
+PUBLISHED = json.loads(SEALED)["published"]["sequences"]
+DEFINED = sorted(
+    {
+        (entry["context"], entry["definition"])
+        for entries in PUBLISHED.values()
+        for entry in entries
+        if "definition" in entry
+    }
+)
+# What these are short for is no matter of their own context: the facts that say why it is right.
+ELSEWHERE = {("landen", "K"): "landen.quarter", ("scaling", "Y"): "unscaled.top"}
+
+
+def admit(ledger, context, facts):
+    ledger.open(context)
+    for fact in facts:
+        ledger.add(fact)
+
+
+@pytest.mark.parametrize(("context", "name"), DEFINED)
+def test_a_published_definition_made_wrong_breaks_what_is_proved_of_it(ledger, context, name):
+    """Doubled, a definition is refused with its context, or breaks a fact or a model."""
+    if (context, name) in ELSEWHERE:
+        assert ELSEWHERE[context, name] in ledger.facts
+        return
+    there = ledger.contexts[context]
+    doubled = {**there.definitions, name: f"2*({there.definitions[name]})"}
+    others = {other: value for other, value in ledger.contexts.items() if other != context}
+    scratch = Ledger(contexts=others, rings=dict(ledger.rings))
+    facts = [f for f in ledger.facts.values() if f.context == context and not f.premises]
+    with pytest.raises(KernelError):
+        admit(scratch, replace(there, definitions=doubled), facts)
 
 
 MUTANTS = [
@@ -170,6 +206,11 @@ MUTANTS = [
         "phi1_rate*sin_phi2 = Omega2*cos_phi3 + Omega3*sin_phi3",
     ),
     # natural motions between two attitudes
+    (
+        "faster",
+        "D(q1) = (q0*W1 + q2*W3 - q3*W2)/2",
+        "D(q1) = (q0*Omega1 + q2*Omega3 - q3*Omega2)/2",
+    ),
     ("faster", "c1*D(W1) = (c2 - c3)*W2*W3", "c1*D(W1) = s*(c2 - c3)*W2*W3"),
     ("faster", "W1*M1 + W2*M2 + W3*M3 = 2*s*H", "W1*M1 + W2*M2 + W3*M3 = 2*s**2*H"),
     ("manoeuvre", "A11 + A22 + A33 = 0", "A11 + A22 = 0"),
