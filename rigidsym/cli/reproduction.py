@@ -1,4 +1,4 @@
-"""The command `reproduce`."""
+"""The command `reproduce`, which runs the main job and tells of its stages."""
 
 from typing import Any
 
@@ -15,7 +15,7 @@ def add(command: Command) -> None:
 
 
 def _reproduce(options: Any) -> int:
-    from rigidsym.cli.reproduce import reproduce
+    from rigidsym.reproduce import reproduce
     from rigidsym.io.files import probe
     from rigidsym.proof.derivation import DerivationError
 
