@@ -15,9 +15,9 @@ def add(command: Command) -> None:
 
 
 def _reproduce(options: Any) -> int:
-    from rigidsym.reproduce import reproduce
     from rigidsym.io.files import probe
     from rigidsym.proof.derivation import DerivationError
+    from rigidsym.reproduce import reproduce
 
     probe(options.output)
     rows: list[tuple[str, str, str, str]] = []
