@@ -14,7 +14,7 @@ from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.user_integrator import UserIntegrator
 from rigidsym.validate.strata import Sample
 
-SCHEMA = "rigidsym.case/1"
+SCHEMA = "rigidsym.case/2"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Finding:
         return self.reference.sample
 
     def to_data(self) -> dict[str, Any]:
-        """The schema rigidsym.case/1: inputs without loss, and all errors in units of 2^-53."""
+        """The schema rigidsym.case/2: inputs without loss, and all errors in units of 2^-53."""
         reference = self.reference
         return {
             "schema": SCHEMA,

@@ -294,7 +294,7 @@ def test_a_broken_bound_exits_1_and_leaves_a_case_that_propagate_takes(
 def test_one_case_is_printed_as_json_alone(capsys):
     assert main(["validate", "c", "--case", "published:2", "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
-    assert (data["schema"], data["case"]) == ("rigidsym.case/1", "published:2")
+    assert (data["schema"], data["case"]) == ("rigidsym.case/2", "published:2")
     assert len(data["errors"]["c"]["angle"]) == len(data["times"]) == len(data["turned"])
 
 

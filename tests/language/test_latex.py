@@ -195,7 +195,8 @@ def test_what_facts_state_and_suppose_can_be_rendered():
     for claim in claims().values():
         formulas |= {*statements(claim.fact)}
         formulas |= {text for texts in hypotheses(claim.context).values() for text in texts}
-    for part in sorted({part for text in formulas for part in parts(text)}):
+    found = {part for text in formulas for part in parts(text) if len(part) < 250}
+    for part in sorted(found):
         reader.parse(f"${part}$")
     for whole in sorted(text for text in formulas if len(text) < 250)[::10]:
         reader.parse(f"${whole}$")

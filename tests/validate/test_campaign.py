@@ -52,7 +52,7 @@ def small():
 
 @pytest.fixture(scope="module")
 def expected():
-    return validate(["c"], CASES, strata=NAMES).to_data()["contestants"]
+    return validate(["c"], CASES, strata=NAMES).to_data()["implementations"]
 
 
 def stopping_at(cases):
@@ -73,7 +73,7 @@ def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
     assert found == progress
     assert found.cases == 2 * CHUNK
     report = run(again, found, executors.local(1))
-    assert report.to_data()["contestants"] == expected
+    assert report.to_data()["implementations"] == expected
     assert found.done == {name: [(0, CASES)] for name in NAMES}
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from rigidsym.validate.faults.detection import Detection
 from rigidsym.validate.faults.fault import KINDS, Fault
 
-SCHEMA = "rigidsym.faults/1"
+SCHEMA = "rigidsym.faults/2"
 # More strata than these are counted, not named.
 _NAMED = 4
 
@@ -64,7 +64,7 @@ class FaultReport:
         return sum((stratum,) == outcome.strata for outcome in self.outcomes)
 
     def to_data(self) -> dict[str, Any]:
-        """The schema rigidsym.faults/1."""
+        """The schema rigidsym.faults/2."""
         return {
             "schema": SCHEMA,
             "targets": list(self.targets),

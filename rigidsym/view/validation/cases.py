@@ -100,7 +100,7 @@ def _errors(data: Data, found: Data) -> Markup:
 
 def _in_order(data: Data, found: Data) -> list[tuple[Data, Data]]:
     errors = found["errors"]
-    return [(one, errors[one["name"]]) for one in data["contestants"] if one["name"] in errors]
+    return [(one, errors[one["name"]]) for one in data["implementations"] if one["name"] in errors]
 
 
 def _error(one: Data, cell: Data | None) -> Markup:

@@ -34,7 +34,7 @@ def environment(data: Data) -> Markup:
     run = [(name, _value(value)) for name, value in sorted(data["run"].items())]
     digests = [
         (f"digest of {one['name']}", tag("code", one["digest"]))
-        for one in data["contestants"]
+        for one in data["implementations"]
         if one["digest"]
     ]
     known = [("schema", data["schema"]), ("version", data["campaign"]["version"])]

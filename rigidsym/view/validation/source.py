@@ -10,12 +10,12 @@ Data = Mapping[str, Any]
 
 def modules(data: Data) -> list[Data]:
     """The implementations that have to pass."""
-    return [one for one in data["contestants"] if not one["peer"]]
+    return [one for one in data["implementations"] if not one["peer"]]
 
 
 def peers(data: Data) -> list[Data]:
     """The implementations that are there for comparison."""
-    return [one for one in data["contestants"] if one["peer"]]
+    return [one for one in data["implementations"] if one["peer"]]
 
 
 def beyond(one: Data) -> str:

@@ -231,7 +231,7 @@ def test_what_the_report_says(reported):
     found, _ = reported
     data = found.to_data()
     assert found.passed
-    assert data["schema"] == "rigidsym.faults/1"
+    assert data["schema"] == "rigidsym.faults/2"
     assert list(data["strata"]) == list(FEW)
     assert data["strata"]["decimals"] == {"caught": 0, "alone": 0, "of": len(SOME)}
     assert found.caught("sphere") > 1
