@@ -53,8 +53,10 @@ ALLOWED = {
     "rigidsym.io.splines": "errors io motion",
     "rigidsym.io.tables": "inputs io precise",
     "rigidsym.io.tracks": "errors io motion",
+    # What a user calls for all of it.
+    "rigidsym.reproduce": "codegen errors inputs io proof solution validate view",
     "rigidsym.cli": f"{NUMBERS} codegen derivations engines generated io manoeuvre motion proof "
-    "validate view",
+    "reproduce validate view",
 }
 # Of other packages: who alone imports them.
 OTHERS = {

@@ -7,7 +7,7 @@ that use a name before it is known, are refused.
 
 import hashlib
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from typing import TypedDict
 
@@ -159,10 +159,11 @@ class Formula:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The sequences by name, and a digest of all their statements."""
+    """The sequences by name, a digest of all their statements, and what evaluates them."""
 
     sequences: Mapping[str, tuple[Formula, ...]]
     digest: str
+    evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
 
 
 @cache
@@ -171,10 +172,9 @@ def sealed() -> Solution:
     return load(ledger_text())
 
 
-@cache
 def sequence(name: str) -> FormulaSequence:
     """A formula sequence of the sealed ledger, ready to be evaluated."""
-    return FormulaSequence((f.name, f.expression) for f in sealed().sequences[name])
+    return sealed().evaluated[name]
 
 
 def load(text: str) -> Solution:
@@ -196,7 +196,11 @@ def load(text: str) -> Solution:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         _check_order(name, sequences[name])
         _check_together(name, sequences[name], facts)
-    return Solution(sequences, _digest(sequences))
+    evaluated = {
+        name: FormulaSequence((f.name, f.expression) for f in formulas)
+        for name, formulas in sequences.items()
+    }
+    return Solution(sequences, _digest(sequences), evaluated)
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:

@@ -182,6 +182,11 @@ def _ledger() -> Any:
     }
 
 
+def _methods() -> Any:
+    """At a time that Taylor series reach soon."""
+    return _json(comparison.compare(_example('times = ["0.1"]'), [15]).to_json())
+
+
 def _validation() -> Any:
     return _json(validate(["numpy"], cases=1, strata=[STRATUM]).to_json())
 
@@ -212,7 +217,9 @@ def _map() -> Any:
 
 
 _CELL = "`count` figures, the worst of them in `units`, its `condition`, `case` and time `t`"
-_CASE_DATA = "a case in full: its numbers in hexadecimal, each contestant's errors, `replay`"
+_CASE_DATA = (
+    "a case in full: its numbers in hexadecimal, the errors of each implementation, `replay`"
+)
 _MEASURED = "one method with these digits, `null` where it was not run"
 FORMATS = (
     Format(
@@ -320,7 +327,7 @@ FORMATS = (
     Format(
         comparison.SCHEMA,
         "`rigidsym methods --json`, and as `methods.json` with `-o DIR`",
-        lambda: _json(comparison.compare(_example(), [15]).to_json()),
+        _methods,
         {
             "motion": "exact numbers, as decimals or fractions",
             "neighbour": "a motion on the separatrix of nearly this body, or `null`",
@@ -352,28 +359,31 @@ FORMATS = (
             "strata": "cases and states of each, and how far the oracles disagree, "
             "as part of `agreement`",
             "agreement": "what the oracles have to agree to",
-            "contestants[].name": "a target, or a peer with `peer` before it",
-            "contestants[].peer": "whether it is one",
-            "contestants[].digest": "of the module; `null` for peers",
-            "contestants[].passed": "whether all is within the bounds",
-            "contestants[].strata": f"by stratum and measure: {_CELL}",
-            "contestants[].shares": "the same in parts of the bound; `count` is what was beyond it",
-            "contestants[].share": "the largest of these in each stratum, \"inf\" where untested",
-            "contestants[].regimes": "by regime of motion and measure",
-            "contestants[].sizes": "histograms in half octaves, by stratum and measure",
-            "contestants[].distance": "by measure and decade of the distance from the separatrix",
-            "contestants[].turned": "by measure and decade of |omega0 t|",
-            "contestants[].condition": "by measure and decade of the condition",
+            "implementations[].name": "a target, or a peer with `peer` before it",
+            "implementations[].peer": "whether it is one",
+            "implementations[].digest": "of the module; `null` for peers",
+            "implementations[].passed": "whether all is within the bounds",
+            "implementations[].strata": f"by stratum and measure: {_CELL}",
+            "implementations[].shares": "the same in parts of the bound; `count` is what was "
+            "beyond it",
+            "implementations[].share": "the largest of these in each stratum, \"inf\" where "
+            "untested",
+            "implementations[].regimes": "by regime of motion and measure",
+            "implementations[].sizes": "histograms in half octaves, by stratum and measure",
+            "implementations[].distance": "by measure and decade of the distance from the "
+            "separatrix",
+            "implementations[].turned": "by measure and decade of |omega0 t|",
+            "implementations[].condition": "by measure and decade of the condition",
             "worst": _CASE_DATA,
             "failures": "the worst broken bound of each target in each stratum, `simplest` a case",
             "run": "how and where: all that differs from run to run",
         },
-        frozenset({"contestants[].share"} | {f"contestants[].{view}{inner}"
+        frozenset({"implementations[].share"} | {f"implementations[].{view}{inner}"
                    for view in ("strata", "shares", "regimes", "sizes", "distance", "turned",
                                 "condition")
                    for inner in ("", ".NAME", ".NAME.NAME")}
                   | {"worst[].errors", "worst[].errors.NAME"})
-        - {f"contestants[].{view}.NAME.NAME"
+        - {f"implementations[].{view}.NAME.NAME"
            for view in ("strata", "shares", "regimes", "distance", "turned", "condition")},
         masked={"run": {"place": "1 process", "seconds": 0.5}},
     ),
