@@ -75,11 +75,8 @@ class Claim:
 
     def _remarks(self, shown: list[str]) -> Iterator[Markup]:
         left_out = len(self.fact["lhs"]) - len(shown)
-        if self.fact["kind"] not in ("model", "partition"):
-            if left_out:
-                yield muted(f"and {counted(left_out, 'more component')}, alike or there already")
-            if self.fact["lhs"] == self.fact["rhs"]:
-                yield join(" ", muted("(both sides are the same once multiplied out)"))
+        if self.fact["kind"] not in ("model", "partition") and left_out:
+            yield muted(f"and {counted(left_out, 'more component')}, alike or there already")
         if any(r"\cdots" in text for text in shown):
             yield join(" ", muted("long sums are shown in part"))
         if self.fact["kind"] == "unequal":

@@ -80,7 +80,7 @@ def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
     kinds: dict[str, list[Callable[[], tuple[str, str]]]] = {}
     known = ring.names
     sides = list(dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True)))
-    for lhs, rhs in [side for side in sides if side[0] != side[1]] or sides:
+    for lhs, rhs in sides:
         for kind, edit in _changes(rhs, known):
             kinds.setdefault(kind, []).append(lambda lhs=lhs, edit=edit: (lhs, edit()))
         if fact.kind == "equal":

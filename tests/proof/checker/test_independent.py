@@ -54,7 +54,7 @@ def small_ledger() -> str:
     ledger.open(Context("circle", tuple(at), at, relations=(circle,), **fields))
     names, point = (*at, "v"), {**at, "v": "4"}
     ledger.open(Context("point", names, point, relations=(circle, "v - w**2"), **fields))
-    statement = (("D(double)*w1", "s"), ("2*(1 - 2*s**2)", "s"))
+    statement = (("D(double)*w1", "2*s"), ("2*(1 - 2*s**2)", "s + s"))
     prove(ledger, Fact("rate", "circle", "equal", *statement, "identity"))
     prove(ledger, Fact("length", "point", "root", ("w",), ("v",), "identity"))
     apart = {"point": {"w": "2", "s": "3/5", "c": "4/5"}}
@@ -103,6 +103,8 @@ TAMPERED = [
     ("facts/0/rhs/1", GONE, "fact rate"),
     ("facts/0/rhs/1", "s + (w+1)**100000", "fact rate"),
     ("facts/0/rhs/1", "s/c", "fact rate"),
+    ("facts/0/lhs/1", "s + s", "fact rate"),
+    ("facts/0/rhs/1", "2 * (s)", "fact rate"),
     ("facts/0/lhs/1", "D(s, c)", "fact rate"),
     ("facts/0/certificate/cofactors/0/0", "4*w", "fact rate"),
     ("facts/0/certificate/cofactors/0/0", GONE, "fact rate"),
