@@ -17,6 +17,7 @@ CHAPTERS = (
     "lemma1",
     "real_axes",
     "theorem1",
+    "printed",
     "descended_form",
     "landen_step",
     "theta_form",

@@ -2,6 +2,17 @@
 rigid body, trigonometric and Jacobi functions.  Every claim ends in the kernel."""
 
 from rigidsym.proof.algebra.book import Book, equal, names, text
-from rigidsym.proof.algebra.parts import Part, half_angle, jacobi, join, sign
+from rigidsym.proof.algebra.parts import Part, extend, half_angle, jacobi, join, sign
 
-__all__ = ["Book", "Part", "equal", "half_angle", "jacobi", "join", "names", "sign", "text"]
+__all__ = [
+    "Book",
+    "Part",
+    "equal",
+    "extend",
+    "half_angle",
+    "jacobi",
+    "join",
+    "names",
+    "sign",
+    "text",
+]

@@ -43,6 +43,20 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
     )
 
 
+def extend(name: str, context: Context, *parts: Part) -> Context:
+    """A context with more to it, by another name; parts may define anew what it defines."""
+    whole = Part(
+        context.witness,
+        context.units,
+        context.definitions,
+        context.relations,
+        context.rates or {},
+        context.nonnegative,
+        context.reading,
+    )
+    return join(name, whole, *parts, static=context.rates is None)
+
+
 def sign(name: str, reading: str) -> Part:
     """A constant that is +1 or -1."""
     return Part({name: "1"}, relations=(f"{name}**2 - 1",), reading={name: reading})
