@@ -160,13 +160,13 @@ def _balls() -> Any:
 
 def _errata() -> Any:
     ruled = [v for v in verdicts(ledger_data(ledger_text())) if _is_full(v)]
-    return {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
+    return {"schema": "rigidsym.errata/2", "equations": [v.to_json() for v in ruled]}
 
 
 def _is_full(verdict: Verdict) -> bool:
     """A misprint in which every field says something."""
     every = (verdict.ruling == Ruling.MISPRINT, verdict.repairs, verdict.conditions)
-    return all((*every, verdict.equation.needed_by, verdict.equation.readings))
+    return all((*every, verdict.needed_by, verdict.readings, verdict.right_with))
 
 
 def _ledger() -> Any:
@@ -247,7 +247,7 @@ FORMATS = (
         },
     ),
     Format(
-        "rigidsym.errata/1",
+        "rigidsym.errata/2",
         "`rigidsym errata --json`",
         _errata,
         {
@@ -258,11 +258,14 @@ FORMATS = (
             "equations[].conditions": "of the equation, or of its repair where it is a misprint",
             "equations[].repair": "what mends it, LaTeX; empty where nothing has to be",
             "equations[].repairs_found": "what a search over small edits found",
-            "equations[].counterexample": "an exact point where it fails as printed, or `null`",
-            "equations[].proved_by": "facts of the ledger",
+            "equations[].root_causes": "the independent slips that it comes from",
+            "equations[].right_as_printed_with": "lines that make it right as printed once mended",
+            "equations[].counterexample": "an exact `point` where it fails as printed, `left` and "
+            "`right` side there, and the `motion` that is there; or `null`",
+            "equations[].proved_by": "facts of the ledger that say what it says",
             "equations[].refuted_by": "facts that hold a counterexample",
-            "equations[].needed_by": "facts that show the conditions necessary",
-            "equations[].conditions_needed_by": "the same, by condition",
+            "equations[].repaired_by": "facts that say what its repair says",
+            "equations[].conditions_needed_by": "facts that show a condition necessary",
             "equations[].readings": "ways to read the print, and whether it holds so",
             "equations[].flaws": "what is wrong with the print, whether or not it is false",
             "equations[].mutants": "what became of the statements made wrong on purpose",

@@ -3,7 +3,7 @@
 Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, TypeAlias, TypeVar
 
@@ -58,6 +58,32 @@ class Book:
         """Prove equations componentwise.  The context is the part of the id before the dot."""
         return self.decide(_fact(fact_id, "equal", equations, "identity", source))
 
+    def compare(
+        self,
+        fact_id: str,
+        equations: Equations,
+        points: Iterable[Point] = (),
+        source: Iterable[str] = (),
+    ) -> Fact | None:
+        """Find out whether equations hold: admit that they do, or a point where they do not.
+
+        None where the kernel decides neither: the normal form is not zero, and the sides agree at
+        all points that are known.
+        """
+        fact = _fact(fact_id, "equal", equations, "identity", source)
+        try:
+            return self.decide(fact)
+        except KernelError as error:
+            if "undecided" not in str(error):
+                raise
+        refuted = replace(fact, kind="unequal", rule="counterexample")
+        for point in (*points, {}, *self._points(fact.context)):
+            try:
+                return self._refute(refuted, point)
+            except KernelError:
+                continue
+        return None
+
     def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
         """Prove name = sqrt(radicand), by its square and the sign of the name."""
         return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
@@ -74,9 +100,17 @@ class Book:
         source: Iterable[str] = (),
     ) -> Fact:
         """Show that equations do not always hold; `point` overrides the context's witness."""
-        fact = _fact(fact_id, "unequal", equations, "counterexample", source)
+        return self._refute(_fact(fact_id, "unequal", equations, "counterexample", source), point)
+
+    def _refute(self, fact: Fact, point: Point) -> Fact:
         witness = self.ledger.contexts[fact.context].witness
         return self.ledger.add(replace(fact, certificate={"point": {**witness, **point}}))
+
+    def _points(self, context: str) -> Iterator[Point]:
+        """Points of a context, near its witness: what no relation ties is moved, one by one."""
+        witness = self.ledger.contexts[context].witness
+        for value in ("2", "1/2", "-1", "3"):
+            yield from ({name: value} for name in witness)
 
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Show that one context is, by the premises, a model of another."""
