@@ -31,6 +31,7 @@ CHAPTERS = (
     "theorem1",
     "misprints",
     "theorem1_signs",
+    "printed",
     "descended_form",
     "landen_step",
     "theta_form",

@@ -102,16 +102,21 @@ def _on_axes(book: Book) -> Part:
 
     momenta = {name: body.definitions[name] for name in ("M1", "M2", "M3")}
     square = re.sub(r"M[123]", lambda m: f"({momenta[m[0]]})", body.definitions["K_squared"])
+    turning = read(text(body.rates["Omega1"])) / OTHERS[0] / OTHERS[1]
     return Part(
         witness={text(name): value for name, value in body.witness.items()},
-        definitions={"H": text(body.definitions["H"]), "K_squared": text(square)},
+        definitions={
+            "H": text(body.definitions["H"]),
+            "K_squared": text(square),
+            "delta_i": str(turning),
+        },
         rates={text(name): text(rate) for name, rate in body.rates.items()},
     )
 
 
 def _invariants(moving: Part) -> list[sympy.Expr]:
     """2 H and K^2 less what they are of the rates."""
-    known = {name: read(text) for name, text in moving.definitions.items()}
+    known = {name: read(moving.definitions[name]) for name in ("H", "K_squared")}
     return [2 * (H - known["H"]), K_SQUARED - known["K_squared"]]
 
 
@@ -168,9 +173,9 @@ def _matched(book: Book) -> None:
     why = "the first of the two"
     rewrite(desk, "sine.solves", squared, symbol("quartic"), why, ["10"])
     differentiate(desk, "sine.slope", RATE, "its slope", ["16"])
-    desk = Desk.open(book, "start", *body, rotating, Part(units=("zeta",)))
+    desk = Desk.open(book, "initial", *body, rotating, Part(units=("zeta",)))
     value = sympy.solve(RATE - symbol("zeta") * SN, SN)[0]
-    rewrite(desk, "start.value", SN, value, "where it starts", ["12"], "solve")
+    rewrite(desk, "initial.value", SN, value, "where it starts", ["12"], "solve")
 
 
 def _reciprocal(book: Book) -> None:

@@ -151,9 +151,9 @@ def _errata(options: Namespace) -> int:
 
     ruled = verdicts(ledger_data(_ledger_text(None)))
     if options.json:
-        data = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
+        data = {"schema": "rigidsym.errata/2", "equations": [v.to_json() for v in ruled]}
         print(json.dumps(data, indent=1))
         return 0
-    columns = ("equation", "verdict", "repair, or how it is read", "counterexample")
+    columns = ("equation", "verdict", "root cause", "repair, or how it is read", "counterexample")
     table("rigidsym errata", columns, [row(verdict) for verdict in ruled])
     return 0

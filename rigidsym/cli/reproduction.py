@@ -1,4 +1,4 @@
-"""The command `reproduce`."""
+"""The command `reproduce`, which runs the main job and tells of its stages."""
 
 from argparse import Namespace
 
@@ -15,9 +15,9 @@ def add(command: Command) -> None:
 
 
 def _reproduce(options: Namespace) -> int:
-    from rigidsym.cli.reproduce import reproduce
     from rigidsym.io.files import probe
     from rigidsym.proof.derivation import DerivationError
+    from rigidsym.reproduce import reproduce
 
     probe(options.output)
     rows: list[tuple[str, str, str, str]] = []

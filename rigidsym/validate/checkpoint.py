@@ -13,7 +13,7 @@ from rigidsym.validate.campaign import Campaign, Progress
 from rigidsym.validate.tally import Tally
 
 NAME = "campaign.json"
-SCHEMA = "rigidsym.campaign/1"
+SCHEMA = "rigidsym.campaign/2"
 # Seconds of work that a machine may lose when it is switched off.
 INTERVAL = 10.0
 

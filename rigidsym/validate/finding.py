@@ -15,13 +15,13 @@ from rigidsym.validate.peers.user_integrator import Integrator, UserIntegrator
 from rigidsym.validate.strata import Sample
 from rigidsym.view.report_data import Numbers
 
-SCHEMA = "rigidsym.case/1"
+SCHEMA = "rigidsym.case/2"
 # Names of implementations, or implementations and functions by whatever name.
 Asked = Iterable[str] | Mapping[str, Implementation | Integrator]
 
 
 class FindingData(Numbers):
-    """The schema rigidsym.case/1; errors by implementation and measure."""
+    """The schema rigidsym.case/2; errors by implementation and measure."""
 
     schema: str
     case: str
@@ -46,7 +46,7 @@ class Finding:
         return self.reference.sample
 
     def to_data(self) -> FindingData:
-        """The schema rigidsym.case/1: inputs without loss, and all errors in units of 2^-53."""
+        """The schema rigidsym.case/2: inputs without loss, and all errors in units of 2^-53."""
         reference = self.reference
         return {
             "schema": SCHEMA,

@@ -10,7 +10,7 @@ HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "ent
 
 
 def markdown(data: Report) -> str:
-    """Tables a person can read, of data of the schema rigidsym.validation/2."""
+    """Tables a person can read, of data of the schema rigidsym.validation/3."""
     lines = [
         "# Validation",
         "",
@@ -32,9 +32,9 @@ def markdown(data: Report) -> str:
     lines[-1] += f"{_worst(apart) * data['agreement']:.1g} and has to agree to "
     lines[-1] += f"{data['agreement']:g}."
     lines += _failures(data["failures"])
-    for implementation in data["contestants"]:
+    for implementation in data["implementations"]:
         lines += _implementation(implementation, data["strata"])
-    lines += _regimes(data["contestants"])
+    lines += _regimes(data["implementations"])
     return "\n".join(lines) + "\n"
 
 

@@ -65,7 +65,7 @@ def _measured(reference: Reference, engine: Implementation, times: np.ndarray) -
     # Peers have one entry point only.
     if entry_points.is_due(sample.index) and _offers(engine, "grid"):
         apart = entry_points.differences(engine, prepared, body, times, rate)
-        found["routes"] = _errors("routes", [0.0] * len(apart), apart)
+        found["entry_points"] = _errors("entry_points", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)
     # Where t = 0 is not asked for there is no start.
     return {name: errors for name, errors in found.items() if len(errors.times)}

@@ -20,7 +20,7 @@ from rigidsym.validate.tally import DRAWN, Cell, Tally
 from rigidsym.view import report_data
 from rigidsym.view.html.reports import BROKEN, PASSED, report_html
 
-SCHEMA = "rigidsym.validation/2"
+SCHEMA = "rigidsym.validation/3"
 FAILURES = "failures"
 
 
@@ -110,7 +110,7 @@ class ValidationReport:
 
     def share(self, name: str, stratum: str) -> float:
         """The largest part of a bound that is needed in a stratum; infinite where untested."""
-        expected = [m for m in MEASURES if m != "routes" or not name.startswith(PEER)]
+        expected = [m for m in MEASURES if m != "entry_points" or not name.startswith(PEER)]
         cells = (self.tally.cells.get((name, m, "share", stratum)) for m in expected)
         return max(float("inf") if cell is None else cell.worst for cell in cells)
 
@@ -148,7 +148,7 @@ class ValidationReport:
         return len(self.campaign.strata) < len(STRATA)
 
     def to_data(self) -> report_data.Report:
-        """The schema rigidsym.validation/2; figures in units of 2^-53, to three digits."""
+        """The schema rigidsym.validation/3; figures in units of 2^-53, to three digits."""
         tally = self.tally
         return {
             "schema": SCHEMA,
@@ -170,7 +170,9 @@ class ValidationReport:
                 for name in self.campaign.strata
             ],
             "agreement": second_oracle.AGREEMENT,
-            "contestants": [self._implementation(name) for name in self.campaign.implementations],
+            "implementations": [
+                self._implementation(name) for name in self.campaign.implementations
+            ],
             "worst": [self._case(finding) for finding in self.worst],
             "failures": [
                 {

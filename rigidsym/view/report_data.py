@@ -1,4 +1,4 @@
-"""What a validation report holds: the schema rigidsym.validation/2, by its keys.
+"""What a validation report holds: the schema rigidsym.validation/3, by its keys.
 
 Errors are in units of 2^-53; "inf" and "nan" stand for what JSON has no number for.
 """
@@ -121,7 +121,7 @@ class Report(TypedDict):
     meanings: Mapping[str, str]
     strata: Sequence[Stratum]
     agreement: float
-    contestants: Sequence[Implementation]
+    implementations: Sequence[Implementation]
     worst: Sequence[Case]
     failures: Sequence[Failure]
     run: Mapping[str, Figure | None]

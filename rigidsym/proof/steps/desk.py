@@ -200,14 +200,13 @@ class Desk:
         self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
     ) -> Fact:
         """The kernel's decision on left = right, entry by entry."""
+        return self.decide(fact_id, self.entrywise(left, right), source)
+
+    def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
+        """The equations left = right of the entries, without those that are alike."""
         x, y = self.entries(left), self.entries(right)
-        pairs = [
-            (a or "0", b or "0")
-            for index in INDICES
-            for a, b in zip(x[index], y[index], strict=True)
-            if a != b
-        ]
-        return self.decide(fact_id, pairs, source)
+        parts = ((x[index][k] or "0", y[index][k] or "0") for index in INDICES for k in (0, 1))
+        return [(a, b) for a, b in parts if a != b]
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Desk":
         """Where a fact is stated: here, or in a context of its own where these are not zero."""

@@ -8,7 +8,7 @@ from typing import TypedDict
 from rigidsym.validate.faults.detection import Detection
 from rigidsym.validate.faults.fault import KINDS, Fault
 
-SCHEMA = "rigidsym.faults/1"
+SCHEMA = "rigidsym.faults/2"
 # More strata than these are counted, not named.
 _NAMED = 4
 
@@ -33,7 +33,7 @@ class FaultData(TypedDict):
 
 
 class FaultReportData(TypedDict):
-    """The schema rigidsym.faults/1; strata: how many each caught, alone, and of how many."""
+    """The schema rigidsym.faults/2; strata: how many each caught, alone, and of how many."""
 
     schema: str
     targets: list[str]
@@ -97,7 +97,7 @@ class FaultReport:
         return sum((stratum,) == outcome.strata for outcome in self.outcomes)
 
     def to_data(self) -> FaultReportData:
-        """The schema rigidsym.faults/1."""
+        """The schema rigidsym.faults/2."""
         return {
             "schema": SCHEMA,
             "targets": list(self.targets),

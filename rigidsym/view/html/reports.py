@@ -60,7 +60,7 @@ def report_html(report: Reported) -> str:
     """Passed or not and why, then the strata: cases, and the worst of each implementation."""
     data = report.to_data()
     title = head("Validation", badge(PASSED if data["passed"] else BROKEN), code(data["command"]))
-    names = [implementation["name"] for implementation in data["contestants"]]
+    names = [implementation["name"] for implementation in data["implementations"]]
     columns = ("stratum", "cases", "states", *(f"{name}: angle, bound used" for name in names))
     said = [bullets(data["complaints"])] if data["complaints"] else []
     unit = muted("worst rotation angle in units of 2⁻⁵³ rad; the largest part used of any bound")
@@ -69,7 +69,9 @@ def report_html(report: Reported) -> str:
 
 def _strata(data: Report) -> Iterator[tuple[object, ...]]:
     for stratum in data["strata"]:
-        cells = [_cell(implementation, stratum["name"]) for implementation in data["contestants"]]
+        cells = [
+            _cell(implementation, stratum["name"]) for implementation in data["implementations"]
+        ]
         yield stratum["name"], stratum["cases"], stratum["states"], *cells
 
 

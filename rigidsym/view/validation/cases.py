@@ -109,7 +109,7 @@ def _errors(data: Report, found: Case) -> Markup:
 
 def _in_order(data: Report, found: Case) -> list[tuple[Implementation, Mapping[str, WorstError]]]:
     errors = found["errors"]
-    return [(one, errors[one["name"]]) for one in data["contestants"] if one["name"] in errors]
+    return [(one, errors[one["name"]]) for one in data["implementations"] if one["name"] in errors]
 
 
 def _error(one: Implementation, cell: WorstError | None) -> Markup:

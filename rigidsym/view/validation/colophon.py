@@ -33,7 +33,7 @@ def environment(data: Report) -> Markup:
     run = [(name, _value(value)) for name, value in sorted(data["run"].items())]
     digests = [
         (f"digest of {one['name']}", tag("code", one["digest"]))
-        for one in data["contestants"]
+        for one in data["implementations"]
         if one["digest"]
     ]
     known = [("schema", data["schema"]), ("version", data["campaign"]["version"])]

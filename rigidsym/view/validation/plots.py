@@ -48,7 +48,7 @@ def views(data: Report) -> Markup:
             "Each mark is the worst state of its decade; point at one for its case. "
             "“None” marks states for which no number came out; below 10⁻²⁰ decades are closer.",
         ),
-        legend(data["contestants"]),
+        legend(data["implementations"]),
         *(_view(data, *view) for view in VIEWS),
         id="plots",
     )
@@ -65,7 +65,7 @@ def sizes(data: Report) -> Markup:
             "the order of the legend and scaled to its highest bar. "
             "The dashed line is the documented bound.",
         ),
-        legend(data["contestants"]),
+        legend(data["implementations"]),
         *(_sizes(data, measure) for measure in NAMES),
         id="sizes",
     )
@@ -74,7 +74,11 @@ def sizes(data: Report) -> Markup:
 def _view(data: Report, view: ByMeasure, heading: str, x: str, zero: str, remark: str) -> Markup:
     pictures = [
         scatter(
-            data["contestants"], view, measure, data["bounds"][measure], Labels(x, y_label, zero)
+            data["implementations"],
+            view,
+            measure,
+            data["bounds"][measure],
+            Labels(x, y_label, zero),
         )
         for measure, y_label in Y_LABELS.items()
     ]
@@ -84,12 +88,12 @@ def _view(data: Report, view: ByMeasure, heading: str, x: str, zero: str, remark
 
 def _sizes(data: Report, measure: str) -> Markup:
     bound = data["bounds"][measure]
-    axis = common(data["contestants"], measure, bound)
+    axis = common(data["implementations"], measure, bound)
     pictures = [
         tag(
             "figure",
             tag("figcaption", stratum["name"]),
-            histogram(data["contestants"], stratum["name"], measure, bound, axis),
+            histogram(data["implementations"], stratum["name"], measure, bound, axis),
         )
         for stratum in data["strata"]
     ]

@@ -8,12 +8,12 @@ from rigidsym.view.validation.figures import condition, number, seconds
 
 def modules(data: Report) -> Sequence[Implementation]:
     """The implementations that have to pass."""
-    return [one for one in data["contestants"] if not one["peer"]]
+    return [one for one in data["implementations"] if not one["peer"]]
 
 
 def peers(data: Report) -> Sequence[Implementation]:
     """The implementations that are there for comparison."""
-    return [one for one in data["contestants"] if one["peer"]]
+    return [one for one in data["implementations"] if one["peer"]]
 
 
 def beyond(one: Implementation) -> str:

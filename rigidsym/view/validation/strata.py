@@ -19,7 +19,7 @@ SHOWN = {"angle": "angle", "omega": "rate"}
 
 def regimes(data: Report) -> Markup:
     """The worst errors by regime of motion, implementations side by side."""
-    names = sorted({name for one in data["contestants"] for name in one["regimes"]})
+    names = sorted({name for one in data["implementations"] for name in one["regimes"]})
     cases = anchors(data)
     rows = (_regime(data, name, cases) for name in names)
     caption = (
@@ -38,7 +38,7 @@ def regimes(data: Report) -> Markup:
 def strata(data: Report) -> Markup:
     """What was tested, how much of the bounds it takes, and all measures of implementations."""
     rows = (_stratum(data, stratum) for stratum in data["strata"])
-    names = (one["name"] for one in data["contestants"])
+    names = (one["name"] for one in data["implementations"])
     head = ["stratum", *names, "cases", "states", "oracles"]
     caption = (
         "Largest part of a documented bound that was needed, of all measures; oracles: their "
@@ -48,13 +48,13 @@ def strata(data: Report) -> Markup:
         "section",
         tag("h2", "Strata"),
         table(caption, [tag("tr", *map(column, head))], rows),
-        *(_all_measures(data, one) for one in data["contestants"]),
+        *(_all_measures(data, one) for one in data["implementations"]),
         id="strata",
     )
 
 
 def _two_lines(first: str, data: Report) -> list[Markup]:
-    groups = [column(one["name"], span=len(SHOWN)) for one in data["contestants"]]
+    groups = [column(one["name"], span=len(SHOWN)) for one in data["implementations"]]
     under = [column(shown) for _ in groups for shown in SHOWN.values()]
     return [tag("tr", column(first, rows=2), *groups), tag("tr", *under)]
 
@@ -62,7 +62,7 @@ def _two_lines(first: str, data: Report) -> list[Markup]:
 def _regime(data: Report, name: str, cases: dict[str, str]) -> Markup:
     found = (
         figure(cell, _part(cell, data["bounds"][measure]), cases, beyond(one))
-        for one in data["contestants"]
+        for one in data["implementations"]
         for measure in SHOWN
         for cell in [_cell(one, "regimes", name, measure)]
     )
@@ -85,7 +85,7 @@ def _stratum(data: Report, stratum: Stratum) -> Markup:
     return tag(
         "tr",
         row(stratum["name"], tag("small", stratum["about"], class_="about")),
-        *(_largest(one, stratum["name"], data) for one in data["contestants"]),
+        *(_largest(one, stratum["name"], data) for one in data["implementations"]),
         tag("td", stratum["cases"], class_=tested),
         tag("td", stratum["states"], class_=tested),
         tag("td", units(oracles), class_=apart),
