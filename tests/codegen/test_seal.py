@@ -16,7 +16,7 @@ from rigidsym.codegen.functions import (
 )
 from rigidsym.codegen.ir import Let
 from rigidsym.codegen.passes import expand, share
-from rigidsym.codegen.seal import is_equal, seal, seal_text
+from rigidsym.codegen.seal import frame, is_equal, seal, seal_text
 from rigidsym.codegen.seal.states import claims as of_states
 from rigidsym.codegen.special_functions import landen
 from rigidsym.codegen.targets.c import emit as c_emit
@@ -334,3 +334,55 @@ def test_a_target_without_a_reader_is_refused():
     other = replace(generated, manifest={**generated.manifest, "target": "rust"})
     with pytest.raises(InputError, match="target = rust: has no read_back"):
         seal_text(other, sealed())
+
+
+def exchanged(function, which, first, second):
+    """A function that takes or returns two numbers in the other order."""
+    names = list(getattr(function, which))
+    i, j = names.index(first), names.index(second)
+    names[i], names[j] = names[j], names[i]
+    return replace(function, **{which: tuple(names)})
+
+
+@pytest.mark.parametrize(
+    ("name", "which", "first", "second"),
+    [
+        ("_discriminant", "parameters", "c_a", "c_d"),
+        ("_steady_constants", "parameters", "p1", "p2"),
+        ("_circular_angles", "parameters", "t", "t_lo"),
+        ("_circular_angles", "results", "sin_v", "cos_v"),
+        ("_circular_state", "parameters", "X_im", "X_re"),
+        ("_hyperbolic_state", "parameters", "w", "p"),
+        ("_hyperbolic_state", "results", "q_a", "Omega_a"),
+        ("_steady_state", "results", "q0", "q1"),
+    ],
+)
+def test_runtimes_count_on_an_order(name, which, first, second):
+    every = assembly.functions(sealed())
+    frame.check(every)
+    other = tuple(exchanged(f, which, first, second) if f.name == name else f for f in every)
+    with pytest.raises(InputError, match=f"^{name} = .*is not what it (takes|returns)"):
+        frame.check(other)
+
+
+@pytest.mark.parametrize("name", ["_initial_state", "_circular_constants", "_hyperbolic_state"])
+def test_runtimes_know_what_they_give(name):
+    every = assembly.functions(sealed())
+    other = tuple(
+        replace(f, parameters=(*f.parameters, "stray")) if f.name == name else f for f in every
+    )
+    with pytest.raises(InputError, match=f"^{name} = stray: is nothing that it is given"):
+        frame.check(other)
+
+
+@pytest.mark.parametrize(
+    ("name", "left_out"), [("_initial_state", "k_1"), ("_circular_constants", "v")]
+)
+def test_runtimes_find_what_they_read(name, left_out):
+    every = assembly.functions(sealed())
+    other = tuple(
+        replace(f, results=tuple(x for x in f.results if x != left_out)) if f.name == name else f
+        for f in every
+    )
+    with pytest.raises(InputError, match=f"^{name} = {left_out}.*: is nothing that it returns"):
+        frame.check(other)

@@ -4,6 +4,7 @@ Code generation selects, renames, shares, folds and multiplies out.  Each module
 of these and compares with the ledger, or with what a special function states:
 
     order     every name is set once, before it is used, and every line is needed
+    frame     functions take and give numbers in the order that the runtimes count on
     sharing   lines put together again are the formulas that ledger and special functions state
     facts     formulas that name a fact, definition or reading of the ledger are it
     states    rows, gains and states together are the ledger's attitude and rates

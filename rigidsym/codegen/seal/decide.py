@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from rigidsym.codegen.functions import constants, functions, stated
 from rigidsym.codegen.ir import Function
-from rigidsym.codegen.seal import facts, order, sharing, states
+from rigidsym.codegen.seal import facts, frame, order, sharing, states
 from rigidsym.codegen.seal.claims import Claim
 from rigidsym.solution import Solution
 
@@ -16,6 +16,7 @@ def seal(solution: Solution) -> int:
     """
     origin, every = stated(solution), functions(solution)
     order.check(every, {number.name for number in constants()})
+    frame.check(every)
     decided = 0
     for claim in _claims(solution, origin, every):
         claim.decide()

@@ -1,0 +1,77 @@
+"""What the runtimes, written by hand, count on: the order in which functions take and give numbers.
+
+They hand rows of angles to states, sines before cosines, and know the numbers of a motion by these
+names.  The table is written down apart from the functions.
+"""
+
+from collections.abc import Iterable, Mapping
+
+from rigidsym.codegen.ir import Function
+from rigidsym.codegen.lines import flat_results
+from rigidsym.errors import InputError
+
+_MOTION = (
+    *("c_a", "c_b", "c_d", "c_ab", "c_ad", "c_bd", "Omega_a", "Omega_b", "Omega_d", "E_b"),
+    *("epsilon", "sigma", "rho", "chi", "q_0", "q_a", "q_b", "q_d", "unit"),
+)
+_PARAMETERS = {
+    "_discriminant": ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d"),
+    "_steady_constants": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3"),
+}
+_STATE = ("q_0", "q_a", "q_b", "q_d", "Omega_a", "Omega_b", "Omega_d")
+_RESULTS = {
+    "_discriminant": ("E_b",),
+    "_circular_angles": ("sin_v", "cos_v", "X_im", "X_re"),
+    "_hyperbolic_angles": ("w", "p", "side", "flip", "X_im", "X_re"),
+    "_steady_angles": ("X_im", "X_re"),
+    "_circular_state": _STATE,
+    "_hyperbolic_state": _STATE,
+    "_steady_state": ("q0", "q1", "q2", "q3"),
+}
+# What the runtimes read of constants, by these names.
+_READ = {
+    "_initial_state": ("A_a", "A_b", "A_d", "k_1"),
+    "_circular_constants": ("v_rate_hi", "Lambda_rate_hi", "v_hi", "v_lo"),
+    "_hyperbolic_constants": ("y_rate_hi", "Lambda_rate_hi"),
+    "_steady_constants": ("Lambda_rate_hi", "Lambda_rate_lo"),
+}
+
+
+def check(functions: Iterable[Function]) -> None:
+    """Raises InputError, naming the function, where one is not what the runtimes count on."""
+    by_name = {function.name: function for function in functions}
+    for name, parameters in _PARAMETERS.items():
+        _same(name, "takes", by_name[name].parameters, parameters)
+    for name, results in _RESULTS.items():
+        _same(name, "returns", by_name[name].results, results)
+    for name, read in _READ.items():
+        _among(name, "returns", read, flat_results(by_name[name]))
+    start = by_name["_initial_state"]
+    _among(start.name, "is given", start.parameters, _MOTION)
+    for branch in ("circular", "hyperbolic"):
+        constants = by_name[f"_{branch}_constants"]
+        _among(constants.name, "is given", constants.parameters, (*_MOTION, *start.results))
+    for branch in ("circular", "hyperbolic", "steady"):
+        _check_branch(branch, by_name)
+
+
+def _check_branch(branch: str, functions: Mapping[str, Function]) -> None:
+    """Angles are of times, states of angles; all else that they are given is of constants."""
+    constants, angles, state = (
+        functions[f"_{branch}_{part}"] for part in ("constants", "angles", "state")
+    )
+    kept = flat_results(constants)
+    for function, first in ((angles, ("t", "t_lo")), (state, angles.results)):
+        _same(function.name, "takes first", function.parameters[: len(first)], first)
+        _among(function.name, "is given", function.parameters[len(first) :], kept)
+
+
+def _same(name: str, what: str, found: tuple[str, ...], counted: tuple[str, ...]) -> None:
+    if found != counted:
+        raise InputError(name, ", ".join(found), f"is not what it {what}: {', '.join(counted)}")
+
+
+def _among(name: str, what: str, found: Iterable[str], known: Iterable[str]) -> None:
+    unknown = [x for x in found if x not in set(known)]
+    if unknown:
+        raise InputError(name, ", ".join(unknown), f"is nothing that it {what}")
