@@ -24,6 +24,7 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.language.sequence import FormulaSequence
+from rigidsym.solution.partition import Partition, partition_of
 
 AXES = ("a", "b", "d")
 _BY_FUNCTIONS = (
@@ -159,11 +160,15 @@ class Formula:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The sequences by name, a digest of all their statements, and what evaluates them."""
+    """The sequences by name, a digest of all their statements, and what evaluates them.
+
+    partition: by which signs the kinds of motions are told apart.
+    """
 
     sequences: Mapping[str, tuple[Formula, ...]]
     digest: str
     evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
+    partition: Partition = field(repr=False, compare=False)
 
 
 @cache
@@ -200,7 +205,8 @@ def load(text: str) -> Solution:
         name: FormulaSequence((f.name, f.expression) for f in formulas)
         for name, formulas in sequences.items()
     }
-    return Solution(sequences, _digest(sequences), evaluated)
+    partition = partition_of(facts.values(), contexts)
+    return Solution(sequences, _digest(sequences), evaluated, partition)
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:

@@ -1,12 +1,11 @@
-"""Which kind of motion it is, decided exactly from exact inputs."""
+"""Which kind of motion it is, decided exactly from exact inputs, by what the ledger proves."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
-from itertools import combinations
 
-from rigidsym.solution.formulas import sequence
+from rigidsym.solution.formulas import sealed, sequence
 
 _DISCRIMINANT = frozenset({"E_b"})
 
@@ -48,26 +47,38 @@ class Polhode:
     chi: int
 
 
+# The leaves of the ledger's partition: which regime it is, and which of the axes is a, 1 being that
+# of the largest moment.
+_LEAVES = {
+    "rest": (Regime.REST, 1),
+    "spherical": (Regime.SPHERICAL, 1),
+    "spin_1": (Regime.SPIN, 1),
+    "spin_2": (Regime.SPIN, 1),
+    "spin_3": (Regime.SPIN, 3),
+    "oblate_polar": (Regime.SPIN, 1),
+    "oblate_equatorial": (Regime.SPIN, 1),
+    "oblate_motion": (Regime.SYMMETRIC, 1),
+    "prolate_polar": (Regime.SPIN, 3),
+    "prolate_equatorial": (Regime.SPIN, 1),
+    "prolate_motion": (Regime.SYMMETRIC, 3),
+    "separatrix_motion": (Regime.SEPARATRIX, 1),
+    "largest": (Regime.LARGEST, 1),
+    "smallest": (Regime.SMALLEST, 3),
+}
+
+
 def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     """Decide the regime from exact inertia (3 numbers) and body rates (3 numbers)."""
     low, middle, high = sorted(range(3), key=lambda k: inertia[k])
-    E_b = discriminant(inertia, omega)
-    axes = (low, middle, high) if E_b < 0 else (high, middle, low)
-    if _steady(inertia, omega):
-        regime = _steady_regime(inertia, omega)
-    else:
-        regime = _moving_regime(inertia, E_b)
+    order = (high, middle, low)
+    moments, rates = (tuple(values[k] for k in order) for values in (inertia, omega))
+    regime, first = _LEAVES[sealed().partition.leaf(moments, rates)]
+    axes = order if first == 1 else (low, middle, high)
     epsilon = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     sigma = -1 if omega[axes[0]] < 0 else 1
-    rho = 1 if axes[0] == high else -1
+    rho = 1 if first == 1 else -1
     chi = -1 if -rho * epsilon * sigma * omega[axes[2]] < 0 else 1
     return Polhode(regime, axes, epsilon, sigma, rho, chi)
-
-
-def _steady(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> bool:
-    return all(
-        (inertia[j] - inertia[k]) * omega[j] * omega[k] == 0 for j, k in combinations(range(3), 2)
-    )
 
 
 def discriminant(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
@@ -76,17 +87,3 @@ def discriminant(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Frac
     values = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
     return sequence("constants").up_to(_DISCRIMINANT).evaluate(values, {"power": pow})["E_b"]
-
-
-def _steady_regime(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Regime:
-    if not any(omega):
-        return Regime.REST
-    return Regime.SPHERICAL if len(set(inertia)) == 1 else Regime.SPIN
-
-
-def _moving_regime(inertia: Sequence[Fraction], E_b: Fraction) -> Regime:
-    if len(set(inertia)) == 2:
-        return Regime.SYMMETRIC
-    if E_b == 0:
-        return Regime.SEPARATRIX
-    return Regime.LARGEST if E_b > 0 else Regime.SMALLEST
