@@ -11,6 +11,10 @@ class Between(NamedTuple):
     line: int
     text: str
 
+    def at(self, line: int) -> str:
+        """A line of the file that is in it."""
+        return self.text.split("\n")[line - self.line]
+
 
 def between(file: str, text: str, first: str, last: str) -> Between:
     """What a file has after its first part and before its last, which end with their lines.

@@ -10,6 +10,7 @@ from dataclasses import astuple
 from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
+from rigidsym.codegen.lines import comment
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
@@ -38,7 +39,7 @@ def check(
     known: dict[str, Function] = {}
     decided = 0
     for frame in frames(functions):
-        _check_function(frame, given, known)
+        _check_function(frame, given, known, derived)
         known[frame.name] = frame.function
         decided += len(frame.function.lets)
     _expect_end(module.SOURCE, given)
@@ -129,7 +130,7 @@ def _expect_end(file: str, given: Iterator[Statement]) -> None:
 
 
 def _check_function(
-    frame: Frame, given: Iterator[Statement], known: Mapping[str, Function]
+    frame: Frame, given: Iterator[Statement], known: Mapping[str, Function], derived: Between
 ) -> None:
     for statement in frame.before:
         _expect(module.SOURCE, given, statement)
@@ -139,7 +140,11 @@ def _check_function(
     for let, fused in zip(function.lets, fuse(function), strict=True):
         if len(let.targets) > 1:
             _expect(module.SOURCE, given, f"double_double {', '.join(let.targets)};")
-        _check_line(reader, _next(module.SOURCE, given, let).text, fused)
+        line, text = _next(module.SOURCE, given, let)
+        _check_line(reader, text, fused)
+        _, _, note = derived.at(line).partition("; /* ")
+        if note.removesuffix(" */") != comment(let):
+            raise InputError(frame.name, f"{let} /* {note}", f"is by {comment(let)}")
         if not is_equal(unfused(fused.expression), let.expression):
             raise InputError(frame.name, fused, f"{let}: not what was fused")
     for statement in frame.after:

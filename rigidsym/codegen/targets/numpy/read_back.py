@@ -7,7 +7,7 @@ from copy import copy
 from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
-from rigidsym.codegen.lines import flat_results
+from rigidsym.codegen.lines import comment, flat_results
 from rigidsym.codegen.passes import specialise
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
@@ -30,7 +30,7 @@ def check(
         _check_statement(_next(statements, expected), expected)
     known: set[str] = set()
     for function in functions:
-        _check_function(function, _next(statements, f"def {function.name}"), known)
+        _check_function(function, _next(statements, f"def {function.name}"), known, derived)
         known.add(function.name)
     for expected in (*_tables(functions), *_limits()):
         _check_statement(_next(statements, expected), expected)
@@ -136,7 +136,9 @@ def _limits() -> Iterator[str]:
     return (f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in LIMITS)
 
 
-def _check_function(function: Function, node: ast.stmt, known: Collection[str]) -> None:
+def _check_function(
+    function: Function, node: ast.stmt, known: Collection[str], derived: Between
+) -> None:
     parameters = ", ".join(name for name in function.parameters if name != "t_lo")
     head = f"def {function.name}({parameters}):"
     if not isinstance(node, ast.FunctionDef) or _head(node) != head:
@@ -148,6 +150,9 @@ def _check_function(function: Function, node: ast.stmt, known: Collection[str]) 
         raise InputError(function.name, f"{len(lines)} lines", f"has {len(function.lets)} lets")
     for line, let in zip(lines, function.lets, strict=True):
         _check_line(function, line, let, known)
+        _, _, note = derived.at(line.lineno).partition("  # ")
+        if note != comment(let):
+            raise InputError(function.name, f"{let}  # {note}", f"is by {comment(let)}")
     results = flat_results(function) if function.rounds else list(function.results)
     if _returned(last) != results:
         raise InputError(function.name, ast.unparse(last), f"does not return {results}")
