@@ -10,8 +10,11 @@ import pytest
 
 from rigidsym import InputError, generate
 from rigidsym.codegen import header
+from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.seal import seal_text
+from rigidsym.codegen.targets import reader
 from rigidsym.solution import sealed
+from rigidsym.validate.faults.tables import all_faults
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}
@@ -105,3 +108,25 @@ def test_files_that_end_early_are_refused(target):
         files = {**generated.files, source: "\n".join(lines[:kept])}
         with pytest.raises(InputError):
             seal_text(replace(generated, files=files), sealed())
+
+
+@cache
+def lets_and_numbers():
+    return functions(sealed()), constants()
+
+
+def first_of_each_kind():
+    seen = set()
+    for fault in all_faults():
+        first = (fault.target, fault.kind) not in seen
+        seen.add((fault.target, fault.kind))
+        yield pytest.param(fault, id=fault.line, marks=[] if first else [pytest.mark.slow])
+
+
+@pytest.mark.parametrize("fault", [*first_of_each_kind()])
+def test_what_validation_catches_by_numbers_the_seal_refuses_by_the_text(fault):
+    files = dict(made(fault.target).files)
+    source = SOURCES[fault.target]
+    files[source] = fault.applied(files[source])
+    with pytest.raises(InputError):
+        reader(fault.target)(files, *lets_and_numbers())
