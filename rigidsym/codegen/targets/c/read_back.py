@@ -33,7 +33,7 @@ def check(
     """The number of lines that read back as their lets; raises InputError for the first not to."""
     _check_header(files[module.HEADER], functions)
     derived = _derived(files[module.SOURCE], functions)
-    given = iter(list(statements(module.SOURCE, derived)))
+    given = statements(module.SOURCE, derived)
     for number in _numbers(functions, constants):
         _expect(module.SOURCE, given, number)
     known: dict[str, Function] = {}
@@ -49,8 +49,8 @@ def check(
 def _check_header(text: str, functions: tuple[Function, ...]) -> None:
     first = header.filled(module.header_first(), "c", header.digest_in(module.HEADER, text))
     last = _filled(module.header_last(), functions)
-    given = statements(module.HEADER, between(module.HEADER, text, first, last))
-    given = iter(_without_rows(given))
+    structs = statements(module.HEADER, between(module.HEADER, text, first, last))
+    given = iter(_without_rows(structs))
     for function in functions:
         if function.rounds:
             for line in struct(function):
