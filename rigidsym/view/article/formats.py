@@ -65,24 +65,28 @@ def _text(chapters: Sequence[Chapter]) -> str:
     found: list[str] = []
     for chapter in chapters:
         found += [chapter.title, "=" * len(chapter.title), ""]
-        for line in chapter.steps:
-            found += [f"{_sentence(line)}  {numbers(line)}".rstrip(), ""]
-            found += [_indented(pretty(equation)) for equation in line.shown]
-            found += [_indented("where " + pretty(c)) for c in provided(line)]
-            found += [_indented(f"[{line.fact.id}]"), ""]
+        found += [f"{line_text(line)}\n" for line in chapter.steps]
     return "\n".join(found)
+
+
+def line_text(line: Line) -> str:
+    """A line for a terminal."""
+    where = ["where " + pretty(condition) for condition in provided(line)]
+    below = [*map(pretty, line.shown), *where, f"[{line.fact.id}]"]
+    return "\n".join([f"{sentence(line)}  {numbers(line)}".rstrip(), "", *map(_indented, below)])
 
 
 def _indented(text: str) -> str:
     return "\n".join(f"    {row}".rstrip() for row in text.split("\n"))
 
 
-def _sentence(line: Line) -> str:
+def sentence(line: Line) -> str:
+    """What was done, and what was chosen."""
     words = line.why if NAMES.match(line.why) else line.why[:1].upper() + line.why[1:]
     return f"{words}; {line.choice}:" if line.choice else f"{words}:"
 
 
-def _formulas(prose: str) -> str:
+def formulas(prose: str) -> str:
     """Prose with the names of quantities in LaTeX."""
     return NAMES.sub(lambda found: f"${_name(found)}$", prose)
 
@@ -96,9 +100,9 @@ def _name(found: re.Match[str]) -> str:
 def _markdown(chapters: Sequence[Chapter]) -> str:
     found: list[str] = []
     for chapter in chapters:
-        found += [f"## {_formulas(chapter.title)}", "", _formulas(_prose(chapter)), ""]
+        found += [f"## {formulas(chapter.title)}", "", formulas(_prose(chapter)), ""]
         for line in chapter.steps:
-            found += [_formulas(_sentence(line)), "", f"$${_display(line)}$$", ""]
+            found += [formulas(sentence(line)), "", f"$${_display(line)}$$", ""]
             found += [f"`{line.fact.id}`{_where(line)}", ""]
     return "\n".join(found)
 
@@ -110,7 +114,7 @@ def _where(line: Line) -> str:
 
 def _display(line: Line) -> str:
     """The equations of a line, aligned, with the paper's numbers."""
-    rows = [row for equation in line.shown for row in _rows(equation)]
+    rows = [row for equation in line.shown for row in rows_of(equation)]
     several = len(rows) > 1
     aligned = r" \\ ".join(rows)
     plain = rf"\begin{{aligned}}{aligned}\end{{aligned}}" if several else aligned.replace("&", "")
@@ -118,8 +122,8 @@ def _display(line: Line) -> str:
     return rf"{plain}\tag*{{{_tag(tags)}}}" if tags else plain
 
 
-def _rows(equation: sympy.Basic) -> list[str]:
-    """left &= right; a long right side is a row for each of its terms."""
+def rows_of(equation: sympy.Basic) -> list[str]:
+    """In LaTeX, left &= right; a long right side is a row for each of its terms."""
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
     if len(terms) < 2 or len(latex(equation)) < LONG:
@@ -152,7 +156,7 @@ def _latex(chapters: Sequence[Chapter]) -> str:
         found += [rf"\section{{{_escaped(chapter.title)}}}", _escaped(_prose(chapter)), ""]
         for line in chapter.steps:
             name = line.fact.id.replace("_", r"\_\allowbreak ").replace(".", r".\allowbreak ")
-            found += [rf"{_escaped(_sentence(line))}\fact{{{name}}}", _environment(line)]
+            found += [rf"{_escaped(sentence(line))}\fact{{{name}}}", _environment(line)]
             if where := _where(line):
                 found.append(rf"\noindent {where[2:]}.")
             found.append("")
@@ -171,7 +175,7 @@ def _prose(chapter: Chapter) -> str:
 
 def _escaped(text: str) -> str:
     """Prose for LaTeX: names of quantities in their letters, what is special escaped."""
-    parts = re.split(r"(\$[^$]*\$)", _formulas(text.replace("`", "")))
+    parts = re.split(r"(\$[^$]*\$)", formulas(text.replace("`", "")))
     return "".join(part if part.startswith("$") else _plain(part) for part in parts)
 
 
@@ -194,7 +198,7 @@ def _html(chapters: Sequence[Chapter]) -> str:
             rows = [mathematics(latex(equation)) for equation in line.shown]
             where = [mathematics(latex(c), "inline") for c in provided(line)]
             note = join(" where ", *where) if where else ""
-            body.append(tag("p", _sentence(line), tag("code", line.fact.id, class_="fact")))
+            body.append(tag("p", sentence(line), tag("code", line.fact.id, class_="fact")))
             body.append(tag("div", *rows, tag("span", numbers(line), class_="number"), class_="line"))
             body += [tag("p", note, class_="where")] if note else []
     title = "The torque-free motion of a rigid body, derived"

@@ -111,10 +111,10 @@ class _Pretty(PrettyPrinter):
         inner = self._print(expr.args[0])
         if expr.args[0].is_Symbol and "_" not in expr.args[0].name:
             return self._print_Symbol(sympy.Symbol(f"{expr.args[0].name}_rate"))
-        return prettyForm(*prettyForm("d/dt ").right(*inner.parens()))
+        return prettyForm(*prettyForm("d/dt ").right(prettyForm(*inner.parens())))
 
     def _print_Rate(self, e: sympy.MatrixExpr) -> prettyForm:
         inner = self._print(e.args[0])
         if isinstance(e.args[0], sympy.MatrixSymbol):
             return self._print_Symbol(sympy.Symbol(f"{e.args[0].name}_rate"))
-        return prettyForm(*prettyForm("d/dt ").right(*inner.parens()))
+        return prettyForm(*prettyForm("d/dt ").right(prettyForm(*inner.parens())))
