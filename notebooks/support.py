@@ -4,7 +4,7 @@ Nothing is derived here.  Steps come from a book, whether the cells of a noteboo
 `derivations` wrote it; statements from its ledger, or from the sealed one, replayed.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from importlib import import_module
 from typing import Any
 
@@ -51,14 +51,6 @@ def lines(book: Book, *numbers: str) -> HTML:
     """The steps of a book that are about equations of the paper, under each other."""
     found = (step for step in book.steps if {*step.source} & {*numbers})
     return HTML("\n".join(map(line_html, found)))
-
-
-def strays(book: Book, other: Book) -> Iterator[str]:
-    """The facts of a book that another has not, or not with the same sides."""
-    there = other.ledger.facts
-    for name, fact in book.ledger.facts.items():
-        if name not in there or (fact.lhs, fact.rhs) != (there[name].lhs, there[name].rhs):
-            yield name
 
 
 def sealed() -> Ledger:
