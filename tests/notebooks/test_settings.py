@@ -32,7 +32,12 @@ def run(name, chosen, monkeypatch):
 
 
 OTHER = "Setting(sequence=(3, 1, 3), axis=2, sign=-1)"
-NAMES = ["02_from_lax_pair_to_k_a1", "03_the_phi1_integral_and_pi"]
+# Notebooks by their stems, with the contexts that no chapter has.
+NAMES = {
+    "02_from_lax_pair_to_k_a1": set(),
+    "03_the_phi1_integral_and_pi": set(),
+    "04_no_sign_functions": {"psi", "regrouped", "shortest"},
+}
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +54,8 @@ def chapters():
 def test_with_another_setting_a_notebook_finds_what_the_chapters_find(name, chapters, monkeypatch):
     left = run(name, OTHER, monkeypatch)
     found = left["book"].ledger.facts
-    assert len(found) > 20
-    assert {*found} <= {*chapters}
-    for name, fact in found.items():
-        assert (fact.lhs, fact.rhs) == (chapters[name].lhs, chapters[name].rhs), name
+    known = {fact: value for fact, value in found.items() if value.context not in NAMES[name]}
+    assert len(known) > 20
+    assert {*known} <= {*chapters}
+    for fact, value in known.items():
+        assert (value.lhs, value.rhs) == (chapters[fact].lhs, chapters[fact].rhs), fact

@@ -18,7 +18,7 @@ LONG = 150
 # Names of quantities in prose: phi1', Omega_i^2, R^-1; M alone, but not "A" of a sentence.
 _GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
 NAMES = re.compile(
-    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|sn))\b"
+    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|S|sn))\b"
     r"(?P<prime>')?(?:\^(?P<power>-?[0-9]))?"
 )
 
@@ -82,7 +82,8 @@ def _indented(text: str) -> str:
 
 def sentence(line: Line) -> str:
     """What was done, and what was chosen."""
-    words = line.why if NAMES.match(line.why) else line.why[:1].upper() + line.why[1:]
+    formula = NAMES.match(line.why) or re.match(r"\w+\(", line.why)
+    words = line.why if formula else line.why[:1].upper() + line.why[1:]
     return f"{words}; {line.choice}:" if line.choice else f"{words}:"
 
 

@@ -12,7 +12,10 @@ from sympy.printing.pretty.stringpict import prettyForm
 from rigidsym.language.symbols import symbol
 
 # Constants of a motion, which the paper writes in front of what moves.
-CONSTANTS = ("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3")
+CONSTANTS = (
+    *("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3", "n"),
+    *("alpha", "beta", "chi", "zeta", "xi", "mu", "kappa", "s_i", "s_j"),
+)
 _FUNCTIONS = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn", "jacobi_am": "am"}
 _DOT = "\N{COMBINING DOT ABOVE}"
 
@@ -29,15 +32,17 @@ def pretty(expression: sympy.Basic, width: int = 100) -> str:
 
 
 def _rank(factor: sympy.Expr) -> tuple[int, str]:
-    """Numbers, constants, sums of constants, then what moves."""
+    """Numbers, constants, sums of these, then what moves: letters, sums, functions."""
     names = {str(x) for x in factor.free_symbols}
     if factor.is_Number:
         return 0, str(factor)
+    if not factor.is_Add and factor.atoms(sympy.Function):
+        return 5, str(factor)
     moving = bool(names - {*CONSTANTS}) or bool(factor.atoms(sympy.Function))
     return 1 + factor.is_Add + 2 * moving, str(factor)
 
 
-def _negative(term: sympy.MatrixExpr) -> bool:
+def _negative(term: sympy.Expr | sympy.MatrixExpr) -> bool:
     return term.could_extract_minus_sign()
 
 
@@ -60,6 +65,12 @@ class _Latex(LatexPrinter):
             return f"{sign}{self._row(above)}"
         inside = [self._row(side, alone=True) for side in (above, below)]
         return rf"{sign}\frac{{{inside[0]}}}{{{inside[1]}}}"
+
+    def _as_ordered_terms(self, expr: sympy.Expr, order: str | None = None) -> list[sympy.Expr]:
+        """A sum begins with a plus where it can."""
+        terms = super()._as_ordered_terms(expr, order)
+        first = next((term for term in terms if not _negative(term)), terms[0])
+        return [first, *(term for term in terms if term is not first)]
 
     def _print_MatAdd(self, expr: sympy.MatAdd) -> str:
         terms = [self._print(term) for term in expr.args]
