@@ -1,5 +1,6 @@
 """Notebooks that derive run on with another setting: what one cell says, all others follow."""
 
+import re
 import sys
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
@@ -15,7 +16,7 @@ SCRIPT = spec_from_file_location("notebooks_build", ROOT / "notebooks/build.py")
 build = module_from_spec(SCRIPT)
 SCRIPT.loader.exec_module(build)
 
-CHOSEN = "setting = Setting()\n"
+CHOSEN = re.compile(r"^setting = Setting\(.*\)$", re.M)
 
 
 def run(name, chosen, monkeypatch):
@@ -24,10 +25,11 @@ def run(name, chosen, monkeypatch):
 
     matplotlib.use("agg")
     code = "\n".join(cell.source for cell in build.source(name).cells if cell.cell_type == "code")
-    assert code.count(CHOSEN) == 1
+    changed, count = CHOSEN.subn(f"setting = {chosen}", code)
+    assert count == 1
     monkeypatch.setattr(sys, "path", [str(build.FOLDER), *sys.path])
     left: dict = {}
-    exec(compile(code.replace(CHOSEN, f"setting = {chosen}\n"), name, "exec"), left)
+    exec(compile(changed, name, "exec"), left)
     return left
 
 
@@ -59,3 +61,16 @@ def test_with_another_setting_a_notebook_finds_what_the_chapters_find(name, chap
     assert {*known} <= {*chapters}
     for fact, value in known.items():
         assert (value.lhs, value.rhs) == (chapters[fact].lhs, chapters[fact].rhs), fact
+
+
+def test_a_gyrostat_is_derived_with_its_wheel_across_the_axis(monkeypatch):
+    left = run(
+        "11_derive_your_own",
+        'Setting(sequence=(3, 1, 3), sign=-1, lagrangian=KINETIC + " + h2*Omega2")',
+        monkeypatch,
+    )
+    assert left["wheel"] == 1
+    assert {str(w) for w in left["rate"].value.free_symbols if str(w).startswith("Omega")} == {
+        "Omega2",
+        "Omega3",
+    }
