@@ -31,7 +31,7 @@
 # The steps are those of the chapters `derivations/lie_algebra.py`, `euler_lax.py` and `conjugacy.py`.
 # The verdicts on the printed lines are in [notebook 1](01_the_paper_line_by_line.ipynb).
 
-# %%
+# %% tags=["hide-input"]
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy

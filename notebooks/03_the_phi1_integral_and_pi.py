@@ -28,7 +28,7 @@
 # runs a step of the derivation, as the chapters `derivations/kinematics.py`, `phi1_integral.py` and
 # `winding.py` do, and shows the line that came out.
 
-# %%
+# %% tags=["hide-input"]
 import matplotlib.pyplot as plt
 import mpmath as mp
 import numpy as np

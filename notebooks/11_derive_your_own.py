@@ -27,7 +27,7 @@
 # time; none of its results is typed in. [Notebook 2](02_from_lax_pair_to_k_a1.ipynb) explains each
 # kind of step for the paper's body. At the end: what else can be changed, and what is refused.
 
-# %%
+# %% tags=["hide-input"]
 import matplotlib.pyplot as plt
 import numpy as np
 import sympy

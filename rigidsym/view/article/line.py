@@ -19,7 +19,7 @@ _EQUATIONS = "min-width:0;padding-left:1.5em"
 def line_html(line: Line) -> str:
     """A line as a card."""
     said = tag("span", *_prose(sentence(line)))
-    head = tag("div", said, muted(code(line.fact.id)), style=_ROW)
+    head = tag("div", said, muted(code(line.fact.id)), style=f"{_ROW};padding-top:.4em")
     equations = tag("div", formula(_aligned(line)), style=_EQUATIONS)
     body = tag("div", equations, muted(numbers(line)), style=_ROW)
     return card(head, body, *_where(line))
