@@ -1,8 +1,8 @@
 """The derivation: one chapter per file, in the paper's order; ledger.json is their sealed result.
 
 Each chapter has a `derive(book)`.  Those of `FORWARD` compute: from the basis (4) and the kinetic
-energy, by the steps of `rigidsym.proof.steps`, to Theorem 1, for whatever `Setting` the book has.  In
-the others a right-hand side is a guess until the kernel has decided it.
+energy, by the steps of `rigidsym.proof.steps`, to Theorem 1, for whatever `Setting` the book has.
+In the others a right-hand side is a guess until the kernel has decided it.
 """
 
 FORWARD = (
@@ -31,6 +31,7 @@ CHAPTERS = (
     "theorem1",
     "misprints",
     "theorem1_signs",
+    "printed",
     "descended_form",
     "landen_step",
     "theta_form",

@@ -7,7 +7,14 @@ denominator that never falls below K, so nothing here has an edge: whatever the 
 whatever the order of the axes, this R satisfies (3).  It is the regular form of Theorem 1.
 """
 
+from collections.abc import Iterable
+
+from sympy import Expr, Symbol, factor_terms, rem
+
 from rigidsym.proof.algebra import Book, Part, half_angle, join, sign
+from rigidsym.proof.algebra.printing import printed
+from rigidsym.proof.algebra.quaternion import conjugate, product, rotated
+from rigidsym.proof.algebra.quaternion import kinematics as turning
 
 INERTIA = Part(
     witness={"c_a": "3", "c_b": "2", "c_d": "1"},
@@ -52,24 +59,37 @@ SHORTEST = Part(
     nonnegative=("K", "nu"),
     reading={"K": "|M|, kg m^2 rad/s", "nu": "length of (K + sigma M_a, M x sigma e_a)"},
 )
+EPSILON = Symbol("epsilon")
+# Names in the order of evaluation that numbers follow.
+NAMES = "epsilon sigma K cos_half_psi sin_half_psi s_0 s_b s_d " + " ".join(
+    f"{q}_{x}" for q in ("p", "q", "qbar") for x in "0abd"
+)
+
+
+def quaternion(name: str) -> tuple[Symbol, ...]:
+    """The components of a quaternion on the axes (a, b, d)."""
+    return tuple(Symbol(f"{name}_{x}") for x in "0abd")
+
+
+def components(name: str, sides: Iterable[Expr]) -> dict[str, str]:
+    """What the components of a quaternion are, as texts."""
+    texts = (printed(side, NAMES) for side in sides)
+    return {str(x): text for x, text in zip(quaternion(name), texts, strict=True)}
+
+
+# exp(psi sigma A_a), and the shortest rotation, which is about an axis across e_a.
+ABOUT_A = (Symbol("cos_half_psi"), Symbol("sigma") * Symbol("sin_half_psi"), 0, 0)
+SHORTEST_TURN = (Symbol("s_0"), 0, Symbol("s_b"), Symbol("s_d"))
 TURN = Part(
     definitions={
         "psi_rate": "(2*H + K*sigma*Omega_a)/(K + sigma*M_a)",
-        "qbar_0": "cos_half_psi*s_0",
-        "qbar_a": "sigma*sin_half_psi*s_0",
-        "qbar_b": "cos_half_psi*s_b - epsilon*sigma*sin_half_psi*s_d",
-        "qbar_d": "cos_half_psi*s_d + epsilon*sigma*sin_half_psi*s_b",
+        **components("qbar", product(ABOUT_A, SHORTEST_TURN, EPSILON)),
     },
 )
 # (37): a constant unit quaternion in front of the particular solution.
 PULL_BACK = Part(
     witness={"p_0": "1", "p_a": "0", "p_b": "0", "p_d": "0"},
-    definitions={
-        "q_0": "p_0*qbar_0 - p_a*qbar_a - p_b*qbar_b - p_d*qbar_d",
-        "q_a": "p_0*qbar_a + p_a*qbar_0 + epsilon*(p_b*qbar_d - p_d*qbar_b)",
-        "q_b": "p_0*qbar_b + p_b*qbar_0 + epsilon*(p_d*qbar_a - p_a*qbar_d)",
-        "q_d": "p_0*qbar_d + p_d*qbar_0 + epsilon*(p_a*qbar_b - p_b*qbar_a)",
-    },
+    definitions=components("q", product(quaternion("p"), quaternion("qbar"), EPSILON)),
     relations=("p_d**2 + p_b**2 + p_a**2 + p_0**2 - 1",),
     reading={f"p_{x}": f"component {x} of R(0) Rbar(0)^-1, constant" for x in "0abd"},
 )
@@ -85,22 +105,24 @@ ATTITUDE = (
 )
 
 
-# (24): the momentum in the body, R^-1 (K sigma e_a).
-MOMENTUM = {
-    "M_a": "sigma*K*(qbar_0**2 + qbar_a**2 - qbar_b**2 - qbar_d**2)",
-    "M_b": "2*sigma*K*(qbar_a*qbar_b - epsilon*qbar_0*qbar_d)",
-    "M_d": "2*sigma*K*(qbar_a*qbar_d + epsilon*qbar_0*qbar_b)",
-}
+def momentum() -> dict[str, str]:
+    """(24): the momentum in the body, R^-1 (K sigma e_a) R, on axes of either handedness."""
+    along = Symbol("sigma") * Symbol("K")
+    turned = rotated(conjugate(quaternion("qbar")), (along, 0, 0), EPSILON)
+    reduced = (rem(side, EPSILON**2 - 1, EPSILON) for side in turned)
+    sides = [factor_terms(side, sign=False) for side in reduced]
+    return {f"M_{x}": printed(side, NAMES) for x, side in zip("abd", sides, strict=True)}
 
 
-def kinematics(q: str) -> dict[str, str]:
+MOMENTUM = momentum()
+
+
+def kinematics(q: str) -> dict[str, str | Expr]:
     """|q| = 1 and q' = (1/2) q (0, Omega) on the axes (a, b, d) of either handedness."""
+    names, rates = " ".join(map(str, quaternion(q))), "Omega_a Omega_b Omega_d"
     return {
-        f"{q}_0**2 + {q}_a**2 + {q}_b**2 + {q}_d**2": "1",
-        f"D({q}_0)": f"(-{q}_a*Omega_a - {q}_b*Omega_b - {q}_d*Omega_d)/2",
-        f"D({q}_a)": f"({q}_0*Omega_a + epsilon*({q}_b*Omega_d - {q}_d*Omega_b))/2",
-        f"D({q}_b)": f"({q}_0*Omega_b + epsilon*({q}_d*Omega_a - {q}_a*Omega_d))/2",
-        f"D({q}_d)": f"({q}_0*Omega_d + epsilon*({q}_a*Omega_b - {q}_b*Omega_a))/2",
+        " + ".join(f"{name}**2" for name in names.split()): "1",
+        **turning(names, rates, EPSILON),
     }
 
 
@@ -108,29 +130,13 @@ def derive(book: Book) -> None:
     """Invariants in the form without cancellation, the attitude, and the pull-back (37)."""
     book.open(join("attitude", *ATTITUDE))
     book.claim("attitude.conserved", {"D(H)": "0", "D(K**2)": "0"}, ["6"])
-    book.claim(
-        "attitude.H", {"H": "(c_a*Omega_a**2 + c_b*Omega_b**2 + c_d*Omega_d**2)/2"}, ["6", "15"]
-    )
     book.root("attitude.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
     for x in "abd":
-        book.claim(f"attitude.M_{x}", {f"M_{x}": f"c_{x}*Omega_{x}"}, ["8"])
         book.claim(f"attitude.Omega_{x}", {f"Omega_{x}": f"M_{x}/c_{x}"}, ["8"])
-
-    book.claim(
-        "attitude.psi_rate", {"psi_rate": "(2*H + K*sigma*Omega_a)/(K + sigma*M_a)"}, ["32", "33"]
-    )
     book.root("attitude.nu", "nu", "2*K*(K + sigma*M_a)", ["27"])
-    book.claim("attitude.s_0", {"s_0": "nu/(2*K)"}, ["27"])
-    book.claim("attitude.s_b", {"s_b": "sigma*epsilon*M_d/nu"}, ["28"])
-    book.claim("attitude.s_d", {"s_d": "-sigma*epsilon*M_b/nu"}, ["28"])
-    for name, form in TURN.definitions.items():
-        if name.startswith("qbar"):
-            book.claim(f"attitude.{name}", {name: form}, ["18", "25"])
-    book.claim("attitude.p_0", {"p_0": "q_0*qbar_0 + q_a*qbar_a + q_b*qbar_b + q_d*qbar_d"}, ["37"])
-    for x, y, z in ("abd", "bda", "dab"):
-        form = f"q_{x}*qbar_0 - q_0*qbar_{x} + epsilon*(q_{z}*qbar_{y} - q_{y}*qbar_{z})"
-        book.claim(f"attitude.p_{x}", {f"p_{x}": form}, ["37"])
-    for name, form in PULL_BACK.definitions.items():
+
+    inverse = product(quaternion("q"), conjugate(quaternion("qbar")), EPSILON)
+    for name, form in components("p", inverse).items():
         book.claim(f"attitude.{name}", {name: form}, ["37"])
     book.claim("attitude.particular", kinematics("qbar"), ["3", "23"])
     for name, form in MOMENTUM.items():

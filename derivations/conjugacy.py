@@ -76,7 +76,7 @@ def rotation(setting: Setting) -> dict[str, ImmutableMatrix | MatrixExpr]:
 
 
 def _front(setting: Setting) -> ImmutableMatrix | None:
-    """(1 +- (i + j + k))/2, which turns the axes cyclically, so that the outer one is the target."""
+    """(1 +- (i + j + k))/2, which turns the axes cyclically, from the outer one to the target."""
     if setting.target == setting.sequence[0]:
         return None
     basis = setting.basis()
@@ -100,7 +100,14 @@ def derive(book: Book) -> None:
     rate = symbol("phi1_rate")
     why = "a turn about a fixed axis"
     multiply(desk, "three_angles.exponential", Rate(E1), rate * first * E1, why, ["25"])
-    multiply(desk, "three_angles.inverse", R * R.adjoint(), sympy.Identity(2), "R is unitary", ["1", "25"])
+    multiply(
+        desk,
+        "three_angles.inverse",
+        R * R.adjoint(),
+        sympy.Identity(2),
+        "R is unitary",
+        ["1", "25"],
+    )
     why = "the first turn leaves its own axis where it is"
     multiply(desk, "three_angles.stabiliser", E1 * first * E1.I, first, why, ["25"])
     why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
@@ -150,7 +157,7 @@ def _angles(book: Book, reduction: Reduction) -> None:
         units=("sin_phi2",),
         reading={"sin_phi2": str(sympy.sin(2 * setting.factor * PHI[1]))},
     )
-    unknown = [sympy.cos(2 * setting.factor * PHI[1])]
+    unknown: list[sympy.Expr] = [sympy.cos(2 * setting.factor * PHI[1])]
     unknown += [f(2 * setting.factor * PHI[2]) for f in (sympy.cos, sympy.sin)]
     names = ("cos_phi2", "cos_phi3", "sin_phi3")
     angles = Part(
@@ -164,7 +171,9 @@ def _angles(book: Book, reduction: Reduction) -> None:
     equations, why = [(M_middle, K * middle), (M_third, K * third)], "the other two give phi3"
     found = solve(desk, "compared.phi3", equations, unknown[1:], why, ["28"])
     cosine, sine = unknown[1:]
-    quotient = sympy.cancel(found[sine] / found[cosine]).subs(dict(zip(MOMENTA, reduction.momenta, strict=True)))
+    quotient = sympy.cancel(found[sine] / found[cosine]).subs(
+        dict(zip(MOMENTA, reduction.momenta, strict=True))
+    )
     parts = (book.found(Dynamics).parameters, MOMENTUM, *reduction.circles)
     body = by_angles(book, reduction, *parts)
     tangent = Desk.open(book, "phi3", *parts, body, static=True)

@@ -113,12 +113,10 @@ def derive(book: Book) -> None:
 
 
 def _descent(book: Book) -> None:
-    """The modulus, its complement, and Landen's three functions, none with a difference."""
+    """The modulus, its complement, and Landen's dn, none with a difference."""
     book.root("descended.k_c", "k_c", "m_1", ["DLMF 22.7.1"])
     book.claim("descended.k_1", {"k_1": "m/(1 + k_c)**2"}, ["DLMF 22.7.1"])
     book.claim("descended.m_c", {"m_c": "4*k_c/(1 + k_c)**2"}, ["DLMF 22.7.1"])
-    book.claim("descended.sn", {"sn": "(1 + k_1)*s/(1 + k_1*s**2)"}, ["DLMF 22.7.2"])
-    book.claim("descended.cn", {"cn": "c*d/(1 + k_1*s**2)"}, ["DLMF 22.7.3"])
     book.claim(
         "descended.dn", {"dn": "(c**2 + 2*k_c/(1 + k_c)*s**2)/(1 + k_1*s**2)"}, ["DLMF 22.7.4"]
     )
@@ -129,7 +127,7 @@ def _argument(book: Book) -> None:
     book.claim("descended.mu", {"mu": "lambda_*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     book.claim("descended.u_1_of_u", {"u_1": "u*(1 + k_c)/2"}, ["DLMF 22.7.2"])
     book.claim("descended.phase", {"phase": "u_1 - mu*t"}, ["20", "21"])
-    book.claim("descended.u_1", {"u_1": "mu*t + phase"}, ["20", "21"])
+    book.claim("descended.u_1_is_the_argument", {"D(u_1)": "mu"}, ["20", "21"])
 
 
 def _secular(book: Book) -> None:
@@ -137,5 +135,4 @@ def _secular(book: Book) -> None:
     book.claim("descended.n", {"n": "-k_1*(c_d*A_d)**2/(K + c_a*A_a)**2"}, ["34"])
     book.claim("descended.psi_0", {"psi_0": "(2*H + K*A_a)/(K + c_a*A_a)"}, ["33", "34"])
     book.claim("descended.kappa", {"kappa": "2*E_a*A_a*k_1/((K + c_a*A_a)**2*mu)"}, ["34"])
-    book.claim("descended.psi", {"psi": "psi_0*t + kappa*(J - J_0)"}, ["33", "34"])
     book.claim("descended.psi_is_the_angle", {"D(psi)": "psi_rate"}, ["33", "34"])

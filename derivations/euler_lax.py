@@ -62,7 +62,10 @@ def parameters(setting: Setting) -> Part:
     return Part(
         witness={**INERTIA.witness, **dict.fromkeys(names, "1")},
         units=INERTIA.units,
-        reading={**INERTIA.reading, **{h: f"momentum of wheel {h[1]}, kg m^2 rad/s" for h in names}},
+        reading={
+            **INERTIA.reading,
+            **{h: f"momentum of wheel {h[1]}, kg m^2 rad/s" for h in names},
+        },
     )
 
 
@@ -70,7 +73,10 @@ def derive(book: Book) -> None:
     """(5) to (9), (15) and (22)."""
     algebra = book.found(Algebra)
     given = parameters(algebra.setting)
-    lagrangian, why = algebra.setting.energy(), "vary the Lagrangian, delta Omega = eta' + [Omega, eta]"
+    lagrangian, why = (
+        algebra.setting.energy(),
+        "vary the Lagrangian, delta Omega = eta' + [Omega, eta]",
+    )
     varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
     unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
     equations, why = varied.equations, "Euler's equations: solve for the rates of the rates"
@@ -146,7 +152,10 @@ def _lax_pair(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
 def _gradient(book: Book, algebra: Algebra, given: Part) -> None:
     """(8): dH/dM_i = Omega_i, with d/dt read as the derivative along one momentum."""
     wheels = algebra.setting.wheel()
-    velocities = {w: (m - h) / c for w, m, h, c in zip(RATES, MOMENTA, wheels, symbols("c1 c2 c3"), strict=True)}
+    velocities = {
+        w: (m - h) / c
+        for w, m, h, c in zip(RATES, MOMENTA, wheels, symbols("c1 c2 c3"), strict=True)
+    }
     energy = sum(m * w for m, w in zip(MOMENTA, RATES, strict=True)) - algebra.setting.energy()
     momenta = Part(
         witness={"M1": "1", "M2": "1", "M3": "1"},

@@ -10,7 +10,7 @@ import sympy
 from derivations.euler_lax import RATES, Dynamics
 from derivations.lie_algebra import Algebra
 from rigidsym.proof.algebra import Book, Part, part_of
-from rigidsym.proof.steps import Desk, eliminate, rewrite
+from rigidsym.proof.steps import Desk, eliminate, rate_of, rewrite
 from rigidsym.proof.steps.names import read, symbol, symbols
 
 H, K_SQUARED, X = symbols("H K_squared x")
@@ -27,19 +27,20 @@ def gyrostat(book: Book) -> None:
 
 def _quadrics(dynamics: Dynamics) -> tuple[sympy.Expr, sympy.Expr]:
     """2 H and K^2 by the rates."""
-    return 2 * read(dynamics.body.definitions["H"]), sum(m**2 for m in dynamics.momenta)
+    return 2 * read(dynamics.body.definitions["H"]), sympy.Add(*(m**2 for m in dynamics.momenta))
 
 
 def _along(book: Book, dynamics: Dynamics, axis: int) -> None:
     body = book.ledger.contexts["body"]
-    parts = (dynamics.parameters, part_of(body, *body.rates, *dynamics.body.definitions))
+    names = (*map(str, RATES), *dynamics.body.definitions)
+    parts = (dynamics.parameters, part_of(body, *names))
     desk = Desk.open(book, "gyrostat", *parts)
     rate = desk.rate(RATES[axis])
     energy, momentum = _quadrics(dynamics)
     squares = [other**2 for k, other in enumerate(RATES) if k != axis]
     why = "the rate along the wheel, squared, two rates eliminated by H and K: a quartic"
     equations = [2 * H - energy, K_SQUARED - momentum]
-    squared = sympy.Function("D")(RATES[axis]) ** 2
+    squared = rate_of(RATES[axis]) ** 2
     eliminate(desk, "gyrostat.quartic", rate**2, equations, squares, why, ["14"], squared)
 
 

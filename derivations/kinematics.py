@@ -1,4 +1,4 @@
-"""From the kinematics to phi1: R^-1 R' multiplied out, solved for the rates of the angles, (30) to (33).
+"""From the kinematics to phi1: R^-1 R' solved for the rates of the angles, (30) to (33).
 
 R^-1 R' = Omega is linear in the rates of the angles.  With the momentum in the place of phi2 and
 phi3, phi1' is (32); with H and K in the place of two rates it is (33), a function of one rate.
@@ -6,19 +6,21 @@ Conversely, angles that move so carry a motion: R' = R Omega, and M' = [M, Omega
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 
 from derivations.conjugacy import MOMENTUM, PHI, TURNING, K, Reduction, by_angles
 from derivations.euler_lax import MOMENTA, RATES, Dynamics
 from derivations.lie_algebra import A, Algebra, M, Omega, R, combination, commutator
-from rigidsym.proof.algebra import Book, Part, part_of
+from rigidsym.proof.algebra import Book, Part
 from rigidsym.proof.steps import Desk, Rate, coordinates, eliminate, multiply, rewrite, solve
 from rigidsym.proof.steps.names import read, symbol, symbols
 
 UNKNOWN = symbols("phi1_rate phi2_rate phi3_rate")
 BODY_RATES = Part(
     witness={"Omega1": "1", "Omega2": "1", "Omega3": "1"},
+    rates={f"Omega{k}": "?" for k in (1, 2, 3)},
     reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
 )
 
@@ -35,8 +37,8 @@ class Phi1:
 def derive(book: Book) -> None:
     """R^-1 R', (30), (31); (32); (33); and that it all is a motion."""
     reduction = book.found(Reduction)
-    parts = (TURNING, *reduction.angles)
-    desk = Desk.open(book, "turning", MOMENTUM, *parts, matrices=reduction.matrices)
+    parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
+    desk = Desk.open(book, "turning", *parts, matrices=reduction.matrices)
     why = "the velocity in the body, multiplied out"
     velocity = coordinates(desk, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
     unknown = Part(witness=dict.fromkeys(map(str, UNKNOWN), "1"), reading=TURNING.reading)
@@ -58,22 +60,26 @@ def _phi1(book: Book, reduction: Reduction, rate: sympy.Expr) -> Phi1:
     dynamics = book.found(Dynamics)
     parts = (dynamics.parameters, MOMENTUM, *reduction.circles)
     base = Desk.open(book, "on_momentum", *parts, by_angles(book, reduction, *parts), static=True)
-    momenta = dict(zip(MOMENTA, dynamics.momenta, strict=True))
-    put_in = dict(zip(RATES, (base.read(base.context.definitions[str(w)]) for w in RATES), strict=True))
+    momenta: Any = dict(zip(MOMENTA, dynamics.momenta, strict=True))
+    put_in: Any = {rate: base.read(base.context.definitions[str(rate)]) for rate in RATES}
     by_phi = base.reduced(rate.subs(put_in))
     why = "phi1' with the momentum put in"
-    rewrite(base, "line32.by_angles", rate, by_phi, why, ["32"], "substitute")
+    units = Part(units=tuple(map(base.text, base.divisors(rate))))
+    named = Part(definitions={"phi1_rate": base.text(rate)})
+    body = by_angles(book, reduction, *parts)
+    line = Desk.open(book, "line32", *parts, units, body, named, static=True)
+    rewrite(line, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
     quotient = base.reduced(_by_momentum(book, reduction, rate).subs(momenta))
     why = "phi1' with the momentum in the place of the angles"
-    line = rewrite(base, "line32.rate", rate, quotient, why, ["32"], "substitute")
-    outer, middle, third = book.found(Algebra).setting.axes
+    found = rewrite(line, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
+    _, middle, third = book.found(Algebra).setting.axes
     squares = [RATES[middle - 1] ** 2, RATES[third - 1] ** 2]
     energy = 2 * symbol("H") - 2 * read(dynamics.body.definitions["H"])
     momentum = K**2 - sum(x**2 for x in dynamics.momenta)
     why = "two rates eliminated by H and K"
-    there = Desk(book, book.ledger.contexts["line32"], {})
+    equations = [energy, momentum]
     eliminated = eliminate(
-        there, "line32.by_invariants", line.value, [energy, momentum], squares, why, ["6", "33"]
+        line, "line32.by_invariants", found.value, equations, squares, why, ["33"], UNKNOWN[0]
     )
     return Phi1(eliminated.value, by_phi, base.divisors(by_phi))
 

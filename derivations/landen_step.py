@@ -125,9 +125,7 @@ def _modulus(book: Book) -> None:
     """The new modulus and its complement, each from what does not cancel."""
     book.claim("landen.k_next", {"k_next": "(k/(1 + kc))**2"}, ["DLMF 22.7.1"])
     book.root("landen.root_kc", "root_kc", "kc", ["DLMF 22.7.1"])
-    book.claim("landen.kc_next", {"kc_next": "2*root_kc/(1 + kc)"}, ["DLMF 22.7.1"])
     book.root("landen.complement", "kc_next", "1 - k_next**2", ["DLMF 22.7.1"])
-    book.claim("landen.K", {"K": "(1 + k_next)*K_next"}, ["DLMF 19.8.12"])
 
 
 def _argument(book: Book) -> None:
@@ -137,6 +135,9 @@ def _argument(book: Book) -> None:
     book.root("landen.v", "v", "(1 + k_next)*(1 + d)*(d + kc)", ["DLMF 22.7.4"])
     for name, form in FUNCTIONS.items():
         book.claim(f"landen.{name}", {name: form}, ["DLMF 22.7.2 to 22.7.4"])
+    # s = 1 where s_next is: the quarter periods K and (1 + k_next) K_next are the same u.
+    quarter = "(1 - s_next)*(1 - k_next*s_next)/(1 + k_next*s_next**2)"
+    book.claim("landen.quarter", {"1 - s": quarter}, ["DLMF 19.8.12"])
 
 
 def _shift(book: Book) -> None:
@@ -151,7 +152,6 @@ def _scale(book: Book) -> None:
     book.open(join("scaling", SCALING, MOMENTUM, static=True))
     book.root("scaling.root_r", "root_r", "r", ["27"])
     book.claim("scaling.Q", {"Q": "k_1/r"}, ["27"])
-    book.claim("scaling.Y", {"Y": "B_d/((K + B_a)*root_r)"}, ["28"])
     book.root("scaling.root_h", "root_h", "Y_b**2 + Q", ["28"])
     book.claim("scaling.h_plus", {"h_plus": "root_h + Y_b"}, ["28"])
     book.claim("scaling.h_minus", {"h_minus": "root_h - Y_b"}, ["28"])

@@ -8,6 +8,7 @@ in two ways: one is (10), the other (11).
 
 import re
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 
@@ -22,6 +23,7 @@ from rigidsym.proof.steps import (
     differentiate,
     eliminate,
     match,
+    rate_of,
     rewrite,
     roots,
 )
@@ -70,7 +72,7 @@ def derive(book: Book) -> None:
         return
     moving = _on_axes(book)
     desk = Desk.open(book, "polhode", INERTIA, moving)
-    rate, squared = desk.rate(RATE), sympy.Function("D")(RATE) ** 2
+    rate, squared = desk.rate(RATE), rate_of(RATE) ** 2
     squares = [other**2 for other in OTHERS]
     why = "the square of a rate's rate, two rates eliminated by H and K"
     found = eliminate(
@@ -100,16 +102,21 @@ def _on_axes(book: Book) -> Part:
 
     momenta = {name: body.definitions[name] for name in ("M1", "M2", "M3")}
     square = re.sub(r"M[123]", lambda m: f"({momenta[m[0]]})", body.definitions["K_squared"])
+    turning = read(text(body.rates["Omega1"])) / OTHERS[0] / OTHERS[1]
     return Part(
         witness={text(name): value for name, value in body.witness.items()},
-        definitions={"H": text(body.definitions["H"]), "K_squared": text(square)},
+        definitions={
+            "H": text(body.definitions["H"]),
+            "K_squared": text(square),
+            "delta_i": str(turning),
+        },
         rates={text(name): text(rate) for name, rate in body.rates.items()},
     )
 
 
 def _invariants(moving: Part) -> list[sympy.Expr]:
     """2 H and K^2 less what they are of the rates."""
-    known = {name: read(text) for name, text in moving.definitions.items()}
+    known = {name: read(moving.definitions[name]) for name in ("H", "K_squared")}
     return [2 * (H - known["H"]), K_SQUARED - known["K_squared"]]
 
 
@@ -118,7 +125,8 @@ def _roots(desk: Desk, polynomial: sympy.Expr) -> Part:
     why = "its roots, where no other moment is that of the axis"
     found = roots(desk, "factored.roots", polynomial, RATE**2, why, ["13"])
     named = {
-        f"root_{x}": next(r for r in found.value if symbol(f"c_{x}") in r.free_symbols) for x in "jk"
+        f"root_{x}": next(r for r in found.value if symbol(f"c_{x}") in r.free_symbols)
+        for x in "jk"
     }
     return Part(
         units=tuple(map(desk.text, found.conditions)),
@@ -161,13 +169,13 @@ def _matched(book: Book) -> None:
         }
     )
     desk = Desk.open(book, "sine", *body, rotating)
-    squared = sympy.Function("D")(RATE) ** 2
+    squared = rate_of(RATE) ** 2
     why = "the first of the two"
     rewrite(desk, "sine.solves", squared, symbol("quartic"), why, ["10"])
     differentiate(desk, "sine.slope", RATE, "its slope", ["16"])
-    desk = Desk.open(book, "start", *body, rotating, Part(units=("zeta",)))
+    desk = Desk.open(book, "initial", *body, rotating, Part(units=("zeta",)))
     value = sympy.solve(RATE - symbol("zeta") * SN, SN)[0]
-    rewrite(desk, "start.value", SN, value, "where it starts", ["12"], "solve")
+    rewrite(desk, "initial.value", SN, value, "where it starts", ["12"], "solve")
 
 
 def _reciprocal(book: Book) -> None:
@@ -182,12 +190,20 @@ def _reciprocal(book: Book) -> None:
     other = Part(definitions={"S": "sqrt_mu*sn", "C": "dn", "E": "cn"})
     desk = Desk.open(book, "reciprocal", modulus, functions, other)
     S, C, E, root, mu = symbols("S C E sqrt_mu mu")
-    back = dict(zip(map(desk.read, ("sn", "dn", "cn")), (S / root, C, E), strict=True))
+    back: Any = dict(zip(map(desk.read, ("sn", "dn", "cn")), (S / root, C, E), strict=True))
     for name in (S, C, E):
         value = desk.rate(desk.read(other.definitions[str(name)])).subs(back)
-        slope = sympy.Function("D")(name)
+        slope = rate_of(name)
         why = "footnote 1: both sides have the same derivatives"
-        rewrite(desk, f"reciprocal.rate_{name}", slope, value, why, ["footnote 1", "11"], "differentiate")
+        rewrite(
+            desk,
+            f"reciprocal.rate_{name}",
+            slope,
+            value,
+            why,
+            ["footnote 1", "11"],
+            "differentiate",
+        )
     for fact, one in (("circle", C**2 + S**2), ("parameter", E**2 + S**2 / mu)):
         why = "and are on the same curves"
         rewrite(desk, f"reciprocal.{fact}", one, sympy.S.One, why, ["footnote 1", "11"])

@@ -11,9 +11,9 @@ import sympy
 from sympy import ImmutableMatrix, MatAdd, MatrixExpr
 
 from derivations.setting import Setting
-from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra import Book, Part
 from rigidsym.proof.steps import Desk, coordinates, determinant, matrix, multiply
-from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps.names import symbols
 
 UNIT_QUATERNION = Part(
     witness={"q0": "1", "q1": "0", "q2": "0", "q3": "0"},
@@ -87,7 +87,9 @@ def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
 def derive(book: Book) -> None:
     """(1), (2), (4) and (3)."""
     setting = book.found(Setting)
-    desk = Desk.open(book, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True)
+    desk = Desk.open(
+        book, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
+    )
     multiply(desk, "SU2.unitary", R * R.adjoint(), sympy.Identity(2), "R is unitary", ["1"])
     determinant(desk, "SU2.special", R, "and special", ["1"])
 

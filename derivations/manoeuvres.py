@@ -10,12 +10,16 @@ Not here: that motions with the same rates and attitude at one time are the same
 theorem on all such equations; and when the turn that is left is a whole one, which is for numbers.
 """
 
+from collections.abc import Iterable
+
+from sympy import Expr, symbols
+
 from derivations.attitude import INERTIA as AXES
 from derivations.euler_lax import INERTIA, Dynamics
 from derivations.lie_algebra import UNIT_QUATERNION, Algebra
 from derivations.regular_form import BY_RATES, DIFFERENCES
-from rigidsym.proof.algebra import Book, Part, equal, join, names
-from rigidsym.proof.algebra.quaternion import product
+from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
 
 CYCLES = ((1, 2, 3), (2, 3, 1), (3, 1, 2))
 PAIRS = [(j, k) for j in (1, 2, 3) for k in (1, 2, 3)]
@@ -28,15 +32,18 @@ def total(term: str) -> str:
 
 
 def matrix(name: str, q: str) -> dict[str, str]:
-    """The entries of the rotation matrix of a unit quaternion."""
-    entries = {}
-    for j, k, i in CYCLES:
-        entries |= {
-            f"{name}{j}{j}": f"{q}0**2 + {q}{j}**2 - {q}{k}**2 - {q}{i}**2",
-            f"{name}{j}{k}": f"2*({q}{j}*{q}{k} - {q}0*{q}{i})",
-            f"{name}{k}{j}": f"2*({q}{j}*{q}{k} + {q}0*{q}{i})",
-        }
-    return entries
+    """The entries of the rotation matrix of a unit quaternion: its columns are q e_k q^-1."""
+    columns = (rotated(symbols(f"{q}:4"), [int(j == k) for j in (1, 2, 3)]) for k in (1, 2, 3))
+    return {
+        f"{name}{j}{k}": str(entry)
+        for k, column in enumerate(columns, 1)
+        for j, entry in enumerate(column, 1)
+    }
+
+
+def components(name: str, quaternion: Iterable[Expr]) -> dict[str, str]:
+    """What the components of a quaternion are, as texts."""
+    return {f"{name}{k}": str(component) for k, component in enumerate(quaternion)}
 
 
 # What q and Omega are at the time s t: everything moves s times as fast.
@@ -73,8 +80,7 @@ LEFT = Part(
     definitions={
         **matrix("S", "q"),
         **{f"L{k}": total(f"S{k}?*N?") for k in (1, 2, 3)},
-        "z0": "q0*p0 + q1*p1 + q2*p2 + q3*p3",
-        **{f"z{i}": f"q{i}*p0 - q0*p{i} + q{k}*p{j} - q{j}*p{k}" for i, j, k in CYCLES},
+        **components("z", product(symbols("q:4"), conjugate(symbols("p:4")))),
         "along": total("z?*M?"),
     },
     reading={
@@ -107,8 +113,7 @@ BESIDE = Part(
     definitions={
         **{f"W{k}": total(f"R?{k}*Omega?") for k in (1, 2, 3)},
         **{f"P{k}": total(f"R?{k}*M?") for k in (1, 2, 3)},
-        "x0": "q0*p0 - q1*p1 - q2*p2 - q3*p3",
-        **{f"x{i}": f"q0*p{i} + q{i}*p0 + q{j}*p{k} - q{k}*p{j}" for i, j, k in CYCLES},
+        **components("x", product(symbols("q:4"), symbols("p:4"))),
     },
     reading={f"W{k}": f"rate about axis {k} of the motion beside, rad/s" for k in (1, 2, 3)},
 )
@@ -135,10 +140,8 @@ def _faster(book: Book) -> None:
     body, attitude = book.found(Dynamics).body, book.found(Algebra).attitude
     rates = {name: f"s*({rate})" for name, rate in {**body.rates, **attitude.rates}.items()}
     faster = Part(rates=rates)
-    ring = book.open(join("faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster))
-    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "W1 W2 W3")
-    half_turn = [x / 2 for x in product(q, (ring.element(0), *rates))]
-    book.claim("faster.kinematics", equal(map(ring.rate, q), half_turn), ["3"])
+    book.open(join("faster", INERTIA, body, UNIT_QUATERNION, attitude, FASTER, faster))
+    book.claim("faster.kinematics", kinematics("q0 q1 q2 q3", "W1 W2 W3"), ["3"])
     euler = {f"c{i}*D(W{i})": f"(c{j} - c{k})*W{j}*W{k}" for i, j, k in CYCLES}
     book.claim("faster.euler", euler, ["5"])
     book.claim(
@@ -170,10 +173,9 @@ def _cone(book: Book) -> None:
 
 def _left(book: Book) -> None:
     """q = z p takes N to L, which is M where z is a turn about M, and only there."""
-    ring = book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
-    p, q, z = (names(ring, f"{x}0 {x}1 {x}2 {x}3") for x in "pqz")
+    book.open(join("arrival", TURN, MOMENTUM, UNIT_QUATERNION, LEFT, static=True))
     book.claim("arrival.turn", {total(f"R{k}?*N?"): f"M{k}" for k in (1, 2, 3)})
-    book.claim("arrival.left", equal(q, product(z, p)))
+    book.claim("arrival.left", components("q", product(symbols("z:4"), symbols("p:4"))))
     cross = " + ".join(f"(z{j}*M{k} - z{k}*M{j})**2" for _, j, k in CYCLES)
     book.claim("arrival.gap", {total("(L? - M?)**2"): f"4*({cross})"})
     book.claim("arrival.angle", {f"(K*z0)**2 + along**2 + {cross}": "K**2"})
@@ -212,11 +214,9 @@ def _ring(book: Book) -> None:
     """
     body, attitude = book.found(Dynamics).body, book.found(Algebra).attitude
     motion = (INERTIA, TURN, body, UNIT_QUATERNION, attitude)
-    ring = book.open(join("ring", *motion, BESIDE, SYMMETRY))
-    x, rates = names(ring, "x0 x1 x2 x3"), names(ring, "W1 W2 W3")
+    book.open(join("ring", *motion, BESIDE, SYMMETRY))
     book.claim("ring.symmetry", {f"R{j}{k}*(1/c{k} - 1/c{j})": "0" for j, k in ACROSS})
-    half_turn = [y / 2 for y in product(x, (ring.element(0), *rates))]
-    book.claim("ring.kinematics", equal(map(ring.rate, x), half_turn), ["3"])
+    book.claim("ring.kinematics", kinematics("x0 x1 x2 x3", "W1 W2 W3"), ["3"])
     book.claim("ring.momentum", {f"P{k}": f"c{k}*W{k}" for k in (1, 2, 3)}, ["8"])
     euler = {f"c{i}*D(W{i})": f"P{j}*W{k} - P{k}*W{j}" for i, j, k in CYCLES}
     book.claim("ring.euler", euler, ["5", "7"])

@@ -1,18 +1,20 @@
 """What the printed lines need, and where they fail: counterexamples, poles and other readings.
 
 With roots in Omega_i^2 by (13) and (14), (10) to (12), (16), (20) and (21) divide by c_i as if they
-were roots in (c_i Omega_i)^2: both cannot be.  Dropping the c_i mends each of them; c_i^2 moved from
-the denominator of chi to that of alpha in (14) mends them all at once.
+were roots in (c_i Omega_i)^2: both cannot be.  Dropping the c_i mends each of them; c_i^2 moved
+from the denominator of chi to that of alpha in (14) mends them all at once.
 """
+
+from sympy import MatAdd
 
 from derivations.conjugacy import MOMENTUM
 from derivations.euler_lax import INERTIA as MOMENTS
-from derivations.euler_lax import Dynamics
 from derivations.lemma1 import INERTIA, SCALED, SINE, Lemma1
+from derivations.lie_algebra import Algebra, M, R, combination, commutator, from_quaternion
 from derivations.phi1_integral import AMPLITUDE, FUNCTIONS, ThirdKind, constants
 from derivations.phi1_integral import sine as sine_of
-from rigidsym.proof.algebra import Book, Part, equal, jacobi, join, names, sign
-from rigidsym.proof.algebra.su2 import combination, commutator, from_quaternion
+from rigidsym.proof.algebra import Book, Part, jacobi, join, part_of, sign
+from rigidsym.proof.steps import Desk
 
 PRINTED = Part(
     definitions={
@@ -53,7 +55,6 @@ def derive(book: Book) -> None:
     _start_of_motion(book)
     _axis(book)
     _degenerate(book)
-    _sine(book)
     _start(book)
     _reciprocal(book)
     _poles(book)
@@ -65,13 +66,20 @@ def derive(book: Book) -> None:
 
 def _start_of_motion(book: Book) -> None:
     """R M R^-1 = M at the start says that R M = M R; it holds at R = e, and not everywhere."""
-    moving = book.ledger.rings["moving_body"]
-    R, M = from_quaternion(names(moving, "q0 q1 q2 q3")), combination(names(moving, "M1 M2 M3"))
-    conjugated = R @ M @ R.inverse()
+    matrices = {"R": from_quaternion("q"), "M": combination("M1 M2 M3")}
+    body = part_of(book.ledger.contexts["moving_body"])
+    matrices = {**book.found(Algebra).basis, **matrices}
+    desk = Desk.open(book, "any_start", body, matrices=matrices, static=True)
+    conjugated, start = R * M * R.I, ["9", "22"]
+    at_e = Part(
+        witness={f"q{k}": str(int(k == 0)) for k in range(4)},
+        relations=("q0 - 1", "q1", "q2", "q3"),
+    )
+    Desk.open(book, "identity_start", body, at_e, matrices=matrices, static=True)
     quarter_turn = {"q0": "3/5", "q2": "4/5"}
-    book.refute("moving_body.any_start", equal(conjugated, M), quarter_turn, ["9", "22"])
-    gap = conjugated - M
-    book.claim("moving_body.start", equal(gap @ R, commutator(R, M)), ["9", "22"])
+    book.refute("any_start.momentum", desk.entrywise(conjugated, M), quarter_turn, start)
+    gap = MatAdd(conjugated, -M)
+    book.claim("any_start.commutes", desk.entrywise(gap * R, commutator(R, M)), start)
 
 
 def _axis(book: Book) -> None:
@@ -96,25 +104,6 @@ def _degenerate(book: Book) -> None:
     book.claim("spinning.root", {"root_j": "0"}, ["10", "11", "12", "footnote 1"])
 
 
-def _sine(book: Book) -> None:
-    """Omega_i = sqrt(s_i) sn solves the quadratic with roots s_i, s_j; over c_i it does not."""
-    book.open(join("printed_sine", SINE, SCALED, PRINTED))
-    book.refute("printed_sine.over_inertia", {"D(Omega_printed)**2": "quartic_printed"}, {}, ["10", "11"])
-    book.refute("printed_sine.slope_over_inertia", {"D(Omega_i)": "xi*zeta/c_i*cn*dn"}, {}, ["16"])
-
-    under_root = "alpha*(s_i - s_i/c_i*sn**2)*(s_j - s_i/c_i*sn**2)"
-    book.refute("printed_sine.inertia_under_root", {"s_i/c_i*D(sn)**2": under_root}, {}, ["10"])
-    # With roots in (c_i Omega_i)^2 the quadratic in Omega_i^2 has the roots s_i/c_i^2, s_j/c_i^2.
-    scaled = "(s_i/c_i**2 - Omega_printed**2)*(s_j/c_i**2 - Omega_printed**2)"
-    rate = "D(Omega_printed)**2"
-    book.refute("printed_sine.roots_in_momentum", {rate: f"alpha*{scaled}"}, {}, ["10"])
-    book.claim("printed_sine.with_14_mended", {rate: f"c_i**2*alpha*{scaled}"}, ["10", "14", "Lemma 1"])
-    slope = {"D(Omega_printed)": "xi*zeta/c_i*cn*dn"}
-    book.claim("printed_sine.slope_with_14_mended", slope, ["14", "16", "Lemma 1"])
-    modulus = {"D(Omega_i)**2": "(zeta*xi)**2*(1 - sn**2)*(1 - mu**2*sn**2)"}
-    book.refute("printed_sine.modulus", modulus, QUARTER, ["10", "Lemma 1"])
-
-
 def _start(book: Book) -> None:
     """(12) has two real values a period, with opposite cn: Remark 1's sign makes up for either."""
     half = sign("half", "+1 where C_i is the value with cn >= 0, -1 where it is the other one")
@@ -123,18 +112,18 @@ def _start(book: Book) -> None:
         definitions={"cn_principal": "half*cn", "S": "sn", "C": "-cn", "E": "dn"},
         nonnegative=("cn_principal",),
     )
-    book.open(join("printed_start", SINE, SCALED, PRINTED, half, other))
+    book.open(join("start", SINE, SCALED, PRINTED, half, other))
     point = {"sn": "3/5", "cn": "4/5", "zeta": "1", "s_j": "1", "w": "4/5", "root_s": "1"}
     point["xi"] = "2"
-    book.refute("printed_start.over_inertia", {"sn": "c_i*Omega_i/zeta"}, point, ["12"])
+    book.refute("start.over_inertia", {"sn": "c_i*Omega_i/zeta"}, point, ["12"])
     mended = {"sn": "c_i*Omega_printed/zeta"}
-    book.claim("printed_start.value_with_14_mended", mended, ["12", "14", "Lemma 1"])
+    book.claim("start.value_with_14_mended", mended, ["12", "14", "Lemma 1"])
     principal = {"D(Omega_i)": "xi*zeta*cn_principal*dn"}
     left = {**point, "cn": "-4/5", "half": "-1"}
-    book.refute("printed_start.principal_value", principal, left, ["footnote 2", "Remark 1"])
-    book.claim("printed_start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"])
+    book.refute("start.principal_value", principal, left, ["footnote 2", "Remark 1"])
+    book.claim("start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"])
     book.claim(
-        "printed_start.other_value",
+        "start.other_value",
         {
             "C**2 + S**2": "1",
             "E**2 + mu*S**2": "1",

@@ -1,4 +1,4 @@
-"""phi1 as an elliptic integral of the third kind: from (33) by partial fractions to (34), (35), (36).
+"""phi1 as an elliptic integral of the third kind: (33) by partial fractions to (34), (35), (36).
 
 Where a rate is zeta sn, the integrand (33) is a fraction in sn^2.  Its partial fractions are a
 constant and a multiple of 1/(1 - n sn^2), which is the derivative of Legendre's Pi in the table: n
@@ -6,6 +6,7 @@ and the factor kappa are read off.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 
@@ -14,7 +15,7 @@ from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
 from rigidsym.proof.algebra import Book, Part, jacobi
 from rigidsym.proof.algebra.jacobi_functions import jacobi_dn, jacobi_sn
-from rigidsym.proof.steps import Desk, apart, integrate, rewrite
+from rigidsym.proof.steps import Desk, apart, integrate, rate_of, rewrite
 from rigidsym.proof.steps.names import symbol, symbols
 
 K, H, ZETA, XI, MU, T = symbols("K H zeta xi mu t")
@@ -88,20 +89,33 @@ def derive(book: Book) -> None:
     why = "integrated by the table: d/dt Pi(n; am(xi t + gamma) | mu) = xi/(1 - n sn^2)"
     phi1 = integrate(desk, "table.phi1", split, rates, why, ["19", "36"])
     kappa = phi1.value.coeff(symbol("Pi"))
-    named = Part(definitions={"kappa": desk.text(kappa), "phi1": f"{desk.text(phi1.value.coeff(T))}*t + kappa*Pi"})
+    named = Part(
+        definitions={
+            "kappa": desk.text(kappa),
+            "phi1": f"{desk.text(phi1.value.coeff(T))}*t + kappa*Pi",
+        }
+    )
     desk = Desk.open(book, "third_kind", *given, table, named)
     why = "so phi1 has the rate (33)"
-    rewrite(desk, "third_kind.phi1", sympy.Function("D")(symbol("phi1")), integrand, why, ["19", "33"], "differentiate")
+    rewrite(
+        desk,
+        "third_kind.phi1",
+        rate_of(symbol("phi1")),
+        integrand,
+        why,
+        ["19", "33"],
+        "differentiate",
+    )
     book.keep(ThirdKind(axis, (*given, table, named), split))
 
     desk = Desk.open(book, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
     why = "the amplitude, theta = am(xi t + gamma | mu), in the place of t"
     by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)[0]
-    squared = sympy.Function("D")(symbol("theta")) ** 2
+    squared = rate_of(symbol("theta")) ** 2
     rewrite(desk, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")
 
 
-def _parameter(term: sympy.Expr) -> sympy.Expr:
+def _parameter(term: Any) -> sympy.Expr:
     """n of c/(1 - n sn^2)"""
     (below,) = (1 / factor for factor in sympy.Mul.make_args(term) if factor.has(SN))
     return -sympy.expand(below).coeff(SN**2)

@@ -7,31 +7,38 @@ the constant unit quaternion in front from one attitude.  `circular` and `circul
 same with every theta as a function of its own, `hyperbolic` and `hyperbolic_state` in the
 complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lead to all of them
 without cancellation.
-An entry is a proved fact, or the reading of a name: a standard function of known quantities, used
-where the paper's equation does.
+An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
+standard function of known quantities.  The last two say which equations they are used in.
 """
 
 from rigidsym.proof.algebra import Book
-from rigidsym.proof.algebra.book import Entry, facts, readings
+from rigidsym.proof.algebra.book import Entry, definitions, facts, readings
 
-DIFFERENCES = facts("regular", "c_ab c_ad c_bd")
-INVARIANTS = [*facts("regular", "H E_a E_b E_d"), *facts("attitude", "M_a M_b M_d")]
-MOMENTA = facts("attitude", "M_a M_b M_d")
-SHORTEST = facts("attitude", "nu s_0 s_b s_d")
-PARTICULAR = facts("attitude", "qbar_0 qbar_a qbar_b qbar_d")
+DIFFERENCES = definitions("regular", "c_ab c_ad c_bd", "10", "13", "14")
+MOMENTA = definitions("attitude", "M_a M_b M_d", "8")
+INVARIANTS = [*facts("regular", "H E_a E_b E_d"), *MOMENTA]
+SHORTEST = [
+    *facts("attitude", "nu"),
+    *definitions("attitude", "s_0", "27"),
+    *definitions("attitude", "s_b s_d", "28"),
+]
+PARTICULAR = definitions("attitude", "qbar_0 qbar_a qbar_b qbar_d", "18", "25")
 PULL_BACK = facts("attitude", "p_0 p_a p_b p_d")
-QUATERNION = facts("attitude", "q_0 q_a q_b q_d")
-RATES = facts("regular", "Omega_a Omega_b Omega_d")
+QUATERNION = definitions("attitude", "q_0 q_a q_b q_d", "37")
+SIGN = definitions("regular", "tau", "16", "17")
+RATES = definitions("regular", "Omega_a Omega_b Omega_d", "10")
+ARGUMENT = definitions("descended", "u_1", "20", "21")
 LANDEN_RATES = readings("descended", "s c d", "10")
-NUMERATORS = facts("theta_form", "P4_re P4_im P1_re P1_im")
+SHIFT = definitions("theta_form", "x", "28")
+NUMERATORS = definitions("theta_form", "P4_re P4_im P1_re P1_im", "18")
 BY_THETAS = facts("theta_form", "qbar_0 qbar_a qbar_b qbar_d")
-LAMBDA = facts("theta_form", "Lambda")
+LAMBDA = definitions("theta_form", "Lambda", "33", "34")
 
 
 def _by_functions(context: str) -> list[Entry]:
     """A state by the functions that the readings of a context name."""
     return [
-        *facts("descended", "u_1"),
+        *ARGUMENT,
         *readings(context, "T4_re T4_im T1_re T1_im X_re X_im", "18"),
         *NUMERATORS,
         *readings(context, "W", "1"),
@@ -46,7 +53,8 @@ SEQUENCES: dict[str, list[Entry]] = {
         *DIFFERENCES,
         *INVARIANTS,
         *facts("attitude", "K"),
-        *facts("regular", "A_a A_b A_d lambda_ m m_1 tau"),
+        *facts("regular", "A_a A_b A_d lambda_ m m_1"),
+        *SIGN,
         *facts("descended", "k_c k_1 m_c mu n psi_0 kappa"),
         *facts("regular", "sn cn dn"),
         *readings("descended", "u", "12"),
@@ -57,20 +65,24 @@ SEQUENCES: dict[str, list[Entry]] = {
         *PULL_BACK,
     ],
     "state": [
-        *facts("descended", "u_1"),
+        *ARGUMENT,
         *LANDEN_RATES,
-        *facts("descended", "sn cn dn"),
+        *definitions("descended", "sn", "DLMF 22.7.2"),
+        *definitions("descended", "cn", "DLMF 22.7.3"),
+        *facts("descended", "dn"),
         *RATES,
         *MOMENTA,
         *SHORTEST,
         *readings("descended", "J", "36"),
-        *facts("descended", "psi"),
+        *definitions("descended", "psi", "33", "34"),
         *readings("attitude", "cos_half_psi sin_half_psi", "18"),
         *PARTICULAR,
         *QUATERNION,
     ],
     "theta": [
-        *facts("theta_form", "root_k B_a B_d x y z"),
+        *facts("theta_form", "root_k B_a B_d"),
+        *SHIFT,
+        *facts("theta_form", "y z"),
         *readings("theta_form", "beta", "28"),
         *readings("theta_form", "g nome_1", "10"),
         *readings("theta_form", "zeta", "34"),
@@ -78,11 +90,11 @@ SEQUENCES: dict[str, list[Entry]] = {
     ],
     "pull_back": PULL_BACK,
     "theta_state": [
-        *facts("descended", "u_1"),
+        *ARGUMENT,
         *LANDEN_RATES,
-        *facts("theta_form", "SN_re SN_im"),
+        *definitions("theta_form", "SN_re SN_im", "DLMF 22.8.1"),
         *readings("theta_form", "T4_re T4_im", "18"),
-        *facts("theta_form", "T1_re T1_im"),
+        *definitions("theta_form", "T1_re T1_im", "DLMF 22.2.4"),
         *readings("theta_form", "X_re X_im", "18"),
         *NUMERATORS,
         *facts("theta_form", "N"),
@@ -91,9 +103,23 @@ SEQUENCES: dict[str, list[Entry]] = {
         *facts("attitude", "Omega_a Omega_b Omega_d"),
         *QUATERNION,
     ],
-    "shift": facts("theta_form", "root_k x y z s_beta c_beta d_beta"),
-    "scaling": facts("scaling", "root_r Q Y root_h h_plus h_minus"),
-    "landen": facts("landen", "k_next root_kc kc_next s_next v c_next d_next r_next S Y_next K"),
+    "shift": [
+        *facts("theta_form", "root_k"),
+        *SHIFT,
+        *facts("theta_form", "y z"),
+        *definitions("theta_form", "s_beta c_beta d_beta", "DLMF 22.6.1"),
+    ],
+    "scaling": [
+        *facts("scaling", "root_r Q"),
+        *definitions("scaling", "Y", "28"),
+        *facts("scaling", "root_h h_plus h_minus"),
+    ],
+    "landen": [
+        *facts("landen", "k_next root_kc"),
+        *definitions("landen", "kc_next", "DLMF 22.7.1"),
+        *facts("landen", "s_next v c_next d_next r_next S Y_next"),
+        *definitions("landen", "K", "DLMF 19.8.12"),
+    ],
     "rates": [*readings("regular", "sn cn dn", "10"), *RATES],
     "circular": [
         *readings("theta_form", "g nome_1 nome_m", "10"),
@@ -108,14 +134,15 @@ SEQUENCES: dict[str, list[Entry]] = {
     ],
     "hyperbolic_state": _by_functions("hyperbolic_form"),
     "steady": [
-        *facts("steady", "omega axis1 axis2 axis3 theta"),
+        *facts("steady", "omega"),
+        *definitions("steady", "axis1 axis2 axis3 theta", "3"),
         *readings("steady", "cos_half_theta sin_half_theta", "3"),
-        *facts("steady", "r1 r2 r3 q0 q1 q2 q3"),
+        *definitions("steady", "r1 r2 r3 q0 q1 q2 q3", "37"),
     ],
 }
 
 
 def derive(book: Book) -> None:
-    """Publish the sequences; an entry that is not proved is refused."""
+    """Publish the sequences; an entry that is neither proved nor said by a context is refused."""
     for sequence, entries in SEQUENCES.items():
         book.publish(sequence, entries)

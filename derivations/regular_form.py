@@ -10,8 +10,11 @@ the separatrix, m = 0 a symmetric body: neither is excluded, and neither needs a
 own.
 """
 
+from sympy import Add, Expr, Symbol, expand, factor, symbols
+
 from derivations.attitude import HANDEDNESS, INERTIA, RATES, SENSE
 from rigidsym.proof.algebra import Book, Part, jacobi, join, sign
+from rigidsym.proof.algebra.printing import printed
 
 CIRCULATION = sign("rho", "the sign of c_a - c_d")
 HALF = sign("chi", "+1 when cn > 0 describes the start, -1 when the other half period does")
@@ -35,7 +38,8 @@ PARAMETER = Part(
 )
 # The moments enter by these, too: where two of them agree to many digits, a difference known before
 # they were rounded has digits that they have lost.
-DIFFERENCES = {f"c_{x}{y}": f"c_{x} - c_{y}" for x, y in ("ab", "ad", "bd")}
+PAIRS = ("ab", "ad", "bd")
+DIFFERENCES = {f"c_{x}{y}": f"c_{x} - c_{y}" for x, y in PAIRS}
 AMPLITUDES = Part(
     definitions={
         "i_b": "i_a + rho*Delta*B_d**2/B_b**2",
@@ -75,14 +79,33 @@ FUNCTIONS = jacobi("sn", "cn", "dn", "u", "m", "lambda_")
 BY_COMPLEMENT = Part(reading={f"{x}n": f"jacobi_{x}n(u, 1 - m_1)" for x in "scd"})
 REGULAR = (*BODY, PARAMETER, AMPLITUDES, FUNCTIONS, BY_COMPLEMENT, ROTATING, INVARIANTS)
 EULER = {f"D({name})": rate for name, rate in RATES.rates.items()}
-# 2 H and the differences 2 H c_a - K^2, K^2 - 2 H c_b, K^2 - 2 H c_d, by rates: no cancellation
-# but the one in E_b, whose sign tells the circulations apart.
-BY_RATES = {
-    "H": "(c_a*Omega_a**2 + c_b*Omega_b**2 + c_d*Omega_d**2)/2",
-    "E_a": "c_b*c_ab*Omega_b**2 + c_d*c_ad*Omega_d**2",
-    "E_b": "c_a*c_ab*Omega_a**2 - c_d*c_bd*Omega_d**2",
-    "E_d": "c_a*c_ad*Omega_a**2 + c_b*c_bd*Omega_b**2",
-}
+
+
+def differences() -> dict[str, str]:
+    """2 H c_a - K^2, K^2 - 2 H c_b and K^2 - 2 H c_d by rates and differences of moments.
+
+    No cancellation but the one in E_b, whose sign tells the circulations apart.
+    """
+    moments, rates = symbols("c_a c_b c_d"), symbols("Omega_a Omega_b Omega_d")
+    c_a, c_b, c_d = moments
+    terms = list(zip(moments, rates, strict=True))
+    twice_energy, square = sum(c * w**2 for c, w in terms), sum((c * w) ** 2 for c, w in terms)
+    short = {Symbol(f"c_{x}") - Symbol(f"c_{y}"): Symbol(f"c_{x}{y}") for x, y in PAIRS}
+    short |= {-form: -name for form, name in short.items()}
+
+    def collected(form: Expr) -> str:
+        found = (factor(form.coeff(w**2)).xreplace(short) * w**2 for w in rates)
+        return printed(Add(*found), " ".join(map(str, (*moments, *short.values(), *rates))))
+
+    forms = {
+        "E_a": twice_energy * c_a - square,
+        "E_b": square - twice_energy * c_b,
+        "E_d": square - twice_energy * c_d,
+    }
+    return {name: collected(expand(form)) for name, form in forms.items()}
+
+
+BY_RATES = {"H": RATES.definitions["H"], **differences()}
 # What the number wing evaluates: each amplitude, rate and parameter from inertia and invariants.
 FORMULAS = {
     "A_a": "E_d/(c_a*c_ad)",
@@ -97,8 +120,6 @@ def derive(book: Book) -> None:
     """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
     book.open(join("regular", *REGULAR))
     book.claim("regular.euler", EULER, ["5", "10"])
-    for name, form in DIFFERENCES.items():
-        book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
     for name, form in BY_RATES.items():
         book.claim(f"regular.{name}", {name: form}, ["6", "15"])
     square = "(M_a**2 + M_b**2 + M_d**2)"
@@ -115,9 +136,6 @@ def derive(book: Book) -> None:
         book.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
     for name, form in PARAMETERS.items():
         book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
-    book.claim("regular.tau", {"tau": "-rho*epsilon*sigma"}, ["16", "17"])
-    for name, form in ROTATING.definitions.items():
-        book.claim(f"regular.{name}", {name: form}, ["10"])
     # At t = 0 these say where on the polhode the motion starts.
     book.claim("regular.sn", {"sn": "chi*Omega_b/A_b"}, ["12"])
     book.claim("regular.cn", {"cn": "chi*tau*Omega_d/A_d"}, ["12"])

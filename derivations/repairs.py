@@ -7,24 +7,42 @@ that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
 
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.repairs import repairs
+from rigidsym.proof.paper import EQUATIONS
+from rigidsym.proof.paper.questions import question
 
-# Where each refuted fact holds what the paper prints: a side of it, or a definition.
-PRINTED = {
-    "printed_sine.over_inertia": "Omega_printed",
-    "printed_sine.slope_over_inertia": "rhs",
-    "printed_start.over_inertia": "rhs",
-    "half_angle_step.everywhere": "y_star",
-    "theorem1_printed.n": "n_printed",
-    "amplitude.printed": "rhs",
-    "theorem1_printed.modulus": "root_printed",
-    "third_kind.left_side": "lhs",
-}
+# A line, which of its equations fails, and where that holds what the paper prints: a side of it,
+# or a definition.
+PRINTED = (
+    ("10", "Omega_i", "rhs"),
+    ("11", "Omega_i", "rhs"),
+    ("12", "sn", "rhs"),
+    ("16", "D(Omega_i)", "rhs"),
+    ("20", "D(phi1_printed)", "n_printed"),
+    ("21", "D(phi1_printed)", "n_printed"),
+    ("35", "dn**2", "rhs"),
+    ("36", "dn**2", "rhs"),
+    ("36", "D(D(phi1))", "lhs"),
+    ("Remark 2", "y_star*cos_half", "y_star"),
+)
 
 
 def derive(book: Book) -> None:
     """Search, and list what is found."""
     book.ledger.published["repairs"] = [
-        {"fact": fact, "lhs": lhs, "rhs": rhs}
-        for fact, place in PRINTED.items()
-        for lhs, rhs in repairs(book.ledger, fact, place)
+        {"line": number, "fact": fact, "lhs": lhs, "rhs": rhs}
+        for number, left, place in PRINTED
+        for fact, component in _refuted(book, number, left)
+        for lhs, rhs in repairs(book.ledger, fact, place, component)
+    ]
+
+
+def _refuted(book: Book, number: str, left: str) -> list[tuple[str, int]]:
+    """The facts that refute a line, with the place of the equation that has this left side."""
+    printed = {equation.number: equation for equation in EQUATIONS}
+    asked = [question(printed[number].latex, sense, printed) for sense in printed[number].senses]
+    said = {(whole.context, whole.lhs, whole.rhs) for whole in asked if left in whole.lhs}
+    return [
+        (fact.id, fact.lhs.index(left))
+        for fact in book.ledger.facts.values()
+        if fact.kind == "unequal" and (fact.context, fact.lhs, fact.rhs) in said
     ]

@@ -5,9 +5,10 @@ R = exp(phi1 A1) exp(phi2 A2) exp(phi3 A1), and the momentum turned onto A1.
 """
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from itertools import permutations
+from typing import Any
 
 import sympy
 
@@ -99,13 +100,19 @@ class Setting:
 
 
 def setting_of(texts: Mapping[str, str]) -> Setting:
-    """A setting from what a user typed, by the names of its fields; InputError for what is wrong."""
-    readers = {"sequence": _axes, "order": _axes, "axis": _whole, "sign": _whole}
-    return Setting(**{name: readers.get(name, _as_it_is)(name, t) for name, t in texts.items()})
+    """A setting from what a user typed, by names of fields; raises InputError for what is wrong."""
+    readers: dict[str, Callable[[str, str], Any]] = {
+        "sequence": _axes,
+        "order": _axes,
+        "axis": _whole,
+        "sign": _whole,
+    }
+    fields: dict[str, Any] = {k: readers.get(k, _as_it_is)(k, text) for k, text in texts.items()}
+    return Setting(**fields)
 
 
 def _axes(name: str, text: str) -> tuple[int, ...]:
-    """"3-1-3" or "313" as three axes."""
+    """ "3-1-3" or "313" as three axes."""
     if not re.fullmatch(r"[1-3](-?)[1-3]\1[1-3]", text):
         raise InputError(name, text, "must be three axes such as 3-1-3")
     return tuple(map(int, text.replace("-", "")))
@@ -117,7 +124,7 @@ def _whole(name: str, text: str) -> int:
     return int(text)
 
 
-def _as_it_is(name: str, text: str) -> object:
+def _as_it_is(name: str, text: str) -> Any:
     return sympy.Rational(text) if name == "factor" and text in ("1/2", "1") else text
 
 

@@ -11,7 +11,7 @@ from derivations.conjugacy import PHI, Reduction, turns
 from derivations.lie_algebra import UNITS, Algebra, R, e
 from derivations.phi1_integral import DN, SN, XI, ThirdKind
 from rigidsym.proof.algebra import Book, Part
-from rigidsym.proof.steps import Desk, coordinates, eliminate, rewrite
+from rigidsym.proof.steps import Desk, coordinates, eliminate, rate_of, rewrite
 from rigidsym.proof.steps.names import symbol, symbols
 
 Y, TAU, ROOT = symbols("y tau root")
@@ -70,9 +70,9 @@ def _third_kind(book: Book) -> None:
         reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
     )
     desk = Desk.open(book, "theorem1_amplitude", *third.parts, amplitude)
-    slope, theta = third.rate, sympy.Function("D")(symbol("theta"))
-    constant = sympy.Add(*(x for x in slope.args if not x.has(SN)))
+    slope, theta = third.rate, rate_of(symbol("theta"))
+    constant = slope.as_independent(SN)[0]
     changed = constant + (slope - constant) / (XI * DN) * theta
     why = "the amplitude as variable: dt = d theta/(xi dn)"
-    rate = sympy.Function("D")(symbol("phi1"))
+    rate = rate_of(symbol("phi1"))
     rewrite(desk, "theorem1_amplitude.integrand", rate, changed, why, ["36"], "substitute")

@@ -6,11 +6,15 @@ changes sign, and when S1 S2 follows it phi1 has to jump by pi.  The sign of c3 
 square root in y* mends all of that.
 """
 
+from sympy import MatMul
+from sympy.matrices.expressions.adjoint import Adjoint
+
 from derivations.conjugacy import MOMENTUM
-from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, names, sign
+from derivations.lie_algebra import A, Algebra, M, R, combination, from_quaternion
+from rigidsym.proof.algebra import Book, Part, equal, half_angle, join, sign
 from rigidsym.proof.algebra.quaternion import product
-from rigidsym.proof.algebra.su2 import Matrix, basis, combination, from_quaternion
-from rigidsym.proof.kernel import Element, Ring
+from rigidsym.proof.steps import Desk, matrix
+from rigidsym.proof.steps.names import symbol, symbols
 
 ANGLES = tuple(half_angle(f"phi{k}", f"phi{k}_rate") for k in (1, 2, 3))
 
@@ -119,60 +123,60 @@ def _inner_halves(book: Book) -> None:
 
 def _signs(book: Book) -> None:
     """(18) with (19) has the momentum M where S1 S2 is the sign of c3 Omega3 and S3 S4 = 1."""
-    ring = book.open(join("signed", *FACTORS, static=True))
-    R, found, M = _momenta(ring)
+    matrices = {
+        **book.found(Algebra).basis,
+        "R": from_quaternion("q"),
+        "M": combination("M1 M2 M3"),
+    }
+    found = symbol("K") * (R.I * A[0] * R)
+    desk = Desk.open(book, "signed", *FACTORS, matrices=matrices, static=True)
     for pair, other in (("S1_S2", "S2"), ("S3_S4", "S4")):
         wrong = {other: "-1"}
-        book.refute(f"signed.any_{pair}", equal(found, M), wrong, ["19", "Remark 2"])
+        book.refute(f"signed.any_{pair}", desk.entrywise(found, M), wrong, ["19", "Remark 2"])
     # A reflected frame would have the determinant -1.
-    determinant = R.determinant()
-    book.claim("signed.frame", [(determinant.real, 1), (determinant.imag, 0)], ["footnote 3"])
-    reflected = {"S2": "-1"}
-    book.refute("signed.reflection", [(determinant.real, "S1*S2")], reflected, ["footnote 3"])
+    size = desk.determinant(R)[0]
+    book.claim("signed.frame", {size: "1"}, ["footnote 3"])
+    book.refute("signed.reflection", {size: "S1*S2"}, {"S2": "-1"}, ["footnote 3"])
 
     matched = Part(relations=("S2 - side*S1", "S4 - S3"))
-    ring = book.open(join("matched_signs", *FACTORS, matched, static=True))
-    _, found, M = _momenta(ring)
-    book.claim("matched_signs.momentum", equal(found, M), ["19", "24", "Remark 2"])
+    desk = Desk.open(book, "matched_signs", *FACTORS, matched, matrices=matrices, static=True)
+    source = ["19", "24", "Remark 2"]
+    book.claim("matched_signs.momentum", desk.entrywise(found, M), source)
     book.claim(
         "matched_signs.side", {"S1*S2*M3": "K*sin_phi2*cos_phi3"}, ["19", "Remark 2", "footnote 3"]
     )
 
 
-def _momenta(ring: Ring) -> tuple[Matrix, Matrix, Matrix]:
-    """R of (18), the momentum K R^-1 A1 R that it has, and M."""
-    R, K = from_quaternion(names(ring, "q0 q1 q2 q3")), ring.read("K")
-    return R, (R.inverse() @ basis(ring)[0] @ R) * K, combination(names(ring, "M1 M2 M3"))
-
-
 def _crossing(book: Book) -> None:
     """Where Omega3 passes zero y* jumps from 1 to -1: with S2 turned, phi1 has to jump by pi."""
     jump = Part(witness={"h": "1"}, reading={"h": "F3 at the zero of Omega3, there |F4| = F3"})
-    ring = book.open(join("crossing", *ANGLES[:2], jump, static=True))
-    c, s, F1, F2, h = names(ring, "cos_half_phi1 sin_half_phi1 cos_half_phi2 sin_half_phi2 h")
-    before, after = _by_18(c, s, F1, F2, h, h), _by_18(c, s, F1, F2 * -1, h, h * -1)
-    turned = _by_18(s * -1, c, F1, F2 * -1, h, h * -1)
+    book.open(join("crossing", *ANGLES[:2], jump, static=True))
+    c, s, F1, F2 = "cos_half_phi1", "sin_half_phi1", "cos_half_phi2", "sin_half_phi2"
+    before, after = _by_18(c, s, F1, F2, "h", "h"), _by_18(c, s, F1, f"-{F2}", "h", "(-h)")
+    turned = _by_18(f"(-{s})", c, F1, f"-{F2}", "h", "(-h)")
     book.refute("crossing.continuous", equal(before, after), {}, ["19", "Remark 2"])
     book.claim("crossing.turned", equal(before, turned), ["19", "Remark 2"])
 
 
-def _by_18(c: Element, s: Element, *F: Element) -> tuple[Element, ...]:
+def _by_18(c: str, s: str, F1: str, F2: str, F3: str, F4: str) -> tuple[str, ...]:
     """(18) from the cosine and sine of phi1/2 and F1 to F4."""
-    F1, F2, F3, F4 = F
-    cosine = (c * F3 - s * F4, c * F3 + s * F4)
-    sine = (s * F3 + c * F4, s * F3 - c * F4)
-    return F1 * cosine[0], F1 * sine[0], F2 * cosine[1], F2 * sine[1]
+    return (
+        f"{F1}*({c}*{F3} - {s}*{F4})",
+        f"{F1}*({s}*{F3} + {c}*{F4})",
+        f"{F2}*({c}*{F3} + {s}*{F4})",
+        f"{F2}*({s}*{F3} - {c}*{F4})",
+    )
 
 
 def _first_derivative(book: Book) -> None:
     """Remark 2 sets signs by q0' = Omega_0 q0: it is q' = q (0, Omega)/2, factors in that order."""
-    ring = book.ledger.rings["moving_body"]
-    q, rates = names(ring, "q0 q1 q2 q3"), names(ring, "Omega1 Omega2 Omega3")
-    velocity = (ring.element(0), *rates)
-    moved, start = list(map(ring.rate, q)), {"q0": "3/5", "q2": "4/5"}
-    left = [component / 2 for component in product(velocity, q)]
+    q, rates = symbols("q0 q1 q2 q3"), (0, *symbols("Omega1 Omega2 Omega3"))
+    start = {"q0": "3/5", "q2": "4/5"}
+    moved = [f"D({name})" for name in q]
+    left = [str(component / 2) for component in product(rates, q)]
     book.refute("moving_body.left_factor", equal(moved, left), start, ["Remark 2"])
-    book.refute("moving_body.without_half", equal(moved, product(q, velocity)), {}, ["Remark 2"])
+    whole = map(str, product(q, rates))
+    book.refute("moving_body.without_half", equal(moved, whole), {}, ["Remark 2"])
 
 
 def _pull_back(book: Book) -> None:
@@ -186,11 +190,11 @@ def _pull_back(book: Book) -> None:
         )
         for x, name in three.items()
     ]
-    ring = book.open(join("pulled_back", *quaternions, static=True))
-    R_int, Rbar = (from_quaternion(names(ring, f"{x}0 {x}1 {x}2 {x}3")) for x in three)
-    start = R_int @ Rbar.inverse() @ Rbar
-    book.claim("pulled_back.start", equal(start, R_int), ["37", "Remark 3"])
+    matrices = {"R_int": from_quaternion("p"), "Rbar": from_quaternion("r")}
+    desk = Desk.open(book, "pulled_back", *quaternions, matrices=matrices, static=True)
+    R_int, Rbar = map(matrix, matrices)
+    start = MatMul(R_int, Adjoint(Rbar), Rbar)
+    book.claim("pulled_back.start", desk.entrywise(start, R_int), ["37", "Remark 3"])
+    from_e = desk.entrywise(MatMul(Adjoint(Rbar), Rbar), R_int)
     away = {"p0": "3/5", "p1": "4/5"}
-    book.refute(
-        "pulled_back.from_identity", equal(Rbar.inverse() @ Rbar, R_int), away, ["37", "Remark 3"]
-    )
+    book.refute("pulled_back.from_identity", from_e, away, ["37", "Remark 3"])

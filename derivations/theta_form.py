@@ -17,10 +17,13 @@ each with its reference, which balls agree with at structured points.  By them i
 form, so the attitude solves (3) there too, at their grade.
 """
 
+from sympy import I, expand, symbols
+
 from derivations.attitude import HANDEDNESS, MOMENTUM, SENSE, TURN
 from derivations.descended_form import MOTION
 from derivations.regular_form import HALF
 from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.algebra.printing import printed
 
 # sn, cn, dn of (i beta | k_1^2) are i x, y, z.  Y is y root_k (K + B_a), whose square is a
 # polynomial.
@@ -82,11 +85,18 @@ TURNING = Part(
     rates={"X_re": "-Lambda*X_im", "X_im": "Lambda*X_re"},
     reading={"X_re": "cos(Lambda*t)", "X_im": "sin(Lambda*t)"},
 )
-QUOTIENT = {
-    "T1_re": "root_k*(SN_re*T4_re - SN_im*T4_im)",
-    "T1_im": "root_k*(SN_re*T4_im + SN_im*T4_re)",
-}
-SLOPE = {"T4_re": "Z_re*T4_re - Z_im*T4_im", "T4_im": "Z_re*T4_im + Z_im*T4_re"}
+
+
+def times(x: str, y: str) -> dict[str, str]:
+    """Real and imaginary part of x y, by those of complex x and y."""
+    names = f"{x}_re {x}_im {y}_re {y}_im"
+    a, b, c, d = symbols(names, real=True)
+    parts = expand((a + I * b) * (c + I * d)).as_real_imag()
+    return {name: printed(part, names) for name, part in zip(("re", "im"), parts, strict=True)}
+
+
+QUOTIENT = {f"T1_{part}": f"root_k*({form})" for part, form in times("SN", "T4").items()}
+SLOPE = {f"T4_{part}": form for part, form in times("Z", "T4").items()}
 # Watson's identities make the sum of the squares a product of two real thetas.
 NORM = {"W": "T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2"}
 # That T1 and W, defined here, are the functions that their readings name, is assumed below.
@@ -122,10 +132,8 @@ FREE = Part(
 # unit quaternion of (37) takes up.
 PHASE = Part(
     definitions={
-        "P4_re": "X_re*T4_re - X_im*T4_im",
-        "P4_im": "X_re*T4_im + X_im*T4_re",
-        "P1_re": "X_re*T1_re - X_im*T1_im",
-        "P1_im": "X_re*T1_im + X_im*T1_re",
+        **{f"P4_{part}": form for part, form in times("X", "T4").items()},
+        **{f"P1_{part}": form for part, form in times("X", "T1").items()},
         "N": "R/s_0",
         "cos_half_psi": "P4_re/R",
         "sin_half_psi": "P4_im/R",
@@ -171,26 +179,21 @@ def _shift(book: Book) -> None:
     book.claim("theta_form.shifted_dn", dn, ["DLMF 22.7.4"])
     book.sign("theta_form.inside", {"1 - k_1*x**2": "2*B_a/(K + B_a)"}, ["DLMF 22.5(i)"])
     book.claim("theta_form.kappa", {"kappa": "2*rho*k_1**2*x*y*z"}, ["34"])
-    book.claim("theta_form.Lambda", {"Lambda": "psi_0/2 + rho*mu*zeta"}, ["33", "34"])
     book.root("theta_form.root_k", "root_k", "k_1", ["27"])
     book.claim("theta_form.B_a", {"B_a": "c_a*A_a"}, ["27"])
     book.claim("theta_form.B_d", {"B_d": "c_d*A_d"}, ["28"])
-    book.claim("theta_form.x", {"x": "B_d/(root_k*(K + B_a))"}, ["28"])
     book.root("theta_form.y", "y", "1 + x**2", ["DLMF 22.6.1"])
     book.root("theta_form.z", "z", "1 + (k_1*x)**2", ["DLMF 22.6.1"])
-    for name in ("s_beta", "c_beta", "d_beta"):
-        book.claim(f"theta_form.{name}", {name: SHIFT.definitions[name]}, ["DLMF 22.6.1"])
-    beta = {"s_beta**2 + c_beta**2": "1", "d_beta**2": "1 - (1 - k_1**2)*s_beta**2"}
+    beta = {
+        "s_beta": "x*c_beta",
+        "s_beta**2 + c_beta**2": "1",
+        "d_beta**2": "1 - (1 - k_1**2)*s_beta**2",
+    }
     book.claim("theta_form.complementary", beta, ["DLMF 22.6.1"])
-    for name, form in {**ADDITION, **QUOTIENT}.items():
-        if not name.startswith("Z"):
-            book.claim(f"theta_form.{name}", {name: form}, ["DLMF 22.8.1, 22.2.4"])
 
 
 def _form(book: Book) -> None:
     """The phase moves as psi/2 does, and the quotient is that of the shortest rotation."""
-    for name in ("P4_re", "P4_im", "P1_re", "P1_im"):
-        book.claim(f"theta_form.{name}", {name: PHASE.definitions[name]}, ["18"])
     book.claim("theta_form.phase", {"psi_rate/2": "Lambda + mu*Z_im"}, ["33", "34"])
     book.model("theta_form", "descended")
     book.carry("theta_form", ["descended.solution"])

@@ -19,7 +19,12 @@ TURNING = Part(
     relations=("cosine**2 + sine**2 - 1", "root**2 + m*sine**2 - 1"),
     rates={"sine": "cosine", "cosine": "-sine", "root": "-m*sine*cosine/root"},
     nonnegative=("root", "1 - n"),
-    reading={"sine": "sin(theta)", "cosine": "cos(theta)", "root": "sqrt(1 - m*sine**2)", "k": "a whole number of half turns"},
+    reading={
+        "sine": "sin(theta)",
+        "cosine": "cos(theta)",
+        "root": "sqrt(1 - m*sine**2)",
+        "k": "a whole number of half turns",
+    },
 )
 INTEGRAL = Part(
     witness={"theta": "0", "Pi": "0", "Pi_later": "0", "Pi_c": "0"},

@@ -339,19 +339,20 @@ print(", ".join(f"{count} facts {grade}" for grade, count in grades.most_common(
 assert set(grades) == {Grade.PROVED, Grade.ENCLOSED}
 
 # %% [markdown]
-# Which of them stand behind the digits above? The ledger *publishes* sequences, lists of facts in
+# Which of them stand behind the digits above? The ledger *publishes* sequences, lists of formulas in
 # the order of evaluation; the numbers come from these and from nothing else. An entry is a
-# proved fact or a *reading*, which says what standard function a symbol stands for, as that of
-# `T4_re` in the context `theta_form` does.
+# proved fact, a *definition*, which says what a symbol is short for, or a *reading*, which says
+# what standard function it stands for, as that of `T4_re` in the context `theta_form` does.
 
 # %%
 sequences = ledger.published["sequences"]
 used = [*sequences["constants"], *sequences["theta"], *sequences["theta_state"]]
 facts = [entry["fact"] for entry in used if "fact" in entry]
+defined = [entry for entry in used if "definition" in entry]
 readings = [entry for entry in used if "reading" in entry]
-print(f"{len(facts)} formulas, {len(readings)} readings")
+print(f"{len(facts)} facts, {len(defined)} definitions, {len(readings)} readings")
 assert all(ledger.facts[name].grade == Grade.PROVED for name in facts)
-assert {entry["context"] for entry in readings} <= set(ledger.contexts)
+assert {entry["context"] for entry in (*defined, *readings)} <= set(ledger.contexts)
 
 # %% [markdown]
 # Four of them, and the fact that crowns them: the quaternion built from theta functions is of unit
@@ -361,7 +362,7 @@ assert {entry["context"] for entry in readings} <= set(ledger.contexts)
 # %%
 CROWN = "theta_form.solution"
 assert ledger.facts[CROWN].grade == Grade.PROVED
-show(ledger, "theta_form.qbar_0", "theta_form.Lambda", "descended.psi_0", "regular.E_b", CROWN)
+show(ledger, "theta_form.qbar_0", "theta_form.phase", "descended.psi_0", "regular.E_b", CROWN)
 
 # %% [markdown]
 # What does one still take on trust? That the contexts mean what their `reading` says, that Arb's

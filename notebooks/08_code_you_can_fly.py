@@ -72,17 +72,21 @@ assert set(place["equations"]) == {"33", "34"}
 #
 # The comment in the source, the map and `rigidsym trace torque_free.c:LINE` tell the same. Every
 # derived line has its equations; those that state a formula of the ledger name the fact too. (Some
-# have a *reading* instead: they compute the standard function that a symbol stands for.)
+# have a *definition* instead, what a symbol is short for, or a *reading*: they compute the standard
+# function that it stands for.)
 
 # %%
+from collections import Counter
+
 from rigidsym.proof.kernel import Grade
 from support import sealed, show
 
 ledger = sealed()
 noted = {fact for place in places for fact in place["facts"]}
-readings = {fact for fact in noted if fact.startswith("reading ")}
-named = noted - readings
-print(f"{len(places)} derived lines, which name {len(named)} facts, {len(readings)} readings")
+said = Counter(fact.split()[0] for fact in noted if " " in fact)
+named = {fact for fact in noted if " " not in fact}
+print(f"{len(places)} derived lines, which name {len(named)} facts", dict(said))
+assert set(said) == {"definition", "reading"}
 assert {ledger.facts[name].grade for name in named} == {Grade.PROVED}
 show(ledger, "descended.psi_0")
 

@@ -5,7 +5,7 @@ Quaternions are scalar first, unit, body to inertial: q' = q (0, omega) / 2 with
 """
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidsym._version import __version__
 
@@ -46,7 +46,7 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym' has no attribute {name!r}")
     return getattr(import_module(_HOMES[name]), name)

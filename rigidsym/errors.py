@@ -5,13 +5,13 @@ from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from importlib import import_module
 from importlib.util import find_spec
 from numbers import Rational
-from typing import Any
+from types import ModuleType
 
 _LONGEST = 120
 _SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 
-def written(value: Any, write: Callable[[Any], str] = str) -> str:
+def written(value: object, write: Callable[[object], str] = str) -> str:
     """A value as text, by a dozen digits where Python would not write a number that long."""
     try:
         return write(value)
@@ -25,14 +25,14 @@ def written(value: Any, write: Callable[[Any], str] = str) -> str:
 class InputError(ValueError):
     """One line: the field, the value it has, and the rule that the value breaks."""
 
-    def __init__(self, field: str, value: Any, rule: str) -> None:
+    def __init__(self, field: str, value: object, rule: str) -> None:
         shown = written(value).replace("\n", "\\n")
         if len(shown) > _LONGEST:
             shown = f"{shown[:_LONGEST]}..."
         super().__init__(f"{field} = {shown}: {rule}")
         self.field, self.value, self.rule = field, value, rule
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> "tuple[type[InputError], tuple[str, object, str]]":
         """It comes back from other processes as what it was."""
         return type(self), (self.field, self.value, self.rule)
 
@@ -45,7 +45,7 @@ class PrecisionError(ArithmeticError):
     """The digits asked for were not reached."""
 
 
-def package(name: str, user: str) -> Any:
+def package(name: str, user: str) -> ModuleType:
     """A module of the extra `lab` by its name; raises ImportError, in one line, without it."""
     try:
         return import_module(name)

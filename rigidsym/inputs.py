@@ -12,17 +12,20 @@ from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from numbers import Rational, Real
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeGuard, Union, overload
 
 from rigidsym.errors import InputError, written
 
 if TYPE_CHECKING:
     import flint
-    import mpmath
+    import numpy as np
+
+    # mpmath makes its mpf as it runs, of this class.
+    from mpmath.ctx_mp_python import _mpf
     from numpy.typing import ArrayLike
 
 # What users give: numbers that are taken exactly, or within a radius; and vectors of them.
-ExactNumber = Union[float, int, str, Fraction, Decimal, "mpmath.mpf", "flint.arb"]
+ExactNumber = Union[float, int, str, Fraction, Decimal, "_mpf", "flint.arb", "Uncertain"]
 Vector3 = Union[Sequence[ExactNumber], "ArrayLike"]
 Quaternion = Union[Sequence[ExactNumber], "ArrayLike"]
 Times = Union[ExactNumber, Sequence[ExactNumber], "ArrayLike"]
@@ -50,17 +53,33 @@ class Uncertain:
         return f"{decimal(self.middle, 12)} +/- {decimal(self.radius, 3)}"
 
 
-def is_uncertain(*values: "Fraction | Uncertain") -> bool:
+class MotionInputs(TypedDict, total=False):
+    """Arguments of a motion, by name."""
+
+    inertia: Vector3
+    omega0: Vector3
+    attitude0: Quaternion
+    engine: str
+    allow_nonphysical: bool
+
+
+# A number as it was understood.
+Number = Fraction | Uncertain
+
+
+def is_uncertain(*values: Number) -> bool:
     """Whether any of them is only known within a radius."""
     return any(isinstance(value, Uncertain) for value in values)
 
 
-def number(field: str, value: Any) -> "Fraction | Uncertain":
+def number(field: str, value: ExactNumber) -> Number:
     """An exact or an uncertain number; raises InputError unless it is finite and real."""
-    parts: list[Any] = [value]
+    if isinstance(value, Uncertain):
+        return value
+    parts: list[ExactNumber] = [value]
     if isinstance(value, str):
-        parts = value.strip().removeprefix("[").removesuffix("]").split("+/-")
-    elif hasattr(value, "rad") and hasattr(value, "mid"):
+        parts = [*value.strip().removeprefix("[").removesuffix("]").split("+/-")]
+    elif _is_ball(value):
         parts = [value.mid(), value.rad()]
     if len(parts) == 1:
         return exact(field, value)
@@ -74,7 +93,7 @@ def number(field: str, value: Any) -> "Fraction | Uncertain":
     return Uncertain(middle, radius) if radius else middle
 
 
-def certain(field: str, values: "Sequence[Fraction | Uncertain]") -> tuple[Fraction, ...]:
+def certain(field: str, values: Sequence[Number]) -> tuple[Fraction, ...]:
     """The same numbers; raises InputError for the first that is uncertain."""
     exact_ones = tuple(value for value in values if isinstance(value, Fraction))
     for k, value in enumerate(values):
@@ -83,27 +102,42 @@ def certain(field: str, values: "Sequence[Fraction | Uncertain]") -> tuple[Fract
     return exact_ones
 
 
-def exact(field: str, value: Any) -> Fraction:
+def _is_ball(value: object) -> "TypeGuard[flint.arb]":
+    """Whether it is a ball of Arb's, as nothing else has a middle and a radius."""
+    return hasattr(value, "rad") and hasattr(value, "mid")
+
+
+def _is_mpf(value: object) -> "TypeGuard[_mpf | flint.arb]":
+    """Whether it says what it is as mpmath's numbers do, balls of radius 0 among them."""
+    return hasattr(value, "_mpf_")
+
+
+def _is_floating(value: object) -> TypeGuard[float | Decimal]:
+    """Whether it is a real number; of those that are not rational, NumPy's do as floats do."""
+    return isinstance(value, Real | Decimal)
+
+
+def exact(field: str, value: ExactNumber) -> Fraction:
     """The exact rational a number stands for; raises InputError unless it is finite and real."""
     if isinstance(value, str):
         return _exact_text(field, value)
     if isinstance(value, bool):
         raise InputError(field, value, "must be a number")
-    if hasattr(value, "rad") and value.rad() != 0:
+    if isinstance(value, Uncertain) or (_is_ball(value) and value.rad() != 0):
         raise InputError(field, value, "is uncertain; it must be exact")
-    if hasattr(value, "_mpf_"):
+    if _is_mpf(value):
         return _exact_mpf(field, value)
     if isinstance(value, Rational):
         # NumPy's integers would stay what they are inside of a fraction.
         return Fraction(int(value.numerator), int(value.denominator))
-    if isinstance(value, Real | Decimal):
+    if _is_floating(value):
         if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
             raise InputError(field, value, "must be finite")
-        return Fraction(*value.as_integer_ratio())  # type: ignore[union-attr]
+        return Fraction(*value.as_integer_ratio())
     raise InputError(field, written(value, repr), "must be a number")
 
 
-def _exact_mpf(field: str, value: Any) -> Fraction:
+def _exact_mpf(field: str, value: "_mpf | flint.arb") -> Fraction:
     sign, mantissa, exponent, _ = value._mpf_
     if not mantissa and exponent:  # mpmath's way to write nan and the infinities
         raise InputError(field, value, "must be finite")
@@ -128,12 +162,16 @@ def _long_text(text: str) -> Fraction:
     return Fraction(Decimal(top)) / (Fraction(Decimal(bottom)) if slash else 1)
 
 
-def floats(values: Any, length: int) -> tuple[float, ...] | None:
+def floats(values: Vector3 | Quaternion, length: int) -> tuple[float, ...] | None:
     """The values where they are as many finite floats as said, so that nothing has to be read."""
-    if type(values) not in (tuple, list) or len(values) != length:
+    if not _are_floats(values) or len(values) != length:
         return None
-    plain = all(type(x) is float for x in values) and math.isfinite(sum(map(abs, values)))
-    return tuple(values) if plain else None
+    return tuple(values) if math.isfinite(sum(map(abs, values))) else None
+
+
+def _are_floats(values: object) -> TypeGuard[tuple[float, ...] | list[float]]:
+    is_plain = type(values) is tuple or type(values) is list
+    return is_plain and all(type(x) is float for x in values)
 
 
 def are_moments(values: Sequence[float]) -> bool:
@@ -142,7 +180,7 @@ def are_moments(values: Sequence[float]) -> bool:
     return low > 0 and low + middle >= high * (1 + 2.0**-50)
 
 
-def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain, ...]":
+def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Number, ...]:
     """A vector of exact or uncertain numbers; raises InputError for a wrong length or number."""
     items = sequence(field, values)
     if len(items) != length:
@@ -150,7 +188,11 @@ def vector(field: str, values: Any, length: int) -> "tuple[Fraction | Uncertain,
     return tuple(number(f"{field}[{k}]", item) for k, item in enumerate(items))
 
 
-def sequence(field: str, values: Any, ndim: int = 1) -> Sequence[Any]:
+@overload
+def sequence(field: str, values: Times, ndim: Literal[1] = 1) -> list[ExactNumber]: ...
+@overload
+def sequence(field: str, values: "ArrayLike", ndim: Literal[2]) -> list[Vector3]: ...
+def sequence(field: str, values: Times, ndim: int = 1) -> list[Any]:
     """The items of a list, tuple or array of `ndim` axes; raises InputError for anything else."""
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
@@ -164,8 +206,8 @@ NO_BODY = _NO_BODY + _WAY_OUT
 
 
 def inertia(
-    values: Any, allow_nonphysical: bool = False, way_out: str = _WAY_OUT
-) -> "tuple[Fraction | Uncertain, ...]":
+    values: Vector3, allow_nonphysical: bool = False, way_out: str = _WAY_OUT
+) -> tuple[Number, ...]:
     """Three principal moments of a body that can exist, or of any positive ones if so allowed.
 
     way_out: what the message says of how to have it allowed."""
@@ -204,12 +246,12 @@ def _rounded(value: Fraction) -> Fraction:
     return Fraction(float(value / unit)) * unit
 
 
-def _end(value: "Fraction | Uncertain", side: int) -> Fraction:
+def _end(value: Number, side: int) -> Fraction:
     """The smallest or largest a number can be."""
     return value.middle + side * value.radius if isinstance(value, Uncertain) else value
 
 
-def attitude(values: Any, field: str = "attitude0") -> "tuple[Fraction | Uncertain, ...]":
+def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]:
     """A quaternion of any length but zero, scalar first."""
     quaternion = vector(field, values, 4)
     if all(_end(x, -1) <= 0 <= _end(x, 1) for x in quaternion):
@@ -217,21 +259,30 @@ def attitude(values: Any, field: str = "attitude0") -> "tuple[Fraction | Uncerta
     return quaternion
 
 
-def times(values: Any) -> tuple[tuple[Fraction, ...], bool]:
+def _is_one(values: object) -> TypeGuard[ExactNumber]:
+    """Whether it is one number rather than several."""
+    return isinstance(values, str | Real | Decimal) or _is_mpf(values)
+
+
+def _is_zero_dimensional(values: object) -> "TypeGuard[np.ndarray | np.generic]":
+    return getattr(values, "ndim", 1) == 0
+
+
+def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
     """Times exactly, and whether one number was given rather than a list."""
-    if isinstance(values, str | Real | Decimal) or hasattr(values, "_mpf_"):
+    if _is_one(values):
         return (exact("t", values),), True
-    if getattr(values, "ndim", 1) == 0:
+    if _is_zero_dimensional(values):
         return (exact("t", values.item()),), True
     return tuple(exact(f"t[{k}]", x) for k, x in enumerate(sequence("t", values))), False
 
 
-def digits(value: Any) -> int:
+def digits(value: int) -> int:
     """A number of significant digits."""
     return whole("digits", value, MOST_DIGITS)
 
 
-def whole(field: str, value: Any, most: int) -> int:
+def whole(field: str, value: int, most: int) -> int:
     """A whole number from 1 to `most`."""
     try:
         count = 0 if isinstance(value, bool) else operator.index(value)
@@ -244,7 +295,7 @@ def whole(field: str, value: Any, most: int) -> int:
     return count
 
 
-def seconds(value: Any) -> float | None:
+def seconds(value: ExactNumber | None) -> float | None:
     """A time limit: a number above zero, or None for no limit."""
     if value is None:
         return None
@@ -262,7 +313,7 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
         raise InputError(field, shown(values), "is beyond the range of binary64") from None
 
 
-def shown(values: "Sequence[Fraction | Uncertain]") -> str:
+def shown(values: Sequence[Number]) -> str:
     """Numbers for a message, to a dozen digits."""
     texts = (str(x) if isinstance(x, Uncertain) else decimal(x, 12) for x in values)
     return f"[{', '.join(texts)}]"

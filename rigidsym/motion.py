@@ -2,12 +2,12 @@
 
 import math
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, NoReturn, TypeGuard, TypeVar, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,13 +15,15 @@ from numpy.typing import ArrayLike
 from rigidsym import engines, inputs
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.inputs import Quaternion, Times, Vector3
+from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
 
 if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
 
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
+    from rigidsym.precise.evaluation import State
+    from rigidsym.precise.motion import DecimalState
     from rigidsym.solution.polhode import Regime
     from rigidsym.view.plots.figure import Figure
 
@@ -30,6 +32,7 @@ _IDENTITY = tuple(map(float, IDENTITY))
 _OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
+Value = TypeVar("Value")
 
 
 class TorqueFreeMotion:
@@ -66,37 +69,43 @@ class TorqueFreeMotion:
         allow_nonphysical: bool = False,
     ) -> None:
         floats = _floats(inertia, omega0, attitude0)
-        given: dict[str, Any] = {"_floats": floats, "allow_nonphysical": allow_nonphysical}
-        given["engine"] = engines.checked(engine)
-        if not floats:
-            given["inertia"] = inputs.inertia(inertia, allow_nonphysical)
-            given["omega0"] = inputs.vector("omega0", omega0, 3)
-            given["attitude0"] = inputs.attitude(attitude0)
         # Past __setattr__, which refuses.
-        vars(self).update(given)
+        fields = vars(self)
+        fields["_floats"], fields["allow_nonphysical"] = floats, allow_nonphysical
+        fields["engine"] = engines.checked(engine)
+        if not floats:
+            fields["inertia"] = inputs.inertia(inertia, allow_nonphysical)
+            fields["omega0"] = inputs.vector("omega0", omega0, 3)
+            fields["attitude0"] = inputs.attitude(attitude0)
 
     # Engines need no fractions of floats, which take longer to make than a motion is prepared.
     @cached_property
-    def inertia(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
+    def inertia(self) -> tuple[Number, ...]:
         """The principal moments exactly, in kg m^2."""
         return tuple(map(Fraction, self._floats["inertia"]))
 
     @cached_property
-    def omega0(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
+    def omega0(self) -> tuple[Number, ...]:
         """The rates at t = 0 exactly, in rad/s."""
         return tuple(map(Fraction, self._floats["omega0"]))
 
     @cached_property
-    def attitude0(self) -> "tuple[Fraction | inputs.Uncertain, ...]":
+    def attitude0(self) -> tuple[Number, ...]:
         """The attitude at t = 0 as it was given, exactly."""
         return tuple(map(Fraction, self._floats["attitude0"]))
 
-    def replace(self, **changes: Any) -> "TorqueFreeMotion":
+    def replace(self, **changes: Unpack[MotionInputs]) -> "TorqueFreeMotion":
         """Another motion, with some of the arguments changed; raises as the class does."""
-        names = (*self._given, "engine", "allow_nonphysical")
-        return TorqueFreeMotion(**({name: getattr(self, name) for name in names} | changes))
+        own: MotionInputs = {
+            "inertia": self.inertia,
+            "omega0": self.omega0,
+            "attitude0": self.attitude0,
+            "engine": self.engine,
+            "allow_nonphysical": self.allow_nonphysical,
+        }
+        return TorqueFreeMotion(**{**own, **changes})
 
-    def __setattr__(self, name: str, value: Any) -> NoReturn:
+    def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError(f"{name}: a motion does not change; motion.replace gives another")
 
     def __delattr__(self, name: str) -> NoReturn:
@@ -111,14 +120,14 @@ class TorqueFreeMotion:
         return hash(self._value)
 
     @property
-    def _value(self) -> tuple[Any, ...]:
+    def _value(self) -> tuple[str, *tuple[tuple[Number, ...], ...]]:
         """What tells motions apart."""
         return self.engine, self.inertia, self.omega0, self.attitude0
 
     def __copy__(self) -> "TorqueFreeMotion":
         return self
 
-    def __deepcopy__(self, memo: Any) -> "TorqueFreeMotion":
+    def __deepcopy__(self, memo: dict[int, object]) -> "TorqueFreeMotion":
         return self
 
     def __repr__(self) -> str:
@@ -185,7 +194,7 @@ class TorqueFreeMotion:
     def _engine(self) -> engines.Engine:
         return engines.engine(self.engine)
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> dict[str, object]:
         """Without what belongs to this process."""
         kept = self.__dict__.items()
         return {name: value for name, value in kept if name not in _OF_THIS_PROCESS}
@@ -196,7 +205,7 @@ class TorqueFreeMotion:
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
-    def _prepared(self) -> Any:
+    def _prepared(self) -> engines.Prepared:
         if floats := self._floats:
             return _refusing(lambda: self._engine.prepare(*floats.values()), **floats)
         given = self.exact
@@ -210,7 +219,7 @@ class TorqueFreeMotion:
         """The kind of motion, decided exactly from the numbers given."""
         return self._by("theta", **self._given).polhode.regime
 
-    def _by(self, method: str, **given: Any) -> "PreciseMotion":
+    def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
         from rigidsym.precise import METHODS, PreciseMotion
 
         if not isinstance(method, str) or method not in METHODS:
@@ -223,7 +232,7 @@ class TorqueFreeMotion:
         return {}
 
     @property
-    def _given(self) -> dict[str, Any]:
+    def _given(self) -> dict[str, tuple[Number, ...]]:
         return {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
 
     def precise(
@@ -264,7 +273,9 @@ class TorqueFreeMotion:
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
         return _objects(self._enclosing(method)(times, *limits), single)
 
-    def _enclosing(self, method: str | None) -> Callable[..., Iterable[Any]]:
+    def _enclosing(
+        self, method: str | None
+    ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
         uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
         if method == "flow" and not uncertain:
             raise InputError("method", method, "is for uncertain inputs, and these are exact")
@@ -330,7 +341,9 @@ def propagate(
     )
 
 
-def _objects(states: Iterable[Any], single: bool) -> tuple[np.ndarray, np.ndarray]:
+def _objects(
+    states: "Iterable[State | DecimalState]", single: bool
+) -> tuple[np.ndarray, np.ndarray]:
     listed = list(states)
     q, omega = np.empty((len(listed), 4), dtype=object), np.empty((len(listed), 3), dtype=object)
     for k, (attitude, rates) in enumerate(listed):
@@ -350,7 +363,12 @@ class _Samples:
         return self.start + k * self.step
 
 
-def _refusing(compute: Callable[[], Any], **given: Any) -> Any:
+# What an engine was given, by the names it refuses it by.
+Argument = np.ndarray | Sequence[float] | float | str | _Samples
+Given = Mapping[str, Argument]
+
+
+def _refusing(compute: Callable[[], Value], **given: Argument) -> Value:
     """What `compute` returns; what an engine refuses becomes an InputError with the value."""
     try:
         return compute()
@@ -358,7 +376,7 @@ def _refusing(compute: Callable[[], Any], **given: Any) -> Any:
         raise _refused(error, given) from None
 
 
-def _refused(error: ValueError, given: dict[str, Any]) -> ValueError:
+def _refused(error: ValueError, given: Given) -> ValueError:
     """The InputError with the value for what an engine refuses; other errors as they are."""
     field, colon, rule = str(error).partition(": ")
     if isinstance(error, InputError) or not colon:
@@ -368,26 +386,30 @@ def _refused(error: ValueError, given: dict[str, Any]) -> ValueError:
 
 
 def _named(
-    field: str, rule: str, given: dict[str, Any], body: int | None, time: int | None
-) -> tuple[str, Any, str]:
+    field: str, rule: str, given: Given, body: int | None, time: int | None
+) -> tuple[str, object, str]:
     """A field, with the index of the body in a batch or of the time; its value; and the rule."""
     value = given.get(field, "as given")
     if field == "t":
         where = f" (body {_place(body, given)})" if body is not None and _batch(given) else ""
-        many = time is not None and np.ndim(value)
-        return f"t[{time}]" if many else "t", value[time] if many else value, rule + where
-    if body is None or np.ndim(value) < 2:
-        return field, value if np.ndim(value) < 2 else f"an array of shape {np.shape(value)}", rule
-    rows = np.broadcast_to(value, (*_batch(given), np.shape(value)[-1]))
+        if time is not None and isinstance(value, np.ndarray | _Samples) and value.ndim:
+            field, value = f"t[{time}]", value[time]
+        return field, value, rule + where
+    if not isinstance(value, np.ndarray) or value.ndim < 2:
+        return field, value, rule
+    if body is None:
+        return field, f"an array of shape {value.shape}", rule
+    rows = np.broadcast_to(value, (*_batch(given), value.shape[-1]))
     return f"{field}[{_place(body, given)}]", rows.reshape(-1, rows.shape[-1])[body], rule
 
 
-def _batch(given: dict[str, Any]) -> tuple[int, ...]:
+def _batch(given: Given) -> tuple[int, ...]:
     """The leading shape of a batch; () for one motion."""
-    return np.broadcast_shapes(*(np.shape(given.get(name, 0))[:-1] for name in engines.SIZES))
+    bodies = (given[name] for name in engines.SIZES if name in given)
+    return np.broadcast_shapes(*(np.shape(x)[:-1] for x in bodies if not isinstance(x, _Samples)))
 
 
-def _place(body: int, given: dict[str, Any]) -> str:
+def _place(body: int, given: Given) -> str:
     return ", ".join(map(str, np.unravel_index(body, _batch(given))))
 
 
@@ -403,13 +425,13 @@ def _number(name: str, value: ArrayLike) -> float:
     return float(array)
 
 
-def _is_one_double(t: object) -> bool:
+def _is_one_double(t: object) -> TypeGuard[float]:
     """A finite number that needs no array on its way."""
     is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
     return is_number and abs(t) <= sys.float_info.max
 
 
-def _doubles(t: Any, errors: str) -> Any:
+def _doubles(t: ArrayLike, errors: str) -> float | np.ndarray:
     """A float or an array of floats."""
     return float(t) if _is_one_double(t) else _times(t, errors)
 

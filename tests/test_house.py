@@ -27,7 +27,7 @@ ALLOWED = {
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors proof view.html",
     "rigidsym.proof": "",
-    "derivations": "proof.algebra proof.kernel",
+    "derivations": "proof.algebra proof.kernel proof.paper",
     # What is computed from it.
     "rigidsym.solution": "errors io.ledger language",
     "rigidsym.precise": f"{FOUNDATION} inputs solution",
@@ -43,7 +43,7 @@ ALLOWED = {
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
-    "rigidsym.view.html": f"{FOUNDATION} inputs view.palette",
+    "rigidsym.view.html": f"{FOUNDATION} inputs view.palette view.report_data",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
     "rigidsym.view.validation": "validate.bounds view",
@@ -53,8 +53,10 @@ ALLOWED = {
     "rigidsym.io.splines": "errors io motion",
     "rigidsym.io.tables": "inputs io precise",
     "rigidsym.io.tracks": "errors io motion",
+    # What a user calls for all of it.
+    "rigidsym.reproduce": "codegen errors inputs io proof solution validate view",
     "rigidsym.cli": f"{NUMBERS} codegen derivations engines generated io manoeuvre motion proof "
-    "validate view",
+    "reproduce validate view",
 }
 # Of other packages: who alone imports them.
 OTHERS = {

@@ -80,3 +80,5 @@ def test_copies_and_messages():
     assert again(1.0)[0].tolist() == state.tolist()
     uncertain = motion.replace(omega0=("0.05 +/- 1e-9", 0.03, -0.02))
     assert pickle.loads(pickle.dumps(uncertain)) == uncertain
+    again = uncertain.replace(engine="c").replace(engine="numpy")
+    assert again == uncertain

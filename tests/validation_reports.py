@@ -44,7 +44,7 @@ def failed():
 
 def with_peer(data, name="peer rk"):
     """Add a peer that is worse by many decades, and has no number in places."""
-    peer = copy.deepcopy(data["contestants"][0])
+    peer = copy.deepcopy(data["implementations"][0])
     peer |= {"name": name, "peer": True, "passed": False, "digest": None}
     for view in ("distance", "turned", "condition"):
         for cells in peer[view].values():
@@ -54,5 +54,5 @@ def with_peer(data, name="peer rk"):
         sizes["angle"] = {"2^+40.5": 3, "inf": 2, "0": 1}
     for view in ("strata", "shares", "regimes"):
         peer[view].pop("rest")
-    data["contestants"].append(peer)
+    data["implementations"].append(peer)
     return data

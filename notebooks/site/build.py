@@ -40,6 +40,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     notebooks = sorted(options.notebooks.glob("*.ipynb"))
     stage(output / "source", notebooks)
     stage_static(output / "static", notebooks)
+    return render(output)
+
+
+def render(output: Path) -> int:
+    """Run Sphinx over what is staged; returns its exit status."""
     places = ["-c", SITE, "-d", output / "cache", "-D", f"html_static_path={output / 'static'}"]
     quiet = ["-W", "--keep-going", "-q"]
     status = sphinx([*quiet, *map(str, [*places, output / "source", output / "html"])])

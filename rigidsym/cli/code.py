@@ -1,8 +1,8 @@
 """The commands `codegen` and `trace`."""
 
 import sys
+from argparse import Namespace
 from pathlib import Path
-from typing import Any
 
 from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import say, say_written
@@ -23,7 +23,7 @@ def add(command: Command) -> None:
     trace.add_argument("--equation", metavar="NUMBER", help="as the paper numbers it")
 
 
-def _codegen(options: Any) -> int:
+def _codegen(options: Namespace) -> int:
     from rigidsym.codegen import generate
     from rigidsym.codegen.seal import seal, seal_text
     from rigidsym.solution import sealed
@@ -63,7 +63,7 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
     return status
 
 
-def _trace(options: Any) -> int:
+def _trace(options: Namespace) -> int:
     from rigidsym.codegen.trace import TraceError, lines_of_equation, origin_of_line
     from rigidsym.proof.paper import EQUATIONS
 

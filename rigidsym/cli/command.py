@@ -6,7 +6,6 @@ Exit status: 0 success; 1 a claim, certificate, comparison or bound fails; 2 bad
 import argparse
 import sys
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from rigidsym._version import __version__
 from rigidsym.cli import code, manoeuvres, proofs, reproduction, states, validation
@@ -48,7 +47,9 @@ def parser() -> argparse.ArgumentParser:
     whole.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
-    def command(name: str, run: Callable[[Any], int], summary: str) -> argparse.ArgumentParser:
+    def command(
+        name: str, run: Callable[[argparse.Namespace], int], summary: str
+    ) -> argparse.ArgumentParser:
         added = commands.add_parser(name, help=summary, description=summary)
         added.set_defaults(run=run)
         return added

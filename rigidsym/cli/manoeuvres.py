@@ -1,8 +1,8 @@
 """The commands `plan`, `track`, `figures` and `compare`."""
 
+from argparse import Namespace
 from collections.abc import Generator
 from contextlib import contextmanager
-from typing import Any
 
 from rigidsym.cli.arguments import Command, as_count, as_path
 from rigidsym.cli.output import progress, say_written, table
@@ -41,7 +41,7 @@ def add(command: Command) -> None:
     compare.add_argument("--json", action="store_true", help="to stdout alone")
 
 
-def _plan(options: Any) -> int:
+def _plan(options: Namespace) -> int:
     from rigidsym.io.files import probe
     from rigidsym.manoeuvre.files import open_manoeuvre
 
@@ -60,7 +60,7 @@ def _plan(options: Any) -> int:
     return 0
 
 
-def _track(options: Any) -> int:
+def _track(options: Namespace) -> int:
     with _app():
         from rigidsym.manoeuvre.flight.track import track
     from rigidsym.io.files import probe
@@ -78,7 +78,7 @@ def _track(options: Any) -> int:
     return 1 if found.missed else 0
 
 
-def _figures(options: Any) -> int:
+def _figures(options: Namespace) -> int:
     with _app():
         from rigidsym.manoeuvre.figures import figures
     from rigidsym.io.files import probe
@@ -92,7 +92,7 @@ def _figures(options: Any) -> int:
     return 0
 
 
-def _compare(options: Any) -> int:
+def _compare(options: Namespace) -> int:
     with _app():
         from rigidsym.manoeuvre.comparison import compare
     from rigidsym.io.files import probe

@@ -1,11 +1,15 @@
 """The commands `derive`, `check` and `errata`."""
 
 import sys
+from argparse import ArgumentParser, Namespace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import progress, say, table
+
+if TYPE_CHECKING:
+    from rigidsym.proof.derivation import Derivation
 
 
 def add(command: Command) -> None:
@@ -27,7 +31,7 @@ def add(command: Command) -> None:
     errata.add_argument("--json", action="store_true", help="to stdout alone")
 
 
-def _add_setting(derive: Any) -> None:
+def _add_setting(derive: ArgumentParser) -> None:
     """Another derivation, as far as Theorem 1: nothing of it touches the sealed ledger."""
     other = derive.add_argument_group("another derivation, up to Theorem 1")
     other.add_argument("--sequence", metavar="I-J-I", help="axes of the turns; 1-2-1")
@@ -38,7 +42,7 @@ def _add_setting(derive: Any) -> None:
     other.add_argument("--lagrangian", metavar="L", help="with wheels: ... + h1*Omega1")
 
 
-def _derive(options: Any) -> int:
+def _derive(options: Namespace) -> int:
     from derivations.setting import setting_of
     from rigidsym.proof.derivation import DerivationError, derive
 
@@ -62,7 +66,7 @@ def _derive(options: Any) -> int:
     return 0
 
 
-def _chapters(derivation: Any) -> None:
+def _chapters(derivation: "Derivation") -> None:
     """Each chapter with its facts: how many a step computed, and how many were guessed."""
     rows = []
     for chapter in derivation.chapters:
@@ -72,7 +76,7 @@ def _chapters(derivation: Any) -> None:
     table("rigidsym derive", ("chapter", "", "computed", "guessed", "time"), rows)
 
 
-def _article(derivation: Any, form: str, output: Path | None) -> int:
+def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
     from rigidsym.io.files import write_text
     from rigidsym.view.article import article
 
@@ -88,7 +92,7 @@ def _article(derivation: Any, form: str, output: Path | None) -> int:
     return 0
 
 
-def _seal(derivation: Any, options: Any, sealed: bool) -> None:
+def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     """Write the ledger: of all chapters to its place, else where the user says."""
     from rigidsym.io.files import write_text
     from rigidsym.proof.derivation import sealed_path
@@ -101,7 +105,7 @@ def _seal(derivation: Any, options: Any, sealed: bool) -> None:
         say("the ledger is sealed by all chapters together: not written")
 
 
-def _check(options: Any) -> int:
+def _check(options: Namespace) -> int:
     if options.independent:
         return _check_independently(options.ledger)
     from collections import Counter
@@ -139,7 +143,7 @@ def _ledger_text(path: Path | None) -> str:
     return ledger_text() if path is None else read_text("ledger", path)
 
 
-def _errata(options: Any) -> int:
+def _errata(options: Namespace) -> int:
     import json
 
     from rigidsym.io.ledger import ledger_data
@@ -147,9 +151,9 @@ def _errata(options: Any) -> int:
 
     ruled = verdicts(ledger_data(_ledger_text(None)))
     if options.json:
-        data = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
+        data = {"schema": "rigidsym.errata/2", "equations": [v.to_json() for v in ruled]}
         print(json.dumps(data, indent=1))
         return 0
-    columns = ("equation", "verdict", "repair, or how it is read", "counterexample")
+    columns = ("equation", "verdict", "root cause", "repair, or how it is read", "counterexample")
     table("rigidsym errata", columns, [row(verdict) for verdict in ruled])
     return 0

@@ -1,6 +1,6 @@
-"""The command `reproduce`."""
+"""The command `reproduce`, which runs the main job and tells of its stages."""
 
-from typing import Any
+from argparse import Namespace
 
 from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import progress, say, table
@@ -14,10 +14,10 @@ def add(command: Command) -> None:
     )
 
 
-def _reproduce(options: Any) -> int:
-    from rigidsym.cli.reproduce import reproduce
+def _reproduce(options: Namespace) -> int:
     from rigidsym.io.files import probe
     from rigidsym.proof.derivation import DerivationError
+    from rigidsym.reproduce import reproduce
 
     probe(options.output)
     rows: list[tuple[str, str, str, str]] = []

@@ -1,11 +1,16 @@
 """The commands `propagate` and `methods`."""
 
 import sys
-from typing import Any
+from argparse import Namespace
+from typing import TYPE_CHECKING, Any
 
 from rigidsym.cli.arguments import Command, as_count, as_path, as_seconds
 from rigidsym.cli.output import progress, table
 from rigidsym.errors import InputError
+
+if TYPE_CHECKING:
+    from rigidsym.io.cases import Case
+    from rigidsym.io.tables import Table
 
 # The arguments of `rigidsym.io.attitude_ephemeris` that are text.
 _MESSAGE = {
@@ -55,7 +60,7 @@ def add(command: Command) -> None:
     methods.add_argument("--allow-nonphysical", action="store_true", help="any body")
 
 
-def _propagate(options: Any) -> int:
+def _propagate(options: Namespace) -> int:
     from rigidsym.io.files import write_bytes
     from rigidsym.io.tables import FORMATS
 
@@ -79,7 +84,7 @@ def _propagate(options: Any) -> int:
     return 0
 
 
-def _heading(options: Any) -> dict[str, Any]:
+def _heading(options: Namespace) -> dict[str, Any]:
     """The options that a message takes, by name; another format takes none of them."""
     names = [name.replace("-", "_") for name in _MESSAGE]
     given = {name: getattr(options, name) for name in (*names, "rates")}
@@ -98,7 +103,7 @@ def _heading(options: Any) -> dict[str, Any]:
     return given
 
 
-def _message(case: Any, heading: dict[str, Any]) -> bytes:
+def _message(case: "Case", heading: dict[str, Any]) -> bytes:
     from rigidsym import inputs
     from rigidsym.io import aem, sampled
 
@@ -108,7 +113,7 @@ def _message(case: Any, heading: dict[str, Any]) -> bytes:
     return aem(track, **whole).encode()
 
 
-def _case(options: Any) -> Any:
+def _case(options: Namespace) -> "Case":
     from rigidsym.io.cases import load_case, paper_case
 
     if options.case == "paper":
@@ -116,7 +121,7 @@ def _case(options: Any) -> Any:
     return load_case(options.case, options.allow_nonphysical)
 
 
-def _states(case: Any, options: Any) -> Any:
+def _states(case: "Case", options: Namespace) -> "Table":
     from rigidsym.io import tables as states
 
     given = {"method": options.method, "max_seconds": options.max_seconds}
@@ -128,7 +133,7 @@ def _states(case: Any, options: Any) -> Any:
     return states.doubles(case)
 
 
-def _methods(options: Any) -> int:
+def _methods(options: Namespace) -> int:
     from rigidsym.io.files import probe, write_text
     from rigidsym.precise.comparison import DIGITS, compare
 

@@ -1,11 +1,16 @@
 """The command `validate`."""
 
 import signal
-from typing import Any
+from argparse import Namespace
+from typing import TYPE_CHECKING
 
 from rigidsym.cli.arguments import Command, as_count, as_path
 from rigidsym.cli.output import progress, reader_may_leave, say, table
 from rigidsym.errors import InputError
+
+if TYPE_CHECKING:
+    from rigidsym.validate.campaign import Campaign, Progress
+    from rigidsym.validate.session import Choices
 
 # Options of a campaign that mean nothing elsewhere.
 _NOT_WITH = {
@@ -39,14 +44,10 @@ def add(command: Command) -> None:
     validate.add_argument("--record", action="store_true", help="for the heads of the modules")
 
 
-def _validate(options: Any) -> int:
+def _validate(options: Namespace) -> int:
     from rigidsym.io.files import probe
     from rigidsym.validate import session
 
-    names = {"targets": "targets", "peer": "peers", "stratum": "strata"}
-    names |= {name: name for name in ("cases", "digits", "seed")}
-    given = {name: getattr(options, option) for option, name in names.items()}
-    chosen = {name: value for name, value in given.items() if value not in (None, [])}
     mode = "case" if options.case else "faults" if options.faults else ""
     for name in _NOT_WITH.get(mode, ()):
         if getattr(options, name) not in (None, False):
@@ -55,13 +56,33 @@ def _validate(options: Any) -> int:
         probe(options.output)
     # What a batch system sends is an interrupt, too.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
-    campaign, done = session.begin(chosen, None if mode else options.output, options.resume)
+    campaign, done = session.begin(
+        _chosen(options), None if mode else options.output, options.resume
+    )
     if options.case:
         return _validate_case(campaign, options)
     return _validate_faults(campaign, options) if options.faults else _run(campaign, done, options)
 
 
-def _run(campaign: Any, done: Any, options: Any) -> int:
+def _chosen(options: Namespace) -> "Choices":
+    """What is given of the arguments of a campaign."""
+    chosen: Choices = {}
+    if options.targets:
+        chosen["targets"] = options.targets
+    if options.peer:
+        chosen["peers"] = options.peer
+    if options.stratum:
+        chosen["strata"] = options.stratum
+    if options.cases is not None:
+        chosen["cases"] = options.cases
+    if options.digits is not None:
+        chosen["digits"] = options.digits
+    if options.seed is not None:
+        chosen["seed"] = options.seed
+    return chosen
+
+
+def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
     from rigidsym.validate import checkpoint, executors, session, tables, validation
     from rigidsym.validate.record import record
 
@@ -93,7 +114,7 @@ def _run(campaign: Any, done: Any, options: Any) -> int:
     return 0 if report.passed else 1
 
 
-def _validate_case(campaign: Any, options: Any) -> int:
+def _validate_case(campaign: "Campaign", options: Namespace) -> int:
     import json
 
     from rigidsym.validate import case_file, session, tables
@@ -111,7 +132,7 @@ def _validate_case(campaign: Any, options: Any) -> int:
     return 0 if max(map(finding.share, campaign.targets)) <= 1 else 1
 
 
-def _validate_faults(campaign: Any, options: Any) -> int:
+def _validate_faults(campaign: "Campaign", options: Namespace) -> int:
     from rigidsym.io.files import write_text
     from rigidsym.validate.faults import inject
 

@@ -5,7 +5,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.lines import Place
@@ -14,13 +14,21 @@ from rigidsym.io.files import write_text
 from rigidsym.solution import Solution, sealed
 
 
+class Manifest(TypedDict):
+    """Target, a digest of all that decides the module, and the digests of its files by name."""
+
+    target: str
+    digest: str
+    sha256: dict[str, str]
+
+
 @dataclass(frozen=True, slots=True)
 class Generated:
     """The files of a target by name, the map from lines to equations, and a manifest."""
 
     files: Mapping[str, str]
     map: Mapping[str, list[Place]]
-    manifest: Mapping[str, Any]
+    manifest: Manifest
 
     def texts(self) -> dict[str, str]:
         """Every file to write, the map among them."""
@@ -40,5 +48,5 @@ def generate(target: str, solution: Solution | None = None) -> Generated:
     """
     module = builder(target)(functions(solution or sealed()), constants())
     digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}
-    manifest = {"target": target, "digest": module.digest, "sha256": digests}
+    manifest: Manifest = {"target": target, "digest": module.digest, "sha256": digests}
     return Generated(module.files, module.places(), manifest)

@@ -31,9 +31,10 @@ continuous in the double cover from the attitude given; omega in body axes, rad/
 kg m^2; t in s.
 
 A comment gives the equations of the paper that its line corresponds to, or the formulas of the
-Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it
-(`reading`: the standard function that a quantity is); exact sums, products and differences of
-doubles are Knuth's (The Art of Computer Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
+Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it (or
+`definition`: what a quantity is short for; `reading`: the standard function that it is); exact
+sums, products and differences of doubles are Knuth's (The Art of Computer Programming, 4.2.2),
+Dekker's (1971) and Sterbenz's (1974).
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
 and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the

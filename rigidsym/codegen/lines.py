@@ -2,11 +2,17 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import TypedDict
 
 from rigidsym.codegen.ir import Function, Let
 
-# A derived line, counted from 1, with its equations and facts, as JSON has them.
-Place = dict[str, int | list[str]]
+
+class Place(TypedDict):
+    """A derived line, counted from 1, with its equations and facts, as JSON has them."""
+
+    line: int
+    equations: list[str]
+    facts: list[str]
 
 
 @dataclass(frozen=True, slots=True)

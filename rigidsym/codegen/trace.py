@@ -5,8 +5,8 @@ import re
 from collections.abc import Collection, Iterator
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
+from rigidsym.codegen.lines import Place
 from rigidsym.errors import InputError
 
 
@@ -14,7 +14,7 @@ class TraceError(LookupError):
     """There is nothing to be told of a line or an equation, and why."""
 
 
-def _maps() -> Iterator[tuple[str, dict[int, Any], list[str]]]:
+def _maps() -> Iterator[tuple[str, dict[int, Place], list[str]]]:
     """Every generated file of this installation with its map and its lines."""
     home = resources.files("rigidsym.generated")
     for entry in sorted(home.iterdir(), key=lambda entry: entry.name):
@@ -25,7 +25,10 @@ def _maps() -> Iterator[tuple[str, dict[int, Any], list[str]]]:
 
 
 def origin_of_line(place: str) -> list[str]:
-    """The code, equations and facts of FILE:LINE; raises TraceError where nothing derived is."""
+    """The code of FILE:LINE, its equations, and the facts, definitions and readings it is by.
+
+    Raises TraceError where nothing derived is.
+    """
     file, _, number = place.rpartition(":")
     if not file or not number.isdecimal():
         raise InputError("trace", place, "must be FILE:LINE")
@@ -40,9 +43,12 @@ def origin_of_line(place: str) -> list[str]:
     if line not in places:
         raise TraceError(f"{name}:{line} has no equation behind it: {code or 'an empty line'}")
     found = places[line]
-    equations = ", ".join(f"({e})" if e[0].isdigit() else e for e in found["equations"])
-    said = {"equations": equations, "facts": ", ".join(found["facts"])}
-    return [code, *(f"{what}: {text}" for what, text in said.items() if text)]
+    equations = [f"({e})" if e[0].isdigit() else e for e in found["equations"]]
+    said = {"equations": equations, "facts": [], "definitions": [], "readings": []}
+    for name in found["facts"]:
+        kind, _, name = name.rpartition(" ")
+        said[f"{kind or 'fact'}s"].append(name)
+    return [code, *(f"{what}: {', '.join(names)}" for what, names in said.items() if names)]
 
 
 def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:

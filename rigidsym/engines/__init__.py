@@ -6,7 +6,7 @@ to have.
 
 from rigidsym.engines.arrays import SIZES, is_lenient
 from rigidsym.engines.choice import ENGINES, checked, engine, exactly
-from rigidsym.engines.protocol import Engine, EngineError, Outputs, States
+from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
 
 __all__ = [
     "ENGINES",
@@ -14,6 +14,7 @@ __all__ = [
     "Engine",
     "EngineError",
     "Outputs",
+    "Prepared",
     "States",
     "checked",
     "engine",

@@ -1,9 +1,9 @@
 """Arrays as engines take and give them: times, batches of bodies, and outputs."""
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines.protocol import EngineError, Outputs, States
 
@@ -12,7 +12,7 @@ SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 
 
-def times(t: Any) -> np.ndarray:
+def times(t: ArrayLike) -> np.ndarray:
     """A float64 array in one piece of memory, of no or one dimension."""
     array = np.asarray(t, float)
     if array.ndim > 1:
@@ -34,7 +34,7 @@ def count(value: int) -> int:
     return value
 
 
-def named(inertia: Any, omega0: Any, attitude0: Any) -> dict[str, np.ndarray]:
+def named(inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> dict[str, np.ndarray]:
     """The arrays that say which bodies, by name."""
     given = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     return {name: np.asarray(value, float) for name, value in given.items()}

@@ -1,8 +1,9 @@
 """Batches: arrays of doubles as users give them, and the bodies in them that cannot exist."""
 
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym import inputs
 from rigidsym.errors import InputError, written
@@ -11,12 +12,12 @@ from rigidsym.errors import InputError, written
 _BLOCK = 1 << 14
 
 
-def array(name: str, value: Any, lenient: bool = False) -> np.ndarray:
+def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
     """The doubles of an array; raises InputError for the first number that is masked or, unless
     `lenient`, not finite."""
     if isinstance(value, np.ma.MaskedArray):
         for place in np.argwhere(np.ma.getmaskarray(value))[:1]:
-            _refuse(name, value, place, "is masked")
+            _refuse(name, value, tuple(place), "is masked")
     try:
         given = np.asarray(value)
         if given.dtype.kind in "bmMc" or value is None:
@@ -26,7 +27,7 @@ def array(name: str, value: Any, lenient: bool = False) -> np.ndarray:
         raise InputError(name, written(value, repr), "must be an array of numbers") from None
     # The extremes tell, without another array of that size; NaN comes through both.
     if doubles.size and not lenient and not np.isfinite([np.min(doubles), np.max(doubles)]).all():
-        _refuse(name, doubles, np.argwhere(~np.isfinite(doubles))[0], "must be finite")
+        _refuse(name, doubles, tuple(np.argwhere(~np.isfinite(doubles))[0]), "must be finite")
     return doubles
 
 
@@ -51,7 +52,7 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
     return inertia
 
 
-def _refuse_body(inertia: np.ndarray, place: Any) -> NoReturn:
+def _refuse_body(inertia: np.ndarray, place: tuple[np.intp, ...]) -> NoReturn:
     for axis in np.flatnonzero(inertia[place] <= 0)[:1]:
         _refuse("inertia", inertia, (*place, axis), "principal moments must be positive")
     _refuse("inertia", inertia, place, inputs.NO_BODY)
@@ -77,6 +78,6 @@ def _two_sum(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return total, (a - (total - part)) + (b - part)
 
 
-def _refuse(name: str, values: np.ndarray, place: Any, rule: str) -> NoReturn:
+def _refuse(name: str, values: np.ndarray, place: tuple[np.intp, ...], rule: str) -> NoReturn:
     index = ", ".join(map(str, place))
     raise InputError(f"{name}[{index}]" if index else name, values[tuple(place)], rule)

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays, threads
 from rigidsym.engines.library import Library
@@ -35,18 +36,18 @@ class CEngine:
         # An array of doubles is aligned as a prepared motion has to be.
         self._prepared_type = c_double * -(-library.motion_size() // _DOUBLE)
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Prepared:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
         given = arrays.named(inertia, omega0, attitude0)
         return self._made(self._library.motion_init, _vectors(given, ()))
 
     def prepare_from_double_doubles(
         self,
-        inertia: Any,
-        differences: Any,
-        omega0: Any,
-        attitude0: Any,
-        discriminant: Any,
+        inertia: ArrayLike,
+        differences: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        discriminant: ArrayLike,
         unit: float,
     ) -> Prepared:
         """Constants of one motion from sums of two doubles: (3, 2) thrice, (4, 2) and (2,).
@@ -100,7 +101,7 @@ class CEngine:
         return EngineError("t", rule, time=int(late[0]) if late.size else None)
 
     def states(
-        self, prepared: Prepared, t: Any, out: Outputs = None, errors: str = "raise"
+        self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
         """See `Engine`."""
         if arrays.is_lenient(errors):
@@ -129,6 +130,7 @@ class CEngine:
 
     def _state(self, prepared: Prepared, t: float) -> States:
         """The state at one time, by the shortest way there is from Python to C and back."""
+        # NumPy's types do not know that arrays of ctypes are buffers.
         state: Any = _State()
         place = addressof(state)
         if code := self._state_at(prepared, t, place, place + _OMEGA):
@@ -154,10 +156,10 @@ class CEngine:
 
     def propagate(
         self,
-        inertia: Any,
-        omega0: Any,
-        attitude0: Any,
-        t: Any,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:

@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping
 from ctypes import c_char_p, c_double, c_int, c_size_t, c_void_p
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
+_Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
 _BODY = (c_void_p,) * 3
 _OUT = (c_void_p,) * 2
 _ARITHMETIC = 8
 # Name after torque_free_, result, arguments.
-_SIGNATURES: dict[str, tuple[Any, tuple[Any, ...]]] = {
+_SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "digest": (c_char_p, ()),
     "message": (c_char_p, (c_int,)),
     "motion_size": (c_size_t, ()),

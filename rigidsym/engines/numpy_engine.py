@@ -4,9 +4,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Protocol, TypedDict
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays
 from rigidsym.engines.protocol import EngineError, Outputs, States
@@ -16,13 +17,61 @@ from rigidsym.generated import torque_free
 _BODIES = 4096
 
 
+class Prepared(TypedDict):
+    """What the module prepares: constants of B motions, in units of `unit` (B,), rad/s.
+
+    `groups` are a branch, the indices of its motions, and their constants by name.
+    """
+
+    shape: tuple[int, ...]
+    unit: np.ndarray
+    max_angle: np.ndarray
+    blurred: np.ndarray
+    axes: np.ndarray
+    q0: np.ndarray
+    omega0: np.ndarray
+    groups: list[tuple[str, np.ndarray, dict[str, np.ndarray]]]
+
+
+class Module(Protocol):
+    """What the generated module offers."""
+
+    def prepare(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike = ...,
+        errors: str = ...,
+    ) -> Prepared:
+        """Constants of motions whose leading shapes broadcast."""
+        ...
+
+    def prepare_from_double_doubles(
+        self,
+        inertia: ArrayLike,
+        differences: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        discriminant: ArrayLike,
+        unit: float,
+    ) -> Prepared:
+        """Constants of one motion, from sums of two doubles."""
+        ...
+
+    def states(
+        self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = ...
+    ) -> States:
+        """(q, omega) of them all at each time."""
+        ...
+
+
 @dataclass(frozen=True, slots=True)
 class NumpyEngine:
     """`rigidsym.generated.torque_free`, or a module like it, as an `Engine`."""
 
-    module: Any = torque_free
+    module: Module = torque_free
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> dict[str, Any]:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
         return self.module.prepare(inertia, omega0, attitude0)
 
@@ -31,7 +80,7 @@ class NumpyEngine:
         inertia: Sequence[Fraction],
         omega0: Sequence[Fraction],
         attitude0: Sequence[Fraction],
-    ) -> dict[str, Any]:
+    ) -> Prepared:
         """See `Engine`."""
         # Here, because doubles need nothing of it.
         from rigidsym.engines.exact_inputs import exact_inputs
@@ -39,7 +88,7 @@ class NumpyEngine:
         return self.module.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
 
     def states(
-        self, prepared: dict[str, Any], t: Any, out: Outputs = None, errors: str = "raise"
+        self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
         """See `Engine`."""
         if out is not None:
@@ -49,7 +98,7 @@ class NumpyEngine:
 
     def grid(
         self,
-        prepared: dict[str, Any],
+        prepared: Prepared,
         start: float,
         step: float,
         count: int,
@@ -60,10 +109,10 @@ class NumpyEngine:
 
     def propagate(
         self,
-        inertia: Any,
-        omega0: Any,
-        attitude0: Any,
-        t: Any,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:
@@ -81,7 +130,7 @@ class NumpyEngine:
             bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
             try:
                 prepared = self.module.prepare(*bodies, errors)
-                self.module.states(prepared, t, tuple(x[some] for x in rows), errors)
+                self.module.states(prepared, t, (rows[0][some], rows[1][some]), errors)
             except ValueError as error:
                 raise _of_batch(error, first) from None
         return q, omega

@@ -2,13 +2,15 @@
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 States = tuple[np.ndarray, np.ndarray]
 Outputs = States | None
+# The constants of one motion, in a form that is the engine's own and that nobody else reads.
+Prepared: TypeAlias = Any
 
 
 class EngineError(ValueError):
@@ -34,7 +36,7 @@ class Engine(Protocol):
     errors="nan" bodies and times that are refused have states of NaN instead.
     """
 
-    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Any:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """Constants of one motion from float64 numbers: (3,), (3,) and (4,)."""
         ...
 
@@ -43,18 +45,18 @@ class Engine(Protocol):
         inertia: Sequence[Fraction],
         omega0: Sequence[Fraction],
         attitude0: Sequence[Fraction],
-    ) -> Any:
+    ) -> Prepared:
         """Constants of one motion from exact numbers, which are not rounded to float64 first."""
         ...
 
     def states(
-        self, prepared: Any, t: ArrayLike, out: Outputs = None, errors: str = "raise"
+        self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
     ) -> States:
         """(q, omega): (4,) and (3,) at a scalar t, (N, 4) and (N, 3) at t (N,)."""
         ...
 
     def grid(
-        self, prepared: Any, start: float, step: float, count: int, out: Outputs = None
+        self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
         """(q, omega), (count, 4) and (count, 3), at the times start + k step.
 

@@ -367,9 +367,9 @@ static void initial_state(double_double c_a, double_double c_b, double_double c_
     const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* (6), (15); regular.E_a */
     const double_double common_6 = dd_mul_xx(c_a, c_ad); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
     const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* (6), (15); regular.E_d */
-    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* (8); attitude.M_a */
-    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* (8); attitude.M_b */
-    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* (8); attitude.M_d */
+    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* (8); definition attitude.M_a */
+    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* (8); definition attitude.M_b */
+    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* (8); definition attitude.M_d */
     const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* (6), (15); attitude.K */
     const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* (10), (13), (14); regular.A_a */
     const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* (10), (13), (14); regular.A_b */
@@ -378,9 +378,9 @@ static void initial_state(double_double c_a, double_double c_b, double_double c_
     const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
     const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* (10), (13), (14); regular.m */
     const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* (10), (13), (14); regular.m_1 */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
     const double_double k_c = dd_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
-    const double_double common_8 = dd_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next */
+    const double_double common_8 = dd_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu definition landen.kc_next */
     const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* DLMF 22.7.1; descended.k_1 */
     const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* DLMF 22.7.2; descended.mu */
     const double_double common_9 = dd_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
@@ -391,7 +391,7 @@ static void initial_state(double_double c_a, double_double c_b, double_double c_
     const double_double B_a = common_9; /* (27); theta_form.B_a */
     const double_double B_d = dd_mul_xx(c_d, A_d); /* (28); theta_form.B_d */
     const double_double root_kc = dd_sqrt(k_c); /* DLMF 22.7.1; landen.root_kc */
-    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* DLMF 22.7.1; landen.kc_next */
+    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* DLMF 22.7.1; definition landen.kc_next */
     const double_double common_10 = dd_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
     const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
     const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
@@ -419,11 +419,11 @@ static void landen(double_double k, double_double kc, double_double s, double_do
     double_double *kc_next_out, double_double *s_next_out, double_double *c_next_out,
     double_double *d_next_out, double_double *r_next_out, double_double *Y_next_out)
 {
-    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 22.7.1; landen.k_next landen.kc_next landen.r_next */
+    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 22.7.1; landen.k_next definition landen.kc_next landen.r_next */
     const double_double common_2 = dd_div_xx(k, common_1); /* DLMF 22.7.1; landen.k_next */
     const double_double k_next = dd_mul_xx(common_2, common_2); /* DLMF 22.7.1; landen.k_next */
     const double_double root_kc = dd_sqrt(kc); /* DLMF 22.7.1; landen.root_kc */
-    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 22.7.1; landen.kc_next */
+    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 22.7.1; definition landen.kc_next */
     const double_double common_3 = dd_add_dx(1.0, k_next); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next */
     const double_double common_4 = dd_add_dx(1.0, d); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
     const double_double common_5 = dd_mul_xx(common_3, common_4); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
@@ -459,11 +459,11 @@ static void ladder(double_double k, double_double kc, double_double s, double_do
     double_double k5, kc5, s5, c5, d5, r5, Y5;
     landen(k4, kc4, s4, c4, d4, r4, Y4, &k5, &kc5, &s5, &c5, &d5, &r5, &Y5); /* DLMF 22.7.2 */
     const double_double K5 = dd_div_xd(pi, 2.0); /* DLMF 19.6.1 */
-    const double_double K4 = dd_mul_xx(dd_add_dx(1.0, k5), K5); /* DLMF 19.8.12; landen.K */
-    const double_double K3 = dd_mul_xx(dd_add_dx(1.0, k4), K4); /* DLMF 19.8.12; landen.K */
-    const double_double K2 = dd_mul_xx(dd_add_dx(1.0, k3), K3); /* DLMF 19.8.12; landen.K */
-    const double_double K1 = dd_mul_xx(dd_add_dx(1.0, k2), K2); /* DLMF 19.8.12; landen.K */
-    const double_double K0 = dd_mul_xx(dd_add_dx(1.0, k1), K1); /* DLMF 19.8.12; landen.K */
+    const double_double K4 = dd_mul_xx(dd_add_dx(1.0, k5), K5); /* DLMF 19.8.12; definition landen.K */
+    const double_double K3 = dd_mul_xx(dd_add_dx(1.0, k4), K4); /* DLMF 19.8.12; definition landen.K */
+    const double_double K2 = dd_mul_xx(dd_add_dx(1.0, k3), K3); /* DLMF 19.8.12; definition landen.K */
+    const double_double K1 = dd_mul_xx(dd_add_dx(1.0, k2), K2); /* DLMF 19.8.12; definition landen.K */
+    const double_double K0 = dd_mul_xx(dd_add_dx(1.0, k1), K1); /* DLMF 19.8.12; definition landen.K */
     *K0_out = K0;
     *s5_out = s5;
     *c5_out = c5;
@@ -474,10 +474,10 @@ static void ladder(double_double k, double_double kc, double_double s, double_do
 static double_double root_ratio(double_double k, double_double kc)
 {
     const double_double root_kc = dd_sqrt(kc); /* DLMF 19.8.12 */
-    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 19.8.12, DLMF 20.9.1; landen.k_next landen.kc_next */
+    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 19.8.12, DLMF 20.9.1; landen.k_next definition landen.kc_next */
     const double_double common_2 = dd_div_xx(k, common_1); /* DLMF 19.8.12; landen.k_next */
     const double_double k_next = dd_mul_xx(common_2, common_2); /* DLMF 19.8.12; landen.k_next */
-    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 19.8.12; landen.kc_next */
+    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 19.8.12; definition landen.kc_next */
     const double_double root = dd_add_dx(1.0, dd_sqrt(kc_next)); /* DLMF 20.9.1 */
     const double_double f = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, dd_add_dx(1.0, kc_next)), root), root); /* DLMF 20.9.1 */
     const double_double e = dd_div_xx(dd_mul_xx(k_next, k_next), f); /* DLMF 20.9.1 */
@@ -527,7 +527,7 @@ static void circular_constants(double_double K, double_double A_a, double_double
     const double_double r = root_ratio(k_1, kc_1); /* DLMF 20.9.1 */
     const double_double root_r = dd_sqrt(r); /* (27); scaling.root_r */
     const double_double Q = dd_div_xx(k_1, r); /* (27); scaling.Q */
-    const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* (28); scaling.Y */
+    const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* (28); definition scaling.Y */
     double_double K_1, sin_v, cos_v, Y_b;
     ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* DLMF 19.8.12 */
     const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* (28); scaling.root_h */
@@ -643,7 +643,7 @@ static void circular_constants(double_double K, double_double A_a, double_double
     const double_double side_plus = dd_mul_xx(h2_plus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_plus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_plus))))))))); /* DLMF 20.7.14 */
     const double_double side_minus = dd_mul_xx(h2_minus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_minus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_minus))))))))); /* DLMF 20.7.14 */
     const double_double watson = dd_add_xx(dd_add_dx(1.0, side_plus), side_minus); /* DLMF 20.7.14 */
-    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
+    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); definition theta_form.Lambda */
     const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* (33), (34) */
     const double_double v = half_turns(sin_v, cos_v); /* (12) */
     const double_double v_rate = dd_div_xx(dd_mul_xx(mu, g), pi); /* (10), (20) */
@@ -656,42 +656,42 @@ static void circular_constants(double_double K, double_double A_a, double_double
     const double_double sum_even = dd_add_xx(even_0, dd_mul_xx(x2, dd_add_xx(even_1, dd_mul_xx(x2, even_2)))); /* DLMF 20.2.4 */
     const double_double sum_odd = dd_mul_xx(x, dd_add_xx(odd_0, dd_mul_xx(x2, odd_1))); /* DLMF 20.2.4 */
     const double_double theta4_v = dd_sub_xx(sum_even, sum_odd); /* (10), DLMF 20.2.4 */
-    const double_double P4_re = T4_re; /* (18); theta_form.P4_re */
-    const double_double P4_im = T4_im; /* (18); theta_form.P4_im */
-    const double_double P1_re = T1_re; /* (18); theta_form.P1_re */
-    const double_double P1_im = T1_im; /* (18); theta_form.P1_im */
+    const double_double P4_re = T4_re; /* (18); definition theta_form.P4_re */
+    const double_double P4_im = T4_im; /* (18); definition theta_form.P4_im */
+    const double_double P1_re = T1_re; /* (18); definition theta_form.P1_re */
+    const double_double P1_im = T1_im; /* (18); definition theta_form.P1_im */
     const double_double W = dd_mul_xx(theta4_v, watson); /* (1), DLMF 20.7.14 */
     const double_double N = dd_sqrt(W); /* (1); theta_form.N_of_W */
     const double_double qbar_0 = dd_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
     const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
     const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
-    const double common_11 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d */
+    const double common_11 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d */
     const double_double qbar_d = dd_div_xx(dd_mul_dx(common_11, P1_re), N); /* (18), (25); theta_form.qbar_d */
     const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
     const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
     const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
     const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
     const double_double over_N = dd_div_dx(1.0, dd_sqrt(watson)); /* (1), DLMF 20.7.14 */
-    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
-    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
-    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* (37); attitude.q_0 */
-    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
-    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); attitude.q_a */
-    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
-    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* (37); attitude.q_a */
-    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
-    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); attitude.q_b */
-    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
-    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* (37); attitude.q_b */
-    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); attitude.q_b */
-    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); attitude.q_d */
-    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
-    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* (37); attitude.q_d */
-    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); attitude.q_d */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
-    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
-    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
+    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); definition attitude.q_0 */
+    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); definition attitude.q_0 */
+    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* (37); definition attitude.q_0 */
+    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); definition attitude.q_0 */
+    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); definition attitude.q_a */
+    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); definition attitude.q_a */
+    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* (37); definition attitude.q_a */
+    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); definition attitude.q_a */
+    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); definition attitude.q_b */
+    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); definition attitude.q_b */
+    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* (37); definition attitude.q_b */
+    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); definition attitude.q_b */
+    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); definition attitude.q_d */
+    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); definition attitude.q_d */
+    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* (37); definition attitude.q_d */
+    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); definition attitude.q_d */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
+    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_a */
+    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_b */
+    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_d */
     motion->v_rate_hi = v_rate.hi;
     motion->v_rate_lo = v_rate.lo;
     motion->v_hi = v.hi;
@@ -856,19 +856,19 @@ static void circular_state(const torque_free_circular *motion, size_t n, const d
         const double part_odd = x * fused(x2, sine_odd_1, sine_odd_0); /* DLMF 20.2.1 */
         const double theta1_v = sin_v * (part_even + part_odd); /* (10), DLMF 20.2.1 */
         const double theta2_v = cos_v * (part_even - part_odd); /* (10), DLMF 20.2.2 */
-        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); theta_form.P4_re */
-        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); theta_form.P4_im */
-        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); theta_form.P1_re */
-        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); theta_form.P1_im */
+        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); definition theta_form.P4_re */
+        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); definition theta_form.P4_im */
+        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); definition theta_form.P1_re */
+        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); definition theta_form.P1_im */
         const double over = 1.0 / theta4_v; /* (10) */
         const double scale = sqrt(over); /* (1) */
-        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); attitude.q_0 */
-        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); attitude.q_a */
-        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); attitude.q_b */
-        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); attitude.q_d */
-        const double Omega_a = gain_a * (theta3_v * over); /* (10); regular.Omega_a */
-        const double Omega_b = gain_b * (theta1_v * over); /* (10); regular.Omega_b */
-        const double Omega_d = gain_d * (theta2_v * over); /* (10); regular.Omega_d */
+        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); definition attitude.q_0 */
+        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); definition attitude.q_a */
+        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); definition attitude.q_b */
+        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); definition attitude.q_d */
+        const double Omega_a = gain_a * (theta3_v * over); /* (10); definition regular.Omega_a */
+        const double Omega_b = gain_b * (theta1_v * over); /* (10); definition regular.Omega_b */
+        const double Omega_d = gain_d * (theta2_v * over); /* (10); definition regular.Omega_d */
         q_0_out[i] = q_0;
         q_a_out[i] = q_a;
         q_b_out[i] = q_b;
@@ -888,13 +888,13 @@ static void hyperbolic_constants(double_double K, double_double A_a, double_doub
     torque_free_hyperbolic *motion)
 {
     const double_double root_k = dd_sqrt(k_1); /* (27); theta_form.root_k */
-    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* (28); theta_form.x */
+    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* (28); definition theta_form.x */
     const double_double y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(x, x))); /* DLMF 22.6.1; theta_form.y */
     const double_double common_1 = dd_mul_xx(k_1, x); /* DLMF 22.6.1; theta_form.z */
     const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_1, common_1))); /* DLMF 22.6.1; theta_form.z */
-    const double_double s_beta = dd_div_xx(x, y); /* DLMF 22.6.1; theta_form.s_beta */
-    const double_double c_beta = dd_div_dx(1.0, y); /* DLMF 22.6.1; theta_form.c_beta */
-    const double_double d_beta = dd_div_xx(z, y); /* DLMF 22.6.1; theta_form.d_beta */
+    const double_double s_beta = dd_div_xx(x, y); /* DLMF 22.6.1; definition theta_form.s_beta */
+    const double_double c_beta = dd_div_dx(1.0, y); /* DLMF 22.6.1; definition theta_form.c_beta */
+    const double_double d_beta = dd_div_xx(z, y); /* DLMF 22.6.1; definition theta_form.d_beta */
     const double_double r = root_ratio(kc_1, k_1); /* DLMF 20.9.1 */
     const double_double root_nome = dd_div_xx(kc_1, r); /* DLMF 20.9.1 */
     const double_double nome = dd_mul_xx(root_nome, root_nome); /* DLMF 20.9.1 */
@@ -947,7 +947,7 @@ static void hyperbolic_constants(double_double K, double_double A_a, double_doub
     const double_double twice2 = dd_sub_xd(dd_mul_xx(twice, twice), 2.0); /* DLMF 4.21.27 */
     const double_double twice3 = dd_sub_xx(dd_mul_xx(twice, twice2), twice); /* DLMF 4.21.27 */
     const double_double watson = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xx(nome2, twice)), dd_mul_xx(nome8, twice2)), dd_mul_xx(common_4, twice3)); /* DLMF 20.7.14 */
-    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); theta_form.Lambda */
+    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); definition theta_form.Lambda */
     const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* (33), (34) */
     const double nome_d = dd_rounded(nome); /* DLMF 20.2.2 */
     const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome))); /* DLMF 20.2.2 */
@@ -986,42 +986,42 @@ static void hyperbolic_constants(double_double K, double_double A_a, double_doub
     const double_double tall = dd_add_dx(1.0, dd_mul_xx(p2, dd_add_xx(nome2, dd_mul_xx(p2, nome8)))); /* DLMF 20.2.2 */
     const double_double deep = dd_mul_xx(w2, dd_add_dx(1.0, dd_mul_xx(qw2, dd_add_xx(nome2, dd_mul_xx(qw2, nome8))))); /* DLMF 20.2.2 */
     const double_double theta2_y = dd_add_xx(tall, deep); /* (10), DLMF 20.2.2 */
-    const double_double P4_re = T4_re; /* (18); theta_form.P4_re */
-    const double_double P4_im = T4_im; /* (18); theta_form.P4_im */
-    const double_double P1_re = T1_re; /* (18); theta_form.P1_re */
-    const double_double P1_im = T1_im; /* (18); theta_form.P1_im */
+    const double_double P4_re = T4_re; /* (18); definition theta_form.P4_re */
+    const double_double P4_im = T4_im; /* (18); definition theta_form.P4_im */
+    const double_double P1_re = T1_re; /* (18); definition theta_form.P1_re */
+    const double_double P1_im = T1_im; /* (18); definition theta_form.P1_im */
     const double_double W = dd_mul_xx(dd_mul_dx(2.0, theta2_y), watson); /* (1), DLMF 20.7.14 */
     const double_double N = dd_sqrt(W); /* (1); theta_form.N_of_W */
     const double_double qbar_0 = dd_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
     const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
     const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
-    const double common_7 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d */
+    const double common_7 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d */
     const double_double qbar_d = dd_div_xx(dd_mul_dx(common_7, P1_re), N); /* (18), (25); theta_form.qbar_d */
     const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
     const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
     const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
     const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
     const double_double over_N = dd_div_dx(1.0, dd_sqrt(dd_mul_dx(2.0, watson))); /* (1), DLMF 20.7.14 */
-    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); attitude.q_0 */
-    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); attitude.q_0 */
-    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* (37); attitude.q_0 */
-    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); attitude.q_0 */
-    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); attitude.q_a */
-    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); attitude.q_a */
-    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* (37); attitude.q_a */
-    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); attitude.q_a */
-    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); attitude.q_b */
-    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); attitude.q_b */
-    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* (37); attitude.q_b */
-    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); attitude.q_b */
-    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); attitude.q_d */
-    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); attitude.q_d */
-    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* (37); attitude.q_d */
-    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); attitude.q_d */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); regular.tau */
-    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* (10), DLMF 22.2.4; regular.Omega_a */
-    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_b */
-    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* (10), DLMF 22.2.4; regular.Omega_d */
+    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); definition attitude.q_0 */
+    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); definition attitude.q_0 */
+    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* (37); definition attitude.q_0 */
+    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); definition attitude.q_0 */
+    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); definition attitude.q_a */
+    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); definition attitude.q_a */
+    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* (37); definition attitude.q_a */
+    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); definition attitude.q_a */
+    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); definition attitude.q_b */
+    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); definition attitude.q_b */
+    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* (37); definition attitude.q_b */
+    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); definition attitude.q_b */
+    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); definition attitude.q_d */
+    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); definition attitude.q_d */
+    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* (37); definition attitude.q_d */
+    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); definition attitude.q_d */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
+    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_a */
+    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_b */
+    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_d */
     motion->y_rate_hi = y_rate.hi;
     motion->y_rate_lo = y_rate.lo;
     motion->y0_hi = y0.hi;
@@ -1208,19 +1208,19 @@ static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, con
         const double middle = fused(w2 * w2, nome8, fused(nome4, common_3, 1.0)); /* DLMF 20.2.3 */
         const double theta3_y = 2.0 * (w * (middle + ends)); /* (10), DLMF 20.2.3 */
         const double theta4_y = 2.0 * (w * (middle - ends)); /* (10), DLMF 20.2.4 */
-        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); theta_form.P4_re */
-        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); theta_form.P4_im */
-        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); theta_form.P1_re */
-        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); theta_form.P1_im */
+        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); definition theta_form.P4_re */
+        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); definition theta_form.P4_im */
+        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); definition theta_form.P1_re */
+        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); definition theta_form.P1_im */
         const double over = 1.0 / theta2_y; /* (10) */
         const double scale = sqrt(over); /* (1) */
-        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, flip * fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); attitude.q_0 */
-        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, flip * fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); attitude.q_a */
-        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, flip * fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); attitude.q_b */
-        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, flip * fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); attitude.q_d */
-        const double Omega_a = gain_a * (theta3_y * over); /* (10); regular.Omega_a */
-        const double Omega_b = gain_b * (flip * theta1_y * over); /* (10); regular.Omega_b */
-        const double Omega_d = gain_d * (flip * theta4_y * over); /* (10); regular.Omega_d */
+        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, flip * fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); definition attitude.q_0 */
+        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, flip * fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); definition attitude.q_a */
+        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, flip * fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); definition attitude.q_b */
+        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, flip * fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); definition attitude.q_d */
+        const double Omega_a = gain_a * (theta3_y * over); /* (10); definition regular.Omega_a */
+        const double Omega_b = gain_b * (flip * theta1_y * over); /* (10); definition regular.Omega_b */
+        const double Omega_d = gain_d * (flip * theta4_y * over); /* (10); definition regular.Omega_d */
         q_0_out[i] = q_0;
         q_a_out[i] = q_a;
         q_b_out[i] = q_b;
@@ -1236,9 +1236,9 @@ static void steady_constants(double_double Omega1, double_double Omega2, double_
     double_double p1, double_double p2, double_double p3, torque_free_steady *motion)
 {
     const double_double omega = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(Omega1, Omega1), dd_mul_xx(Omega2, Omega2)), dd_mul_xx(Omega3, Omega3))); /* (3); steady.omega */
-    const double_double axis1 = dd_div_xx(Omega1, omega); /* (3); steady.axis1 */
-    const double_double axis2 = dd_div_xx(Omega2, omega); /* (3); steady.axis2 */
-    const double_double axis3 = dd_div_xx(Omega3, omega); /* (3); steady.axis3 */
+    const double_double axis1 = dd_div_xx(Omega1, omega); /* (3); definition steady.axis1 */
+    const double_double axis2 = dd_div_xx(Omega2, omega); /* (3); definition steady.axis2 */
+    const double_double axis3 = dd_div_xx(Omega3, omega); /* (3); definition steady.axis3 */
     const double_double Lambda_rate = dd_div_xx(omega, dd_mul_dx(2.0, pi)); /* (3) */
     motion->Lambda_rate_hi = Lambda_rate.hi;
     motion->Lambda_rate_lo = Lambda_rate.lo;
@@ -1291,13 +1291,13 @@ static void steady_state(const torque_free_steady *motion, size_t n, const doubl
         const double X_re = X_re_in[i];
         const double cos_half_theta = X_re; /* (3); reading steady.cos_half_theta */
         const double sin_half_theta = X_im; /* (3); reading steady.sin_half_theta */
-        const double r1 = sin_half_theta * axis1; /* (37); steady.r1 */
-        const double r2 = sin_half_theta * axis2; /* (37); steady.r2 */
-        const double r3 = sin_half_theta * axis3; /* (37); steady.r3 */
-        const double q0 = fused(-p3, r3, fused(-p2, r2, fused(p0, cos_half_theta, -(p1 * r1)))); /* (37); steady.q0 */
-        const double q1 = fused(-p3, r2, fused(p2, r3, fused(p0, r1, p1 * cos_half_theta))); /* (37); steady.q1 */
-        const double q2 = fused(-p1, r3, fused(p3, r1, fused(p0, r2, p2 * cos_half_theta))); /* (37); steady.q2 */
-        const double q3 = fused(-p2, r1, fused(p1, r2, fused(p0, r3, p3 * cos_half_theta))); /* (37); steady.q3 */
+        const double r1 = sin_half_theta * axis1; /* (37); definition steady.r1 */
+        const double r2 = sin_half_theta * axis2; /* (37); definition steady.r2 */
+        const double r3 = sin_half_theta * axis3; /* (37); definition steady.r3 */
+        const double q0 = fused(-p3, r3, fused(-p2, r2, fused(p0, cos_half_theta, -(p1 * r1)))); /* (37); definition steady.q0 */
+        const double q1 = fused(-p3, r2, fused(p2, r3, fused(p0, r1, p1 * cos_half_theta))); /* (37); definition steady.q1 */
+        const double q2 = fused(-p1, r3, fused(p3, r1, fused(p0, r2, p2 * cos_half_theta))); /* (37); definition steady.q2 */
+        const double q3 = fused(-p2, r1, fused(p1, r2, fused(p0, r3, p3 * cos_half_theta))); /* (37); definition steady.q3 */
         q0_out[i] = q0;
         q1_out[i] = q1;
         q2_out[i] = q2;
@@ -2017,7 +2017,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "bfcb31852c09738a441109c64c4ce4d2f3b305ffee85355b00ea2704ee36e447"; }
+const char *torque_free_digest(void) { return "3f36757143cef3f544e0ac5535a39ea84ffbf62a1847a7d88ac4f7dd4a880abe"; }
 
 const char *torque_free_message(int code)
 {

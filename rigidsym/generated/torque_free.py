@@ -13,9 +13,10 @@ continuous in the double cover from the attitude given; omega in body axes, rad/
 kg m^2; t in s.
 
 A comment gives the equations of the paper that its line corresponds to, or the formulas of the
-Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it
-(`reading`: the standard function that a quantity is); exact sums, products and differences of
-doubles are Knuth's (The Art of Computer Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
+Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it (or
+`definition`: what a quantity is short for; `reading`: the standard function that it is); exact
+sums, products and differences of doubles are Knuth's (The Art of Computer Programming, 4.2.2),
+Dekker's (1971) and Sterbenz's (1974).
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
 and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
@@ -28,47 +29,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.5e-16  3.3e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.6e-16  4.2e-16
-  sphere                 8.1e-16  1.9e-40
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  1.2e-51
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest fb578e6909c4f0d8e72c13f49c403a0b393f93f6365277f35e13e0fb9c86a9da
+digest f00f7223e01ceeef7e32f497fa137b70702ff7e38ced98dbbf2a068eb2e16cbd
 """
 
 # ruff: noqa
@@ -298,9 +262,9 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     E_a = common_4 * common_2 + common_5 * common_3  # (6), (15); regular.E_a
     common_6 = c_a * c_ad  # (6), (15), (10), (13), (14); regular.E_d regular.A_a
     E_d = common_6 * common_1 + c_b * c_bd * common_2  # (6), (15); regular.E_d
-    M_a = c_a * Omega_a  # (8); attitude.M_a
-    M_b = c_b * Omega_b  # (8); attitude.M_b
-    M_d = c_d * Omega_d  # (8); attitude.M_d
+    M_a = c_a * Omega_a  # (8); definition attitude.M_a
+    M_b = c_b * Omega_b  # (8); definition attitude.M_b
+    M_d = c_d * Omega_d  # (8); definition attitude.M_d
     K = _sqrt(M_a * M_a + M_b * M_b + M_d * M_d)  # (6), (15); attitude.K
     A_a = _sqrt(E_d / common_6)  # (10), (13), (14); regular.A_a
     A_b = _sqrt(E_a / common_4)  # (10), (13), (14); regular.A_b
@@ -309,9 +273,9 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     lambda_ = _sqrt(common_7 / (c_a * c_b * c_d))  # (10), (13), (14); regular.lambda_
     m = E_a * c_bd / (E_d * c_ab)  # (10), (13), (14); regular.m
     m_1 = c_ad * E_b / common_7  # (10), (13), (14); regular.m_1
-    tau = -rho * epsilon * sigma  # (16), (17); regular.tau
+    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
     k_c = _sqrt(m_1)  # DLMF 22.7.1; descended.k_c
-    common_8 = 1 + k_c  # DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu landen.kc_next
+    common_8 = 1 + k_c  # DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu definition landen.kc_next
     k_1 = m / (common_8 * common_8)  # DLMF 22.7.1; descended.k_1
     mu = lambda_ * common_8 / 2  # DLMF 22.7.2; descended.mu
     common_9 = c_a * A_a  # (33), (34), (27); descended.psi_0 theta_form.B_a
@@ -322,7 +286,7 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     B_a = common_9  # (27); theta_form.B_a
     B_d = c_d * A_d  # (28); theta_form.B_d
     root_kc = _sqrt(k_c)  # DLMF 22.7.1; landen.root_kc
-    kc_1 = 2 * root_kc / common_8  # DLMF 22.7.1; landen.kc_next
+    kc_1 = 2 * root_kc / common_8  # DLMF 22.7.1; definition landen.kc_next
     common_10 = 1 + dn  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next
     common_11 = (1 + k_1) * common_10  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v
     s = 2 * sn / common_11  # DLMF 22.7.2 to 22.7.4; landen.s_next
@@ -334,11 +298,11 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
 
 def _landen(k, kc, s, c, d, r, Y):
     """One step of Landen's descending transformation."""
-    common_1 = 1 + kc  # DLMF 22.7.1; landen.k_next landen.kc_next landen.r_next
+    common_1 = 1 + kc  # DLMF 22.7.1; landen.k_next definition landen.kc_next landen.r_next
     common_2 = k / common_1  # DLMF 22.7.1; landen.k_next
     k_next = common_2 * common_2  # DLMF 22.7.1; landen.k_next
     root_kc = _sqrt(kc)  # DLMF 22.7.1; landen.root_kc
-    kc_next = 2 * root_kc / common_1  # DLMF 22.7.1; landen.kc_next
+    kc_next = 2 * root_kc / common_1  # DLMF 22.7.1; definition landen.kc_next
     common_3 = 1 + k_next  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next
     common_4 = 1 + d  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next
     common_5 = common_3 * common_4  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v
@@ -360,21 +324,21 @@ def _ladder(k, kc, s, c, d, r, Y):
     k4, kc4, s4, c4, d4, r4, Y4 = _landen(k3, kc3, s3, c3, d3, r3, Y3)  # DLMF 22.7.2
     k5, kc5, s5, c5, d5, r5, Y5 = _landen(k4, kc4, s4, c4, d4, r4, Y4)  # DLMF 22.7.2
     K5 = pi / 2  # DLMF 19.6.1
-    K4 = (1 + k5) * K5  # DLMF 19.8.12; landen.K
-    K3 = (1 + k4) * K4  # DLMF 19.8.12; landen.K
-    K2 = (1 + k3) * K3  # DLMF 19.8.12; landen.K
-    K1 = (1 + k2) * K2  # DLMF 19.8.12; landen.K
-    K0 = (1 + k1) * K1  # DLMF 19.8.12; landen.K
+    K4 = (1 + k5) * K5  # DLMF 19.8.12; definition landen.K
+    K3 = (1 + k4) * K4  # DLMF 19.8.12; definition landen.K
+    K2 = (1 + k3) * K3  # DLMF 19.8.12; definition landen.K
+    K1 = (1 + k2) * K2  # DLMF 19.8.12; definition landen.K
+    K0 = (1 + k1) * K1  # DLMF 19.8.12; definition landen.K
     return K0, s5, c5, Y5
 
 
 def _root_ratio(k, kc):
     """k/sqrt(q) where q is the nome of modulus k, kc its complement, k^2 <= 1/2."""
     root_kc = _sqrt(kc)  # DLMF 19.8.12
-    common_1 = 1 + kc  # DLMF 19.8.12, DLMF 20.9.1; landen.k_next landen.kc_next
+    common_1 = 1 + kc  # DLMF 19.8.12, DLMF 20.9.1; landen.k_next definition landen.kc_next
     common_2 = k / common_1  # DLMF 19.8.12; landen.k_next
     k_next = common_2 * common_2  # DLMF 19.8.12; landen.k_next
-    kc_next = 2 * root_kc / common_1  # DLMF 19.8.12; landen.kc_next
+    kc_next = 2 * root_kc / common_1  # DLMF 19.8.12; definition landen.kc_next
     root = 1 + _sqrt(kc_next)  # DLMF 20.9.1
     f = 2 * (1 + kc_next) * root * root  # DLMF 20.9.1
     e = k_next * k_next / f  # DLMF 20.9.1
@@ -416,7 +380,7 @@ def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, 
     r = _root_ratio(k_1, kc_1)  # DLMF 20.9.1
     root_r = _sqrt(r)  # (27); scaling.root_r
     Q = k_1 / r  # (27); scaling.Q
-    Y = B_d / ((K + B_a) * root_r)  # (28); scaling.Y
+    Y = B_d / ((K + B_a) * root_r)  # (28); definition scaling.Y
     K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)  # DLMF 19.8.12
     root_h = _sqrt(Y_b * Y_b + Q)  # (28); scaling.root_h
     h_plus = root_h + Y_b  # (28); scaling.h_plus
@@ -531,7 +495,7 @@ def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, 
     side_plus = h2_plus * (1 + Q2 * h2_plus * (1 + Q4 * h2_plus * (1 + Q6 * h2_plus * (1 + common_4 * h2_plus))))  # DLMF 20.7.14
     side_minus = h2_minus * (1 + Q2 * h2_minus * (1 + Q4 * h2_minus * (1 + Q6 * h2_minus * (1 + common_4 * h2_minus))))  # DLMF 20.7.14
     watson = 1 + side_plus + side_minus  # DLMF 20.7.14
-    Lambda = psi_0 / 2 + rho * mu * zeta  # (33), (34); theta_form.Lambda
+    Lambda = psi_0 / 2 + rho * mu * zeta  # (33), (34); definition theta_form.Lambda
     Lambda_rate = Lambda / pi  # (33), (34)
     v = _half_turns(sin_v, cos_v)  # (12)
     v_rate = mu * g / pi  # (10), (20)
@@ -544,42 +508,42 @@ def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, 
     sum_even = _horner(x2, even_0, even_1, even_2)  # DLMF 20.2.4
     sum_odd = x * (odd_0 + x2 * odd_1)  # DLMF 20.2.4
     theta4_v = sum_even - sum_odd  # (10), DLMF 20.2.4
-    P4_re = T4_re  # (18); theta_form.P4_re
-    P4_im = T4_im  # (18); theta_form.P4_im
-    P1_re = T1_re  # (18); theta_form.P1_re
-    P1_im = T1_im  # (18); theta_form.P1_im
+    P4_re = T4_re  # (18); definition theta_form.P4_re
+    P4_im = T4_im  # (18); definition theta_form.P4_im
+    P1_re = T1_re  # (18); definition theta_form.P1_re
+    P1_im = T1_im  # (18); definition theta_form.P1_im
     W = theta4_v * watson  # (1), DLMF 20.7.14
     N = _sqrt(W)  # (1); theta_form.N_of_W
     qbar_0 = P4_re / N  # (18), (25); theta_form.qbar_0
     qbar_a = sigma * P4_im / N  # (18), (25); theta_form.qbar_a
     qbar_b = chi * P1_im / N  # (18), (25); theta_form.qbar_b
-    common_11 = -epsilon * sigma * chi  # (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
+    common_11 = -epsilon * sigma * chi  # (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d
     qbar_d = common_11 * P1_re / N  # (18), (25); theta_form.qbar_d
     p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # (37); attitude.p_0
     p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # (37); attitude.p_a
     p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # (37); attitude.p_b
     p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # (37); attitude.p_d
     over_N = 1 / _sqrt(watson)  # (1), DLMF 20.7.14
-    row_0_P4_re = over_N * p_0  # (37); attitude.q_0
-    row_0_P4_im = over_N * -(p_a * sigma)  # (37); attitude.q_0
-    row_0_P1_re = over_N * -(p_d * common_11)  # (37); attitude.q_0
-    row_0_P1_im = over_N * -(p_b * chi)  # (37); attitude.q_0
-    row_a_P4_re = over_N * p_a  # (37); attitude.q_a
-    row_a_P4_im = over_N * (p_0 * sigma)  # (37); attitude.q_a
-    row_a_P1_re = over_N * (epsilon * (p_b * common_11))  # (37); attitude.q_a
-    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # (37); attitude.q_a
-    row_b_P4_re = over_N * p_b  # (37); attitude.q_b
-    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # (37); attitude.q_b
-    row_b_P1_re = over_N * (epsilon * -(p_a * common_11))  # (37); attitude.q_b
-    row_b_P1_im = over_N * (p_0 * chi)  # (37); attitude.q_b
-    row_d_P4_re = over_N * p_d  # (37); attitude.q_d
-    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # (37); attitude.q_d
-    row_d_P1_re = over_N * (p_0 * common_11)  # (37); attitude.q_d
-    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); attitude.q_d
-    tau = -rho * epsilon * sigma  # (16), (17); regular.tau
-    gain_a = sigma * A_a * (four / three) * unit  # (10), DLMF 22.2.4; regular.Omega_a
-    gain_b = chi * A_b * (three / two) * unit  # (10), DLMF 22.2.4; regular.Omega_b
-    gain_d = chi * tau * A_d * (four / two) * unit  # (10), DLMF 22.2.4; regular.Omega_d
+    row_0_P4_re = over_N * p_0  # (37); definition attitude.q_0
+    row_0_P4_im = over_N * -(p_a * sigma)  # (37); definition attitude.q_0
+    row_0_P1_re = over_N * -(p_d * common_11)  # (37); definition attitude.q_0
+    row_0_P1_im = over_N * -(p_b * chi)  # (37); definition attitude.q_0
+    row_a_P4_re = over_N * p_a  # (37); definition attitude.q_a
+    row_a_P4_im = over_N * (p_0 * sigma)  # (37); definition attitude.q_a
+    row_a_P1_re = over_N * (epsilon * (p_b * common_11))  # (37); definition attitude.q_a
+    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # (37); definition attitude.q_a
+    row_b_P4_re = over_N * p_b  # (37); definition attitude.q_b
+    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # (37); definition attitude.q_b
+    row_b_P1_re = over_N * (epsilon * -(p_a * common_11))  # (37); definition attitude.q_b
+    row_b_P1_im = over_N * (p_0 * chi)  # (37); definition attitude.q_b
+    row_d_P4_re = over_N * p_d  # (37); definition attitude.q_d
+    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # (37); definition attitude.q_d
+    row_d_P1_re = over_N * (p_0 * common_11)  # (37); definition attitude.q_d
+    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); definition attitude.q_d
+    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
+    gain_a = sigma * A_a * (four / three) * unit  # (10), DLMF 22.2.4; definition regular.Omega_a
+    gain_b = chi * A_b * (three / two) * unit  # (10), DLMF 22.2.4; definition regular.Omega_b
+    gain_d = chi * tau * A_d * (four / two) * unit  # (10), DLMF 22.2.4; definition regular.Omega_d
     return v_rate.hi, v_rate.lo, v.hi, v.lo, Lambda_rate.hi, Lambda_rate.lo, _rounded(T4_re_0), _rounded(T4_re_1), _rounded(T4_re_2), _rounded(T4_re_3), _rounded(T4_im_0), _rounded(T4_im_1), _rounded(T4_im_2), _rounded(T1_re_0), _rounded(T1_re_1), _rounded(T1_re_2), _rounded(T1_re_3), _rounded(T1_im_0), _rounded(T1_im_1), _rounded(T1_im_2), _rounded(T1_im_3), _rounded(even_0), _rounded(even_1), _rounded(even_2), _rounded(odd_0), _rounded(odd_1), _rounded(sine_even_0), _rounded(sine_even_1), _rounded(sine_even_2), _rounded(sine_odd_0), _rounded(sine_odd_1), _rounded(row_0_P4_re), _rounded(row_0_P4_im), _rounded(row_0_P1_re), _rounded(row_0_P1_im), _rounded(row_a_P4_re), _rounded(row_a_P4_im), _rounded(row_a_P1_re), _rounded(row_a_P1_im), _rounded(row_b_P4_re), _rounded(row_b_P4_im), _rounded(row_b_P1_re), _rounded(row_b_P1_im), _rounded(row_d_P4_re), _rounded(row_d_P4_im), _rounded(row_d_P1_re), _rounded(row_d_P1_im), _rounded(gain_a), _rounded(gain_b), _rounded(gain_d)
 
 
@@ -625,32 +589,32 @@ def _circular_state(sin_v, cos_v, X_im, X_re, T4_re_0, T4_re_1, T4_re_2, T4_re_3
     part_odd = x * (sine_odd_0 + x2 * sine_odd_1)  # DLMF 20.2.1
     theta1_v = sin_v * (part_even + part_odd)  # (10), DLMF 20.2.1
     theta2_v = cos_v * (part_even - part_odd)  # (10), DLMF 20.2.2
-    P4_re = X_re * T4_re - X_im * T4_im  # (18); theta_form.P4_re
-    P4_im = X_re * T4_im + X_im * T4_re  # (18); theta_form.P4_im
-    P1_re = X_re * T1_re - X_im * T1_im  # (18); theta_form.P1_re
-    P1_im = X_re * T1_im + X_im * T1_re  # (18); theta_form.P1_im
+    P4_re = X_re * T4_re - X_im * T4_im  # (18); definition theta_form.P4_re
+    P4_im = X_re * T4_im + X_im * T4_re  # (18); definition theta_form.P4_im
+    P1_re = X_re * T1_re - X_im * T1_im  # (18); definition theta_form.P1_re
+    P1_im = X_re * T1_im + X_im * T1_re  # (18); definition theta_form.P1_im
     over = 1 / theta4_v  # (10)
     scale = _sqrt(over)  # (1)
-    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # (18), (37); attitude.q_0
-    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # (18), (37); attitude.q_a
-    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # (18), (37); attitude.q_b
-    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # (18), (37); attitude.q_d
-    Omega_a = gain_a * (theta3_v * over)  # (10); regular.Omega_a
-    Omega_b = gain_b * (theta1_v * over)  # (10); regular.Omega_b
-    Omega_d = gain_d * (theta2_v * over)  # (10); regular.Omega_d
+    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # (18), (37); definition attitude.q_0
+    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # (18), (37); definition attitude.q_a
+    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # (18), (37); definition attitude.q_b
+    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # (18), (37); definition attitude.q_d
+    Omega_a = gain_a * (theta3_v * over)  # (10); definition regular.Omega_a
+    Omega_b = gain_b * (theta1_v * over)  # (10); definition regular.Omega_b
+    Omega_d = gain_d * (theta2_v * over)  # (10); definition regular.Omega_d
     return q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d
 
 
 def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit):
     """The constants of a motion on the hyperbolic branch, from `_initial_state`."""
     root_k = _sqrt(k_1)  # (27); theta_form.root_k
-    x = B_d / (root_k * (K + B_a))  # (28); theta_form.x
+    x = B_d / (root_k * (K + B_a))  # (28); definition theta_form.x
     y = _sqrt(1 + x * x)  # DLMF 22.6.1; theta_form.y
     common_1 = k_1 * x  # DLMF 22.6.1; theta_form.z
     z = _sqrt(1 + common_1 * common_1)  # DLMF 22.6.1; theta_form.z
-    s_beta = x / y  # DLMF 22.6.1; theta_form.s_beta
-    c_beta = 1 / y  # DLMF 22.6.1; theta_form.c_beta
-    d_beta = z / y  # DLMF 22.6.1; theta_form.d_beta
+    s_beta = x / y  # DLMF 22.6.1; definition theta_form.s_beta
+    c_beta = 1 / y  # DLMF 22.6.1; definition theta_form.c_beta
+    d_beta = z / y  # DLMF 22.6.1; definition theta_form.d_beta
     r = _root_ratio(kc_1, k_1)  # DLMF 20.9.1
     root_nome = kc_1 / r  # DLMF 20.9.1
     nome = root_nome * root_nome  # DLMF 20.9.1
@@ -702,7 +666,7 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c
     twice2 = twice * twice - 2  # DLMF 4.21.27
     twice3 = twice * twice2 - twice  # DLMF 4.21.27
     watson = 1 + nome2 * twice + nome8 * twice2 + common_4 * twice3  # DLMF 20.7.14
-    Lambda = psi_0 / 2 + rho * mu * zeta  # (33), (34); theta_form.Lambda
+    Lambda = psi_0 / 2 + rho * mu * zeta  # (33), (34); definition theta_form.Lambda
     Lambda_rate = Lambda / pi  # (33), (34)
     nome_d = _rounded(nome)  # DLMF 20.2.2
     period = -_logarithm(_choose(nome_d, 0, 1, nome))  # DLMF 20.2.2
@@ -741,42 +705,42 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c
     tall = _horner(p2, 1, nome2, nome8)  # DLMF 20.2.2
     deep = w2 * _horner(qw2, 1, nome2, nome8)  # DLMF 20.2.2
     theta2_y = tall + deep  # (10), DLMF 20.2.2
-    P4_re = T4_re  # (18); theta_form.P4_re
-    P4_im = T4_im  # (18); theta_form.P4_im
-    P1_re = T1_re  # (18); theta_form.P1_re
-    P1_im = T1_im  # (18); theta_form.P1_im
+    P4_re = T4_re  # (18); definition theta_form.P4_re
+    P4_im = T4_im  # (18); definition theta_form.P4_im
+    P1_re = T1_re  # (18); definition theta_form.P1_re
+    P1_im = T1_im  # (18); definition theta_form.P1_im
     W = 2 * theta2_y * watson  # (1), DLMF 20.7.14
     N = _sqrt(W)  # (1); theta_form.N_of_W
     qbar_0 = P4_re / N  # (18), (25); theta_form.qbar_0
     qbar_a = sigma * P4_im / N  # (18), (25); theta_form.qbar_a
     qbar_b = chi * P1_im / N  # (18), (25); theta_form.qbar_b
-    common_7 = -epsilon * sigma * chi  # (18), (25), (37); theta_form.qbar_d attitude.q_0 attitude.q_a attitude.q_b attitude.q_d
+    common_7 = -epsilon * sigma * chi  # (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d
     qbar_d = common_7 * P1_re / N  # (18), (25); theta_form.qbar_d
     p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # (37); attitude.p_0
     p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # (37); attitude.p_a
     p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # (37); attitude.p_b
     p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # (37); attitude.p_d
     over_N = 1 / _sqrt(2 * watson)  # (1), DLMF 20.7.14
-    row_0_P4_re = over_N * p_0  # (37); attitude.q_0
-    row_0_P4_im = over_N * -(p_a * sigma)  # (37); attitude.q_0
-    row_0_P1_re = over_N * -(p_d * common_7)  # (37); attitude.q_0
-    row_0_P1_im = over_N * -(p_b * chi)  # (37); attitude.q_0
-    row_a_P4_re = over_N * p_a  # (37); attitude.q_a
-    row_a_P4_im = over_N * (p_0 * sigma)  # (37); attitude.q_a
-    row_a_P1_re = over_N * (epsilon * (p_b * common_7))  # (37); attitude.q_a
-    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # (37); attitude.q_a
-    row_b_P4_re = over_N * p_b  # (37); attitude.q_b
-    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # (37); attitude.q_b
-    row_b_P1_re = over_N * (epsilon * -(p_a * common_7))  # (37); attitude.q_b
-    row_b_P1_im = over_N * (p_0 * chi)  # (37); attitude.q_b
-    row_d_P4_re = over_N * p_d  # (37); attitude.q_d
-    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # (37); attitude.q_d
-    row_d_P1_re = over_N * (p_0 * common_7)  # (37); attitude.q_d
-    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); attitude.q_d
-    tau = -rho * epsilon * sigma  # (16), (17); regular.tau
-    gain_a = sigma * A_a * (two / three) * unit  # (10), DLMF 22.2.4; regular.Omega_a
-    gain_b = chi * A_b * (three / four) * unit  # (10), DLMF 22.2.4; regular.Omega_b
-    gain_d = chi * tau * A_d * (two / four) * unit  # (10), DLMF 22.2.4; regular.Omega_d
+    row_0_P4_re = over_N * p_0  # (37); definition attitude.q_0
+    row_0_P4_im = over_N * -(p_a * sigma)  # (37); definition attitude.q_0
+    row_0_P1_re = over_N * -(p_d * common_7)  # (37); definition attitude.q_0
+    row_0_P1_im = over_N * -(p_b * chi)  # (37); definition attitude.q_0
+    row_a_P4_re = over_N * p_a  # (37); definition attitude.q_a
+    row_a_P4_im = over_N * (p_0 * sigma)  # (37); definition attitude.q_a
+    row_a_P1_re = over_N * (epsilon * (p_b * common_7))  # (37); definition attitude.q_a
+    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # (37); definition attitude.q_a
+    row_b_P4_re = over_N * p_b  # (37); definition attitude.q_b
+    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # (37); definition attitude.q_b
+    row_b_P1_re = over_N * (epsilon * -(p_a * common_7))  # (37); definition attitude.q_b
+    row_b_P1_im = over_N * (p_0 * chi)  # (37); definition attitude.q_b
+    row_d_P4_re = over_N * p_d  # (37); definition attitude.q_d
+    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # (37); definition attitude.q_d
+    row_d_P1_re = over_N * (p_0 * common_7)  # (37); definition attitude.q_d
+    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); definition attitude.q_d
+    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
+    gain_a = sigma * A_a * (two / three) * unit  # (10), DLMF 22.2.4; definition regular.Omega_a
+    gain_b = chi * A_b * (three / four) * unit  # (10), DLMF 22.2.4; definition regular.Omega_b
+    gain_d = chi * tau * A_d * (two / four) * unit  # (10), DLMF 22.2.4; definition regular.Omega_d
     return y_rate.hi, y_rate.lo, y0.hi, y0.lo, period.hi, period.lo, Lambda_rate.hi, Lambda_rate.lo, jump.hi, jump.lo, period_far, period_inverse, _rounded(re_0), _rounded(re_1), _rounded(re_2), _rounded(re_3), _rounded(im_0), _rounded(im_1), _rounded(im_2), _rounded(im_3), _rounded(nome), _rounded(nome2), _rounded(nome4), _rounded(nome8), _rounded(nome12), _rounded(row_0_P4_re), _rounded(row_0_P4_im), _rounded(row_0_P1_re), _rounded(row_0_P1_im), _rounded(row_a_P4_re), _rounded(row_a_P4_im), _rounded(row_a_P1_re), _rounded(row_a_P1_im), _rounded(row_b_P4_re), _rounded(row_b_P4_im), _rounded(row_b_P1_re), _rounded(row_b_P1_im), _rounded(row_d_P4_re), _rounded(row_d_P4_im), _rounded(row_d_P1_re), _rounded(row_d_P1_im), _rounded(gain_a), _rounded(gain_b), _rounded(gain_d)
 
 
@@ -850,28 +814,28 @@ def _hyperbolic_state(w, p, side, flip, X_im, X_re, re_0, re_1, re_2, re_3, im_0
     middle = 1 + nome4 * common_3 + w2 * w2 * nome8  # DLMF 20.2.3
     theta3_y = 2 * (w * (middle + ends))  # (10), DLMF 20.2.3
     theta4_y = 2 * (w * (middle - ends))  # (10), DLMF 20.2.4
-    P4_re = X_re * T4_re - X_im * T4_im  # (18); theta_form.P4_re
-    P4_im = X_re * T4_im + X_im * T4_re  # (18); theta_form.P4_im
-    P1_re = X_re * T1_re - X_im * T1_im  # (18); theta_form.P1_re
-    P1_im = X_re * T1_im + X_im * T1_re  # (18); theta_form.P1_im
+    P4_re = X_re * T4_re - X_im * T4_im  # (18); definition theta_form.P4_re
+    P4_im = X_re * T4_im + X_im * T4_re  # (18); definition theta_form.P4_im
+    P1_re = X_re * T1_re - X_im * T1_im  # (18); definition theta_form.P1_re
+    P1_im = X_re * T1_im + X_im * T1_re  # (18); definition theta_form.P1_im
     over = 1 / theta2_y  # (10)
     scale = _sqrt(over)  # (1)
-    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + flip * (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # (18), (37); attitude.q_0
-    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + flip * (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # (18), (37); attitude.q_a
-    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + flip * (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # (18), (37); attitude.q_b
-    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + flip * (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # (18), (37); attitude.q_d
-    Omega_a = gain_a * (theta3_y * over)  # (10); regular.Omega_a
-    Omega_b = gain_b * (flip * theta1_y * over)  # (10); regular.Omega_b
-    Omega_d = gain_d * (flip * theta4_y * over)  # (10); regular.Omega_d
+    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + flip * (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # (18), (37); definition attitude.q_0
+    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + flip * (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # (18), (37); definition attitude.q_a
+    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + flip * (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # (18), (37); definition attitude.q_b
+    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + flip * (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # (18), (37); definition attitude.q_d
+    Omega_a = gain_a * (theta3_y * over)  # (10); definition regular.Omega_a
+    Omega_b = gain_b * (flip * theta1_y * over)  # (10); definition regular.Omega_b
+    Omega_d = gain_d * (flip * theta4_y * over)  # (10); definition regular.Omega_d
     return q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d
 
 
 def _steady_constants(Omega1, Omega2, Omega3, p0, p1, p2, p3):
     """The axis and the rate of a motion with constant rates."""
     omega = _sqrt(Omega1 * Omega1 + Omega2 * Omega2 + Omega3 * Omega3)  # (3); steady.omega
-    axis1 = Omega1 / omega  # (3); steady.axis1
-    axis2 = Omega2 / omega  # (3); steady.axis2
-    axis3 = Omega3 / omega  # (3); steady.axis3
+    axis1 = Omega1 / omega  # (3); definition steady.axis1
+    axis2 = Omega2 / omega  # (3); definition steady.axis2
+    axis3 = Omega3 / omega  # (3); definition steady.axis3
     Lambda_rate = omega / (2 * pi)  # (3)
     return Lambda_rate.hi, Lambda_rate.lo, _rounded(axis1), _rounded(axis2), _rounded(axis3), _rounded(p0), _rounded(p1), _rounded(p2), _rounded(p3)
 
@@ -894,13 +858,13 @@ def _steady_state(X_im, X_re, axis1, axis2, axis3, p0, p1, p2, p3):
     """The attitude from `_steady_angles`."""
     cos_half_theta = X_re  # (3); reading steady.cos_half_theta
     sin_half_theta = X_im  # (3); reading steady.sin_half_theta
-    r1 = sin_half_theta * axis1  # (37); steady.r1
-    r2 = sin_half_theta * axis2  # (37); steady.r2
-    r3 = sin_half_theta * axis3  # (37); steady.r3
-    q0 = p0 * cos_half_theta - p1 * r1 - p2 * r2 - p3 * r3  # (37); steady.q0
-    q1 = p0 * r1 + p1 * cos_half_theta + p2 * r3 - p3 * r2  # (37); steady.q1
-    q2 = p0 * r2 + p2 * cos_half_theta + p3 * r1 - p1 * r3  # (37); steady.q2
-    q3 = p0 * r3 + p3 * cos_half_theta + p1 * r2 - p2 * r1  # (37); steady.q3
+    r1 = sin_half_theta * axis1  # (37); definition steady.r1
+    r2 = sin_half_theta * axis2  # (37); definition steady.r2
+    r3 = sin_half_theta * axis3  # (37); definition steady.r3
+    q0 = p0 * cos_half_theta - p1 * r1 - p2 * r2 - p3 * r3  # (37); definition steady.q0
+    q1 = p0 * r1 + p1 * cos_half_theta + p2 * r3 - p3 * r2  # (37); definition steady.q1
+    q2 = p0 * r2 + p2 * cos_half_theta + p3 * r1 - p1 * r3  # (37); definition steady.q2
+    q3 = p0 * r3 + p3 * cos_half_theta + p1 * r2 - p2 * r1  # (37); definition steady.q3
     return q0, q1, q2, q3
 
 

@@ -1,7 +1,7 @@
 """Files: case files, tables of states, and tracks for other programs (CCSDS messages, splines)."""
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from rigidsym.io.attitude_ephemeris import aem
@@ -19,7 +19,7 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym.io' has no attribute {name!r}")
     return getattr(import_module(_HOMES[name]), name)

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
 from rigidsym import inputs
 from rigidsym.errors import InputError, written
@@ -52,13 +51,13 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
     return Case(motion, _times(data["times"]))
 
 
-def _times(value: Any) -> tuple[Fraction, ...]:
+def _times(value: inputs.Times | toml_file.TomlTable) -> tuple[Fraction, ...]:
     if isinstance(value, Mapping):
         return _grid(value)
     return inputs.times(inputs.sequence("times", value))[0]
 
 
-def _grid(table: Mapping[str, Any]) -> tuple[Fraction, ...]:
+def _grid(table: toml_file.TomlTable) -> tuple[Fraction, ...]:
     """count times from start to stop, both included."""
     if set(table) != {"start", "stop", "count"}:
         raise InputError("times", sorted(table), "a table of times has start, stop and count")

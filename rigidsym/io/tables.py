@@ -4,7 +4,7 @@ import io
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypedDict, TypeVar, Unpack
 
 import numpy as np
 
@@ -13,6 +13,19 @@ from rigidsym.io.cases import Case
 
 COLUMNS = ("t", "q0", "q1", "q2", "q3", "omega1", "omega2", "omega3")
 SCHEMA = "rigidsym.states/1"
+
+if TYPE_CHECKING:
+    from mpmath import mpf
+
+Time = TypeVar("Time")
+
+
+class How(TypedDict, total=False):
+    """The arguments of `precise` and `enclose` besides times and digits."""
+
+    method: str
+    max_seconds: float
+
 
 # A decimal string, or a ball: `mid` and `rad` as decimal strings.
 Number = str | dict[str, str]
@@ -33,18 +46,18 @@ def doubles(case: Case) -> Table:
     return _table(times, case.motion(times), repr, lambda x: repr(float(x)))
 
 
-def decimals(case: Case, digits: int, **how: Any) -> Table:
+def decimals(case: Case, digits: int, **how: Unpack[How]) -> Table:
     """`digits` digits of each number; `how` are the other arguments of `precise`."""
     from mpmath import mp
 
-    def text(x: Any) -> str:
+    def text(x: "mpf") -> str:
         return mp.nstr(x, digits, strip_zeros=False, min_fixed=-4, max_fixed=digits + 1)
 
     states = case.motion.precise(list(case.times), digits, **how)
     return _table(case.times, states, lambda t: inputs.decimal(t, digits), text)
 
 
-def balls(case: Case, digits: int, **how: Any) -> Table:
+def balls(case: Case, digits: int, **how: Unpack[How]) -> Table:
     """Decimal balls that contain the true values; `how` are the other arguments of `enclose`."""
     from rigidsym.precise.printed import printed_ball, printed_rational
 
@@ -55,9 +68,9 @@ def balls(case: Case, digits: int, **how: Any) -> Table:
 
 
 def _table(
-    times: Iterable[Any],
+    times: Iterable[Time],
     states: tuple[np.ndarray, np.ndarray],
-    time: Callable[[Any], Number],
+    time: Callable[[Time], Number],
     number: Callable[[Any], Number],
     parts: tuple[str, ...] = (),
 ) -> Table:

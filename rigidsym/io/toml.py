@@ -6,8 +6,11 @@ from typing import Any
 
 from rigidsym.errors import InputError
 
+# Of values that may be of any type, until somebody has read them.
+TomlTable = Mapping[str, Any]
 
-def parse(field: str, text: str) -> dict[str, Any]:
+
+def parse(field: str, text: str) -> TomlTable:
     """The tables of TOML text; raises InputError where it is none."""
     try:
         return tomllib.loads(text)
@@ -16,7 +19,7 @@ def parse(field: str, text: str) -> dict[str, Any]:
 
 
 def check_keys(
-    field: str, table: Mapping[str, Any], known: Collection[str], needed: Collection[str] = ()
+    field: str, table: TomlTable, known: Collection[str], needed: Collection[str] = ()
 ) -> None:
     """Raise InputError for a key that is not known, and for one that is needed and missing."""
     for key in table:

@@ -1,9 +1,10 @@
 """Tracks: attitudes and rates at increasing times, all that an export needs to know."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.errors import InputError
 
@@ -35,13 +36,13 @@ class Track:
         object.__setattr__(self, "omega", _rows("omega", self.omega, times.size, 3))
 
 
-def sampled(motion: "TorqueFreeMotion", times: Any) -> Track:
+def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
     """The track of a motion at times (N,), s.  Raises InputError as the motion and `Track` do."""
     given = np.atleast_1d(_array("times", times))
     return Track(given, *motion(given))
 
 
-def _array(field: str, value: Any) -> np.ndarray:
+def _array(field: str, value: ArrayLike) -> np.ndarray:
     """A copy, of finite doubles."""
     try:
         array = np.array(value)
@@ -56,7 +57,7 @@ def _array(field: str, value: Any) -> np.ndarray:
     return array
 
 
-def _rows(field: str, value: Any, count: int, width: int) -> np.ndarray:
+def _rows(field: str, value: ArrayLike, count: int, width: int) -> np.ndarray:
     array = _array(field, value)
     if array.shape != (count, width):
         rule = f"must have the shape ({count}, {width}), a row for each time"

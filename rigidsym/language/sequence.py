@@ -4,11 +4,13 @@ from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import cached_property
 from types import CodeType
-from typing import Any
+from typing import Any, TypeVar
 
 from rigidsym.language.expression import Expression, by_products, names, to_text
 
-Functions = Mapping[str, Callable[..., Any]]
+# By name: what formulas call, and the constants that they name.
+Functions = Mapping[str, object]
+Value = TypeVar("Value")
 
 
 class FormulaSequence:
@@ -38,7 +40,7 @@ class FormulaSequence:
             self._parts[wanted] = FormulaSequence(reversed(kept))
         return self._parts[wanted]
 
-    def evaluate(self, values: Mapping[str, Any], functions: Functions) -> dict[str, Any]:
+    def evaluate(self, values: Mapping[str, Value], functions: Functions) -> dict[str, Value]:
         """All quantities by name, among the values and functions given.
 
         Raises NameError for a value or function that is not given.
@@ -49,10 +51,10 @@ class FormulaSequence:
 
     def evaluate_exactly(
         self,
-        values: Mapping[str, Any],
+        values: Mapping[str, Value],
         functions: Functions,
-        convert: Callable[[Any], Any],
-    ) -> dict[str, Any]:
+        convert: Callable[[Value], Value],
+    ) -> dict[str, Value]:
         """All quantities by name; those given are kept, those of rationals alone are rational.
 
         Where a formula uses anything else, all that it uses is converted first.

@@ -1,7 +1,7 @@
 """Manoeuvres along natural motions: planned, flown, compared."""
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidsym.errors import require
 
@@ -25,7 +25,7 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym.manoeuvre' has no attribute {name!r}")
     require("rigidsym.manoeuvre", "scipy")

@@ -1,9 +1,7 @@
 """Manoeuvre files, with the tables of the flight that tracks them."""
 
-from collections.abc import Mapping
 from importlib import resources
 from pathlib import Path
-from typing import Any
 
 from rigidsym.io import toml as toml_file
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre, load, parse
@@ -13,7 +11,7 @@ PAPER = "paper.toml"
 FLIGHT = frozenset({"orbit", "wheels", "controller", "spacecraft", "disturbances", "run"})
 
 
-def open_manoeuvre(name: str) -> tuple[Manoeuvre, Mapping[str, Any]]:
+def open_manoeuvre(name: str) -> tuple[Manoeuvre, toml_file.TomlTable]:
     """What a file asks for, and all of its tables; `paper` is the file of the package.
 
     Raises InputError about the first bad thing of the manoeuvre itself.

@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
+from rigidsym.inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.io import toml as toml_file
 from rigidsym.io.files import read_text
 
@@ -27,6 +28,17 @@ class Limits:
     "Of the body rates at any time of the motion, |omega|, rad/s."
     max_burst: Fraction | None = None
     "Of either burst, the change of the momentum that it makes, N m s."
+
+
+class ManoeuvreTables(TypedDict):
+    """The tables of a manoeuvre file, numbers as strings."""
+
+    inertia: list[str]
+    start: list[str]
+    target: list[str]
+    duration: str | None
+    spin: dict[str, list[str]]
+    limits: dict[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,16 +65,17 @@ class Manoeuvre:
         turned = any(p * s != q * r for (p, q), (r, s) in pairs)
         return not (turned or any(self.start_spin) or any(self.target_spin))
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> ManoeuvreTables:
         """The tables of a manoeuvre file, numbers as strings that mean them exactly."""
-        data: dict[str, Any] = {name: _texts(getattr(self, name)) for name in _NEEDED}
-        data["duration"] = None if self.duration is None else inputs.exact_text(self.duration)
-        data["spin"] = {"start": _texts(self.start_spin), "target": _texts(self.target_spin)}
         given = {"max_rate": self.limits.max_rate, "max_burst": self.limits.max_burst}
-        data["limits"] = {
-            k: inputs.exact_text(value) for k, value in given.items() if value is not None
+        return {
+            "inertia": _texts(self.inertia),
+            "start": _texts(self.start),
+            "target": _texts(self.target),
+            "duration": None if self.duration is None else inputs.exact_text(self.duration),
+            "spin": {"start": _texts(self.start_spin), "target": _texts(self.target_spin)},
+            "limits": {k: inputs.exact_text(x) for k, x in given.items() if x is not None},
         }
-        return data
 
 
 def _texts(values: tuple[Fraction, ...]) -> list[str]:
@@ -70,15 +83,15 @@ def _texts(values: tuple[Fraction, ...]) -> list[str]:
 
 
 def manoeuvre(
-    inertia: Any,
-    start: Any,
-    target: Any,
-    duration: Any = None,
+    inertia: Vector3,
+    start: Quaternion,
+    target: Quaternion,
+    duration: ExactNumber | None = None,
     *,
-    start_spin: Any = REST,
-    target_spin: Any = REST,
-    max_rate: Any = None,
-    max_burst: Any = None,
+    start_spin: Vector3 = REST,
+    target_spin: Vector3 = REST,
+    max_rate: ExactNumber | None = None,
+    max_burst: ExactNumber | None = None,
 ) -> Manoeuvre:
     """A manoeuvre from numbers as users give them; raises InputError for the first bad one."""
     given = {"max_rate": max_rate, "max_burst": max_burst, "duration": duration}
@@ -97,7 +110,7 @@ def manoeuvre(
     )
 
 
-def above_zero(field: str, value: Any) -> Fraction:
+def above_zero(field: str, value: ExactNumber) -> Fraction:
     """An exact number above zero, and neither too large nor too small for what follows."""
     number = inputs.exact(field, value)
     if number <= 0:
@@ -105,7 +118,7 @@ def above_zero(field: str, value: Any) -> Fraction:
     return _moderate(field, (number,))[0]
 
 
-def _spin(field: str, values: Any) -> tuple[Fraction, ...]:
+def _spin(field: str, values: Vector3) -> tuple[Fraction, ...]:
     spin = inputs.certain(field, inputs.vector(field, values, 3))
     if any(abs(x) > _LARGEST for x in spin):
         raise InputError(field, inputs.shown(spin), "must not be beyond 1e60")
@@ -121,7 +134,7 @@ def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
 
 def load(
     path: str | Path, others: frozenset[str] = frozenset()
-) -> tuple[Manoeuvre, Mapping[str, Any]]:
+) -> tuple[Manoeuvre, toml_file.TomlTable]:
     """A manoeuvre file and its tables as they are; raises InputError about the first bad thing.
 
     `others` are tables that a file may hold for those who fly the manoeuvre.
@@ -130,7 +143,7 @@ def load(
     return parse(tables, others), tables
 
 
-def parse(tables: Mapping[str, Any], others: frozenset[str] = frozenset()) -> Manoeuvre:
+def parse(tables: toml_file.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
     """A manoeuvre from the tables of a file; numbers may be floats or strings of decimals."""
     toml_file.check_keys("manoeuvre", tables, _OWN | others, _NEEDED)
     spin = _table(tables, "spin", {"start", "target"})
@@ -144,7 +157,7 @@ def parse(tables: Mapping[str, Any], others: frozenset[str] = frozenset()) -> Ma
     )
 
 
-def _table(tables: Mapping[str, Any], name: str, known: set[str]) -> Mapping[str, Any]:
+def _table(tables: toml_file.TomlTable, name: str, known: set[str]) -> toml_file.TomlTable:
     table = tables.get(name, {})
     if not isinstance(table, Mapping):
         raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(known))}")

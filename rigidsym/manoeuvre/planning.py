@@ -3,12 +3,12 @@
 import json
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from rigidsym import engines, inputs
 from rigidsym.errors import InputError, PrecisionError
+from rigidsym.inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.io.files import remove, write_text
 from rigidsym.manoeuvre.bursts import Bursts
 from rigidsym.manoeuvre.cheapest import cheapest
@@ -51,7 +51,7 @@ class Plan:
         """The cheapest transfer within the limits."""
         return self.transfers[0]
 
-    def at(self, duration: Any) -> "Plan":
+    def at(self, duration: ExactNumber) -> "Plan":
         """The same manoeuvre in another duration, s.
 
         Without limits and spins it is a matter of scale: rates go with 1 / duration, and each
@@ -112,15 +112,15 @@ class Plan:
 
 
 def plan(
-    inertia: Any,
-    start: Any,
-    target: Any,
-    duration: Any = None,
+    inertia: Vector3,
+    start: Quaternion,
+    target: Quaternion,
+    duration: ExactNumber | None = None,
     *,
-    start_spin: Any = REST,
-    target_spin: Any = REST,
-    max_rate: Any = None,
-    max_burst: Any = None,
+    start_spin: Vector3 = REST,
+    target_spin: Vector3 = REST,
+    max_rate: ExactNumber | None = None,
+    max_burst: ExactNumber | None = None,
     families: int = 1,
     engine: str = "c",
 ) -> Plan:

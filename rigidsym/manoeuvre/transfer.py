@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -13,6 +13,20 @@ from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.motion import TorqueFreeMotion
 
 _SAMPLES = 181
+
+
+class TransferData(TypedDict):
+    """A transfer of the schema rigidsym.plan/1."""
+
+    omega0: list[float]
+    rates: list[str]
+    omega1: list[float]
+    bursts: list[list[float]]
+    cost: float
+    momentum: float
+    energy: float
+    peak_rate: float
+    residual: float
 
 
 @dataclass(frozen=True)
@@ -96,7 +110,7 @@ class Transfer:
         times = ["", "[times]", "start = 0", f'stop = "{stop}"', f"count = {_SAMPLES}"]
         return "\n".join([*lines, *times, ""])
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> TransferData:
         """What `rigidsym.plan/1` holds of a transfer; `rates` are omega0 exactly."""
         return {
             "omega0": self.omega0.tolist(),

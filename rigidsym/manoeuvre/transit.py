@@ -5,7 +5,6 @@ elliptic integral of the first kind, is Carlson's R_F by SciPy.
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from scipy.special import elliprf
@@ -67,10 +66,10 @@ def _circulating(
 
 def _constants(
     c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int], rho: int
-) -> dict[str, Any]:
+) -> dict[str, np.ndarray | int]:
     """What the ledger's formulas of a plan give for arrays; chi is 1 for all, so that phases are
     counted from the same point."""
-    known: dict[str, Any] = {"chi": 1, "rho": rho}
+    known: dict[str, np.ndarray | int] = {"chi": 1, "rho": rho}
     known["epsilon"] = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
     known["sigma"] = np.where(rates[:, axes[0]] < 0, -1, 1)
     for name, k in zip("abd", axes, strict=True):

@@ -46,7 +46,7 @@ def miss(manoeuvre: Manoeuvre, rates: Rates) -> np.ndarray:
     rad, in the body axes of the start."""
     start, target = manoeuvre.start, manoeuvre.target
     motion = TorqueFreeMotion(manoeuvre.inertia, rates, start)
-    q = [inputs.exact("q", x) for x in motion.precise(manoeuvre.duration, DIGITS)[0]]
+    q = [inputs.exact("q", x) for x in motion.precise(manoeuvre.duration or Fraction(1), DIGITS)[0]]
     arrived, wanted = between(start, q), between(start, target)
     return rotation_vectors(unit(between(_inverse(arrived), _inverse(wanted))))
 

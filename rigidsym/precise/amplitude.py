@@ -12,13 +12,17 @@ near a branch point: with n' = (m - n)/(1 - n),
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 from flint import acb, arb
 
-from rigidsym.precise.balls import power
+from rigidsym.precise.balls import ball, power
 
 Triple = tuple[arb, arb, arb]
+# Functions and constants by the names that formulas use.
+Function = Callable[..., arb | acb]
+Table = dict[str, Function | arb | acb]
+Value = TypeVar("Value")
 
 
 def quarter_period(mc: arb) -> arb:
@@ -51,12 +55,13 @@ class Functions(ABC):
     quick_bits = 2**13
 
     def __init__(self) -> None:
-        self._last: dict[Any, Any] = {}
+        # Of each function: arguments, and its value, of whatever type that is.
+        self._last: dict[Callable[..., object], tuple[tuple[arb | acb, ...], Any]] = {}
 
-    def table(self) -> dict[str, Any]:
+    def table(self) -> Table:
         """The functions by the names that formulas use."""
         return {
-            "power": power,
+            "power": lambda x, exponent: power(ball(x), exponent),
             "sqrt": lambda x: x.sqrt(),
             "cos": lambda x: x.cos(),
             "sin": lambda x: x.sin(),
@@ -67,7 +72,7 @@ class Functions(ABC):
             "elliptic_j": self.elliptic_j,
         }
 
-    def _kept(self, function: Callable[..., Any], *arguments: Any) -> Any:
+    def _kept(self, function: Callable[..., Value], *arguments: arb | acb) -> Value:
         """The value of a function, the same object where the arguments are the same objects."""
         kept = self._last.get(function)
         if kept is None or any(x is not y for x, y in zip(kept[0], arguments, strict=True)):

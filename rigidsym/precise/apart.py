@@ -12,13 +12,13 @@ import pickle
 import signal
 import subprocess
 import sys
-from collections.abc import Sequence
 from contextlib import suppress
+from fractions import Fraction
 from functools import lru_cache
 from queue import Empty, SimpleQueue
 from threading import Lock, Thread
 from time import perf_counter
-from typing import Any, Protocol
+from typing import IO, Protocol
 
 from flint import arb, arf
 
@@ -28,6 +28,8 @@ GLANCE = 0.1
 
 # Mantissa and exponent of a middle and of a radius; None for no number.
 Parts = tuple[tuple[int, int], tuple[int, int]] | None
+# A time, or names of constants.
+Asked = Fraction | tuple[str, ...]
 
 
 class Numbered(Protocol):
@@ -37,12 +39,16 @@ class Numbered(Protocol):
         """Equal motions are one."""
         ...
 
-    def numbers_here(self, asked: Any, bits: int) -> list[arb]:
+    def numbers_here(self, asked: Asked, bits: int) -> list[arb]:
         """What is asked, from balls of so many bits."""
         ...
 
 
-def numbers(motion: Numbered, asked: Any, bits: int, end: float | None) -> list[arb]:
+Request = tuple[Numbered, Asked, int]
+Reply = list[Parts] | Exception
+
+
+def numbers(motion: Numbered, asked: Asked, bits: int, end: float | None) -> list[arb]:
     """`motion.numbers_here(asked, bits)`; TimeoutError where the clock comes to `end` first.
 
     It is computed here where no other process can be started.
@@ -67,7 +73,7 @@ def _started() -> "_Server | None":
     return _server
 
 
-def _answered(server: "_Server", request: Any, end: float | None) -> list[Parts]:
+def _answered(server: "_Server", request: Request, end: float | None) -> list[Parts]:
     try:
         reply = server.ask(request, end)
     except BaseException:
@@ -87,9 +93,8 @@ class _Server:
         self.process = subprocess.Popen(
             [sys.executable, "-c", code], stdin=pipe, stdout=pipe, stderr=subprocess.DEVNULL
         )
-        self.asked: Any = self.process.stdin
-        self.told: Any = self.process.stdout
-        self.replies: SimpleQueue[Any] = SimpleQueue()
+        self.asked, self.told = _opened(self.process.stdin), _opened(self.process.stdout)
+        self.replies: SimpleQueue[Reply] = SimpleQueue()
         Thread(target=self._listen, daemon=True).start()
 
     def _listen(self) -> None:
@@ -99,7 +104,7 @@ class _Server:
         except (EOFError, OSError, ValueError, pickle.UnpicklingError):
             self.replies.put(ChildProcessError("the process of many digits has ended"))
 
-    def ask(self, request: Any, end: float | None) -> Any:
+    def ask(self, request: Request, end: float | None) -> Reply:
         """The reply to a request, unless the clock comes to `end` first."""
         pickle.dump(request, self.asked)
         self.asked.flush()
@@ -116,6 +121,12 @@ class _Server:
         for stream in (self.asked, self.told):
             with suppress(OSError):
                 stream.close()
+
+
+def _opened(stream: IO[bytes] | None) -> IO[bytes]:
+    if stream is None:
+        raise OSError("the process of many digits has no pipe")
+    return stream
 
 
 def _check(end: float | None) -> None:
@@ -158,7 +169,7 @@ def serve() -> None:
         told.flush()
 
 
-def _answer(motion: Numbered, asked: Any, bits: int) -> Sequence[Parts] | Exception:
+def _answer(motion: Numbered, asked: Asked, bits: int) -> Reply:
     try:
         return [_parts(value) for value in _known(motion).numbers_here(asked, bits)]
     except Exception as error:

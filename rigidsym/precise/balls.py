@@ -10,12 +10,15 @@ from contextlib import contextmanager
 from fractions import Fraction
 from math import ceil, log2
 from threading import RLock
-from typing import Any
 
 from flint import arb, ctx, fmpq
-from mpmath import mp
+from mpmath import mp, mpf
 
-from rigidsym.inputs import Uncertain, is_uncertain
+from rigidsym.inputs import Number, Uncertain
+
+# What a ball is made of.
+Quantity = Number | int | arb
+
 
 _lock = RLock()
 BITS_PER_DIGIT = log2(10)
@@ -45,7 +48,7 @@ def bits_of(digits: int) -> int:
     return ceil(digits * BITS_PER_DIGIT)
 
 
-def ball(value: Any) -> arb:
+def ball(value: Quantity) -> arb:
     """The ball of an exact or uncertain number, at the working precision."""
     if isinstance(value, Uncertain):
         return ball(value.middle) + arb(0, ball(value.radius).upper())
@@ -54,26 +57,28 @@ def ball(value: Any) -> arb:
     return arb(value)
 
 
-def difference(x: Any, y: Any) -> arb:
+def difference(x: Number, y: Number) -> arb:
     """x - y; exactly zero where exact numbers agree."""
-    return ball(x) - ball(y) if is_uncertain(x, y) else ball(x - y)
+    if isinstance(x, Uncertain) or isinstance(y, Uncertain):
+        return ball(x) - ball(y)
+    return ball(x - y)
 
 
-def dyadic(value: Any) -> Fraction:
+def dyadic(value: arb) -> Fraction:
     """The rational that the middle of a ball is."""
     mantissa, exponent = map(int, value.mid().man_exp())
     return mantissa * Fraction(2) ** exponent
 
 
-def power(x: Any, exponent: int) -> Any:
-    """An integer power of an exact number or a ball, whose square is not negative around zero.
+def power(x: arb, exponent: int) -> arb:
+    """An integer power of a ball, whose square is not negative around zero.
 
     By products: FLINT's power of a ball centred at zero is no number.
     """
     square = x * x
-    if isinstance(x, arb) and x.contains(0):
+    if x.contains(0):
         square = square.nonnegative_part()
-    value = x if exponent % 2 else 1
+    value = x if exponent % 2 else arb(1)
     for _ in range(exponent // 2):
         value *= square
     return value
@@ -91,6 +96,6 @@ def has_digits(value: arb, digits: int) -> bool:
     return bool(value.rad() * arb(10) ** digits <= value.abs_lower())
 
 
-def to_mpf(value: arb) -> Any:
+def to_mpf(value: arb) -> mpf:
     """The midpoint as an mpf, not rounded."""
     return mp.make_mpf(value.mid()._mpf_)

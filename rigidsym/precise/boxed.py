@@ -4,9 +4,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
 
 from rigidsym.errors import InputError, PrecisionError, written
+from rigidsym.inputs import Number
 from rigidsym.precise.adaptive import AdaptivePrecision, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
@@ -23,9 +23,9 @@ FINE = 256
 class BoxedMotion:
     """Motions: inertia (3), body rates (3), attitude (4), some of these numbers uncertain."""
 
-    inertia: tuple[Any, ...]
-    omega0: tuple[Any, ...]
-    attitude0: tuple[Any, ...]
+    inertia: tuple[Number, ...]
+    omega0: tuple[Number, ...]
+    attitude0: tuple[Number, ...]
 
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None

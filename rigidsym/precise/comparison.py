@@ -11,16 +11,15 @@ from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from statistics import median
 from time import perf_counter
-from typing import Any
 
 from flint import arb, fmpz
-from mpmath import mp
+from mpmath import mp, mpf
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.io.cases import Case
 from rigidsym.precise.balls import bits_of, to_mpf, working
-from rigidsym.precise.motion import METHODS, PreciseMotion
+from rigidsym.precise.motion import METHODS, Inputs, PreciseMotion
 from rigidsym.precise.taylor import integrate
 from rigidsym.view.svg import Panel, svg
 
@@ -38,7 +37,7 @@ TAYLOR_WORK = 50_000  # digits^2 times radians
 
 UNITS = "units of 10^-digits"
 
-Numbers = list[Any]
+Numbers = list[arb]
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +98,8 @@ def compare(
     """
     if not case.times:
         raise InputError("times", "[]", "a comparison needs at least one time")
-    given, time = tuple(case.motion.exact.values()), case.times[-1]
+    exact, time = case.motion.exact, case.times[-1]
+    given = exact["inertia"], exact["omega0"], exact["attitude0"]
     family = _family(*given)
     tasks = [(given, inputs.digits(d), None) for d in sorted(set(digits))]
     tasks += [(motion, DISTANCE_DIGITS, distance) for distance, motion in family]
@@ -117,7 +117,7 @@ def compare(
 
 
 def _measure(
-    motion: tuple[Any, ...], time: Fraction, digits: int, distance: str | None
+    motion: Inputs, time: Fraction, digits: int, distance: str | None
 ) -> Iterator[Measurement]:
     reference = next(_states(REFERENCE, motion, [time], digits + MORE_DIGITS))
     times = [time, time * SECOND_TIME]
@@ -133,7 +133,7 @@ def _measure(
 
 
 def _states(
-    method: str, motion: tuple[Any, ...], times: Sequence[Fraction], digits: int
+    method: str, motion: Inputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
     """Seven numbers for each time, as balls; those of the series have no radius.
 
@@ -147,12 +147,12 @@ def _states(
         yield [*q, *omega]
 
 
-def _mantissa_and_exponent(value: Any) -> tuple[fmpz, fmpz]:
+def _mantissa_and_exponent(value: mpf) -> tuple[fmpz, fmpz]:
     sign, mantissa, exponent, _ = value._mpf_
     return fmpz(-mantissa if sign else mantissa), fmpz(exponent)
 
 
-def _is_quick(method: str, motion: tuple[Any, ...], time: Fraction, digits: int) -> bool:
+def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
     if method == "taylor":
         radians = abs(time) * max(map(abs, motion[1]))
         return digits**2 * radians <= TAYLOR_WORK
@@ -176,7 +176,7 @@ def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None
 
 def _family(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
-) -> list[tuple[str, tuple[Any, ...]]]:
+) -> list[tuple[str, Inputs]]:
     """Motions whose rate about one axis is off the separatrix by parts of itself, the last on it.
 
     The separatrix is c_a (c_a - c_b) Omega_a^2 = c_d (c_b - c_d) Omega_d^2, and seldom has

@@ -1,15 +1,20 @@
 """The formulas of the solution over balls, with the constants of one motion at one precision."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from fractions import Fraction
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Protocol
 
-from rigidsym.language.sequence import FormulaSequence
-from rigidsym.precise.balls import ball, power
+from flint import acb, arb
+
+from rigidsym.inputs import Number
+from rigidsym.language.sequence import FormulaSequence, Functions
+from rigidsym.precise.amplitude import Function, Table
+from rigidsym.precise.balls import Quantity, ball, power
 from rigidsym.solution.formulas import AXES, sequence
 from rigidsym.solution.polhode import Polhode, Regime
 
-State = tuple[list[Any], list[Any]]
+State = tuple[list[arb], list[arb]]
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
@@ -20,17 +25,17 @@ class Given(Protocol):
     """A motion as it is given, rationals or uncertain numbers, and its kind."""
 
     @property
-    def inertia(self) -> tuple[Any, ...]:
+    def inertia(self) -> tuple[Number, ...]:
         """Principal moments (3,)."""
         ...
 
     @property
-    def omega0(self) -> tuple[Any, ...]:
+    def omega0(self) -> tuple[Number, ...]:
         """Body rates at t = 0 (3,)."""
         ...
 
     @property
-    def attitude0(self) -> tuple[Any, ...]:
+    def attitude0(self) -> tuple[Number, ...]:
         """Attitude at t = 0 (4,), of any length but zero."""
         ...
 
@@ -40,6 +45,11 @@ class Given(Protocol):
         ...
 
 
+def _power(x: Quantity, exponent: int) -> Quantity:
+    """Of balls, or exactly."""
+    return x**exponent if isinstance(x, int | Fraction) else power(ball(x), exponent)
+
+
 class Evaluation:
     """One motion at the working precision, by the table of functions of a method.
 
@@ -47,46 +57,50 @@ class Evaluation:
     neither the separatrix nor symmetric bodies.
     """
 
-    def __init__(self, given: Given, functions: Mapping[str, Callable[..., Any]]) -> None:
+    def __init__(self, given: Given, functions: Table) -> None:
         self.given, self.functions = given, functions
         regime = given.polhode.regime
         self._by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
         quaternion = list(map(ball, given.attitude0))
-        norm = functions["sqrt"](sum(x * x for x in quaternion))
+        norm = sum((x * x for x in quaternion), arb(0)).sqrt()
         self.start: State = ([x / norm for x in quaternion], list(map(ball, given.omega0)))
 
-    def state(self, time: Any) -> State:
+    def state(self, time: Fraction) -> State:
         """(q, omega) at one time; the given state itself at t = 0."""
         regime = self.given.polhode.regime
         if time == 0 or regime == Regime.REST:
             return self.start
         return self._steady(time) if regime.steady else self._moving(ball(time))
 
-    def constant(self, name: str) -> Any:
+    def constant(self, name: str) -> arb:
         """One constant of the motion."""
         return ball(self._computed(frozenset([name]))[name])
 
     @cached_property
-    def _converting(self) -> dict[str, Any]:
+    def _converting(self) -> Functions:
         """The functions, of exact numbers too."""
 
-        def of(function: Any) -> Callable[..., Any]:
+        def of(function: Function) -> Function:
             return lambda *arguments: function(*map(ball, arguments))
 
-        functions = {name: of(function) for name, function in self.functions.items()}
-        return functions | {"power": power}
+        functions = {
+            name: of(known)
+            for name, known in self.functions.items()
+            if not isinstance(known, arb | acb)
+        }
+        return {**functions, "power": _power}
 
     @cached_property
-    def _exact(self) -> dict[str, Any]:
+    def _exact(self) -> dict[str, Quantity]:
         """What the formula sequences of a state need of it."""
         wanted = [sequence(n).used for n in (_BY_THETA if self._by_theta else ("state",))]
         return self._computed(frozenset().union(*wanted))
 
-    def _computed(self, wanted: frozenset[str]) -> dict[str, Any]:
+    def _computed(self, wanted: frozenset[str]) -> dict[str, Quantity]:
         polhode, given = self.given.polhode, self.given
         q0, *vector = self.start[0]
         signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
-        begin = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
+        begin: dict[str, Quantity] = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
         for x, k in zip(AXES, polhode.axes, strict=True):
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
@@ -94,11 +108,11 @@ class Evaluation:
         return self._exactly(sequence("constants").up_to(wanted), known)
 
     @cached_property
-    def _constants(self) -> dict[str, Any]:
+    def _constants(self) -> dict[str, arb | int]:
         """The constants as numbers of this kind, with what the theta form adds to it."""
-        exact = self._exact
         constants = {
-            name: value if isinstance(value, int) else ball(value) for name, value in exact.items()
+            name: value if isinstance(value, int) else ball(value)
+            for name, value in self._exact.items()
         }
         if not self._by_theta:
             return constants
@@ -108,23 +122,25 @@ class Evaluation:
         begin = sequence("theta_state").evaluate(
             {**constants, **identity, "t": ball(0)}, self.functions
         )
-        start = {f"q_{x}": exact[f"q_{x}"] for x in ("0", *AXES)}
+        start = {f"q_{x}": constants[f"q_{x}"] for x in ("0", *AXES)}
         front = sequence("pull_back").evaluate({**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
 
-    def _exactly(self, formulas: FormulaSequence, values: Mapping[str, Any]) -> dict[str, Any]:
+    def _exactly(
+        self, formulas: FormulaSequence, values: Mapping[str, Quantity]
+    ) -> dict[str, Quantity]:
         """Every formula; exactly, as long as all it uses is rational."""
         return formulas.evaluate_exactly(values, self._converting, ball)
 
-    def _moving(self, time: Any) -> State:
+    def _moving(self, time: arb) -> State:
         formulas = sequence("theta_state" if self._by_theta else "state")
         known = formulas.evaluate({**self._constants, "t": time}, self.functions)
-        q, omega = [known["q_0"], 0, 0, 0], [0, 0, 0]
+        q, omega = [ball(known["q_0"]), *[arb(0)] * 3], [arb(0)] * 3
         for x, k in zip(AXES, self.given.polhode.axes, strict=True):
-            q[k + 1], omega[k] = known[f"q_{x}"], known[f"Omega_{x}"]
+            q[k + 1], omega[k] = ball(known[f"q_{x}"]), ball(known[f"Omega_{x}"])
         return q, omega
 
-    def _steady(self, time: Any) -> State:
+    def _steady(self, time: Fraction) -> State:
         rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
         begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
         known = self._exactly(sequence("steady"), {**rates, **begin, "t": time})

@@ -7,17 +7,16 @@ times, when nothing else is certain, they say what energy and momentum do: rates
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import ceil
-from typing import Any
 
 from flint import arb, arb_mat
 
-from rigidsym.inputs import Uncertain
+from rigidsym.inputs import Number, Uncertain
 from rigidsym.precise.balls import ball, bits_of, difference, dyadic, power, working
+from rigidsym.precise.evaluation import State
 from rigidsym.precise.flow import RATES, SIZE, Flow, max_of, multiplied, norm
 from rigidsym.precise.lohner import Bodies, Cloud, start
 from rigidsym.precise.shells import shells
 
-State = tuple[list[Any], list[Any]]
 MOST_STEPS = 2000
 # Rates and turns are of size 1: a set as wide as this says nothing.
 LOST = 1
@@ -36,9 +35,9 @@ class Flowing:
 
     def __init__(
         self,
-        inertia: Sequence[Any],
-        omega0: Sequence[Any],
-        attitude0: Sequence[Any],
+        inertia: Sequence[Number],
+        omega0: Sequence[Number],
+        attitude0: Sequence[Number],
         bits: int,
         check: Callable[[], None],
     ) -> None:
@@ -100,8 +99,8 @@ class Flowing:
 
 def _bodies(
     flow: Flow,
-    inertia: Sequence[Any],
-    omega0: Sequence[Any],
+    inertia: Sequence[Number],
+    omega0: Sequence[Number],
     limits: Sequence[arb],
     scale: Fraction,
 ) -> Bodies:
@@ -117,7 +116,7 @@ def _bodies(
     return Bodies(flow, [_factor(middles, k) for k in range(RATES)], box, slopes, limits)
 
 
-def bits_for(given: Sequence[Sequence[Any]], digits: int) -> int:
+def bits_for(given: Sequence[Sequence[Number]], digits: int) -> int:
     """Bits that hold the finest radius, or the digits where it is finer still."""
     fineness = [0]
     for values in given:
@@ -127,15 +126,15 @@ def bits_for(given: Sequence[Sequence[Any]], digits: int) -> int:
     return GUARD_BITS + min(max(fineness), bits_of(digits))
 
 
-def _middle(value: Any) -> Fraction:
+def _middle(value: Number) -> Fraction:
     return value.middle if isinstance(value, Uncertain) else value
 
 
-def _radius(value: Any) -> Fraction:
+def _radius(value: Number) -> Fraction:
     return value.radius if isinstance(value, Uncertain) else Fraction(0)
 
 
-def _factor(inertia: Sequence[Any], k: int) -> arb:
+def _factor(inertia: Sequence[Number], k: int) -> arb:
     """(c_i - c_j)/c_k of Euler's equations."""
     return difference(inertia[k - 2], inertia[k - 1]) / ball(inertia[k])
 

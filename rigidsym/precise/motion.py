@@ -10,15 +10,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
 from itertools import chain
-from typing import Any
 
 from flint import arb
-from mpmath import mp
+from mpmath import mp, mpf
 
 from rigidsym import inputs
 from rigidsym.errors import written
+from rigidsym.inputs import Number
 from rigidsym.precise import apart
 from rigidsym.precise.adaptive import GUARD_BITS, AdaptivePrecision
+from rigidsym.precise.apart import Asked
 from rigidsym.precise.balls import bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
 from rigidsym.precise.evaluation import Evaluation, State
@@ -31,17 +32,19 @@ from rigidsym.solution.polhode import Polhode
 # How many precisions a motion keeps its constants for.
 KEPT = 4
 METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
-# A time, or names of constants.
-Asked = Fraction | tuple[str, ...]
+# Inertia, omega0 and attitude0.
+Inputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, ...]]
+# (q, omega) as mpf numbers.
+DecimalState = tuple[list[mpf], list[mpf]]
 
 
 @dataclass(frozen=True)
 class PreciseMotion:
     """A motion: inertia (3), body rates (3), attitude (4), rationals or uncertain numbers."""
 
-    inertia: tuple[Any, ...]
-    omega0: tuple[Any, ...]
-    attitude0: tuple[Any, ...]
+    inertia: tuple[Number, ...]
+    omega0: tuple[Number, ...]
+    attitude0: tuple[Number, ...]
     method: str = "theta"
 
     @cached_property
@@ -50,12 +53,19 @@ class PreciseMotion:
         return classify_uncertain(self.inertia, self.omega0)
 
     @property
+    def exact(self) -> Inputs:
+        """Inertia, omega0 and attitude0; InputError where one is uncertain."""
+        given = {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
+        inertia, omega0, attitude0 = (inputs.certain(*named) for named in given.items())
+        return inertia, omega0, attitude0
+
+    @property
     def _is_uncertain(self) -> bool:
         return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
     def states(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
-    ) -> Iterator[State]:
+    ) -> Iterator[DecimalState]:
         """(q, omega) at each time as mpf numbers, `digits` significant digits of each certain.
 
         Raises PrecisionError where `max_seconds` for them all are over.
@@ -84,7 +94,7 @@ class PreciseMotion:
         with working(bits_of(digits) + GUARD_BITS):
             return [float(x) for x in self._at(bits_of(digits) + GUARD_BITS).start[0]]
 
-    def constants(self, names: Sequence[str], digits: int) -> dict[str, Any]:
+    def constants(self, names: Sequence[str], digits: int) -> dict[str, mpf]:
         """Constants of the motion by name, `digits` digits each; the rates must not be constant."""
         precision = AdaptivePrecision(digits, has_digits, None)
         found = precision.read(partial(self.numbers, tuple(names)), "constants")
@@ -120,10 +130,10 @@ class PreciseMotion:
     def _kept(self) -> dict[int, Evaluation]:
         return {}
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[type["PreciseMotion"], tuple[tuple[Number, ...] | str, ...]]:
         """What it was made from: balls do not travel."""
         return PreciseMotion, (self.inertia, self.omega0, self.attitude0, self.method)
 
 
-def _settled(value: arb) -> Any:
+def _settled(value: arb) -> mpf:
     return mp.zero if value.contains(0) else to_mpf(value)

@@ -2,7 +2,8 @@
 
 from decimal import MAX_EMAX, MAX_PREC, MIN_EMIN, ROUND_CEILING, Context, Decimal
 from fractions import Fraction
-from typing import Any
+
+from flint import arb
 
 from rigidsym import inputs
 from rigidsym.precise.balls import dyadic
@@ -12,7 +13,7 @@ _UP = Context(prec=3, Emax=MAX_EMAX, Emin=MIN_EMIN, rounding=ROUND_CEILING)
 _ROOM = 2  # digits of the middle beyond the first of the radius
 
 
-def printed_ball(value: Any) -> dict[str, str]:
+def printed_ball(value: arb) -> dict[str, str]:
     """A ball of Arb's: the middle rounded where the radius hides it, the radius rounded up.
 
     What the middle loses is added to the radius; the middle of a ball of radius 0 is exact.

@@ -8,8 +8,8 @@ d ln(10)/2 is cheapest, and the step is where the last two terms reach the toler
 from collections.abc import Sequence
 from fractions import Fraction
 from math import ceil, log
-from typing import Any
 
+from mpmath import mpf
 from mpmath.ctx_mp import MPContext
 
 GUARD_DIGITS = 15
@@ -28,7 +28,7 @@ def integrate(
     attitude0: Sequence[Fraction],
     time: Fraction,
     digits: int = 40,
-) -> tuple[list[Any], list[Any]]:
+) -> tuple[list[mpf], list[mpf]]:
     """(q, omega) at one time as mpf numbers, with errors about 10^-digits (1, |omega0|).
 
     The guard digits cover the instability of the middle axis for 30 rad or so.
@@ -52,7 +52,9 @@ def integrate(
     return q, w
 
 
-def _rate_series(ctx: Any, factors: Sequence[Any], w: Sequence[Any], order: int) -> list[list[Any]]:
+def _rate_series(
+    ctx: MPContext, factors: Sequence[mpf], w: Sequence[mpf], order: int
+) -> list[list[mpf]]:
     """Taylor coefficients of Omega: Omega_1' = (c_2 - c_3)/c_1 Omega_2 Omega_3, and round."""
     series = [[x] for x in w]
     for n in range(order):
@@ -63,8 +65,8 @@ def _rate_series(ctx: Any, factors: Sequence[Any], w: Sequence[Any], order: int)
 
 
 def _attitude_series(
-    ctx: Any, q: Sequence[Any], omega: Sequence[Sequence[Any]], order: int
-) -> list[list[Any]]:
+    ctx: MPContext, q: Sequence[mpf], omega: Sequence[Sequence[mpf]], order: int
+) -> list[list[mpf]]:
     """Taylor coefficients of the quaternion, by those of the rates."""
     series = [[x] for x in q]
     for n in range(order):
@@ -77,7 +79,7 @@ def _attitude_series(
     return series
 
 
-def _step(ctx: Any, series: Sequence[Sequence[Any]], tolerance: Any) -> Any:
+def _step(ctx: MPContext, series: Sequence[Sequence[mpf]], tolerance: mpf) -> mpf:
     """Where the last two terms are `tolerance` of the first, in the largest component."""
     sizes = [max(map(abs, terms)) for terms in zip(*series, strict=True)]
     last = [(n, sizes[n]) for n in (len(sizes) - 2, len(sizes) - 1) if sizes[n]]

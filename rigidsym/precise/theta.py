@@ -1,10 +1,8 @@
 """By theta functions: no branch and no winding, a state costs two of Arb's theta evaluations."""
 
-from typing import Any
-
 from flint import acb, arb
 
-from rigidsym.precise.amplitude import Triple, carlson_f, quarter_period
+from rigidsym.precise.amplitude import Table, Triple, carlson_f, quarter_period
 from rigidsym.precise.carlson import Carlson
 
 
@@ -13,7 +11,7 @@ class Theta(Carlson):
 
     quick_bits = 2**14
 
-    def table(self) -> dict[str, Any]:
+    def table(self) -> Table:
         """The functions of the theta form besides those of the other methods."""
         return {
             **super().table(),
@@ -62,7 +60,7 @@ def _arcsc(x: arb, mc: arb) -> arb:
     return s * carlson_f(c * c, dd, arb(1))
 
 
-def _constants(mc: arb) -> tuple[Any, ...]:
+def _constants(mc: arb) -> tuple[arb, acb, arb, arb, arb]:
     """pi/(2 K), tau, and theta_2, theta_3, theta_4 of zero."""
     tau = _tau(_nome(mc))
     _, two, three, four = (z.real for z in _thetas(acb(0), tau))

@@ -1,22 +1,22 @@
 """The regime of a motion whose numbers are uncertain: what decides it has to have one sign."""
 
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from itertools import combinations
 from math import inf
-from typing import Any
 
 from flint import arb
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.inputs import Uncertain
+from rigidsym.inputs import Number, Uncertain
 from rigidsym.precise.balls import ball, difference, working
 from rigidsym.solution.polhode import Polhode, Regime, classify
 
 BITS = 4096
 
 
-def classify_uncertain(inertia: Sequence[Any], omega: Sequence[Any]) -> Polhode:
+def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
     """The polhode that all numbers within the radii share; InputError names what keeps it open."""
     middles = [[_middle(x) for x in values] for values in (inertia, omega)]
     polhode = classify(*middles)
@@ -28,7 +28,7 @@ def classify_uncertain(inertia: Sequence[Any], omega: Sequence[Any]) -> Polhode:
 
 
 def _deciding(
-    polhode: Polhode, inertia: Sequence[Any], omega: Sequence[Any]
+    polhode: Polhode, inertia: Sequence[Number], omega: Sequence[Number]
 ) -> Iterator[tuple[str, arb]]:
     """What has to be exactly zero, or to keep its sign."""
     w = list(map(ball, omega))
@@ -55,7 +55,7 @@ def _resting(polhode: Polhode, w: Sequence[arb]) -> Iterator[tuple[str, arb]]:
         yield "omega0", _surest(*w)
 
 
-def _excess(inertia: Sequence[Any], w: Sequence[arb], axes: Sequence[int]) -> arb:
+def _excess(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[int]) -> arb:
     a, b, d = axes
     return (
         ball(inertia[a]) * difference(inertia[a], inertia[b]) * w[a] * w[a]
@@ -74,7 +74,7 @@ def _ratio(value: arb) -> float:
     return float(value.rad() / abs(value.mid())) if value.mid() != 0 else inf
 
 
-def _decide(what: str, value: arb, inertia: Sequence[Any], omega: Sequence[Any]) -> None:
+def _decide(what: str, value: arb, inertia: Sequence[Number], omega: Sequence[Number]) -> None:
     if value.is_zero() or not value.contains(0):
         return
     ratio = _ratio(value)
@@ -84,5 +84,5 @@ def _decide(what: str, value: arb, inertia: Sequence[Any], omega: Sequence[Any])
     raise InputError("inertia", given, rule)
 
 
-def _middle(value: Any) -> Any:
+def _middle(value: Number) -> Fraction:
     return value.middle if isinstance(value, Uncertain) else value

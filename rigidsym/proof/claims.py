@@ -75,11 +75,8 @@ class Claim:
 
     def _remarks(self, shown: list[str]) -> Iterator[Markup]:
         left_out = len(self.fact["lhs"]) - len(shown)
-        if self.fact["kind"] not in ("model", "partition"):
-            if left_out:
-                yield muted(f"and {counted(left_out, 'more component')}, alike or there already")
-            if self.fact["lhs"] == self.fact["rhs"]:
-                yield join(" ", muted("(both sides are the same once multiplied out)"))
+        if self.fact["kind"] not in ("model", "partition") and left_out:
+            yield muted(f"and {counted(left_out, 'more component')}, alike or there already")
         if any(r"\cdots" in text for text in shown):
             yield join(" ", muted("long sums are shown in part"))
         if self.fact["kind"] == "unequal":
@@ -120,12 +117,9 @@ class Claims(Mapping[str, Claim]):
         """Those that name an equation of the paper as their source."""
         return Claims(c for c in self.values() if equation in c.fact["source"])
 
-    def behind(self, printed: Any) -> "Claims":
-        """Those that decide a printed equation, or a verdict's: what proves and what refutes it."""
-        equation = getattr(printed, "equation", printed)
-        sources = (equation, *equation.readings)
-        names = [n for s in sources for n in (*s.proved_by, *s.refuted_by)]
-        return Claims(self[name] for name in dict.fromkeys(names))
+    def behind(self, verdict: Any) -> "Claims":
+        """Those that a verdict rests on: what proves, refutes and repairs a printed equation."""
+        return Claims(self[name] for name in verdict.facts())
 
     def _repr_html_(self) -> str:
         rows = [_row(claim) for claim in list(self.values())[:MOST_ROWS]]

@@ -1,14 +1,15 @@
 """The derived solution as data: the sequences of formulas that the ledger publishes.
 
-The number wing starts here.  It reads ledger.json and nothing else of the proof wing; formulas
-that are not backed by a proved fact, or that use a name before it is known, are refused.
+The number wing starts here.  It reads ledger.json and nothing else of the proof wing.  A formula is
+a proved fact, or what a context says of a name, by definition or as a reading; others, and those
+that use a name before it is known, are refused.
 """
 
 import hashlib
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
+from typing import TypedDict
 
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_data, ledger_text
@@ -105,25 +106,64 @@ _OF_PARAMETER = {
 }
 
 
+class Fact(TypedDict):
+    """What is read of a fact of the ledger: sides are lists of texts."""
+
+    id: str
+    context: str
+    kind: str
+    grade: str
+    lhs: list[str]
+    rhs: list[str]
+    source: list[str]
+
+
+class Context(TypedDict):
+    """What is read of a context: what its names abbreviate, and standard functions they are."""
+
+    name: str
+    definitions: dict[str, str]
+    reading: dict[str, str]
+
+
+class Entry(TypedDict, total=False):
+    """A formula that is published: by its fact, or by a context's definition or reading."""
+
+    fact: str
+    context: str
+    definition: str
+    reading: str
+    source: list[str]
+
+
 @dataclass(frozen=True, slots=True)
 class Formula:
-    """name = expression, by a fact of the ledger; `source` lists the equations it comes from.
+    """name = expression, by what the ledger has it from; `source` lists equations of the paper.
 
-    Functions of a parameter m take its complement 1 - m as their last argument.
+    `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
+    that context says so; `context` has its hypotheses.  Functions of a parameter m take its
+    complement 1 - m as their last argument.
     """
 
     name: str
     expression: Expression
     fact: str
+    context: str
     source: tuple[str, ...]
+
+    @property
+    def is_reading(self) -> bool:
+        """Whether the expression is the standard function that a name stands for."""
+        return self.fact.startswith("reading ")
 
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The sequences by name, and a digest of all their statements."""
+    """The sequences by name, a digest of all their statements, and what evaluates them."""
 
     sequences: Mapping[str, tuple[Formula, ...]]
     digest: str
+    evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
 
 
 @cache
@@ -132,10 +172,9 @@ def sealed() -> Solution:
     return load(ledger_text())
 
 
-@cache
 def sequence(name: str) -> FormulaSequence:
     """A formula sequence of the sealed ledger, ready to be evaluated."""
-    return FormulaSequence((f.name, f.expression) for f in sealed().sequences[name])
+    return sealed().evaluated[name]
 
 
 def load(text: str) -> Solution:
@@ -151,20 +190,24 @@ def load(text: str) -> Solution:
             if name in published
         }
     except (KeyError, TypeError, AttributeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/2: {error!r}") from None
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/3: {error!r}") from None
     for name in INPUTS:
         if name not in sequences:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         _check_order(name, sequences[name])
-        _check_together(name, published[name], facts)
-    return Solution(sequences, _digest(sequences))
+        _check_together(name, sequences[name], facts)
+    evaluated = {
+        name: FormulaSequence((f.name, f.expression) for f in formulas)
+        for name, formulas in sequences.items()
+    }
+    return Solution(sequences, _digest(sequences), evaluated)
 
 
-def _formula(
-    entry: Mapping[str, Any], facts: Mapping[str, Any], contexts: Mapping[str, Any]
-) -> Formula:
+def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:
+    if "definition" in entry:
+        return _by_definition(entry["definition"], contexts[entry["context"]], entry["source"])
     if "reading" in entry:
-        return _by_reading(entry["reading"], contexts[entry["context"]], tuple(entry["source"]))
+        return _by_reading(entry["reading"], contexts[entry["context"]], entry["source"])
     fact = facts[entry["fact"]]
     proved = fact["grade"] == "PROVED" and fact["kind"] in ("equal", "root")
     if not proved or len(fact["lhs"]) != 1:
@@ -173,16 +216,22 @@ def _formula(
     expression = parse(text)
     if fact["kind"] == "root":
         expression = Call("sqrt", (expression,))
-    return Formula(name, expression, fact["id"], tuple(fact["source"]))
+    return Formula(name, expression, fact["id"], fact["context"], tuple(fact["source"]))
 
 
-def _by_reading(name: str, context: Mapping[str, Any], source: tuple[str, ...]) -> Formula:
+def _by_definition(name: str, context: Context, source: Iterable[str]) -> Formula:
+    """What a context, and with it each of its models, has a name for."""
+    place, expression = context["name"], parse(context["definitions"][name])
+    return Formula(name, expression, f"definition {place}.{name}", place, tuple(source))
+
+
+def _by_reading(name: str, context: Context, source: Iterable[str]) -> Formula:
     """The standard function that a context reads a name as."""
-    reading, place = context["reading"][name], f"{context['name']}:{name}"
+    reading, place = context["reading"][name], context["name"]
     expression = _by_complement(parse(reading))
-    if READINGS.get(place, READINGS.get(name)) != reading:
-        raise LedgerError(f"ledger: {place}: its reading is not the one that numbers know")
-    return Formula(name, expression, f"reading {context['name']}.{name}", source)
+    if READINGS.get(f"{place}:{name}", READINGS.get(name)) != reading:
+        raise LedgerError(f"ledger: {place}:{name}: its reading is not the one that numbers know")
+    return Formula(name, expression, f"reading {place}.{name}", place, tuple(source))
 
 
 def _by_complement(expression: Expression) -> Expression:
@@ -202,18 +251,15 @@ def _check_order(sequence: str, formulas: tuple[Formula, ...]) -> None:
 
 
 def _check_together(
-    sequence: str, entries: Sequence[Mapping[str, Any]], facts: Mapping[str, Any]
+    sequence: str, formulas: tuple[Formula, ...], facts: Mapping[str, Fact]
 ) -> None:
     """All formulas hold at once: one context is a model of every other they come from."""
-    contexts = {
-        entry["context"] if "reading" in entry else facts[entry["fact"]]["context"]
-        for entry in entries
-    }
+    contexts = {formula.context for formula in formulas}
     if not any(contexts <= _modelled(context, facts) for context in contexts):
         raise LedgerError(f"ledger: {sequence}: no context is a model of all: {sorted(contexts)}")
 
 
-def _modelled(context: str, facts: Mapping[str, Any]) -> set[str]:
+def _modelled(context: str, facts: Mapping[str, Fact]) -> set[str]:
     """A context, what it is proved to be a model of, what that is a model of, and so on."""
     found = [context]
     for name in found:

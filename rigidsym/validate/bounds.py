@@ -15,7 +15,7 @@ BOUNDS = {
     "jump": BOUND,
     # The given state itself, but for the rounding of the quaternion's length.
     "start": 3e-16,
-    "routes": 2 * BOUND,
+    "entry_points": 2 * BOUND,
 }
 MEASURES = tuple(BOUNDS)
 # Those whose bound is times a condition.
@@ -29,5 +29,6 @@ MEANINGS = {
     "residual": "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian",
     "jump": "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains",
     "start": "angle, or relative rates, from the given state at t = 0",
-    "routes": "one time, a grid, a batch, many times, reused arrays: from states at the same times",
+    "entry_points": "one time, a grid, a batch, many times, reused arrays: "
+    "from states at the same times",
 }

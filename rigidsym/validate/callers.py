@@ -4,7 +4,6 @@ None of it may change a state.
 """
 
 from collections.abc import Iterator
-from typing import Any
 
 import numpy as np
 
@@ -27,11 +26,13 @@ COMPANY = np.array(
     ]
 )
 REFUSED = (1, 2, 8)
+# Inertia (3,), rates (3,) and attitude (4,) as float64.
+Body = tuple[np.ndarray, np.ndarray, np.ndarray]
 # The largest exponent by which all of these may grow, or shrink.
 LARGEST = 1020
 
 
-def differing(engine: Engine, body: Any, times: np.ndarray) -> Iterator[tuple[States, States]]:
+def differing(engine: Engine, body: Body, times: np.ndarray) -> Iterator[tuple[States, States]]:
     """For each thing that callers do, the states they get, and the states at the same times."""
     asked = np.append(times, 0.0)
     prepared = engine.prepare(*body)
@@ -42,7 +43,7 @@ def differing(engine: Engine, body: Any, times: np.ndarray) -> Iterator[tuple[St
     yield _mixed(engine, body, times)
 
 
-def _overwritten(engine: Engine, body: Any, times: np.ndarray) -> States:
+def _overwritten(engine: Engine, body: Body, times: np.ndarray) -> States:
     """The states of a prepared motion whose caller writes over what it was made from."""
     given = [array.copy() for array in body]
     prepared = engine.prepare(*given)
@@ -51,7 +52,7 @@ def _overwritten(engine: Engine, body: Any, times: np.ndarray) -> States:
     return engine.states(prepared, times)
 
 
-def _aliased(engine: Engine, body: Any, times: np.ndarray, name: int) -> States | None:
+def _aliased(engine: Engine, body: Body, times: np.ndarray, name: int) -> States | None:
     """The states of the last of some bodies, whose output begins with their input number `name`;
     None where that is refused."""
     count = 5
@@ -66,7 +67,7 @@ def _aliased(engine: Engine, body: Any, times: np.ndarray, name: int) -> States 
     return q[-1], omega[-1]
 
 
-def _mixed(engine: Engine, body: Any, times: np.ndarray) -> tuple[States, States]:
+def _mixed(engine: Engine, body: Body, times: np.ndarray) -> tuple[States, States]:
     """The states of a body among others, and its own; NaN on both sides where they are refused."""
     inertia, omega0, attitude0 = body
     moments, rates = (COMPANY[:, k] * _size(x) for k, x in enumerate((inertia, omega0)))

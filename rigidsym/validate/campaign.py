@@ -1,22 +1,22 @@
 """Campaigns: cases in chunks, on any executor, with one result however they are shared out."""
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import dataclass, field
 from itertools import islice
-from typing import Any
 
 from rigidsym import inputs
 from rigidsym._version import __version__
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
 from rigidsym.validate.executors import Place
-from rigidsym.validate.finding import measure_case
-from rigidsym.validate.implementations import PEER, check_target, digest, implementation
+from rigidsym.validate.finding import Asked, measure_case
+from rigidsym.validate.implementations import PEER, check_target, digest, own_peer
 from rigidsym.validate.oracle import precise_motion
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.tally import Cell, Tally
+from rigidsym.view import report_data
 
 CASES, DIGITS, SEED = 15, 40, 1
 # Oracles have to be finer than doubles by far, and their perturbations too.
@@ -94,17 +94,34 @@ class Campaign:
         """How many cases there are."""
         return sum(count(stratum, self.cases) for stratum in self.strata)
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> report_data.Campaign:
         """As JSON takes it."""
-        return {name: list(x) if isinstance(x, tuple) else x for name, x in asdict(self).items()}
+        return {
+            "targets": list(self.targets),
+            "peers": list(self.peers),
+            "strata": list(self.strata),
+            "cases": self.cases,
+            "digits": self.digits,
+            "seed": self.seed,
+            "digests": list(self.digests),
+            "peer_versions": list(self.peer_versions),
+            "version": self.version,
+        }
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> "Campaign":
+    def from_data(cls, data: report_data.Campaign) -> "Campaign":
         """The inverse of `to_data`."""
-        given: dict[str, Any] = {}
-        for name in (f.name for f in fields(cls)):
-            given[name] = tuple(data[name]) if isinstance(data[name], list) else data[name]
-        return cls(**given)
+        return cls(
+            tuple(data["targets"]),
+            tuple(data["peers"]),
+            tuple(data["strata"]),
+            data["cases"],
+            data["digits"],
+            data["seed"],
+            tuple(data["digests"]),
+            tuple(data["peer_versions"]),
+            data["version"],
+        )
 
 
 @dataclass(slots=True)
@@ -152,7 +169,7 @@ def complete(
     Whatever stops it, `progress` is whole: each case is in it once or not at all.
     """
     chunks = progress.missing(campaign)
-    pending: set[Future[Any]] = set()
+    pending: set[Future[tuple[Chunk, Tally]]] = set()
     try:
         while True:
             for chunk in islice(chunks, place.ahead - len(pending)):
@@ -183,7 +200,7 @@ def add_case(
     campaign: Campaign,
     stratum: str,
     index: int,
-    implementations: Iterable[str] | Mapping[str, Any],
+    implementations: Asked,
 ) -> None:
     """Measure and count one case; implementations as `measure_case` takes them."""
     sample = draw(stratum, index, campaign.seed)
@@ -209,7 +226,7 @@ def _check_installed(campaign: Campaign) -> None:
 
 
 def _versions(peers: Sequence[str]) -> tuple[str, ...]:
-    return tuple(implementation(PEER + name).version for name in peers)
+    return tuple(own_peer(name).version for name in peers)
 
 
 def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:

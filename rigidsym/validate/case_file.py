@@ -8,20 +8,27 @@ from rigidsym import inputs
 from rigidsym.io.cases import load_case
 from rigidsym.io.files import write_text
 from rigidsym.validate.strata import Sample
+from rigidsym.view.report_data import Numbers
 
 FIELDS = ("inertia", "omega0", "attitude0", "times")
 
 
-def hexadecimal(sample: Sample) -> dict[str, list[str]]:
+def hexadecimal(sample: Sample) -> Numbers:
     """Its numbers without loss: doubles in hexadecimal, others as fractions."""
-    return {name: [_text(x) for x in getattr(sample, name)] for name in FIELDS}
+    return {
+        "inertia": list(map(_text, sample.inertia)),
+        "omega0": list(map(_text, sample.omega0)),
+        "attitude0": list(map(_text, sample.attitude0)),
+        "times": list(map(_text, sample.times)),
+    }
 
 
 def toml(sample: Sample, remarks: Iterable[str] = ()) -> str:
     """The text of a case file."""
     lines = [f"# {remark}" for remark in remarks]
-    for name, values in hexadecimal(sample).items():
-        listed = ", ".join(f'"{x}"' for x in values)
+    numbers = hexadecimal(sample)
+    for name in FIELDS:
+        listed = ", ".join(f'"{x}"' for x in numbers[name])
         lines.append(f"{name} = [{listed}]")
     return "\n".join(lines) + "\n"
 

@@ -6,7 +6,6 @@ import time
 from collections.abc import Mapping
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
 
 from rigidsym.errors import InputError
 from rigidsym.io.files import write_text
@@ -14,7 +13,7 @@ from rigidsym.validate.campaign import Campaign, Progress
 from rigidsym.validate.tally import Tally
 
 NAME = "campaign.json"
-SCHEMA = "rigidsym.campaign/1"
+SCHEMA = "rigidsym.campaign/2"
 # Seconds of work that a machine may lose when it is switched off.
 INTERVAL = 10.0
 
@@ -64,7 +63,7 @@ def load(directory: Path) -> tuple[Campaign, Progress]:
     return Campaign.from_data(data["campaign"]), Progress(Tally.from_data(data["tally"]), done)
 
 
-def _seal(data: Mapping[str, Any]) -> dict[str, str]:
+def _seal(data: Mapping[str, object]) -> dict[str, str]:
     """The schema, and a digest that tells whether anything was changed."""
     text = json.dumps(data, sort_keys=True)
     return {"schema": SCHEMA, "sha256": hashlib.sha256(text.encode()).hexdigest()}
@@ -79,7 +78,7 @@ def check_same(directory: Path, found: Campaign, expected: Campaign) -> None:
             raise InputError("resume", directory, rule)
 
 
-def _short(value: Any) -> str:
+def _short(value: object) -> str:
     if isinstance(value, tuple):
         return ", ".join(str(x)[:12] for x in value) or "none"
     return str(value)

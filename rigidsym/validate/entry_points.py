@@ -5,12 +5,12 @@ All that an engine offers has to give what its states at given times are, within
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
-from rigidsym.engines import Engine, States
+from rigidsym.engines import Engine, Prepared, States
 from rigidsym.validate import callers
+from rigidsym.validate.callers import Body
 from rigidsym.validate.oracle import lengths
 
 # Two cases in so many are measured so, the first two of each stratum among them: its ends.
@@ -29,7 +29,7 @@ def is_due(index: int) -> bool:
 
 
 def differences(
-    engine: Engine, prepared: Any, body: Any, times: np.ndarray, rate: float
+    engine: Engine, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
 ) -> np.ndarray:
     """For each way, the largest difference from the states at given times: of angle, and of rates
     over their size.
@@ -47,7 +47,7 @@ def differences(
     return np.array(found)
 
 
-def _alone(engine: Engine, prepared: Any, times: np.ndarray) -> States:
+def _alone(engine: Engine, prepared: Prepared, times: np.ndarray) -> States:
     states = [engine.states(prepared, float(t)) for t in times]
     return np.array([q for q, _ in states]), np.array([omega for _, omega in states])
 
@@ -57,7 +57,7 @@ def _grid_times(rate: float) -> np.ndarray:
     return _step(rate) * np.arange(-1.0, GRID - 1)
 
 
-def _grid(engine: Engine, prepared: Any, rate: float) -> States:
+def _grid(engine: Engine, prepared: Prepared, rate: float) -> States:
     return engine.grid(prepared, -_step(rate), _step(rate), GRID)
 
 
@@ -65,14 +65,14 @@ def _step(rate: float) -> float:
     return 2.0 ** -math.floor(math.log2(rate))
 
 
-def _many(engine: Engine, prepared: Any, times: np.ndarray) -> States:
+def _many(engine: Engine, prepared: Prepared, times: np.ndarray) -> States:
     """The first and the last of as many times as it takes."""
     copies = MANY // len(times) + 1
     q, omega = engine.states(prepared, np.tile(times, copies))
     return q[-len(times) :], omega[-len(times) :]
 
 
-def _batch(engine: Engine, body: Any, times: np.ndarray) -> States:
+def _batch(engine: Engine, body: Body, times: np.ndarray) -> States:
     """The middle one of three bodies, between another one and itself at rest."""
     inertia, omega0, attitude0 = body
     moments = np.array([np.max(inertia) * OTHER_BODY, inertia, inertia])

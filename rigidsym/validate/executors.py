@@ -10,7 +10,7 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from multiprocessing import get_context, parent_process
-from typing import Any
+from typing import ParamSpec, TypeVar
 
 from rigidsym.engines.threads import processors
 from rigidsym.errors import InputError
@@ -19,6 +19,8 @@ from rigidsym.errors import InputError
 AHEAD = 2
 SECONDS_TO_CONNECT = 10
 _INTERRUPTS = (signal.SIGINT, signal.SIGTERM)
+Arguments = ParamSpec("Arguments")
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,18 +31,22 @@ class Place:
     ahead: int
     name: str
 
-    def submit(self, work: Callable[..., Any], *arguments: Any) -> Future[Any]:
+    def submit(
+        self, work: Callable[Arguments, Found], *args: Arguments.args, **kwargs: Arguments.kwargs
+    ) -> Future[Found]:
         """Give it work, for which it may have to start a process."""
         with undisturbed():
-            return self.executor.submit(work, *arguments)
+            return self.executor.submit(work, *args, **kwargs)
 
 
 class Here(Executor):
     """One after the other, in this process."""
 
-    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+    def submit(
+        self, fn: Callable[Arguments, Found], /, *args: Arguments.args, **kwargs: Arguments.kwargs
+    ) -> Future[Found]:
         """The result, or what was raised, at once."""
-        future: Future[Any] = Future()
+        future: Future[Found] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
         except Exception as error:

@@ -3,18 +3,33 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeGuard
 
 import numpy as np
 
 from rigidsym.validate.case_file import hexadecimal
-from rigidsym.validate.implementations import implementation
+from rigidsym.validate.implementations import Implementation, implementation
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
-from rigidsym.validate.peers.user_integrator import UserIntegrator
+from rigidsym.validate.peers.user_integrator import Integrator, UserIntegrator
 from rigidsym.validate.strata import Sample
+from rigidsym.view.report_data import Numbers
 
-SCHEMA = "rigidsym.case/1"
+SCHEMA = "rigidsym.case/2"
+# Names of implementations, or implementations and functions by whatever name.
+Asked = Iterable[str] | Mapping[str, Implementation | Integrator]
+
+
+class FindingData(Numbers):
+    """The schema rigidsym.case/2; errors by implementation and measure."""
+
+    schema: str
+    case: str
+    regime: str
+    distance: float
+    turned: list[float]
+    condition: dict[str, list[float]]
+    errors: dict[str, dict[str, list[str]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +45,8 @@ class Finding:
         """The case."""
         return self.reference.sample
 
-    def to_data(self) -> dict[str, Any]:
-        """The schema rigidsym.case/1: inputs without loss, and all errors in units of 2^-53."""
+    def to_data(self) -> FindingData:
+        """The schema rigidsym.case/2: inputs without loss, and all errors in units of 2^-53."""
         reference = self.reference
         return {
             "schema": SCHEMA,
@@ -57,9 +72,7 @@ class Finding:
         return max(self.shares(name).values(), default=0.0)
 
 
-def measure_case(
-    sample: Sample, digits: int, implementations: Iterable[str] | Mapping[str, Any]
-) -> Finding:
+def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding:
     """Enclose and measure a case, at the times that are within an implementation's reach.
 
     implementations: targets and "peer NAME"; or by any names engines, peers, and functions such as
@@ -74,11 +87,14 @@ def measure_case(
     return Finding(reference, errors)
 
 
-def _entered(implementations: Iterable[str] | Mapping[str, Any]) -> dict[str, Any]:
+def _entered(implementations: Asked) -> dict[str, Implementation]:
     """Engines and peers by name."""
     if isinstance(implementations, Mapping):
         return {
-            name: x if hasattr(x, "prepare") else UserIntegrator.of(x)
-            for name, x in implementations.items()
+            name: x if _is_ready(x) else UserIntegrator.of(x) for name, x in implementations.items()
         }
     return {name: implementation(name) for name in implementations}
+
+
+def _is_ready(one: Implementation | Integrator) -> TypeGuard[Implementation]:
+    return hasattr(one, "prepare")

@@ -4,13 +4,14 @@ import json
 import threading
 from functools import cache
 from importlib import resources
-from typing import Any
 
 from rigidsym import engines
+from rigidsym.engines import Engine
 from rigidsym.errors import InputError
-from rigidsym.validate.peers import peer
+from rigidsym.validate.peers import Peer, peer
 
 PEER = "peer "
+Implementation = Engine | Peer
 
 
 def check_target(target: str) -> None:
@@ -23,22 +24,27 @@ def check_target(target: str) -> None:
         raise InputError("target", target, error.rule) from None
 
 
-def implementation(name: str) -> Any:
+def implementation(name: str) -> Implementation:
     """The engine of a target, or "peer NAME"; InputError where it cannot be had."""
-    # Peers serve one thread at a time, and workers of a cluster have several.
-    return _implementation(name, threading.get_ident())
-
-
-@cache
-def _implementation(name: str, thread: int) -> Any:
     if name.startswith(PEER):
-        return peer(name.removeprefix(PEER))
+        return own_peer(name.removeprefix(PEER))
     return engines.exactly(name)
 
 
+def own_peer(name: str) -> Peer:
+    """The peer of a name that this thread has; InputError where it cannot be had."""
+    # Peers serve one thread at a time, and workers of a cluster have several.
+    return _peer(name, threading.get_ident())
+
+
+@cache
+def _peer(name: str, thread: int) -> Peer:
+    return peer(name)
+
+
 def forget() -> None:
-    """Look for every implementation again when it is next asked for."""
-    _implementation.cache_clear()
+    """Look for every peer again when it is next asked for."""
+    _peer.cache_clear()
 
 
 def digest(target: str) -> str:

@@ -1,16 +1,16 @@
 """The validation report as Markdown."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
 
 from rigidsym.validate.bounds import CONDITIONED, MEASURES, ULP
 from rigidsym.validate.tally import DRAWN
+from rigidsym.view.report_data import Cell, Failure, Figure, Implementation, Report, Stratum
 
 HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "entry points")
 
 
-def markdown(data: Mapping[str, Any]) -> str:
-    """Tables a person can read, of data of the schema rigidsym.validation/2."""
+def markdown(data: Report) -> str:
+    """Tables a person can read, of data of the schema rigidsym.validation/3."""
     lines = [
         "# Validation",
         "",
@@ -32,18 +32,18 @@ def markdown(data: Mapping[str, Any]) -> str:
     lines[-1] += f"{_worst(apart) * data['agreement']:.1g} and has to agree to "
     lines[-1] += f"{data['agreement']:g}."
     lines += _failures(data["failures"])
-    for implementation in data["contestants"]:
+    for implementation in data["implementations"]:
         lines += _implementation(implementation, data["strata"])
-    lines += _regimes(data["contestants"])
+    lines += _regimes(data["implementations"])
     return "\n".join(lines) + "\n"
 
 
-def _bound(data: Mapping[str, Any], name: str) -> str:
+def _bound(data: Report, name: str) -> str:
     bound = f"{data['bounds'][name] * ULP:.2g}"
     return f"{bound} times the condition" if name in CONDITIONED else bound
 
 
-def _failures(failures: Sequence[Mapping[str, Any]]) -> list[str]:
+def _failures(failures: Sequence[Failure]) -> list[str]:
     if not failures:
         return []
     lines = ["", "## Broken bounds", ""]
@@ -52,9 +52,7 @@ def _failures(failures: Sequence[Mapping[str, Any]]) -> list[str]:
     return lines
 
 
-def _implementation(
-    implementation: Mapping[str, Any], strata: Iterable[Mapping[str, Any]]
-) -> list[str]:
+def _implementation(implementation: Implementation, strata: Iterable[Stratum]) -> list[str]:
     columns = ["stratum", "cases", "states", *HEADS, "share", ""]
     lines = ["", f"## {implementation['name']}", ""]
     lines += [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
@@ -70,7 +68,7 @@ def _implementation(
     return lines
 
 
-def _regimes(implementations: Sequence[Mapping[str, Any]]) -> list[str]:
+def _regimes(implementations: Sequence[Implementation]) -> list[str]:
     """Targets x regimes: angle and rates."""
     names = [implementation["name"] for implementation in implementations]
     regimes = sorted(
@@ -87,12 +85,12 @@ def _regimes(implementations: Sequence[Mapping[str, Any]]) -> list[str]:
     return lines
 
 
-def _shown(cell: Mapping[str, Any] | None, conditioned: bool) -> str:
+def _shown(cell: Cell | None, conditioned: bool) -> str:
     if cell is None:
         return ""
     units = f"{float(cell['units']):.3g}"
     return f"{units} ({float(cell['condition']):.1g})" if conditioned else units
 
 
-def _worst(figures: Iterable[float | str]) -> float:
+def _worst(figures: Iterable[Figure]) -> float:
     return max(map(float, figures), default=0.0)

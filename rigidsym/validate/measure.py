@@ -1,12 +1,16 @@
 """How wrong states are, by every measure, in units of 2^-53 and against the documented bounds."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeGuard
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from rigidsym.engines import Engine, Prepared
 from rigidsym.validate import entry_points
 from rigidsym.validate.bounds import BOUNDS, MEASURES, ULP
+from rigidsym.validate.callers import Body
+from rigidsym.validate.implementations import Implementation
 from rigidsym.validate.oracle import Reference, lengths
 from rigidsym.validate.quadrature_residual import Quadrature, residual
 from rigidsym.validate.strata import Sample
@@ -27,7 +31,7 @@ class Errors:
         return self.units * ULP
 
 
-def measure(reference: Reference, engine: Any) -> dict[str, Errors]:
+def measure(reference: Reference, engine: Implementation) -> dict[str, Errors]:
     """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong."""
     times = np.array(reference.sample.times, dtype=float)
     try:
@@ -38,7 +42,7 @@ def measure(reference: Reference, engine: Any) -> dict[str, Errors]:
         return {name: _errors(name, times, np.full(len(times), np.inf)) for name in MEASURES}
 
 
-def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str, Errors]:
+def _measured(reference: Reference, engine: Implementation, times: np.ndarray) -> dict[str, Errors]:
     sample, rate = reference.sample, reference.rate or 1.0
     later = np.nextafter(times, np.inf)
     paths = [Quadrature.over(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
@@ -59,25 +63,30 @@ def _measured(reference: Reference, engine: Any, times: np.ndarray) -> dict[str,
         "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
     }
     # Peers have one entry point only.
-    if entry_points.is_due(sample.index) and hasattr(engine, "grid"):
+    if entry_points.is_due(sample.index) and _offers(engine, "grid"):
         apart = entry_points.differences(engine, prepared, body, times, rate)
-        found["routes"] = _errors("routes", [0.0] * len(apart), apart)
+        found["entry_points"] = _errors("entry_points", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)
     # Where t = 0 is not asked for there is no start.
     return {name: errors for name, errors in found.items() if len(errors.times)}
 
 
-def _made(sample: Sample, engine: Any) -> tuple[Any, Any]:
+def _made(sample: Sample, engine: Implementation) -> tuple[Prepared, Body | None]:
     """A prepared motion, and the doubles it is made from where they say all of the sample."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
-    body = tuple(np.array(values, dtype=float) for values in state)
+    inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)
     # Peers take doubles only.
-    if not sample.in_doubles and hasattr(engine, "prepare_exactly"):
+    if not sample.in_doubles and _offers(engine, "prepare_exactly"):
         return engine.prepare_exactly(*sample.exact), None
-    return engine.prepare(*body), body
+    return engine.prepare(inertia, omega0, attitude0), (inertia, omega0, attitude0)
 
 
-def _angle(q: np.ndarray, reference: Reference, engine: Any) -> np.ndarray:
+def _offers(engine: Implementation, method: str) -> TypeGuard[Engine]:
+    """Whether it has what peers may do without."""
+    return hasattr(engine, method)
+
+
+def _angle(q: np.ndarray, reference: Reference, engine: Implementation) -> np.ndarray:
     """The angle of the turn between, up to 2 pi: the difference is taken before it is rounded."""
     chord = _apart(q, reference.q)
     if not getattr(engine, "double_cover_sign", True):
@@ -118,7 +127,11 @@ def _drifts(sample: Sample, times: np.ndarray, omega: np.ndarray) -> dict[str, E
 
 
 def _errors(
-    name: str, times: Any, values: Any, condition: Any = 1.0, allowance: Any = 1.0
+    name: str,
+    times: ArrayLike,
+    values: ArrayLike,
+    condition: ArrayLike = 1.0,
+    allowance: float | np.ndarray = 1.0,
 ) -> Errors:
     """Errors of a measure; what is no number is infinitely wrong."""
     times, values = np.array(times, dtype=float), np.array(values, dtype=float)

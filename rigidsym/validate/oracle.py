@@ -1,13 +1,13 @@
 """What is true of a sample: enclosures of its states, and how much they depend on the inputs."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
-from typing import Any
 
 import numpy as np
+from flint import arb
 
 from rigidsym.precise import PreciseMotion
 from rigidsym.precise.adaptive import GUARD_BITS
@@ -81,7 +81,7 @@ def enclose(sample: Sample, digits: int) -> Reference:
     return Reference(
         sample,
         motion.polhode.regime,
-        distance(motion.inertia, motion.omega0),
+        distance(*sample.exact[:2]),
         math.hypot(*map(float, sample.omega0)),
         np.stack([high[:, :4], low[:, :4]]),
         np.stack([high[:, 4:], low[:, 4:]]),
@@ -130,7 +130,8 @@ def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> Precise
         deviates = (Fraction(round(random.gauss(0, GRAIN)), GRAIN) for _ in values)
         return tuple(x * (1 + dx * step) for x, dx in zip(values, deviates, strict=True))
 
-    return PreciseMotion(changed(motion.inertia), changed(motion.omega0), motion.attitude0)
+    inertia, omega0, attitude0 = motion.exact
+    return PreciseMotion(changed(inertia), changed(omega0), attitude0)
 
 
 def _condition(
@@ -143,19 +144,21 @@ def _condition(
     """
     size = lengths(omega)[:, None]
     turned = lengths(omega, 0.0) * np.abs(times)
-    bend = _bend(motion.inertia, omega / size)
+    bend = _bend(motion.exact[0], omega / size)
     return {
         "angle": np.hypot(turned, 2 * lengths(slopes[:, :4], 0.0)),
         "omega": np.hypot(turned * bend, lengths(slopes[:, 4:], 0.0)),
     }
 
 
-def _bend(inertia: Sequence[Any], unit: np.ndarray) -> np.ndarray:
+def _bend(inertia: Sequence[Fraction], unit: np.ndarray) -> np.ndarray:
     """|omega'| / |omega|^2 by Euler's equations, for rates over their size (N, 3)."""
     factors = [float((inertia[k - 2] - inertia[k - 1]) / inertia[k]) for k in range(3)]
     return lengths(np.array(factors) * np.roll(unit, -1, axis=1) * np.roll(unit, -2, axis=1), 0.0)
 
 
-def _table(compute: Any, *tables: Sequence[Sequence[Any]]) -> list[list[float]]:
+def _table(
+    compute: Callable[..., float], *tables: Sequence[Sequence[arb | float]]
+) -> list[list[float]]:
     """compute, entry by entry."""
     return [list(map(compute, *rows)) for rows in zip(*tables, strict=True)]

@@ -5,14 +5,16 @@ import platform
 import resource
 import sys
 from importlib.metadata import PackageNotFoundError, version
-from typing import Any
 
 from rigidsym.validate.campaign import Campaign
+from rigidsym.view.report_data import Figure
 
 PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
 
 
-def environment(campaign: Campaign, place: str, seconds: float, states: int) -> dict[str, Any]:
+def environment(
+    campaign: Campaign, place: str, seconds: float, states: int
+) -> dict[str, Figure | None]:
     """Versions, machine, time and memory."""
     return {
         "place": place,

@@ -6,7 +6,7 @@ belong to another.
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from rigidsym.codegen import generate
 from rigidsym.codegen.header import MEASURED_FILE
@@ -18,9 +18,17 @@ from rigidsym.validate.strata import STRATA
 from rigidsym.validate.tally import DRAWN
 
 
+class Measured(TypedDict):
+    """What was measured of a target; worst: stratum, then errors by the measures drawn."""
+
+    digest: str
+    command: str
+    worst: list[list[str | float]]
+
+
 def record(report: ValidationReport) -> Path:
     """Keep the figures of a report; raises InputError unless today's code was measured."""
-    known: dict[str, Any] = {}
+    known: dict[str, Measured] = {}
     if MEASURED_FILE.is_file():
         known = json.loads(MEASURED_FILE.read_text("utf-8"))
     campaign = report.campaign

@@ -5,7 +5,6 @@ import re
 import shlex
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
@@ -15,11 +14,13 @@ from rigidsym.validate.case_file import file_name, hexadecimal
 from rigidsym.validate.finding import Finding
 from rigidsym.validate.implementations import PEER
 from rigidsym.validate.markdown import markdown
+from rigidsym.validate.measure import Errors
 from rigidsym.validate.strata import STRATA, count, in_doubles
 from rigidsym.validate.tally import DRAWN, Cell, Tally
+from rigidsym.view import report_data
 from rigidsym.view.html.reports import BROKEN, PASSED, report_html
 
-SCHEMA = "rigidsym.validation/2"
+SCHEMA = "rigidsym.validation/3"
 FAILURES = "failures"
 
 
@@ -81,7 +82,7 @@ class ValidationReport:
     tally: Tally
     worst: tuple[Finding, ...] = ()
     failures: tuple[Failure, ...] = ()
-    run: Mapping[str, Any] = field(default_factory=dict)
+    run: Mapping[str, report_data.Figure | None] = field(default_factory=dict)
 
     @property
     def passed(self) -> bool:
@@ -109,7 +110,7 @@ class ValidationReport:
 
     def share(self, name: str, stratum: str) -> float:
         """The largest part of a bound that is needed in a stratum; infinite where untested."""
-        expected = [m for m in MEASURES if m != "routes" or not name.startswith(PEER)]
+        expected = [m for m in MEASURES if m != "entry_points" or not name.startswith(PEER)]
         cells = (self.tally.cells.get((name, m, "share", stratum)) for m in expected)
         return max(float("inf") if cell is None else cell.worst for cell in cells)
 
@@ -146,8 +147,8 @@ class ValidationReport:
     def _partial(self) -> bool:
         return len(self.campaign.strata) < len(STRATA)
 
-    def to_data(self) -> dict[str, Any]:
-        """The schema rigidsym.validation/2; figures in units of 2^-53, to three digits."""
+    def to_data(self) -> report_data.Report:
+        """The schema rigidsym.validation/3; figures in units of 2^-53, to three digits."""
         tally = self.tally
         return {
             "schema": SCHEMA,
@@ -169,7 +170,9 @@ class ValidationReport:
                 for name in self.campaign.strata
             ],
             "agreement": second_oracle.AGREEMENT,
-            "contestants": [self._implementation(name) for name in self.campaign.implementations],
+            "implementations": [
+                self._implementation(name) for name in self.campaign.implementations
+            ],
             "worst": [self._case(finding) for finding in self.worst],
             "failures": [
                 {
@@ -222,13 +225,9 @@ class ValidationReport:
         """Where the case of a failure lies; None where it is one that is drawn."""
         return None if self.campaign.user_integrators else failure.file
 
-    def _implementation(self, name: str) -> dict[str, Any]:
+    def _implementation(self, name: str) -> report_data.Implementation:
         campaign, peer = self.campaign, name.startswith(PEER)
         digest = None if peer else campaign.digests[campaign.targets.index(name)]
-        views = {
-            view: {measure: _cells(self.tally.view(name, measure, view)) for measure in DRAWN}
-            for view in ("distance", "turned", "condition")
-        }
         sizes = {
             stratum: {
                 m: {
@@ -249,7 +248,9 @@ class ValidationReport:
             "share": {stratum: _figure(self.share(name, stratum)) for stratum in campaign.strata},
             "regimes": self._by_measure(name, "regime"),
             "sizes": sizes,
-            **views,
+            "distance": self._drawn(name, "distance"),
+            "turned": self._drawn(name, "turned"),
+            "condition": self._drawn(name, "condition"),
         }
 
     def _replay(self, case: str) -> Iterator[str]:
@@ -264,15 +265,19 @@ class ValidationReport:
         yield from (f"--digits {campaign.digits}", f"--seed {campaign.seed}")
         yield from (f"--peer {name}" for name in campaign.peers)
 
-    def _by_measure(self, name: str, view: str) -> dict[str, Any]:
+    def _drawn(self, name: str, view: str) -> report_data.Cells:
+        """Measures, of each the parts of a view."""
+        return {measure: _cells(self.tally.view(name, measure, view)) for measure in DRAWN}
+
+    def _by_measure(self, name: str, view: str) -> report_data.Cells:
         """Parts of a view, of each its measures."""
-        parts: dict[str, dict[str, Any]] = {}
+        parts: dict[str, dict[str, report_data.Cell]] = {}
         for measure in MEASURES:
             for part, cell in _cells(self.tally.view(name, measure, view)).items():
                 parts.setdefault(part, {})[measure] = cell
         return parts
 
-    def _case(self, finding: Finding, file: str | None = None) -> dict[str, Any]:
+    def _case(self, finding: Finding, file: str | None = None) -> report_data.Case:
         """A case, by its file in the directory of the report where it is not one that is drawn."""
         sample, reference = finding.sample, finding.reference
         name = f"{sample.stratum}:{sample.index}"
@@ -294,16 +299,16 @@ def _variable(name: str) -> str:
     return re.sub(r"\W", "_", name)
 
 
-def as_json(data: Mapping[str, Any]) -> str:
+def as_json(data: report_data.Report) -> str:
     """Data of a report as text, in the order of its keys."""
     return json.dumps(data, indent=1, sort_keys=True, allow_nan=False) + "\n"
 
 
-def _cells(cells: Mapping[str, Cell]) -> dict[str, Any]:
+def _cells(cells: Mapping[str, Cell]) -> dict[str, report_data.Cell]:
     return {part: _cell(cell) for part, cell in cells.items()}
 
 
-def _cell(cell: Cell) -> dict[str, Any]:
+def _cell(cell: Cell) -> report_data.Cell:
     """A cell; of shares, `units` is the part of the bound, and `count` what was beyond it."""
     stratum, index, time = cell.place
     return {
@@ -315,7 +320,7 @@ def _cell(cell: Cell) -> dict[str, Any]:
     }
 
 
-def _worst(found: Any) -> dict[str, Any]:
+def _worst(found: Errors) -> report_data.WorstError:
     k = int(found.units.argmax())
     return {
         "units": _figure(found.units[k]),
@@ -325,7 +330,7 @@ def _worst(found: Any) -> dict[str, Any]:
     }
 
 
-def _figure(value: float) -> float | str:
+def _figure(value: float) -> report_data.Figure:
     """Three digits; "inf" for what JSON has no number for."""
     text = f"{value:.3g}"
     return text if text in ("inf", "nan") else float(text)

@@ -19,10 +19,11 @@ SHARE = 256
 
 def disagreement(motion: PreciseMotion, backwards: bool) -> float:
     """The largest difference of a number from its ball after REACH radians, over AGREEMENT."""
-    rate = math.hypot(*map(float, motion.omega0)) or 1.0
+    inertia, omega0, attitude0 = motion.exact
+    rate = math.hypot(*map(float, omega0)) or 1.0
     time = Fraction(-REACH / rate if backwards else REACH / rate)
-    series = integrate(motion.inertia, motion.omega0, motion.attitude0, time, DIGITS)
-    digits = DIGITS + decades_below_one(motion.omega0)
+    series = integrate(inertia, omega0, attitude0, time, DIGITS)
+    digits = DIGITS + decades_below_one(omega0)
     ((q, omega),) = motion.enclosures([time], digits)
     with working(bits_of(2 * digits)):
         sizes = (1, ball(Fraction(rate)))

@@ -1,28 +1,55 @@
 """What the command does around a validation: begin or resume it, and write its report."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from rigidsym import engines
 from rigidsym.errors import InputError
 from rigidsym.io.files import write_text
 from rigidsym.validate import case_file, checkpoint
-from rigidsym.validate.campaign import Campaign, Progress
+from rigidsym.validate.campaign import CASES, DIGITS, SEED, Campaign, Progress
 from rigidsym.validate.finding import Finding, measure_case
 from rigidsym.validate.markdown import markdown
 from rigidsym.validate.report import FAILURES, ValidationReport, as_json
 from rigidsym.validate.strata import STRATA, Sample, count, draw
 from rigidsym.view.validation import page
 
-# The arguments of `Campaign.of` that a user can choose.
-CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
+
+class Chosen(TypedDict):
+    """The arguments of `Campaign.of` that a user can choose."""
+
+    targets: Sequence[str]
+    peers: Sequence[str]
+    strata: Sequence[str]
+    cases: int
+    digits: int
+    seed: int
 
 
-def begin(
-    chosen: Mapping[str, Any], directory: Path | None, resume: bool
-) -> tuple[Campaign, Progress]:
+class Choices(TypedDict, total=False):
+    """Some of them."""
+
+    targets: Sequence[str]
+    peers: Sequence[str]
+    strata: Sequence[str]
+    cases: int
+    digits: int
+    seed: int
+
+
+_DEFAULTS: Chosen = {
+    "targets": engines.ENGINES,
+    "peers": (),
+    "strata": (),
+    "cases": CASES,
+    "digits": DIGITS,
+    "seed": SEED,
+}
+
+
+def begin(chosen: Choices, directory: Path | None, resume: bool) -> tuple[Campaign, Progress]:
     """A new campaign of what is chosen, or the unfinished one of a directory.
 
     Raises InputError where that is another campaign, or would be lost.
@@ -31,13 +58,21 @@ def begin(
         if directory and (directory / checkpoint.NAME).exists():
             rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
             raise InputError("output", directory, rule)
-        defaults: dict[str, Any] = {"targets": engines.ENGINES}
-        return Campaign.of(**defaults | dict(chosen)), Progress()
+        wanted: Chosen = {**_DEFAULTS, **chosen}
+        return Campaign.of(**wanted), Progress()
     if directory is None:
         raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
     found, progress = checkpoint.load(directory)
-    known: dict[str, Any] = {name: getattr(found, name) for name in CHOICES}
-    checkpoint.check_same(directory, found, Campaign.of(**known | dict(chosen)))
+    known: Chosen = {
+        "targets": found.targets,
+        "peers": found.peers,
+        "strata": found.strata,
+        "cases": found.cases,
+        "digits": found.digits,
+        "seed": found.seed,
+    }
+    same: Chosen = {**known, **chosen}
+    checkpoint.check_same(directory, found, Campaign.of(**same))
     return found, progress
 
 

@@ -7,7 +7,7 @@ merged in any order and grouping, and always give the same.
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -35,6 +35,18 @@ class Cell:
         """Both together; of figures equally bad the one whose place comes first."""
         worst = min(self, other, key=lambda cell: (-cell.worst, cell.place))
         return Cell(self.count + other.count, worst.worst, worst.place, worst.condition)
+
+
+# Key, count, worst, place and condition, floats in hexadecimal; a list once JSON had it.
+Row = tuple[str, str, str, str, int, str, str, int, str, str]
+
+
+class TallyData(TypedDict):
+    """A tally as JSON takes it."""
+
+    cells: list[Row]
+    cases: dict[str, int]
+    states: dict[str, int]
 
 
 @dataclass(slots=True)
@@ -96,16 +108,16 @@ class Tally:
         found = sorted(key for key in self.cells if key[:3] == begin)
         return {key[3]: self.cells[key] for key in found}
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> TallyData:
         """As JSON takes it: sorted, floats in hexadecimal."""
         rows = [
-            [*key, cell.count, _hex(cell.worst), *_written(cell.place), _hex(cell.condition)]
+            (*key, cell.count, _hex(cell.worst), *_written(cell.place), _hex(cell.condition))
             for key, cell in sorted(self.cells.items())
         ]
         return {"cells": rows, "cases": self.cases, "states": self.states}
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> "Tally":
+    def from_data(cls, data: TallyData) -> "Tally":
         """The inverse of `to_data`."""
         cells = {}
         for target, measure, view, part, count, worst, name, index, time, condition in data[

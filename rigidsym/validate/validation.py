@@ -5,7 +5,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager
-from typing import Any
 
 from rigidsym import engines
 from rigidsym.errors import InputError
@@ -18,6 +17,7 @@ from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import Sample, draw
 from rigidsym.validate.tally import DRAWN, Cell, Place, Tally
+from rigidsym.view.report_data import Figure
 
 Show = Callable[[int, int], None]
 
@@ -94,7 +94,9 @@ def _told(
     return error
 
 
-def reported(campaign: Campaign, tally: Tally, run: Mapping[str, Any]) -> ValidationReport:
+def reported(
+    campaign: Campaign, tally: Tally, run: Mapping[str, Figure | None]
+) -> ValidationReport:
     """The report of a campaign: its worst cases are measured once more, in full."""
     worst = (
         draw(stratum, index, campaign.seed) for stratum, index, _ in worst_places(campaign, tally)

@@ -2,10 +2,12 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Protocol, Unpack
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from rigidsym.inputs import MotionInputs
 from rigidsym.solution.polhode import Regime
 
 
@@ -22,11 +24,11 @@ class Motion(Protocol):
         """The kind of motion."""
         ...
 
-    def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+    def __call__(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Attitude and body rates, (N, 4) and (N, 3) at N times in s."""
         ...
 
-    def replace(self, **changes: Any) -> "Motion":
+    def replace(self, **changes: Unpack[MotionInputs]) -> "Motion":
         """The motion with other inputs."""
         ...
 

@@ -1,12 +1,12 @@
 """How long to look at a motion: periods of the rates, and turns where they have none."""
 
 import math
-from typing import Any
 
 import numpy as np
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
+from rigidsym.inputs import Times
 from rigidsym.precise import PreciseMotion
 from rigidsym.solution.polhode import Regime
 from rigidsym.view.protocols import Motion
@@ -43,7 +43,7 @@ def once(motion: Motion) -> tuple[float, float]:
     return middle - far, middle + far
 
 
-def chosen(motion: Motion, times: Any, count: int) -> np.ndarray:
+def chosen(motion: Motion, times: Times | None, count: int) -> np.ndarray:
     """The times given as doubles, or `count` by `grid`; InputError for fewer than two, s."""
     if times is None:
         return grid(motion, count)
@@ -74,7 +74,7 @@ def _turn(motion: Motion) -> float:
 
 def _constants(motion: Motion) -> dict[str, float]:
     given = motion.exact
-    exact: Any = PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
+    exact = PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
     found = exact.constants(("lambda_", "u", "k_c"), DIGITS)
     return {name: float(value) for name, value in found.items()}
 

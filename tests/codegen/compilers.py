@@ -45,10 +45,10 @@ class Compiler:
         assert done.returncode == 0, done.stderr[-4000:]
         return here / output
 
-    def remarks(self, here: Path, *flags: str) -> str:
-        """What it says of a build that no cache can answer."""
+    def remarks(self, here: Path, output: Path, *flags: str) -> str:
+        """What it says of an object that no cache can answer for."""
         fresh = f"-DFRESH={time.time_ns()}"
-        done = self.run(*flags, fresh, "-c", here / OURS[0], "-o", here / "remarks.o")
+        done = self.run(*flags, fresh, "-c", here / OURS[0], "-o", output)
         assert done.returncode == 0, done.stderr[-4000:]
         return done.stderr
 

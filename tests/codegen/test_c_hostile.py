@@ -1,13 +1,11 @@
 """Builds by options that are hostile to extended numbers: each is right or refuses every motion."""
 
-import os
 import subprocess
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from compilers import X86, clang, gcc, needed, written, zig
+from compilers import X86, needed, written
 from regimes import cases, errors
 
 ANGLE = RATE = 2e-15
@@ -25,42 +23,52 @@ EVERYWHERE = (
     "-ffast-math -fno-finite-math-only",
     "-ffast-math -fno-associative-math -fno-finite-math-only",
     "-funsafe-math-optimizations",
-    "-funsafe-math-optimizations -fno-reciprocal-math",
-    "-funsafe-math-optimizations -fno-associative-math",
-    f"{ASSOCIATIVE} -ffp-contract=fast",
     f"{ASSOCIATIVE} -flto",
-    "-flto",
     "-ffinite-math-only",
-    "-frounding-math",
 )
 GCC = (
-    "-Ofast -fno-fast-math",
     "-Ofast -ftrapping-math",
     "-Ofast -fno-unsafe-math-optimizations",
     "-fsingle-precision-constant",
     "-mfpmath=387",
     "-mfpmath=both",
     "-mrecip -funsafe-math-optimizations",
-    "-funroll-loops -fvariable-expansion-in-unroller",
-    "-ffloat-store",
-    "-fcx-limited-range",
 )
 CLANG = (
     "-ffp-model=fast",
-    "-ffp-model=strict",
     "-fno-honor-nans -fno-honor-infinities",
     "-fapprox-func",
     "-fdenormal-fp-math=preserve-sign",
     "-mrecip=all -freciprocal-math",
 )
-LOWER = [f"{level} {options}" for level in ("-O0", "-O1", "-O2") for options in WORST]
+LOWEST = [f"-O0 {options}" for options in WORST]
 BUILDS = [
     *(("gcc", f"{OPTIMISED} {options}") for options in (*EVERYWHERE, *GCC)),
     *(("clang", f"{OPTIMISED} {options}") for options in (*EVERYWHERE, *CLANG)),
-    *((name, options) for name in ("gcc", "clang") for options in LOWER),
+    *((name, options) for name in ("gcc", "clang") for options in LOWEST),
+]
+# Parts of those above, options that promise more than the usual ones or mean nothing to this code,
+# levels between, and another clang.
+PARTS = (
+    "-funsafe-math-optimizations -fno-reciprocal-math",
+    "-funsafe-math-optimizations -fno-associative-math",
+    f"{ASSOCIATIVE} -ffp-contract=fast",
+    "-flto",
+    "-frounding-math",
+)
+PARTS_OF_GCC = (
+    "-Ofast -fno-fast-math",
+    "-funroll-loops -fvariable-expansion-in-unroller",
+    "-ffloat-store",
+    "-fcx-limited-range",
+)
+BETWEEN = [f"{level} {options}" for level in ("-O1", "-O2") for options in WORST]
+MORE = [
+    *(("gcc", f"{OPTIMISED} {options}") for options in (*PARTS, *PARTS_OF_GCC)),
+    *(("clang", f"{OPTIMISED} {options}") for options in (*PARTS, "-ffp-model=strict")),
+    *((name, options) for name in ("gcc", "clang") for options in BETWEEN),
     *(("zig", f"{OPTIMISED} {options}") for options in WORST),
 ]
-COMPILERS = {"gcc": gcc, "clang": clang, "zig": zig}
 NOT_FINITE = " ".join(["nan", *["1"] * 9, "0"]) + "\n"
 pytestmark = pytest.mark.skipif(not X86, reason="these are options for x86")
 
@@ -92,21 +100,9 @@ def motions():
     return [(case, case.exact()) for case in cases()[::2]]
 
 
-@pytest.fixture(scope="module")
-def outcomes(here, motions, request):
-    """Of the builds asked for; what is loaded may set the processor's flags: each is a program."""
-    asked = [item for item in request.session.items if "outcomes" in item.fixturenames]
-    builds = [item.callspec.params["build"] for item in asked]
-    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        found = pool.map(lambda build: outcome(here, *build, motions), builds)
-        return dict(zip(builds, found, strict=True))
-
-
 def outcome(here, name, options, motions, source="torque_free.c"):
-    """What comes of a build; None without the compiler."""
-    compiler = COMPILERS[name]()
-    if compiler is None:
-        return None
+    """What comes of a build, as a program: what is loaded may set the processor's flags."""
+    compiler = needed(name)
     program = here / "-".join([name, *options.split(), "program"])
     sources = (here / "driver.c", here / source)
     done = compiler.run(*options.split(), *sources, "-o", program, "-lm")
@@ -127,10 +123,12 @@ def driven(program, motions):
     return Outcome("", codes, (max(angles), max(rates)), last[0] == "0")
 
 
-@pytest.mark.parametrize("build", BUILDS, ids=" ".join)
-def test_a_build_is_right_or_refuses(build, outcomes):
-    needed(build[0])
-    found = outcomes[build]
+SLOW = [pytest.param(build, marks=pytest.mark.slow) for build in MORE]
+
+
+@pytest.mark.parametrize("build", [*BUILDS, *SLOW], ids=" ".join)
+def test_a_build_is_right_or_refuses(build, here, motions):
+    found = outcome(here, *build, motions)
     if "unknown" in found.refusal or "unsupported" in found.refusal:
         pytest.skip(f"{build[0]} has no such option: {build[1]}")
     assert found.is_right() or found.is_refused(), found
@@ -142,7 +140,6 @@ def test_a_build_is_right_or_refuses(build, outcomes):
 def test_without_its_question_a_build_would_be_wrong(build, here, motions):
     """The options above are hostile indeed, and no macro of these compilers tells of them."""
     name, options = build
-    needed(name)
     text = (here / "torque_free.c").read_text()
     (here / "unasked.c").write_text(text.replace("if (!is_rounded_once())", "if (0)"))
     found = outcome(here, name, f"-w {OPTIMISED} {options}", motions, "unasked.c")
@@ -154,7 +151,6 @@ def test_without_its_question_a_build_would_be_wrong(build, here, motions):
 
 @pytest.mark.parametrize("name", ["gcc", "clang"])
 def test_the_usual_builds_are_not_refused(name, here, motions):
-    needed(name)
     for options in ("-O0", "-std=c99 -O2", f"-std=c99 {OPTIMISED} -ffp-contract=off"):
         assert outcome(here, name, options, motions).is_right(), options
 

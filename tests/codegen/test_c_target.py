@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 from fractions import Fraction
+from itertools import product
 
 import numpy as np
 import pytest
@@ -89,11 +90,15 @@ def test_it_is_cpp_too(name, standard, here):
     assert (done.returncode, done.stderr) == (0, "")
 
 
+@pytest.fixture(scope="module", params=[1, 8, 100])
+def small(request, here):
+    flags = ("-std=c99", "-O1", *SHARED, f"-DTORQUE_FREE_BLOCK={request.param}")
+    file = f"block{request.param}.so"
+    return Library(needed("gcc" if gcc() else "clang").build(here, file, *flags))
+
+
 @pytest.mark.parametrize("omega0", [BODY[1], (0.75, 0.5, 1.0), (0, 1.0, 0)])
-@pytest.mark.parametrize("block", [1, 8, 100])
-def test_blocks_of_any_size_have_the_same_states(block, omega0, here, any_library):
-    flags = ("-std=c99", "-O1", *SHARED, f"-DTORQUE_FREE_BLOCK={block}")
-    small = Library(needed("gcc" if gcc() else "clang").build(here, f"block{block}.so", *flags))
+def test_blocks_of_any_size_have_the_same_states(small, omega0, any_library):
     _, prepared = any_library.prepare((1, 2, 2.25), omega0, (1, 0, 0, 0))
     times = np.linspace(-7, 30, 250)
     found, grid = small.states(prepared, times)[1], small.grid(prepared, 1.0, 0.1, 250)[1]
@@ -118,28 +123,30 @@ def test_parts_of_grids_that_are_too_far_are_refused(any_library):
     assert any_library.grid(prepared, 0.0, 2.0**40, 2, 200)[0] == 6
 
 
-@pytest.mark.parametrize("name", ["gcc", "clang"])
-@pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3"])
-def test_it_needs_nothing_but_libm_and_has_no_variables(name, machine, here):
+REPORTS = {"gcc": "-fopt-info-vec", "clang": "-Rpass=loop-vectorize"}
+
+
+@pytest.fixture(scope="module", params=[*product(REPORTS, ["x86-64", "x86-64-v3"])], ids=" ".join)
+def compiled(request, here):
+    """An optimised object, and what the compiler says of its loops."""
+    name, machine = request.param
+    compiler, file = needed(name), here / f"{name}-{machine}.o"
+    flags = ("-std=c99", *FAST, *compiler.machine(machine), REPORTS[name])
+    return file, compiler.remarks(here, file, *flags)
+
+
+def test_it_needs_nothing_but_libm_and_has_no_variables(compiled):
     if shutil.which("nm") is None:
         pytest.skip("no nm here")
-    compiler = needed(name)
-    flags = ("-std=c99", "-O2", "-c", *compiler.machine(machine))
-    object_file = compiler.build(here, f"{name}.o", *flags)
-    listing = subprocess.run(["nm", object_file], capture_output=True, text=True, check=True)
+    listing = subprocess.run(["nm", compiled[0]], capture_output=True, text=True, check=True)
     symbols = re.findall(r"([A-Za-z]) (\S+)$", listing.stdout, re.MULTILINE)
     assert {symbol for kind, symbol in symbols if kind == "U"} <= MATHEMATICS | UNASKED
     assert not [symbol for kind, symbol in symbols if kind in "BbDdCSsG"]
     assert all(s.startswith("torque_free_") for kind, s in symbols if kind == "T")
 
 
-@pytest.mark.parametrize("name", ["gcc", "clang"])
-@pytest.mark.parametrize("machine", ["x86-64", "x86-64-v3"])
-def test_the_loops_vectorise(name, machine, here):
-    compiler = needed(name)
-    report = {"gcc": "-fopt-info-vec", "clang": "-Rpass=loop-vectorize"}[name]
-    flags = ("-std=c99", *FAST, *compiler.machine(machine), report)
-    found = re.findall(r"torque_free\.c:(\d+):.*vectorized", compiler.remarks(here, *flags))
+def test_the_loops_vectorise(compiled, here):
+    found = re.findall(r"torque_free\.c:(\d+):.*vectorized", compiled[1])
     within = {function_at(here, int(line)) for line in found}
     assert set(TO_VECTORISE) <= within
 

@@ -136,6 +136,20 @@ def test_other_names_are_refused(monkeypatch, how):
         seal(sealed())
 
 
+def test_what_the_ledger_does_not_publish_is_behind_no_line(monkeypatch):
+    """A definition is no fact, and goes by no fact's name."""
+
+    def as_facts(renamed, lets, new):
+        return tuple(
+            replace(let, facts=tuple(name.removeprefix("definition ") for name in let.facts))
+            for let in renamed(lets, new)
+        )
+
+    monkeypatch.setattr(initial_state, "renamed", partial(as_facts, initial_state.renamed))
+    with pytest.raises(InputError, match=r"landen.kc_next: the ledger has no such formula"):
+        seal(sealed())
+
+
 def dropping(name):
     return lambda lets: tuple(let for let in lets if name not in let.targets)
 

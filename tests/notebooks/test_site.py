@@ -2,6 +2,7 @@
 
 import importlib.util
 import json
+import os
 import re
 import subprocess
 import sys
@@ -44,20 +45,28 @@ def executed():
     return sample
 
 
-def build(output, notebooks):
-    command = [sys.executable, SITE / "build.py", "-o", output, "-n", notebooks]
-    return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
+def run(*command, seed="1"):
+    return subprocess.run(
+        [sys.executable, *command], capture_output=True, text=True, check=False,
+        cwd=ROOT, env={**os.environ, "PYTHONHASHSEED": seed},
+    )  # fmt: skip
 
 
-@pytest.fixture(scope="module")
-def html(tmp_path_factory):
+def build(output, notebooks, **how):
+    return run(SITE / "build.py", "-o", output, "-n", notebooks, **how)
+
+
+@pytest.fixture(scope="session")
+def html(once):
     """A built site with a chapter and a how-to."""
-    folder = tmp_path_factory.mktemp("site")
-    for name in ("01_sample.ipynb", "satellite.ipynb"):
-        (folder / name).write_text(json.dumps(executed()))
-    found = build(folder / "out", folder)
-    assert found.returncode == 0, found.stderr
-    return folder / "out" / "html"
+
+    def make(folder):
+        for name in ("01_sample.ipynb", "satellite.ipynb"):
+            (folder / name).write_text(json.dumps(executed()))
+        found = build(folder / "out", folder)
+        assert found.returncode == 0, found.stderr
+
+    return once("site", make) / "out" / "html"
 
 
 def pages(html):
@@ -143,7 +152,7 @@ def test_links_into_the_repository_lead_to_pages_that_show_it(html):
 
 
 def test_building_again_gives_the_same(html, tmp_path):
-    assert build(tmp_path, html.parents[1]).returncode == 0
+    assert build(tmp_path, html.parents[1], seed="2").returncode == 0
     again = tmp_path / "html"
     names = sorted(path.relative_to(html) for path in html.rglob("*") if path.is_file())
     assert names == sorted(path.relative_to(again) for path in again.rglob("*") if path.is_file())
@@ -151,10 +160,21 @@ def test_building_again_gives_the_same(html, tmp_path):
     assert differ == []
 
 
+RENDER = f"""
+import sys
+from pathlib import Path
+sys.path.insert(0, {str(SITE)!r})
+from build import render
+sys.exit(render(Path(sys.argv[1])))
+"""
+
+
 def test_a_formula_that_is_not_understood_is_an_error(tmp_path):
-    sample = notebook()
-    sample.cells[0]["source"] = "# Wrong\n\n$\\nosuchthing x$"
-    (tmp_path / "01_wrong.ipynb").write_text(json.dumps(sample))
-    found = build(tmp_path / "out", tmp_path)
+    for part in ("static", "source"):
+        (tmp_path / part).mkdir()
+    page = "# One page\n\n$\\nu x$ and $\\nosuchthing x$\n"
+    (tmp_path / "source" / "index.md").write_text(page)
+    found = run("-c", RENDER, tmp_path)
     assert found.returncode != 0
-    assert "nosuchthing" in found.stderr
+    (line,) = found.stderr.splitlines()
+    assert "nosuchthing" in line

@@ -62,22 +62,49 @@ def test_complements_are_taken_off_not_computed():
     assert complement(Name("m")) == parse("1 - m")
 
 
-def test_every_formula_is_a_proved_fact_or_a_reading():
+def test_every_formula_is_a_proved_fact_a_definition_or_a_reading():
     facts = {fact["id"]: fact for fact in LEDGER["facts"]}
-    readings = {
-        f"reading {context['name']}.{name}"
-        for context in LEDGER["contexts"]
-        for name in context["reading"]
-    }
-    for formulas in sealed().sequences.values():
-        for formula in formulas:
-            assert formula.fact in readings or facts[formula.fact]["grade"] == "PROVED"
-            assert formula.source
+    contexts = {context["name"]: context for context in LEDGER["contexts"]}
+    kinds = set()
+    for formula in (f for formulas in sealed().sequences.values() for f in formulas):
+        kind, _, place = formula.fact.rpartition(" ")
+        kinds.add(kind)
+        context, name = place.split(".")
+        assert formula.context == context
+        assert formula.source
+        if kind == "definition":
+            assert formula.name == name
+            assert formula.expression == parse(contexts[context]["definitions"][name])
+        elif kind == "reading":
+            assert name in contexts[context]["reading"]
+        else:
+            assert facts[place]["grade"] == "PROVED"
+            assert facts[place]["context"] == context
+    assert kinds == {"", "definition", "reading"}
+
+
+def test_no_published_fact_restates_a_definition():
+    """What a context defines is published as a definition."""
+    contexts = {context["name"]: context for context in LEDGER["contexts"]}
+    facts = {fact["id"]: fact for fact in LEDGER["facts"]}
+    for entry in (e for entries in LEDGER["published"]["sequences"].values() for e in entries):
+        if "fact" in entry:
+            fact = facts[entry["fact"]]
+            (name,), (text,) = fact["lhs"], fact["rhs"]
+            assert contexts[fact["context"]]["definitions"].get(name) != text, fact["id"]
+
+
+def defined(context, name):
+    """The entry for what a context defines a name as."""
+    return {"context": context, "definition": name, "source": ["1"]}
 
 
 def changed(**sequences):
-    """The ledger with formula sequences of these facts."""
-    listed = {name: [{"fact": fact} for fact in ids] for name, ids in sequences.items()}
+    """The ledger with formula sequences of these facts, or of these entries."""
+    listed = {
+        name: [{"fact": entry} if isinstance(entry, str) else entry for entry in entries]
+        for name, entries in sequences.items()
+    }
     published = LEDGER["published"]
     sequences = {**published["sequences"], **listed}
     return json.dumps({**LEDGER, "published": {**published, "sequences": sequences}})
@@ -111,6 +138,14 @@ def unmodelled(context):
         (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
         (changed(state=["regular.euler"]), "not one proved formula"),
         (changed(state=["amplitude.printed"]), "not one proved formula"),
+        (changed(state=[defined("descended", "no_such")]), "not readable"),
+        (changed(state=[defined("nowhere", "u_1")]), "not readable"),
+        (changed(state=[{"context": "descended", "definition": "u_1"}]), "not readable"),
+        (changed(state=[defined("descended", "sn")]), "state: sn needs s"),
+        (
+            changed(state=[defined("descended", "u_1"), defined("any_motion", "c_ab")]),
+            "state: no context is a model of all",
+        ),
         (ledger_text().replace('"PROVED"', '"ASSUMED"'), "not one proved formula"),
     ],
 )

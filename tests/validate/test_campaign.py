@@ -24,7 +24,7 @@ from rigidsym.validate import (
     validation,
 )
 from rigidsym.validate.bounds import BOUNDS
-from rigidsym.validate.campaign import CHUNK, Campaign, Progress, complete, tallied
+from rigidsym.validate.campaign import Campaign, Progress, complete, tallied
 from rigidsym.validate.checkpoint import Checkpoint
 from rigidsym.validate.finding import measure_case
 from rigidsym.validate.record import record
@@ -35,8 +35,15 @@ from rigidsym.validate.tally import Tally
 from rigidsym.validate.validation import run
 
 NAMES = ("sphere", "rest")
+# Small pieces of work are interrupted as large ones are.
+CHUNK = 10
 CASES = 3 * CHUNK
 CHOSEN = {"targets": ["c"], "cases": CASES, "strata": NAMES}
+
+
+@pytest.fixture(autouse=True)
+def _small_chunks(monkeypatch):
+    monkeypatch.setattr("rigidsym.validate.campaign.CHUNK", CHUNK)
 
 
 def small():
@@ -45,7 +52,7 @@ def small():
 
 @pytest.fixture(scope="module")
 def expected():
-    return validate(["c"], CASES, strata=NAMES).to_data()["contestants"]
+    return validate(["c"], CASES, strata=NAMES).to_data()["implementations"]
 
 
 def stopping_at(cases):
@@ -66,7 +73,7 @@ def test_an_interrupted_campaign_goes_on_to_the_same_report(tmp_path, expected):
     assert found == progress
     assert found.cases == 2 * CHUNK
     report = run(again, found, executors.local(1))
-    assert report.to_data()["contestants"] == expected
+    assert report.to_data()["implementations"] == expected
     assert found.done == {name: [(0, CASES)] for name in NAMES}
 
 
@@ -120,12 +127,12 @@ def test_a_large_campaign_is_not_laid_out_in_memory():
 
 def test_what_is_missing_is_each_case_once_whatever_was_done():
     progress, tally = Progress(), Tally()
-    for chunk in (("rest", 20, 30), ("rest", 60, 149), ("sphere", 0, 1), ("rest", 30, 31)):
+    for chunk in (("rest", 4, 6), ("rest", 12, 29), ("sphere", 0, 1), ("rest", 6, 7)):
         progress.take(chunk, tally)
-    assert progress.done["rest"] == [(20, 31), (60, 149)]
+    assert progress.done["rest"] == [(4, 7), (12, 29)]
     missing = list(progress.missing(small()))
     listed = [(name, k) for name, start, stop in missing for k in range(start, stop)]
-    done = {("rest", k) for k in [*range(20, 31), *range(60, 149)]} | {("sphere", 0)}
+    done = {("rest", k) for k in [*range(4, 7), *range(12, 29)]} | {("sphere", 0)}
     assert sorted([*listed, *done]) == sorted((name, k) for name in NAMES for k in range(CASES))
     assert all(stop - start <= CHUNK for _, start, stop in missing)
 
@@ -145,7 +152,7 @@ def test_tallies_merge_in_any_order_and_come_back_from_json():
 def test_a_tally_does_not_grow_with_its_cases():
     """Cells are as many as strata, regimes, decades and half octaves: not as many as cases."""
     few, many = (
-        tallied(Campaign.of(**CHOSEN | {"cases": n}), ("sphere", 0, n))[1] for n in (40, 400)
+        tallied(Campaign.of(**CHOSEN | {"cases": n}), ("sphere", 0, n))[1] for n in (20, 160)
     )
     assert len(many.cells) < 1.5 * len(few.cells)
 
@@ -213,7 +220,7 @@ def test_nothing_to_resume(tmp_path):
     "change",
     [
         lambda text: text.replace('"done": {', '"done": {"rod": [[0, 9]], '),
-        lambda text: text.replace('"cases": 150', '"cases": 151'),
+        lambda text: text.replace(f'"cases": {CASES}', f'"cases": {CASES + 1}'),
         lambda text: text[: len(text) // 2],
         lambda text: text.replace("sha256", "sha"),
     ],

@@ -18,7 +18,7 @@ from rigidsym.validate.validation import run
 pytest.importorskip("distributed", reason="Dask is not installed (extra cluster)")
 
 STRATA = ("uniform", "near separatrix", "symmetric")
-CASES = 150
+CASES, CHUNK = 40, 10
 
 
 @contextmanager
@@ -53,7 +53,10 @@ def alone():
     return validate(cases=CASES, strata=STRATA)
 
 
-def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(alone, tmp_path):
+def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(
+    alone, tmp_path, monkeypatch
+):
+    monkeypatch.setattr("rigidsym.validate.campaign.CHUNK", CHUNK)
     campaign = Campaign.of(("numpy", "c"), CASES, strata=STRATA)
     progress, killed = Progress(), []
 

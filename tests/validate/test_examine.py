@@ -45,7 +45,7 @@ def test_the_report_is_that_of_everybody():
     assert data["command"] == (
         "examine(the_truth, cases=2, digits=40, seed=1, strata=['uniform', 'spin'])"
     )
-    assert [one["name"] for one in data["contestants"]] == ["peer the truth"]
+    assert [one["name"] for one in data["implementations"]] == ["peer the truth"]
     assert data["worst"][0]["replay"].startswith("measure_case(draw('spin', ")
     assert "| uniform | 2 | 44 |" in report.to_markdown()
     assert "the truth" in page(data)

@@ -138,7 +138,7 @@ def test_the_separatrix_breaks_nothing_but_the_states(peer):
 )
 def test_motions_that_are_none(motion, line):
     with pytest.raises(EngineError) as caught:
-        Start(*motion)
+        Start.of(*motion)
     assert str(caught.value) == line
 
 
@@ -154,7 +154,9 @@ def test_what_breaks_down_on_one_side_is_nan_there_from_then_on():
             raise ArithmeticError
         return np.array([[1.0] * 7, [np.nan] * 7, [1.0] * 7])
 
-    q, _ = start.both_ways(Start((1, 2, 2), (0, 0, 1), (1, 0, 0, 0)), [4, -1, 0, 2, 1, 3], follow)
+    q, _ = start.both_ways(
+        Start.of((1, 2, 2), (0, 0, 1), (1, 0, 0, 0)), [4, -1, 0, 2, 1, 3], follow
+    )
     assert np.isnan(q[:, 0]).tolist() == [True, True, False, True, False, True]
 
 

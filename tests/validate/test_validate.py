@@ -66,7 +66,7 @@ def test_reports_are_deterministic_for_any_number_of_workers():
 
 def test_the_report_says_what_it_is(report):
     data = json.loads(report.to_json())
-    assert data["schema"] == "rigidsym.validation/2"
+    assert data["schema"] == "rigidsym.validation/3"
     assert data["passed"] is True
     assert data["command"] == "rigidsym validate numpy c --cases 6 --digits 40 --seed 5"
     assert [stratum["name"] for stratum in data["strata"]] == list(STRATA)
@@ -210,7 +210,7 @@ def test_errors_of_states_that_are_refused_are_infinite_and_still_json(monkeypat
         implementations.forget()
     assert not report.passed
     data = json.loads(report.to_json())
-    assert data["contestants"][0]["strata"]["uniform"]["angle"]["units"] == "inf"
+    assert data["implementations"][0]["strata"]["uniform"]["angle"]["units"] == "inf"
     (failure,) = report.failures
     assert failure.line.startswith("numpy: uniform:0: angle inf")
 

@@ -60,3 +60,11 @@ def test_constants_come_before_what_moves_and_sums_begin_with_a_plus():
     assert latex(sympy.cos(x) * rate * K) == r"K \Omega_{1} \cos {x}"
     assert latex(1 - mu * sympy.sin(x) ** 2) == r"1 - \mu \sin^{2} {x}"
     assert latex(-x - symbol("y")) == "-x - y"
+
+
+def test_a_terminal_shows_the_rate_of_a_product():
+    from rigidsym.proof.steps import Rate, matrix
+    from rigidsym.view.article.mathematics import pretty
+
+    R, M = matrix("R"), matrix("M")
+    assert pretty(Rate(R * M)) == "d/dt (R\N{DOT OPERATOR}M)"

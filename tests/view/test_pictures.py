@@ -131,12 +131,6 @@ def test_a_box_has_the_proportions_of_its_moments():
 
 
 @pytest.mark.parametrize("draw", PICTURES)
-@pytest.mark.parametrize("name", MOVING)
-def test_pictures_are_small(draw, name):
-    assert len(draw(MOTIONS[name]).to_json()) < 1_200_000
-
-
-@pytest.mark.parametrize("draw", PICTURES)
 def test_one_line_where_plotly_is_missing(monkeypatch, draw):
     monkeypatch.setitem(sys.modules, "plotly.graph_objects", None)
     with pytest.raises(ImportError, match=rf"^{draw.__name__} needs plotly \(extra lab\): pip"):

@@ -29,8 +29,10 @@ def shown(monkeypatch):
 
 @pytest.mark.parametrize("draw", PICTURES)
 @pytest.mark.parametrize("name", [name for name in MOTIONS if name != "rest"])
-def test_stills_are_small_pictures_with_colours(draw, name, tmp_path):
-    data = still(draw(MOTIONS[name]))
+def test_pictures_are_small_and_stills_smaller_with_colours(draw, name, tmp_path):
+    picture = draw(MOTIONS[name])
+    assert len(picture.to_json()) < 1_200_000
+    data = still(picture)
     assert len(data) < 60_000
     (tmp_path / "still.jpeg").write_bytes(data)
     pixels = image.imread(tmp_path / "still.jpeg")

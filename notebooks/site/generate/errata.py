@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from generate.text import code, plain, table
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.proof.paper import Flaw, Ruling, Verdict, verdicts
+from rigidsym.proof.paper import Counterexample, Flaw, Ruling, Verdict, verdicts
 
 _HEAD = """# The paper's errata
 
@@ -81,11 +81,15 @@ def _parts(verdict: Verdict) -> Iterator[str]:
         yield f"Found by search: {', '.join(map(code, verdict.repairs))}."
     if verdict.conditions:
         yield f"**Where:** {', '.join(map(code, verdict.conditions))}."
+    for number in verdict.right_with:
+        yield f"**Right as printed** once ({number}) is mended."
+    if verdict.roots:
+        yield f"**Root cause:** {plain('; '.join(verdict.roots))}."
     if verdict.counterexample:
-        yield f"**Fails as printed at** {_point(verdict.counterexample)}."
+        yield _fails(verdict.counterexample)
     if equation.flaws:
         yield "\n".join(map(_flaw, equation.flaws.items()))
-    if equation.readings:
+    if verdict.readings:
         yield _readings(verdict)
     yield _facts(verdict)
 
@@ -99,8 +103,8 @@ def _flaw(item: tuple[Flaw, str]) -> str:
 
 def _readings(verdict: Verdict) -> str:
     rows = (
-        (plain(r.text), "fails" if r.refuted_by else "holds", plain(r.implies))
-        for r in verdict.equation.readings
+        (plain(r.reading.text), "holds" if r.holds else "fails", plain(r.reading.implies))
+        for r in verdict.readings
     )
     return table(("read so", "it", "which means"), rows)
 
@@ -109,12 +113,23 @@ def _point(point: Mapping[str, str]) -> str:
     return ", ".join(code(f"{name} = {value}") for name, value in point.items())
 
 
+def _fails(found: Counterexample) -> str:
+    """Where a line fails: both sides there, the motion, and the point."""
+    sides = ", ".join(
+        code(f"{text} = {value}")
+        for text, value in ((found.lhs, found.left), (found.rhs, found.right))
+    )
+    motion = f" in the motion {code(str(found.motion))}" if found.motion else ""
+    return f"**Fails as printed**{motion}, where {sides}: at {_point(found.point)}."
+
+
 def _facts(verdict: Verdict) -> str:
-    equation = verdict.equation
+    needed = tuple(dict.fromkeys(name for by in verdict.needed_by.values() for name in by))
     every = {
-        "proved by": equation.proved_by,
-        "refuted by": equation.refuted_by,
-        "conditions needed by": equation.needed_by,
+        "proved by": verdict.proved_by,
+        "refuted by": verdict.refuted_by,
+        "repaired by": verdict.repaired_by,
+        "conditions needed by": needed,
     }
     said = [f"{words} {', '.join(map(code, ids))}" for words, ids in every.items() if ids]
     wrong = ", ".join(f"{count} {fate}" for fate, count in verdict.mutants.items())

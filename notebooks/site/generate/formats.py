@@ -160,13 +160,13 @@ def _balls() -> Any:
 
 def _errata() -> Any:
     ruled = [v for v in verdicts(ledger_data(ledger_text())) if _is_full(v)]
-    return {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
+    return {"schema": "rigidsym.errata/2", "equations": [v.to_json() for v in ruled]}
 
 
 def _is_full(verdict: Verdict) -> bool:
     """A misprint in which every field says something."""
     every = (verdict.ruling == Ruling.MISPRINT, verdict.repairs, verdict.conditions)
-    return all((*every, verdict.equation.needed_by, verdict.equation.readings))
+    return all((*every, verdict.needed_by, verdict.readings, verdict.right_with))
 
 
 def _ledger() -> Any:
@@ -180,6 +180,11 @@ def _ledger() -> Any:
         "facts": [f for f in data["facts"] if f["id"] == shown[1]],
         "published": published,
     }
+
+
+def _methods() -> Any:
+    """At a time that Taylor series reach soon."""
+    return _json(comparison.compare(_example('times = ["0.1"]'), [15]).to_json())
 
 
 def _validation() -> Any:
@@ -212,7 +217,9 @@ def _map() -> Any:
 
 
 _CELL = "`count` figures, the worst of them in `units`, its `condition`, `case` and time `t`"
-_CASE_DATA = "a case in full: its numbers in hexadecimal, each contestant's errors, `replay`"
+_CASE_DATA = (
+    "a case in full: its numbers in hexadecimal, the errors of each implementation, `replay`"
+)
 _MEASURED = "one method with these digits, `null` where it was not run"
 FORMATS = (
     Format(
@@ -240,7 +247,7 @@ FORMATS = (
         },
     ),
     Format(
-        "rigidsym.errata/1",
+        "rigidsym.errata/2",
         "`rigidsym errata --json`",
         _errata,
         {
@@ -251,11 +258,14 @@ FORMATS = (
             "equations[].conditions": "of the equation, or of its repair where it is a misprint",
             "equations[].repair": "what mends it, LaTeX; empty where nothing has to be",
             "equations[].repairs_found": "what a search over small edits found",
-            "equations[].counterexample": "an exact point where it fails as printed, or `null`",
-            "equations[].proved_by": "facts of the ledger",
+            "equations[].root_causes": "the independent slips that it comes from",
+            "equations[].right_as_printed_with": "lines that make it right as printed once mended",
+            "equations[].counterexample": "an exact `point` where it fails as printed, `left` and "
+            "`right` side there, and the `motion` that is there; or `null`",
+            "equations[].proved_by": "facts of the ledger that say what it says",
             "equations[].refuted_by": "facts that hold a counterexample",
-            "equations[].needed_by": "facts that show the conditions necessary",
-            "equations[].conditions_needed_by": "the same, by condition",
+            "equations[].repaired_by": "facts that say what its repair says",
+            "equations[].conditions_needed_by": "facts that show a condition necessary",
             "equations[].readings": "ways to read the print, and whether it holds so",
             "equations[].flaws": "what is wrong with the print, whether or not it is false",
             "equations[].mutants": "what became of the statements made wrong on purpose",
@@ -304,8 +314,9 @@ FORMATS = (
             "published": "for readers; proves nothing",
             "published.sequences": "formulas in order of evaluation, by the name of the whole",
             "published.sequences.NAME[].fact": "the id of a proved formula, or instead of it",
-            "published.sequences.NAME[].context": "the context whose reading it is",
-            "published.sequences.NAME[].reading": "a name that stands for what it is read as",
+            "published.sequences.NAME[].context": "the context that says so",
+            "published.sequences.NAME[].definition": "a name and what that defines it as, or",
+            "published.sequences.NAME[].reading": "a name and what that reads it as",
             "published.sequences.NAME[].source": "equations of the paper that it is about",
             "published.repairs": "equations that a search found for what is refuted",
             "published.repairs[].fact": "the refuted fact",
@@ -319,7 +330,7 @@ FORMATS = (
     Format(
         comparison.SCHEMA,
         "`rigidsym methods --json`, and as `methods.json` with `-o DIR`",
-        lambda: _json(comparison.compare(_example(), [15]).to_json()),
+        _methods,
         {
             "motion": "exact numbers, as decimals or fractions",
             "neighbour": "a motion on the separatrix of nearly this body, or `null`",
@@ -351,28 +362,31 @@ FORMATS = (
             "strata": "cases and states of each, and how far the oracles disagree, "
             "as part of `agreement`",
             "agreement": "what the oracles have to agree to",
-            "contestants[].name": "a target, or a peer with `peer` before it",
-            "contestants[].peer": "whether it is one",
-            "contestants[].digest": "of the module; `null` for peers",
-            "contestants[].passed": "whether all is within the bounds",
-            "contestants[].strata": f"by stratum and measure: {_CELL}",
-            "contestants[].shares": "the same in parts of the bound; `count` is what was beyond it",
-            "contestants[].share": "the largest of these in each stratum, \"inf\" where untested",
-            "contestants[].regimes": "by regime of motion and measure",
-            "contestants[].sizes": "histograms in half octaves, by stratum and measure",
-            "contestants[].distance": "by measure and decade of the distance from the separatrix",
-            "contestants[].turned": "by measure and decade of |omega0 t|",
-            "contestants[].condition": "by measure and decade of the condition",
+            "implementations[].name": "a target, or a peer with `peer` before it",
+            "implementations[].peer": "whether it is one",
+            "implementations[].digest": "of the module; `null` for peers",
+            "implementations[].passed": "whether all is within the bounds",
+            "implementations[].strata": f"by stratum and measure: {_CELL}",
+            "implementations[].shares": "the same in parts of the bound; `count` is what was "
+            "beyond it",
+            "implementations[].share": "the largest of these in each stratum, \"inf\" where "
+            "untested",
+            "implementations[].regimes": "by regime of motion and measure",
+            "implementations[].sizes": "histograms in half octaves, by stratum and measure",
+            "implementations[].distance": "by measure and decade of the distance from the "
+            "separatrix",
+            "implementations[].turned": "by measure and decade of |omega0 t|",
+            "implementations[].condition": "by measure and decade of the condition",
             "worst": _CASE_DATA,
             "failures": "the worst broken bound of each target in each stratum, `simplest` a case",
             "run": "how and where: all that differs from run to run",
         },
-        frozenset({"contestants[].share"} | {f"contestants[].{view}{inner}"
+        frozenset({"implementations[].share"} | {f"implementations[].{view}{inner}"
                    for view in ("strata", "shares", "regimes", "sizes", "distance", "turned",
                                 "condition")
                    for inner in ("", ".NAME", ".NAME.NAME")}
                   | {"worst[].errors", "worst[].errors.NAME"})
-        - {f"contestants[].{view}.NAME.NAME"
+        - {f"implementations[].{view}.NAME.NAME"
            for view in ("strata", "shares", "regimes", "distance", "turned", "condition")},
         masked={"run": {"place": "1 process", "seconds": 0.5}},
     ),
@@ -420,7 +434,8 @@ FORMATS = (
             "lines": "by file",
             "lines.NAME[].line": "its number, from 1",
             "lines.NAME[].equations": "of the paper, or of the DLMF",
-            "lines.NAME[].facts": "of the ledger",
+            "lines.NAME[].facts": "of the ledger; `definition` or `reading` before the name says "
+            "that its context does",
         },
         frozenset({"lines"}),
     ),

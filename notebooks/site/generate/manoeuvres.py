@@ -59,7 +59,7 @@ def _track() -> Any:
     """A coarse one, which takes no time."""
     asked, tables = open_manoeuvre("paper")
     flight = read(tables)
-    coarse = replace(flight, run=replace(flight.run, period=Fraction(1, 2)))
+    coarse = replace(flight, run=replace(flight.run, period=Fraction(1)))
     best = solve(asked, engine="numpy").best
     run = fly(best.manoeuvre, coarse, best)
     return json.loads(results.Tracked(best.manoeuvre, coarse, best, run).to_json())

@@ -8,7 +8,6 @@ changes with time, and `_<branch>_state` the state from that.
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import mpmath
 
@@ -75,6 +74,6 @@ def constants() -> tuple[Constant, ...]:
     )
 
 
-def _in_two(name: str, value: Any) -> Constant:
+def _in_two(name: str, value: mpmath.mpf) -> Constant:
     hi = float(value)
     return Constant(name, hi, float(value - hi), name)

@@ -109,12 +109,16 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
                 f"q_{x} = scale*({first} + ({second} + {turned}))",
                 "18",
                 "37",
-                facts=(f"attitude.q_{x}",),
+                facts=(f"definition attitude.q_{x}",),
             )
         )
     for x, theta in zip(AXES, thetas, strict=True):
         lets.append(
-            let(f"Omega_{x} = gain_{x}*(({theta})*over)", "10", facts=(f"regular.Omega_{x}",))
+            let(
+                f"Omega_{x} = gain_{x}*(({theta})*over)",
+                "10",
+                facts=(f"definition regular.Omega_{x}",),
+            )
         )
     return lets
 

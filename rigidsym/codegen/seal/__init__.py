@@ -5,7 +5,7 @@ of these and compares with the ledger, or with what a special function states:
 
     order     every name is set once, before it is used, and every line is needed
     sharing   lines put together again are the formulas that ledger and special functions state
-    facts     formulas that name a fact of the ledger are that fact
+    facts     formulas that name a fact, definition or reading of the ledger are it
     states    rows, gains and states together are the ledger's attitude and rates
     text      printed files read back as the lines
 

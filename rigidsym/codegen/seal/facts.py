@@ -1,4 +1,4 @@
-"""A formula that names a fact of the ledger is that fact, under names declared here.
+"""A formula that names what the ledger has it from is that, under names declared here.
 
 The renaming in `rigidsym.codegen` is what is decided: this table is written down apart from it.
 """
@@ -56,13 +56,13 @@ def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]
                 raise InputError(function.name, let, "does not say what it comes from")
             for fact in let.facts:
                 if fact not in ledger:
-                    raise InputError(function.name, let, f"{fact}: the ledger has no such fact")
+                    raise InputError(function.name, let, f"{fact}: the ledger has no such formula")
                 if let.targets[0] not in parts:
                     yield _claim(function.name, let, ledger[fact])
 
 
 def by_fact(solution: Solution) -> dict[str, Formula]:
-    """The formulas of all sequences by the fact that proves them."""
+    """The formulas of all sequences by what the ledger has them from."""
     return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
@@ -73,24 +73,22 @@ def _proved(solution: Solution, place: str) -> set[str]:
     found = set()
     for sequence in _MADE_FROM.get(place, ()):
         for formula in solution.sequences[sequence]:
-            if not formula.fact.startswith("reading"):
-                context = formula.fact.split(".")[0]
-                meaning = _MEANINGS.get((place, context), {})
+            if not formula.is_reading:
+                meaning = _MEANINGS.get((place, formula.context), {})
                 found.add(meaning.get(formula.name, formula.name))
     return found
 
 
 def _claim(place: str, let: Let, formula: Formula) -> Claim:
-    meaning = _meaning(place, let, formula.fact)
+    meaning = _meaning(place, let, formula.context)
     if (put(Name(formula.name), meaning),) != tuple(map(Name, let.targets)):
         raise InputError(place, let, f"{formula.fact}: {DIFFERS}")
     return Claim(place, f"{formula.fact}: {let}", put(formula.expression, meaning), let.expression)
 
 
-def _meaning(place: str, let: Let, fact: str) -> Mapping[str, Expression]:
+def _meaning(place: str, let: Let, context: str) -> Mapping[str, Expression]:
     if place == "_ladder":
         return _rung(place, let)
-    context = fact.removeprefix("reading ").split(".")[0]
     return {name: parse(text) for name, text in _MEANINGS.get((place, context), {}).items()}
 
 

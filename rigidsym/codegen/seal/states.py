@@ -126,7 +126,7 @@ def _steady(
 ) -> Iterator[Claim]:
     """Half the angle is the phase."""
     ledger = by_fact(solution)
-    angle = {"theta": ledger["steady.theta"].expression}
+    angle = {"theta": ledger["definition steady.theta"].expression}
     phase = {n: put(parse(x), {"Lambda_rate": constants["Lambda_rate"]}) for n, x in _PHASE.items()}
     for name in ("cos_half_theta", "sin_half_theta"):
         formula = ledger[f"reading steady.{name}"]

@@ -13,10 +13,10 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from functools import cache
 from math import factorial
-from typing import Any
 
 import mpmath
 from flint import arb
+from mpmath import mpf
 
 from rigidsym.codegen.special_functions.polynomials import DIGITS, distance, interpolated
 
@@ -36,12 +36,12 @@ def cosine_coefficients(count: int) -> tuple[float, ...]:
     return _fitted(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
 
 
-def _sine_ratio(z: Any) -> Any:
+def _sine_ratio(z: mpf) -> mpf:
     f = mpmath.sqrt(z)
     return mpmath.sin(mpmath.pi * f) / f
 
 
-def _fitted(function: Callable[[Any], Any], count: int) -> tuple[float, ...]:
+def _fitted(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
     """Coefficients of a polynomial p with z p(z) near the function."""
     with mpmath.workdps(DIGITS):
         first = float(interpolated(lambda z: function(z) / z, *_RANGE, count)[0])

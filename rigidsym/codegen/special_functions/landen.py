@@ -42,7 +42,7 @@ def ladder() -> Function:
             let(
                 f"K{number} = (1 + k{number + 1})*K{number + 1}",
                 "DLMF 19.8.12",
-                facts=("landen.K",),
+                facts=("definition landen.K",),
             )
         )
     results = ("K0", f"s{STEPS}", f"c{STEPS}", f"Y{STEPS}")

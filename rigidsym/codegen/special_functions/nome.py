@@ -90,7 +90,11 @@ def root_ratio() -> Function:
     lets = (
         let("root_kc = sqrt(kc)", "DLMF 19.8.12"),
         let("k_next = (k/(1 + kc))*(k/(1 + kc))", "DLMF 19.8.12", facts=("landen.k_next",)),
-        let("kc_next = 2*root_kc/(1 + kc)", "DLMF 19.8.12", facts=("landen.kc_next",)),
+        let(
+            "kc_next = 2*root_kc/(1 + kc)",
+            "DLMF 19.8.12",
+            facts=("definition landen.kc_next",),
+        ),
         let("root = 1 + sqrt(kc_next)", _SOURCE),
         let("f = 2*(1 + kc_next)*root*root", _SOURCE),
         let("e = k_next*k_next/f", _SOURCE),

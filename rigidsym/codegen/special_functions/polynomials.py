@@ -3,10 +3,10 @@
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 from math import inf, nextafter
-from typing import Any
 
 import mpmath
 from flint import arb, arb_poly, ctx, fmpq
+from mpmath import mpf
 
 DIGITS = 60
 _BITS = 300
@@ -14,8 +14,8 @@ _PIECES = 64
 
 
 def interpolated(
-    function: Callable[[Any], Any], least: Fraction, most: Fraction, count: int
-) -> list[Any]:
+    function: Callable[[mpf], mpf], least: Fraction, most: Fraction, count: int
+) -> list[mpf]:
     """The coefficients of the polynomial through a function at Chebyshev's points, lowest first."""
     middle, half = _number((least + most) / 2), _number((most - least) / 2)
     rows, values = mpmath.matrix(count), mpmath.matrix(count, 1)
@@ -27,7 +27,7 @@ def interpolated(
     return list(mpmath.lu_solve(rows, values))
 
 
-def _number(value: Fraction) -> Any:
+def _number(value: Fraction) -> mpf:
     return mpmath.mpf(value.numerator) / value.denominator
 
 

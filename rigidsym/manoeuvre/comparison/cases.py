@@ -3,12 +3,12 @@
 from dataclasses import dataclass
 from functools import cached_property
 from math import ceil
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
 from rigidsym.engines import engine
-from rigidsym.manoeuvre.manoeuvre import Manoeuvre, manoeuvre
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre, ManoeuvreTables, manoeuvre
 from rigidsym.manoeuvre.problem import Problem, problem, unit
 
 PAPER = ("0.0109", "0.04", "0.0506")
@@ -22,6 +22,15 @@ at its limit; the paper's controller asks for 60 percent of the limit, 2 zeta om
 ROUNDED, SHORTEST = 10, 60
 "s: durations are whole multiples of the first, and not below the second, 18 times the loop's."
 _DIGITS = 6
+
+
+class CaseData(TypedDict):
+    """A case of the schema rigidsym.comparison/1."""
+
+    index: int
+    body: str
+    angle: float
+    manoeuvre: ManoeuvreTables
 
 
 @dataclass(frozen=True)
@@ -62,7 +71,7 @@ class Case:
         """From start to target, rad."""
         return _posed(self.manoeuvre).angle
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> CaseData:
         """For files."""
         angle = float(np.degrees(self.angle))
         return {

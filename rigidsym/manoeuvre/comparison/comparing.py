@@ -3,8 +3,9 @@
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import islice, product
-from typing import Any
+from typing import TypeVar
 
 from rigidsym import inputs
 from rigidsym.manoeuvre.comparison import pieces
@@ -20,8 +21,7 @@ MANOEUVRES, SEED = 20, 1
 MOST_MANOEUVRES, MOST_SEED = 10_000, 2**32
 
 _WAYS = tuple(product(Model, METHODS))
-# A function and its arguments.
-Call = tuple[Any, ...]
+Found = TypeVar("Found")
 
 
 def compare(
@@ -49,14 +49,14 @@ def _records(work: "_Work", seed: int, indices: Sequence[int]) -> list[Record]:
     """Optimal control first: its motions are flown."""
     tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
     solved = dict(
-        zip(tasks, work.done([(pieces.solved, seed, *one) for one in tasks]), strict=True)
+        zip(tasks, work.done([partial(pieces.solved, seed, *one) for one in tasks]), strict=True)
     )
     calls = [
-        (pieces.flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
+        partial(pieces.flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
         for k, (model, method) in ways
     ]
     flown = dict(zip(ways, work.done(calls), strict=True))
-    ideals = work.done([(pieces.ideals, seed, k) for k in indices])
+    ideals = work.done([partial(pieces.ideals, seed, k) for k in indices])
     return [
         Record(
             draw(k, seed),
@@ -77,14 +77,14 @@ class _Work:
     progress: Callable[[int, int], None]
     finished: int = field(default=0)
 
-    def done(self, calls: Sequence[Call]) -> list[Any]:
+    def done(self, calls: Sequence[Callable[[], Found]]) -> list[Found]:
         """What calls give, in their order."""
-        left, pending = iter(enumerate(calls)), {}
-        found: dict[int, Any] = {}
+        left = iter(enumerate(calls))
+        pending: dict[Future[Found], int] = {}
+        found: dict[int, Found] = {}
         while len(found) < len(calls):
-            for k, (function, *arguments) in islice(left, self.place.ahead - len(pending)):
-                future: Future[Any] = self.place.submit(function, *arguments)
-                pending[future] = k
+            for k, call in islice(left, self.place.ahead - len(pending)):
+                pending[self.place.submit(call)] = k
             ended, _ = wait(pending, return_when=FIRST_COMPLETED)
             for future in ended:
                 found[pending.pop(future)] = future.result()

@@ -9,7 +9,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, replace
 from fractions import Fraction
 from math import e
-from typing import Any
 
 import numpy as np
 from scipy.special import lambertw
@@ -62,7 +61,7 @@ class Flown:
     error_after_hold: float
     saturated: bool
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> dict[str, float]:
         """For files."""
         return asdict(self)
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -37,6 +37,23 @@ SAME = 1e-4
 "Relative: costs that differ by less are the same."
 
 
+class AttemptData(TypedDict):
+    """An attempt of the schema rigidsym.comparison/1; best: whether it found the best."""
+
+    cost: float
+    iterations: int
+    converged: bool
+    best: bool
+
+
+class SolvedData(TypedDict):
+    """What was solved, of the same schema; attempts: by setting and guess."""
+
+    best: float
+    miss: float
+    attempts: dict[str, dict[str, AttemptData]]
+
+
 @dataclass(frozen=True, slots=True)
 class Attempt:
     """cost: N m s for fuel, N^2 m^2 s for energy."""
@@ -55,7 +72,7 @@ class Solved:
     miss: float
     attempts: Mapping[str, Mapping[str, Attempt]]
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> SolvedData:
         """For files, with whether each attempt found the best."""
         attempts = {
             setting: {guess: self._told(one) for guess, one in guesses.items()}
@@ -67,7 +84,7 @@ class Solved:
         """Whether an attempt arrived where the best did."""
         return one.converged and one.cost <= self.best * (1 + SAME)
 
-    def _told(self, one: Attempt) -> dict[str, Any]:
+    def _told(self, one: Attempt) -> AttemptData:
         return {
             "cost": one.cost,
             "iterations": one.iterations,

@@ -2,13 +2,13 @@
 
 from collections.abc import Mapping
 from textwrap import fill
-from typing import Any
 
 from rigidsym.manoeuvre.comparison import tables
 from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
+from rigidsym.manoeuvre.comparison.statistics import AttemptSpread, FlownSpread, Spread, Summary
 
 
-def page(command: str, count: int, summary: Mapping[str, Any]) -> str:
+def page(command: str, count: int, summary: Summary) -> str:
     """Markdown, from `statistics.summary`."""
     parts = [
         "# Natural motions, quaternion feedback, optimal control",
@@ -36,7 +36,7 @@ def _filled(text: str) -> str:
     return fill(text, 100, break_on_hyphens=False)
 
 
-def _flown(summary: Mapping[str, Any], model: Model) -> str:
+def _flown(summary: Summary, model: Model) -> str:
     return _table(tables.flown(model, summary["flown"][model.value], tables.spread))
 
 
@@ -66,7 +66,7 @@ rates is not.  They are flown with wheels that cancel what is felt of their own 
 is not counted.  Optimal control has the same two models, without disturbances."""
 
 
-def _wheels(count: int, summary: Mapping[str, Any]) -> str:
+def _wheels(count: int, summary: Summary) -> str:
     methods = summary["flown"][Model.WHEELS.value]
     return f"""{_against("eigenaxis", methods, count)}  {_against("optimum", methods, count)}
 
@@ -74,7 +74,7 @@ def _wheels(count: int, summary: Mapping[str, Any]) -> str:
 is reached long before the duration is over.  {_against("step, slow", methods, count)}"""
 
 
-def _thrusters(count: int, summary: Mapping[str, Any]) -> str:
+def _thrusters(count: int, summary: Summary) -> str:
     methods = summary["flown"][Model.THRUSTERS.value]
     spent = {way: methods[way]["over_least_fuel"] for way in ("natural", "optimum")}
     return f"""{_against("eigenaxis", methods, count)}  {_against("step, slow", methods, count)}
@@ -85,7 +85,7 @@ rates, not torques, and falls behind and catches up.  Where a wheel saturates, t
 counts may be above its limit."""
 
 
-def _against(method: str, methods: Mapping[str, Any], count: int) -> str:
+def _against(method: str, methods: Mapping[str, FlownSpread], count: int) -> str:
     one = methods[method]
     return (
         f"{_NAMES[method]} costs {_times(one['over_natural'])} what the natural motion does, and "
@@ -101,7 +101,7 @@ _NAMES = {
 }
 
 
-def _ideal(summary: Mapping[str, Any]) -> str:
+def _ideal(summary: Summary) -> str:
     thrusters, wheels = (summary["ideal"][model.value] for model in Model)
     return f"""For thrusters the natural motion costs {_times(thrusters["natural"])} the least fuel,
 the eigenaxis {_times(thrusters["eigenaxis"])}: this is where the paper presumes its motions "close"
@@ -114,7 +114,7 @@ costs {_times(thrusters["natural, best of 10"])}.  Ratios may be below 1 by what
 optimum takes, 1e-4 of the duration."""
 
 
-def _guesses(count: int, summary: Mapping[str, Any]) -> str:
+def _guesses(count: int, summary: Summary) -> str:
     fuel = summary["optimal"][Task(Model.THRUSTERS, Cost.FUEL).name]["attempts"]
     wheels = summary["optimal"][Task(Model.WHEELS, Cost.FUEL).name]["attempts"]
     miss = max(one["miss"] for one in summary["optimal"].values())
@@ -128,7 +128,7 @@ attempts: where fewer are, there are other local optima.  The torques found lead
 degrees of the target by another integrator."""
 
 
-def _iterations(guesses: Mapping[str, Any]) -> str:
+def _iterations(guesses: Mapping[str, AttemptSpread]) -> str:
     parts = [
         f"{one['iterations']['median']:g} iterations from {_GUESSES[guess]}"
         if one["iterations"]
@@ -145,10 +145,10 @@ _GUESSES = {
 }
 
 
-def _found(guesses: Mapping[str, Any], count: int) -> str:
+def _found(guesses: Mapping[str, AttemptSpread], count: int) -> str:
     parts = [f"{one['best']} from {_GUESSES[guess]}" for guess, one in guesses.items()]
     return f"By default the best is found in {', '.join(parts)}, of {count}."
 
 
-def _times(one: Mapping[str, float]) -> str:
+def _times(one: Spread) -> str:
     return f"{one['median']:.4g} times (from {one['min']:.4g} to {one['max']:.4g})"

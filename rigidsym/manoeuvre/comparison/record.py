@@ -2,11 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
 
-from rigidsym.manoeuvre.comparison.cases import Case
+from rigidsym.manoeuvre.comparison.cases import Case, CaseData
 from rigidsym.manoeuvre.comparison.flights import Flown
-from rigidsym.manoeuvre.comparison.optima import Solved
+from rigidsym.manoeuvre.comparison.optima import Solved, SolvedData
+
+
+class RecordData(CaseData):
+    """A record of the schema rigidsym.comparison/1."""
+
+    flown: dict[str, dict[str, dict[str, float]]]
+    ideal: dict[str, dict[str, float]]
+    optimal: dict[str, SolvedData]
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +25,7 @@ class Record:
     ideal: Mapping[str, Mapping[str, float]]
     solved: Mapping[str, Solved]
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> RecordData:
         """For files."""
         return {
             **self.case.to_data(),

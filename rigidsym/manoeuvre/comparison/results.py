@@ -1,12 +1,12 @@
 """A comparison as files and tables."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cached_property
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import TypedDict
 
 from rigidsym._version import __version__
 from rigidsym.io.files import write_bytes, write_text
@@ -20,13 +20,28 @@ from rigidsym.manoeuvre.comparison.collocation.solver import (
 )
 from rigidsym.manoeuvre.comparison.page import page
 from rigidsym.manoeuvre.comparison.picture import picture
-from rigidsym.manoeuvre.comparison.record import Record
-from rigidsym.manoeuvre.comparison.statistics import summary
+from rigidsym.manoeuvre.comparison.record import Record, RecordData
+from rigidsym.manoeuvre.comparison.statistics import Summary, summary
 from rigidsym.manoeuvre.flight.settings import Controller, Wheels
 from rigidsym.view.plots import histories as drawing
 
 SCHEMA = "rigidsym.comparison/1"
 PACKAGES = ("casadi", "numpy", "scipy")
+
+
+# In the units of manoeuvre files; those of one thing in a table by its name.
+Settings = Mapping[str, float | Mapping[str, object]]
+
+
+class ComparisonData(TypedDict):
+    """The schema rigidsym.comparison/1."""
+
+    schema: str
+    command: str
+    settings: Settings
+    packages: dict[str, str]
+    summary: Summary
+    manoeuvres: list[RecordData]
 
 
 @dataclass(frozen=True)
@@ -37,7 +52,7 @@ class Comparison:
     records: tuple[Record, ...]
 
     @cached_property
-    def summary(self) -> dict[str, Any]:
+    def summary(self) -> Summary:
         """Spreads and counts over the manoeuvres; see `statistics`."""
         return summary(self.records)
 
@@ -46,7 +61,7 @@ class Comparison:
         """What leads here."""
         return f"rigidsym compare --manoeuvres {len(self.records)} --seed {self.seed}"
 
-    def to_data(self) -> dict[str, Any]:
+    def to_data(self) -> ComparisonData:
         """The schema rigidsym.comparison/1: no times, so that it is the same on each run."""
         return {
             "schema": SCHEMA,
@@ -77,7 +92,7 @@ class Comparison:
         return written
 
 
-def _settings() -> dict[str, Any]:
+def _settings() -> Settings:
     """What was chosen, in the units of manoeuvre files."""
     return {
         "impulse": IMPULSE,

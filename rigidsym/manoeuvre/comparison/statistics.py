@@ -1,7 +1,7 @@
 """Spreads of figures over manoeuvres, and who was better how often."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
@@ -11,7 +11,49 @@ from rigidsym.manoeuvre.comparison.optima import TASKS, Attempt, Solved
 from rigidsym.manoeuvre.comparison.record import Record
 
 Spread = Mapping[str, float]
-MEASURES = ("torque_integral", "torque_peak", "error_at_duration", "error_after_hold")
+
+
+class FlownSpread(TypedDict):
+    """Of the flights by one method: spreads, and in how many manoeuvres something was so."""
+
+    torque_integral: Spread
+    torque_peak: Spread
+    error_at_duration: Spread
+    error_after_hold: Spread
+    over_natural: Spread
+    over_least_fuel: Spread
+    cheaper_than_natural: int
+    dearer_than_natural: int
+    saturated: int
+
+
+class AttemptSpread(TypedDict):
+    """Of the attempts from one guess: iterations, None where none converged; how many did, found
+    the best, and were quickest."""
+
+    iterations: Spread | None
+    converged: int
+    best: int
+    fewest: int
+
+
+# By setting of the optimiser and guess.
+Attempts = Mapping[str, Mapping[str, AttemptSpread]]
+
+
+class SolvedSpread(TypedDict):
+    """Of a task: the largest miss, degrees, and what its attempts gave."""
+
+    miss: float
+    attempts: Attempts
+
+
+class Summary(TypedDict):
+    """Flights by actuators and method, ideal bursts by actuators and way, optima by task."""
+
+    flown: Mapping[str, Mapping[str, FlownSpread]]
+    ideal: Mapping[str, Mapping[str, Spread]]
+    optimal: Mapping[str, SolvedSpread]
 
 
 def spread(values: Iterable[float]) -> Spread:
@@ -24,7 +66,7 @@ def spread(values: Iterable[float]) -> Spread:
     return dict(zip(("min", "q1", "median", "q3", "max"), found, strict=True))
 
 
-def summary(records: Sequence[Record]) -> dict[str, Any]:
+def summary(records: Sequence[Record]) -> Summary:
     """All of it, for files and pages."""
     return {
         "flown": {model.value: _flown(records, model) for model in Model},
@@ -38,17 +80,20 @@ def least(record: Record, model: Model, limited: bool) -> float:
     return record.solved[Task(model, Cost.FUEL, limited).name].best
 
 
-def _flown(records: Sequence[Record], model: Model) -> dict[str, Any]:
+def _flown(records: Sequence[Record], model: Model) -> dict[str, FlownSpread]:
     return {method: _method(records, model, method) for method in METHODS}
 
 
-def _method(records: Sequence[Record], model: Model, method: str) -> dict[str, Any]:
+def _method(records: Sequence[Record], model: Model, method: str) -> FlownSpread:
     """Spreads, counts, and the torque integral over that of the natural motion."""
     flown: list[Flown] = [record.flown[model.value][method] for record in records]
     natural = [record.flown[model.value]["natural"].torque_integral for record in records]
     ratios = [one.torque_integral / x for one, x in zip(flown, natural, strict=True)]
     return {
-        **{name: spread(getattr(one, name) for one in flown) for name in MEASURES},
+        "torque_integral": spread(one.torque_integral for one in flown),
+        "torque_peak": spread(one.torque_peak for one in flown),
+        "error_at_duration": spread(one.error_at_duration for one in flown),
+        "error_after_hold": spread(one.error_after_hold for one in flown),
         "over_natural": spread(ratios),
         "over_least_fuel": spread(
             one.torque_integral / least(record, model, limited=True)
@@ -60,7 +105,7 @@ def _method(records: Sequence[Record], model: Model, method: str) -> dict[str, A
     }
 
 
-def _ideal(records: Sequence[Record], model: Model) -> dict[str, Any]:
+def _ideal(records: Sequence[Record], model: Model) -> dict[str, Spread]:
     """Over the least fuel without limits of the torque."""
     ways = records[0].ideal[model.value]
     return {
@@ -72,7 +117,7 @@ def _ideal(records: Sequence[Record], model: Model) -> dict[str, Any]:
     }
 
 
-def _optimal(records: Sequence[Record], task: Task) -> dict[str, Any]:
+def _optimal(records: Sequence[Record], task: Task) -> SolvedSpread:
     solved = [record.solved[task.name] for record in records]
     return {
         "miss": max(one.miss for one in solved),
@@ -83,8 +128,8 @@ def _optimal(records: Sequence[Record], task: Task) -> dict[str, Any]:
     }
 
 
-def _attempts(solved: Sequence[Solved], setting: str, guess: str) -> dict[str, Any]:
-    """Iterations of those that converged, how many did, found the best, and were quickest."""
+def _attempts(solved: Sequence[Solved], setting: str, guess: str) -> AttemptSpread:
+    """See `AttemptSpread`."""
     tried = [one.attempts[setting][guess] for one in solved]
     done = [one.iterations for one in tried if one.converged]
     return {

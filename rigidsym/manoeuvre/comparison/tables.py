@@ -1,7 +1,14 @@
 """Tables of a comparison, for terminals and pages; spreads: median [quartiles] least..most."""
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+
+from rigidsym.manoeuvre.comparison.statistics import (
+    AttemptSpread,
+    FlownSpread,
+    SolvedSpread,
+    Spread,
+    Summary,
+)
 
 Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 
@@ -18,13 +25,13 @@ _FLOWN = (
 _OPTIMAL = ("task", "optimiser", "guess", "iterations", "converged", "best", "quickest")
 
 
-def brief(summary: Mapping[str, Any]) -> list[Table]:
+def brief(summary: Summary) -> list[Table]:
     """For terminals, from `statistics.summary`: medians where a spread says little more."""
     parts = [flown(model, methods, _median) for model, methods in summary["flown"].items()]
     return [*parts, ideal(summary["ideal"]), optimal(summary["optimal"])]
 
 
-def flown(model: str, methods: Mapping[str, Any], told: Callable[..., str]) -> Table:
+def flown(model: str, methods: Mapping[str, FlownSpread], told: Callable[..., str]) -> Table:
     """Ways flown with the same actuators; `told` shows spreads of peaks and errors."""
     rows = [
         (
@@ -42,7 +49,7 @@ def flown(model: str, methods: Mapping[str, Any], told: Callable[..., str]) -> T
     return f"flown with {model}", _FLOWN, rows
 
 
-def ideal(models: Mapping[str, Any]) -> Table:
+def ideal(models: Mapping[str, Mapping[str, Spread]]) -> Table:
     """Ideal bursts over the least fuel."""
     rows = [
         (model, way, spread(one, digits=4))
@@ -56,7 +63,7 @@ def ideal(models: Mapping[str, Any]) -> Table:
     )
 
 
-def optimal(tasks: Mapping[str, Any]) -> Table:
+def optimal(tasks: Mapping[str, SolvedSpread]) -> Table:
     """What guesses are worth to the optimiser."""
     rows = [
         (task, setting, guess, *_attempts(one))
@@ -67,16 +74,16 @@ def optimal(tasks: Mapping[str, Any]) -> Table:
     return "optimal control", _OPTIMAL, rows
 
 
-def _attempts(one: Mapping[str, Any]) -> tuple[str, ...]:
+def _attempts(one: AttemptSpread) -> tuple[str, ...]:
     iterations = spread(one["iterations"]) if one["iterations"] else "none"
-    return iterations, *(str(one[name]) for name in ("converged", "best", "fewest"))
+    return iterations, str(one["converged"]), str(one["best"]), str(one["fewest"])
 
 
-def _median(one: Mapping[str, float], unit: float = 1.0) -> str:
+def _median(one: Spread, unit: float = 1.0) -> str:
     return f"{one['median'] / unit:.3g}"
 
 
-def spread(one: Mapping[str, float], unit: float = 1.0, digits: int = 3) -> str:
+def spread(one: Spread, unit: float = 1.0, digits: int = 3) -> str:
     """Median [quartiles] least..most."""
     low, q1, median, q3, high = (
         f"{one[name] / unit:.{digits}g}" for name in ("min", "q1", "median", "q3", "max")

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.manoeuvre.comparison.cases import Case
 from rigidsym.manoeuvre.flight.control import Motion
@@ -58,7 +58,7 @@ def turned(vector: np.ndarray, profile: Profile, t: np.ndarray) -> tuple[np.ndar
 def placed(case: Case, motion: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]) -> Motion:
     """A motion of times from 0 to 1 and from the start's axes, in seconds and inertial axes."""
 
-    def at(t: Any) -> tuple[np.ndarray, np.ndarray]:
+    def at(t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         x = np.atleast_1d(np.asarray(t, float)) / case.duration
         q, omega = motion(np.clip(x, 0.0, 1.0))
         found = product(case.start, q), omega / case.duration

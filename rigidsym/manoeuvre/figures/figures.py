@@ -4,13 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import degrees
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rigidsym.io.files import write_bytes, write_text
 from rigidsym.manoeuvre.figures.classical import EulerAngles, difference, euler_angles
-from rigidsym.manoeuvre.figures.text import page
+from rigidsym.manoeuvre.figures.text import Numbers, page
 from rigidsym.manoeuvre.flight.results import Tracked
 from rigidsym.manoeuvre.flight.track import track
 from rigidsym.view.plots import flights as pictures
@@ -27,12 +27,13 @@ class Figures:
     tracked: Tracked
     angles: EulerAngles
 
-    def numbers(self) -> dict[str, Any]:
+    def numbers(self) -> Numbers:
         """What is seen in the pictures, measured; SI units, angles in degrees."""
         run, motion = self.tracked.run, self.tracked.transfer.motion
         steps = np.max(np.abs(np.diff(run.track.q, axis=0)))
         peaks = np.min(run.torque, axis=0), np.max(run.torque, axis=0)
         found = self.tracked.summary()
+        error, target = found["tracking_error"], found["target"]
         return {
             "jumps": self.angles.jumps(),
             "apart": degrees(difference(motion, run.t, self.angles)),
@@ -40,9 +41,13 @@ class Figures:
             "period": float(run.t[1] - run.t[0]),
             "length": float(run.t[-1]),
             "arrival": run.arrival,
-            "tracking": {name: degrees(x) for name, x in found["tracking_error"].items()},
-            "settled_at": found["target"]["settled_at"],
-            "final_error": degrees(found["target"]["final_error"]),
+            "tracking": {
+                "max": degrees(error["max"]),
+                "rms": degrees(error["rms"]),
+                "last": degrees(error["last"]),
+            },
+            "settled_at": _flown(target["settled_at"]),
+            "final_error": degrees(_flown(target["final_error"])),
             "lowest": float(np.min(peaks[0])),
             "highest": float(np.max(peaks[1])),
             "burst": [float(np.max(np.abs(part))) for part in self._parts()],
@@ -102,6 +107,13 @@ def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> 
     """Plan and fly the paper's manoeuvre; `progress` is called as by `track`."""
     tracked = track("paper", progress)
     return Figures(tracked, euler_angles(tracked.transfer.motion, tracked.run.t))
+
+
+def _flown(value: float | None) -> float:
+    """What a flight has that goes on until it has settled at the target."""
+    if value is None:
+        raise ValueError("the figures are of a flight that settles at the target")
+    return value
 
 
 @drawing.defaults()

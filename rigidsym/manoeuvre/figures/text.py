@@ -1,11 +1,33 @@
 """The page beside the figures: what the paper shows, and what these show."""
 
-from collections.abc import Mapping
 from textwrap import fill
-from typing import Any
+from typing import TypedDict
+
+from rigidsym.manoeuvre.flight.summary import Tracking
 
 
-def page(n: Mapping[str, Any]) -> str:
+class Numbers(TypedDict):
+    """What is seen in the pictures, measured; SI units, angles in degrees.
+
+    burst: the largest torques of the first burst, of the coast and of the last burst.
+    """
+
+    jumps: dict[str, int]
+    apart: float
+    step: float
+    period: float
+    length: float
+    arrival: float
+    tracking: Tracking
+    settled_at: float
+    final_error: float
+    lowest: float
+    highest: float
+    burst: list[float]
+    gyroscopic: float
+
+
+def page(n: Numbers) -> str:
     """Markdown, from the numbers of `Figures.numbers`."""
     parts = "\n\n".join([_HEAD, _first(n), _second(n), _third(n)]).split("\n\n")
     return "\n\n".join(fill(part, 100) for part in parts) + "\n"
@@ -20,7 +42,7 @@ here, since the paper does not print them.  So the curves are not those of the p
 point: what can be compared is what they are drawn to show."""
 
 
-def _first(n: Mapping[str, Any]) -> str:
+def _first(n: Numbers) -> str:
     jumps = ", ".join(f"{count} of the {name}" for name, count in n["jumps"].items())
     return f"""## Figure 1
 
@@ -36,7 +58,7 @@ with the library's quaternions to {n["apart"]:.1e} degrees: it is the descriptio
 the motion."""
 
 
-def _second(n: Mapping[str, Any]) -> str:
+def _second(n: Numbers) -> str:
     error = n["tracking"]
     return f"""## Figure 2
 
@@ -53,7 +75,7 @@ rest, so it falls behind and catches up: the error is {error["max"]:.2f} degrees
 (from {n["settled_at"]:g} s on) and ends {n["final_error"]:.3f} degrees from the target."""
 
 
-def _third(n: Mapping[str, Any]) -> str:
+def _third(n: Numbers) -> str:
     first, coast, last = n["burst"]
     return f"""## Figure 3
 

@@ -1,9 +1,10 @@
 """The attitude to follow at each time, and the torque that brings the spacecraft there."""
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.manoeuvre.flight.rotation import cross, matrix, relative
 from rigidsym.manoeuvre.flight.settings import Controller
@@ -14,7 +15,7 @@ from rigidsym.motion import TorqueFreeMotion
 class Motion(Protocol):
     """Attitude and body rates at a time (4,), (3,), or at N of them, (N, 4), (N, 3)."""
 
-    def __call__(self, t: Any) -> tuple[np.ndarray, np.ndarray]:
+    def __call__(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """At t, s."""
         ...
 

@@ -3,10 +3,11 @@
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
+from rigidsym.inputs import ExactNumber, Vector3
 from rigidsym.io import toml as toml_file
 from rigidsym.manoeuvre.flight.settings import (
     Controller,
@@ -34,10 +35,12 @@ MOST_DIPOLE = 1e6
 MOST_DRAG = 100.0
 MOST_METRES = 1e3
 
-Reader = Callable[[str, Any], Any]
+Setting = TypeVar("Setting", covariant=True)
+# Of a field and its value, of whatever type TOML has it.
+Reader = Callable[[str, Any], Setting]
 
 
-def read(tables: Mapping[str, Any]) -> Flight:
+def read(tables: toml_file.TomlTable) -> Flight:
     """A flight from the tables [orbit], [wheels], ... as TOML gives them; missing: the paper's.
 
     Raises InputError about the first key that is not known or value that cannot be.
@@ -50,7 +53,7 @@ def read(tables: Mapping[str, Any]) -> Flight:
     return flight
 
 
-def _table(name: str, table: Any) -> Any:
+def _table(name: str, table: object) -> Any:
     kind, readers = _READERS[name]
     if not isinstance(table, Mapping):
         raise InputError(name, repr(table), f"must be a table of {', '.join(sorted(readers))}")
@@ -58,14 +61,14 @@ def _table(name: str, table: Any) -> Any:
     return kind(**{key: readers[key](f"{name}.{key}", value) for key, value in table.items()})
 
 
-def _number(field: str, value: Any) -> float:
+def _number(field: str, value: ExactNumber) -> float:
     return inputs.doubles(field, [inputs.exact(field, value)])[0]
 
 
-def _between(low: float, high: float, rule: str, open_below: bool = False) -> Reader:
+def _between(low: float, high: float, rule: str, open_below: bool = False) -> Reader[float]:
     """A reader of numbers from low to high, or above low; `rule` says so."""
 
-    def reader(field: str, value: Any) -> float:
+    def reader(field: str, value: ExactNumber) -> float:
         number = _number(field, value)
         if not low <= number <= high or (open_below and number == low):
             raise InputError(field, value, rule)
@@ -74,7 +77,7 @@ def _between(low: float, high: float, rule: str, open_below: bool = False) -> Re
     return reader
 
 
-def _altitude(field: str, value: Any) -> float:
+def _altitude(field: str, value: ExactNumber) -> float:
     altitude = _number(field, value)
     if altitude <= 0:
         raise InputError(field, value, "must be above the surface, km")
@@ -86,10 +89,10 @@ def _altitude(field: str, value: Any) -> float:
     return altitude
 
 
-def _triple(most: float, unit: str) -> Reader:
+def _triple(most: float, unit: str) -> Reader[tuple[float, ...]]:
     """A reader of three numbers, none of them larger than `most` either way."""
 
-    def reader(field: str, value: Any) -> tuple[float, ...]:
+    def reader(field: str, value: Vector3) -> tuple[float, ...]:
         exact = inputs.certain(field, inputs.vector(field, value, 3))
         numbers = tuple(inputs.doubles(field, exact))
         for k, number in enumerate(numbers):
@@ -100,7 +103,7 @@ def _triple(most: float, unit: str) -> Reader:
     return reader
 
 
-def _size(field: str, value: Any) -> tuple[float, ...]:
+def _size(field: str, value: Vector3) -> tuple[float, ...]:
     edges = _LENGTHS(field, value)
     for k, edge in enumerate(edges):
         if edge <= 0:
@@ -108,13 +111,13 @@ def _size(field: str, value: Any) -> tuple[float, ...]:
     return edges
 
 
-def _switch(field: str, value: Any) -> bool:
+def _switch(field: str, value: object) -> bool:
     if not isinstance(value, bool):
         raise InputError(field, repr(value), "must be true or false")
     return value
 
 
-def _instant(field: str, value: Any) -> datetime:
+def _instant(field: str, value: object) -> datetime:
     if not isinstance(value, datetime):
         raise InputError(field, repr(value), "must be a date and time, 2013-07-17T12:00:00Z")
     try:
@@ -123,7 +126,7 @@ def _instant(field: str, value: Any) -> datetime:
         raise InputError(field, value.isoformat(), "must be in the years 1 to 9999, UTC") from None
 
 
-def _seconds(field: str, value: Any) -> Fraction:
+def _seconds(field: str, value: ExactNumber) -> Fraction:
     number = inputs.exact(field, value)
     if not 0 < number <= LONGEST:
         raise InputError(field, value, f"must be above zero, and at most {LONGEST} s")
@@ -159,7 +162,7 @@ _LENGTHS = _triple(MOST_METRES, "m")
 _SHARE = _between(0, 1, "must be a share, from 0 to 1")
 _TURN = _between(-360, 360, "must be an angle in degrees, from -360 to 360")
 
-_READERS: dict[str, tuple[type, dict[str, Reader]]] = {
+_READERS: dict[str, tuple[type, Mapping[str, Reader[object]]]] = {
     "orbit": (
         Orbit,
         {

@@ -8,7 +8,7 @@ from datetime import datetime
 from fractions import Fraction
 from math import radians
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, TypedDict
 
 import numpy as np
 
@@ -16,8 +16,8 @@ from rigidsym.io import Track, aem
 from rigidsym.io.files import remove, write_bytes
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
-from rigidsym.manoeuvre.flight.summary import checks, rows
-from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.manoeuvre.flight.summary import Effort, Holding, Tracking, checks, rows
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre, ManoeuvreTables
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.view.plots import flights as pictures
 from rigidsym.view.plots import histories as drawing
@@ -27,11 +27,45 @@ _UTC_BEGINS = 1972
 _MESSAGE = "attitude.aem"
 _FRAME = "GCRF"
 "The geocentric celestial frame, in which the sky is, by its name in CCSDS's registry (SANA)."
+# Settings of a flight, and the same as JSON can hold them.
+Setting = (
+    Mapping[str, "Setting"]
+    | list["Setting"]
+    | tuple["Setting", ...]
+    | datetime
+    | Fraction
+    | float
+    | str
+    | None
+)
+Plain = dict[str, "Plain"] | list["Plain"] | float | str | None
 _PICTURES = {
     "attitude": pictures.attitude,
     "torques": pictures.torques,
     "disturbances": pictures.disturbances,
 }
+
+
+class TransferData(TypedDict):
+    """The natural motion that is followed, of the schema rigidsym.track/1."""
+
+    duration: float
+    omega0: list[float]
+    omega1: list[float]
+    regime: str
+
+
+class Summary(Effort):
+    """The schema rigidsym.track/1."""
+
+    schema: str
+    transfer: TransferData
+    tracking_error: Tracking
+    target: Holding
+    disturbance_peak: dict[str, float]
+    checks: dict[str, float]
+    manoeuvre: ManoeuvreTables
+    flight: "Plain"
 
 
 class Natural(Protocol):
@@ -57,7 +91,7 @@ class Tracked:
     transfer: Natural
     run: Run
 
-    def summary(self) -> dict[str, Any]:
+    def summary(self) -> Summary:
         """Numbers of the flight: SI units and radians, settings in the units of the file."""
         run = self.run
         return {
@@ -107,6 +141,7 @@ class Tracked:
     def to_npz(self) -> bytes:
         """float64 arrays, a row for each sample; names as those of `Run`."""
         run = self.run
+        # Any, because `savez` has an argument by name of another type.
         arrays: dict[str, Any] = {
             "t": run.t,
             "q": run.q,
@@ -168,7 +203,7 @@ class Tracked:
         return [write_bytes(directory / name, data) for name, data in contents.items()]
 
 
-def _plain(value: Any) -> Any:
+def _plain(value: Setting) -> Plain:
     """What JSON can hold."""
     if isinstance(value, Mapping):
         return {key: _plain(item) for key, item in value.items()}

@@ -1,13 +1,12 @@
 """What a flight leaves: its states, and what is measured on them."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from rigidsym.manoeuvre.flight.control import Reference
 from rigidsym.manoeuvre.flight.rotation import angle, matrix
-from rigidsym.manoeuvre.flight.summary import rows
+from rigidsym.manoeuvre.flight.summary import Effort, Holding, Tracking, rows
 from rigidsym.view.html.flights import run_html
 
 
@@ -59,13 +58,13 @@ class Run:
         energy = 0.5 * np.sum(self.inertia * self.omega**2, axis=1)
         return float(np.max(np.abs(energy - energy[0] - self.work)))
 
-    def tracking(self) -> dict[str, float]:
+    def tracking(self) -> Tracking:
         """Greatest, root mean square and last angle of error until arrival, rad."""
         error = self.error[self.t < self.arrival]
         rms = float(np.sqrt(np.mean(error**2)))
         return {"max": float(np.max(error)), "rms": rms, "last": float(error[-1])}
 
-    def holding(self, settled: float) -> dict[str, Any]:
+    def holding(self, settled: float) -> Holding:
         """Of the target after arrival: the last angle of error (rad), and since when (s) it stays
 
         within `settled` rad; None where it is not so at the end, or nothing is flown by then.
@@ -82,7 +81,7 @@ class Run:
             "settled_at": float(t[since]) if since < len(t) else None,
         }
 
-    def effort(self) -> dict[str, list[float]]:
+    def effort(self) -> Effort:
         """By axis: peak of |torque| (N m), its integral (N m s), peak of the wheels' momentum."""
         size = np.abs(self.torque)
         return {

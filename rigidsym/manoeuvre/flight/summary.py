@@ -1,12 +1,36 @@
 """A flight in words: what a reader wants to know first."""
 
-from collections.abc import Mapping
 from math import degrees, radians
-from typing import Any, Protocol
+from typing import Protocol, TypedDict
 
 from rigidsym.manoeuvre.flight.settings import Timing
 
 _SETTLED = Timing().settled
+
+
+class Tracking(TypedDict):
+    """Angles of error until arrival: the greatest, root mean square, and the last, rad."""
+
+    max: float
+    rms: float
+    last: float
+
+
+class Holding(TypedDict):
+    """Angles of error after arrival (rad), None where nothing is flown by then; since when (s)
+    they stay within what counts as settled, None where they do not."""
+
+    final_error: float | None
+    greatest_error: float | None
+    settled_at: float | None
+
+
+class Effort(TypedDict):
+    """By axis: peak of |torque| (N m), its integral (N m s), peak of the wheels' momentum."""
+
+    torque_peak: list[float]
+    torque_integral: list[float]
+    wheel_momentum_peak: list[float]
 
 
 class Measured(Protocol):
@@ -17,15 +41,15 @@ class Measured(Protocol):
         """When the target takes the track's place, s."""
         ...
 
-    def tracking(self) -> dict[str, float]:
+    def tracking(self) -> Tracking:
         """Angles of error until arrival, rad."""
         ...
 
-    def holding(self, settled: float) -> dict[str, Any]:
+    def holding(self, settled: float) -> Holding:
         """Angles of error after arrival, rad, and since when they stay within `settled`, s."""
         ...
 
-    def effort(self) -> dict[str, list[float]]:
+    def effort(self) -> Effort:
         """Peaks and integrals of the wheels' torques, by axis."""
         ...
 
@@ -73,7 +97,7 @@ def _deg(angle: float | None) -> str:
     return "not flown" if angle is None else f"{degrees(angle):.3f} deg"
 
 
-def _settled(target: Mapping[str, Any], within: float) -> str:
+def _settled(target: Holding, within: float) -> str:
     if target["final_error"] is None:
         return "not flown"
     if target["settled_at"] is None:

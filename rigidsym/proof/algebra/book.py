@@ -3,9 +3,11 @@
 Nothing here is trusted.  Every method ends in `Ledger.add`, where the kernel decides.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any, TypeAlias, TypeVar
+
+from sympy import Expr
 
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide
@@ -15,12 +17,13 @@ from rigidsym.proof.kernel.statement import weakest
 
 Found = TypeVar("Found")
 # What the kernel reads, or what `text` makes into that.
-Side: TypeAlias = str | int | Element
-Equations: TypeAlias = Mapping[str, str] | Iterable[tuple[Side, Side]]
+Side: TypeAlias = str | int | Element | Expr
+Equations: TypeAlias = Mapping[str, Side] | Iterable[tuple[Side, Side]]
 Point: TypeAlias = Mapping[str, str]
 # A context's name, and what its witness has that its parent's has not.
 Case: TypeAlias = tuple[str, Point]
-# {"fact": id}, or {"context": name, "reading": name, "source": equations of the paper}.
+# {"fact": id}, or what a context defines a name as, or reads it as:
+# {"context": name, "definition" or "reading": name, "source": equations of the paper}.
 Entry: TypeAlias = Mapping[str, str | list[str]]
 
 
@@ -55,6 +58,32 @@ class Book:
         """Prove equations componentwise.  The context is the part of the id before the dot."""
         return self.decide(_fact(fact_id, "equal", equations, "identity", source))
 
+    def compare(
+        self,
+        fact_id: str,
+        equations: Equations,
+        points: Iterable[Point] = (),
+        source: Iterable[str] = (),
+    ) -> Fact | None:
+        """Find out whether equations hold: admit that they do, or a point where they do not.
+
+        None where the kernel decides neither: the normal form is not zero, and the sides agree at
+        all points that are known.
+        """
+        fact = _fact(fact_id, "equal", equations, "identity", source)
+        try:
+            return self.decide(fact)
+        except KernelError as error:
+            if "undecided" not in str(error):
+                raise
+        refuted = replace(fact, kind="unequal", rule="counterexample")
+        for point in (*points, {}, *self._points(fact.context)):
+            try:
+                return self._refute(refuted, point)
+            except KernelError:
+                continue
+        return None
+
     def root(self, fact_id: str, name: str, radicand: str, source: Iterable[str] = ()) -> Fact:
         """Prove name = sqrt(radicand), by its square and the sign of the name."""
         return self.decide(_fact(fact_id, "root", {name: radicand}, "identity", source))
@@ -71,9 +100,17 @@ class Book:
         source: Iterable[str] = (),
     ) -> Fact:
         """Show that equations do not always hold; `point` overrides the context's witness."""
-        fact = _fact(fact_id, "unequal", equations, "counterexample", source)
+        return self._refute(_fact(fact_id, "unequal", equations, "counterexample", source), point)
+
+    def _refute(self, fact: Fact, point: Point) -> Fact:
         witness = self.ledger.contexts[fact.context].witness
         return self.ledger.add(replace(fact, certificate={"point": {**witness, **point}}))
+
+    def _points(self, context: str) -> Iterator[Point]:
+        """Points of a context, near its witness: what no relation ties is moved, one by one."""
+        witness = self.ledger.contexts[context].witness
+        for value in ("2", "1/2", "-1", "3"):
+            yield from ({name: value} for name in witness)
 
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Show that one context is, by the premises, a model of another."""
@@ -113,18 +150,27 @@ class Book:
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
     def publish(self, sequence: str, entries: Iterable[Entry]) -> None:
-        """Offer proved facts and readings of names to the number wing, in order of evaluation."""
+        """Offer formulas to the number wing, in order of evaluation.
+
+        Each is a proved fact, or what a context defines or reads a name as.
+        """
         listed = list(entries)
         for entry in listed:
-            if not (self._is_reading(entry) if "reading" in entry else self._is_formula(entry)):
-                raise KernelError(f"{sequence}: {entry} is neither a proved fact nor a reading")
+            if not (self._is_proved(entry) if "fact" in entry else self._is_said(entry)):
+                raise KernelError(
+                    f"{sequence}: {entry} is no proved fact, definition or reading of a name"
+                )
         self.ledger.published.setdefault("sequences", {})[sequence] = listed
 
-    def _is_reading(self, entry: Entry) -> bool:
+    def _is_said(self, entry: Entry) -> bool:
         context = self.ledger.contexts.get(str(entry["context"]))
-        return context is not None and entry["reading"] in context.reading
+        if context is None:
+            return False
+        if "definition" in entry:
+            return entry["definition"] in context.definitions
+        return entry["reading"] in context.reading
 
-    def _is_formula(self, entry: Entry) -> bool:
+    def _is_proved(self, entry: Entry) -> bool:
         fact = self.ledger.facts.get(str(entry["fact"]))
         return fact is not None and fact.grade == Grade.PROVED and fact.kind in ("equal", "root")
 
@@ -155,13 +201,22 @@ def facts(context: str, names: str) -> list[Entry]:
     return [{"fact": f"{context}.{name}"} for name in names.split()]
 
 
+def definitions(context: str, names: str, *source: str) -> list[Entry]:
+    """Entries for what a context defines names as, used where these equations do."""
+    return _said("definition", context, names, source)
+
+
 def readings(context: str, names: str, *source: str) -> list[Entry]:
     """Entries for the readings of names: standard functions, used where these equations do."""
-    return [{"context": context, "reading": name, "source": list(source)} for name in names.split()]
+    return _said("reading", context, names, source)
+
+
+def _said(how: str, context: str, names: str, source: Iterable[str]) -> list[Entry]:
+    return [{"context": context, how: name, "source": list(source)} for name in names.split()]
 
 
 def text(side: Side) -> str:
-    """What the kernel reads back as this: a text itself, a number, or an element of a ring."""
+    """What the kernel reads back as this: a text or a number itself, an expression, an element."""
     if not isinstance(side, Element):
         return str(side)
     factors = zip(side.ring.units, side.powers, strict=True)
@@ -170,8 +225,8 @@ def text(side: Side) -> str:
 
 
 def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
-    """Componentwise equations between two vectors or matrices."""
-    return list(zip(lhs, rhs, strict=True))
+    """Componentwise equations between two vectors or matrices, without those that say nothing."""
+    return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]
 
 
 def names(ring: Ring, text: str) -> list[Element]:

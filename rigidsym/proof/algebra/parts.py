@@ -62,6 +62,11 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
     )
 
 
+def extend(name: str, context: Context, *parts: Part) -> Context:
+    """A context with more to it, by another name; parts may define anew what it defines."""
+    return join(name, part_of(context), *parts, static=context.rates is None)
+
+
 def _once(texts: Iterable[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(texts))
 

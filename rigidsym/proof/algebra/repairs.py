@@ -19,12 +19,14 @@ MOST = 3
 _SIDES = ("lhs", "rhs")
 
 
-def repairs(ledger: Ledger, fact_id: str, place: str) -> list[tuple[str, str]]:
+def repairs(ledger: Ledger, fact_id: str, place: str, component: int = 0) -> list[tuple[str, str]]:
     """The shortest proved repairs of a refuted fact, lhs and rhs; at most `MOST`, none the same.
 
-    `place` is what the paper prints: a side of the statement, or a definition of its context.
+    `place` is what the paper prints: a side of the statement, or a definition of its context.  Of
+    several components one is mended.
     """
-    fact = ledger.facts[fact_id]
+    whole = ledger.facts[fact_id]
+    fact = replace(whole, lhs=(whole.lhs[component],), rhs=(whole.rhs[component],))
     context, ring = ledger.contexts[fact.context], ledger.rings[fact.context]
     printed = fact.rhs[0] if place == "rhs" else fact.lhs[0]
     printed = context.definitions.get(place, printed)
@@ -139,23 +141,24 @@ class Instant:
     """A context at one rational point: its texts are numbers here, and so are their rates."""
 
     def __init__(self, context: Context, point: Mapping[str, str]) -> None:
-        self.definitions = context.definitions
+        self.definitions, self.rates = context.definitions, context.rates or {}
         self.still = {name: Jet(Fraction(value)) for name, value in point.items()}
+        self.moving = self._moving({})
+
+    def _moving(self, changed: Mapping[str, str]) -> dict[str, Jet]:
+        """The quantities with their rates, some definitions being changed."""
+        known = {**self.still, **changed}
         rates = {
-            name: None if text == "?" else self._value(text, dict(self.still)).value
-            for name, text in (context.rates or {}).items()
+            name: None if text == "?" else self._value(text, dict(known)).value
+            for name, text in self.rates.items()
         }
-        self.moving = {
-            name: Jet(jet.value, rates.get(name, jet.rate)) for name, jet in self.still.items()
-        }
+        return {name: Jet(jet.value, rates.get(name, jet.rate)) for name, jet in self.still.items()}
 
     def agree(self, lhs: str, rhs: str, changed: Mapping[str, str]) -> bool:
-        """Whether both sides are the same number, as far as rates are known.
-
-        The rates are those of the context: what is printed does not occur in them.
-        """
-        known: dict[str, Jet | str] = {**self.moving, **changed}
+        """Whether both sides are the same number, as far as rates are known."""
         try:
+            moving = self._moving(changed) if changed else self.moving
+            known: dict[str, Jet | str] = {**moving, **changed}
             left, right = (self._value(side, known).value for side in (lhs, rhs))
         except (ZeroDivisionError, KernelError):
             return False

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 
 from rigidsym.proof.checker.language import is_name
 from rigidsym.proof.checker.records import Claim, Hypotheses, Refused, fill, load
-from rigidsym.proof.checker.rules import RULES, Accepted
+from rigidsym.proof.checker.rules import RULES, Accepted, check_news
 from rigidsym.proof.checker.theory import Theory
 
 WORST_TO_BEST = ["ASSUMED", "ENCLOSED", "PROVED"]
@@ -45,6 +45,8 @@ class Judge(Accepted):
         kinds, premises, rule = RULES[fact.rule]
         if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
             raise Refused(f"rule {fact.rule} does not make this of {len(fact.premises)} premises")
+        if fact.kind in ("equal", "root", "nonnegative"):
+            check_news(self, fact)
         grades = [rule(self, fact), *(self.facts[premise].grade for premise in fact.premises)]
         if fact.grade != (earned := min(grades, key=WORST_TO_BEST.index)):
             raise Refused(f"claims {fact.grade}, has earned {earned}")

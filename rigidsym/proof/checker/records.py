@@ -4,7 +4,7 @@ import json
 from dataclasses import dataclass, fields
 from typing import Any, TypeVar
 
-SCHEMA = "rigidsym.ledger/2"
+SCHEMA = "rigidsym.ledger/3"
 KEYS = ["schema", "contexts", "facts", "published"]
 
 

@@ -125,6 +125,13 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str
 }
 
 
+def check_news(so_far: Accepted, fact: Claim) -> None:
+    """A fact has to say more than its context: in each component, and not of a thing itself."""
+    for lhs, rhs in _pairs(fact.lhs, fact.rhs):
+        if so_far.theories[fact.context].says(lhs, rhs):
+            raise Refused(f"{lhs!a:.80} and {rhs!a:.80} are the same by the context")
+
+
 def _gaps(so_far: Accepted, fact: Claim) -> list[Quotient]:
     """lhs - rhs, or lhs**2 - rhs for a root, component by component."""
     read, power = so_far.theories[fact.context].ring.read, 2 if fact.kind == "root" else 1

@@ -2,7 +2,7 @@
 
 from flint import fmpq
 
-from rigidsym.proof.checker.language import is_name
+from rigidsym.proof.checker.language import Form, Forms, is_name
 from rigidsym.proof.checker.records import Hypotheses, Refused
 from rigidsym.proof.checker.ring import Ring
 from rigidsym.proof.checker.signs import Signs
@@ -38,6 +38,20 @@ class Theory:
         if any(sign.above(*at) / sign.below(*at) < 0 for sign in self.signs):
             raise Refused("a sign is wrong at the point")
         return at
+
+    def says(self, lhs: str, rhs: str) -> bool:
+        """Whether sides are alike, or one is what the context has for the name or rate opposite."""
+        left, right = map(Forms().read, (lhs, rhs))
+        return left == right or self._has_for(left) == right or self._has_for(right) == left
+
+    def _has_for(self, form: Form) -> Form | None:
+        text, rates = "?", self.given.rates
+        match form:
+            case str(name):
+                text = self.given.definitions.get(name, "?")
+            case ("call", "D", str(name)) if rates is not None and name in self.given.generators:
+                text = rates.get(name, "0")
+        return None if text == "?" else Forms().read(text)
 
     def _check_closed(self) -> None:
         """A relation whose derivative does not vanish with it would hold at one instant only."""

@@ -68,24 +68,15 @@ def _factor(tokens: list[str], room: int) -> Tree:
 
 
 def _quantity(tokens: list[str], room: int) -> Tree:
-    if tokens[-1] == "(":
-        _take(tokens, "(")
-        inside = _chain(tokens, 0, room - 1)
-        _take(tokens, ")")
-        return inside
-    if not is_name(tokens[-1]):
-        return _natural(tokens)
-    name = tokens.pop()
-    return (name, "(", *_arguments(tokens, room)) if tokens[-1] == "(" else name
-
-
-def _arguments(tokens: list[str], room: int) -> list[Tree]:
-    found = []
-    while not found or tokens[-1] == ",":
-        _take(tokens, "," if found else "(")
-        found.append(_chain(tokens, 0, room - 1))
+    name = tokens.pop() if is_name(tokens[-1]) else ""
+    if tokens[-1] != "(":
+        return name or _natural(tokens)
+    inside: list[Tree] = []
+    while not inside or (name and tokens[-1] == ","):
+        _take(tokens, "," if inside else "(")
+        inside.append(_chain(tokens, 0, room - 1))
     _take(tokens, ")")
-    return found
+    return (name, "(", *inside) if name else inside[0]
 
 
 def _natural(tokens: list[str]) -> int:

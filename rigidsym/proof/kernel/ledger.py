@@ -7,12 +7,12 @@ import json
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from rigidsym.proof.kernel.language import KernelError, is_name
+from rigidsym.proof.kernel.language import KernelError, is_name, parse
 from rigidsym.proof.kernel.ring import Ring
-from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses
+from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses, check_news, said
 from rigidsym.proof.kernel.statement import Context, Fact, Grade, weakest
 
-SCHEMA = "rigidsym.ledger/2"
+SCHEMA = "rigidsym.ledger/3"
 _LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
 
 
@@ -28,6 +28,7 @@ class Ledger(Admitted):
             raise KernelError(f"context {context.name} is already there")
         self.rings[context.name] = context.open()
         self.contexts[context.name] = context
+        self.said[context.name] = {(parse(a), parse(b)) for a, b in said(context).items()}
         return self.rings[context.name]
 
     def add(self, fact: Fact) -> Fact:
@@ -49,6 +50,8 @@ class Ledger(Admitted):
         kinds, premises, rule = RULES[fact.rule]
         if fact.kind not in kinds or not fact.rhs or len(fact.premises) not in premises:
             raise KernelError(f"rule {fact.rule} does not state this from so many premises")
+        if fact.kind in ("equal", "root", "nonnegative"):
+            check_news(self, fact)
         supports = [self.facts[premise].grade for premise in fact.premises]
         if fact.grade != (earned := weakest([rule(self, fact), *supports])):
             raise KernelError(f"claims {fact.grade}, has earned {earned}")

@@ -32,10 +32,8 @@ class Element:
 
     def over(self, powers: tuple[int, ...]) -> PolyElement:
         """The numerator this element has when written over a larger denominator."""
-        scaled = self.numerator
-        for unit, gap in zip(self.ring.units, map(sub, powers, self.powers), strict=True):
-            scaled = scaled * unit**gap if gap else scaled
-        return scaled
+        gaps = zip(self.ring.units, map(sub, powers, self.powers), strict=True)
+        return prod((unit**gap for unit, gap in gaps if gap), start=self.numerator)
 
     def __add__(self, other: "Element | PolyElement | int") -> "Element":
         other = self.ring.element(other)

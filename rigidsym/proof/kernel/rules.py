@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from sympy.polys.rings import PolyElement
 
-from rigidsym.proof.kernel.language import KernelError, is_name, parse
+from rigidsym.proof.kernel.language import KernelError, Tree, is_name, parse
 from rigidsym.proof.kernel.ring import Ring, at
 from rigidsym.proof.kernel.statement import Context, Fact, Grade
 
@@ -24,6 +24,7 @@ class Admitted:
     contexts: dict[str, Context] = field(default_factory=dict)
     facts: dict[str, Fact] = field(default_factory=dict)
     rings: dict[str, Ring] = field(default_factory=dict)
+    said: dict[str, set[tuple[Tree, Tree]]] = field(default_factory=dict)
 
 
 def identity(admitted: Admitted, fact: Fact) -> Grade:
@@ -75,7 +76,8 @@ def model(admitted: Admitted, fact: Fact) -> Grade:
         given += filter(None, differences(ring, premise))
     for generator in gamma.generators:
         ring.name(generator)
-    for zero in [text for text in _zeros(gamma) if text not in _zeros(delta)]:
+    zeros = [f"{name} - ({text})" for name, text in said(gamma).items() - said(delta).items()]
+    for zero in sorted({*zeros, *gamma.relations} - {*delta.relations}):
         if ring.reduce(ring.read(zero).numerator, *given)[1]:
             raise KernelError(f"{zero} = 0 of {gamma.name} does not hold")
     for unit in gamma.units:
@@ -104,11 +106,10 @@ def partition(admitted: Admitted, fact: Fact) -> Grade:
     -----------------------------------------------------------------------------------
     Gamma |- exactly one of these contexts, or of those that premises split them into
     """
-    whole, (x,) = admitted.contexts[fact.context], fact.lhs
-    cases, due = fact.certificate["cases"], whole.cases(x)
+    whole, (x,), cases = admitted.contexts[fact.context], fact.lhs, fact.certificate["cases"]
+    due = whole.cases(x)[: max(len(cases), 2)]
     if len(cases) == 2:
         _check_signs([x], whole)
-        due = due[:2]
     for name, case in zip(cases, due, strict=True):
         found = admitted.contexts[name]
         if found != replace(case, name=name, witness=found.witness) or not is_name(x):
@@ -157,13 +158,20 @@ def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
     return [(ring.read(lhs) ** power - ring.read(rhs)).numerator for lhs, rhs in sides]
 
 
-def _zeros(context: Context) -> list[str]:
-    """What a context says is zero, as texts: relations, definitions and rates that are known."""
-    zeros = [f"{name} - ({text})" for name, text in context.definitions.items()]
-    if context.rates is not None:
-        rates = {**dict.fromkeys(context.generators, "0"), **context.rates}
-        zeros += [f"D({name}) - ({text})" for name, text in rates.items() if text != "?"]
-    return [*context.relations, *zeros]
+def check_news(admitted: Admitted, fact: Fact) -> None:
+    """Refuse two sides that are the same, or that the context says are the same."""
+    for sides in zip(fact.lhs, fact.rhs, strict=True):
+        lhs, rhs = map(parse, sides)
+        if lhs == rhs or {(lhs, rhs), (rhs, lhs)} & admitted.said[fact.context]:
+            raise KernelError(f"{sides[0]:.80} and {sides[1]:.80} are the same by {fact.context}")
+
+
+def said(context: Context) -> dict[str, str]:
+    """What a context says that names are, by definition, and rates, where they are known."""
+    if context.rates is None:
+        return {**context.definitions}
+    rates = {**dict.fromkeys(context.generators, "0"), **context.rates}.items()
+    return {**context.definitions, **{f"D({name})": text for name, text in rates if text != "?"}}
 
 
 def _check_signs(texts: Iterable[str], context: Context) -> None:

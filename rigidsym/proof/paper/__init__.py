@@ -1,6 +1,7 @@
 """The printed equations as values, and the verdict that the ledger gives on each."""
 
-from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading
+from rigidsym.proof.paper.counterexample import Counterexample
+from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
 from rigidsym.proof.paper.equations import EQUATIONS
 from rigidsym.proof.paper.table import row
 from rigidsym.proof.paper.verdicts import Ruling, Verdict, verdicts
@@ -8,10 +9,13 @@ from rigidsym.proof.paper.verdicts import Ruling, Verdict, verdicts
 __all__ = [
     "EQUATIONS",
     "Condition",
+    "Counterexample",
     "Equation",
     "Flaw",
     "Reading",
+    "Root",
     "Ruling",
+    "Sense",
     "Verdict",
     "row",
     "verdicts",

@@ -1,46 +1,84 @@
 """Conditions and flaws that several printed lines share."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 
-from rigidsym.proof.paper.equation import Condition, Flaw, Reading
+from rigidsym.proof.paper.equation import Condition, Flaw, Sense
+from rigidsym.proof.paper.printed import Vocabulary
+from rigidsym.proof.paper.words import MOMENTUM, ROTATION, algebra
 
-COMMUTES = Condition("R(0) M(0) = M(0) R(0)", needed_by=("moving_body.any_start",))
-DISTINCT = (
-    Condition("c_i != c_j", ("c_i - c_j",), ("equal_axes_j.alpha",)),
-    Condition("c_i != c_k", ("c_i - c_k",), ("equal_axes_k.alpha",)),
+
+def stated(context: str, texts: Mapping[str, str]) -> Sense:
+    """Equations in the language of a context, which are no line of the paper."""
+    return Sense(context, latex="", texts=texts)
+
+
+def vanishing(context: str, *texts: str) -> Sense:
+    """That quantities of a context are zero."""
+    return stated(context, dict.fromkeys(texts, "0"))
+
+
+_MOVING = {**ROTATION, **MOMENTUM}
+_SEEN = r"R M R^{-1}=M(0)"
+CONSTANT = Sense(
+    "printed_22",
+    Vocabulary({**_MOVING, "at(M, 0)": algebra("N1", "N2", "N3")}),
+    latex=_SEEN,
+    differentiated=True,
 )
-S_I = Condition("s_i != 0", ("zeta", "sqrt_mu"), ("spinning.root",))
-S_J = Condition("s_j != 0", ("s_j", "root_s"), ("spinning.root",))
-OFF_AXIS = Condition("sin_phi2 != 0", ("sin_phi2",), ("on_axis.denominators",))
+AT_START = Sense("identity_start", Vocabulary({**_MOVING, "at(M, 0)": MOMENTUM["M"]}), latex=_SEEN)
+COMMUTES = Condition(
+    "R(0) M(0) = M(0) R(0)",
+    needed_by=(
+        Sense("moving_body", Vocabulary({**_MOVING, "at(M, 0)": MOMENTUM["M"]}), latex=_SEEN),
+        Sense("moving_body", Vocabulary(_MOVING), latex=r"(RMR^{-1}-M)R=[R,M]"),
+    ),
+)
+DISTINCT = (
+    Condition("c_i != c_j", ("c_i - c_j",), (vanishing("equal_axes_j", "alpha"),)),
+    Condition("c_i != c_k", ("c_i - c_k",), (vanishing("equal_axes_k", "alpha"),)),
+)
+SPINNING = vanishing("spinning", "root_j")
+S_I = Condition("s_i != 0", ("zeta",), (SPINNING,))
+S_J = Condition("s_j != 0", ("s_j", "root_s"), (SPINNING,))
+OFF_AXIS = Condition(
+    "sin_phi2 != 0",
+    ("sin_phi2",),
+    (
+        vanishing(
+            "on_axis", "c3*Omega3", "(c2*Omega2)**2 + (c3*Omega3)**2", "K**2 - (c1*Omega1)**2"
+        ),
+    ),
+)
+ACROSS = vanishing("across", "c3*Omega3")
 POLES = Condition(
     "(c1*Omega1)**2 != K**2",
     ("K - c1*zeta*sn", "K + c1*zeta*sn"),
-    ("pole_plus.denominator", "pole_minus.denominator"),
+    (
+        vanishing("pole_plus", "K**2 - (c1*Omega1)**2"),
+        vanishing("pole_minus", "K**2 - (c1*Omega1)**2"),
+    ),
 )
-RATE = Condition("xi != 0", ("xi",), ("equal_axes_j.alpha", "equal_axes_k.alpha"))
-RATE_1 = replace(RATE, text="alpha*s_1 != 0")
-RATE_2 = replace(RATE, text="alpha*s_2 != 0")
-S_2 = Condition("s_2 != 0", ("sqrt_mu",), ("spinning.root",))
+RATE = Condition(
+    "xi != 0", ("xi",), (vanishing("equal_axes_j", "alpha"), vanishing("equal_axes_k", "alpha"))
+)
+RATE_1 = replace(RATE, text="alpha*s_1 != 0", units=("xi", "s_2"))
+RATE_2 = replace(RATE, text="alpha*s_2 != 0", units=("xi", "s_2"))
+S_2 = Condition("s_2 != 0", ("zeta",), (SPINNING,))
 OVER_C_I = {
     Flaw.VARIABLE: "s_i is a root in Omega_i^2; divided by c_i it would be in (c_i Omega_i)^2"
 }
 IMAGINARY = {
     Flaw.IMAGINARY: "alpha s < 0 for both roots of the circulation axis; s_i < 0 on the third axis"
 }
-C3_OMEGA3 = Condition("c3*Omega3 != 0", ("cos_half**2 - sin_half**2",), ("across.denominator",))
-HALF_TURN = Condition("cos(phi3/2) != 0", ("cos_half",), ("half_turn.denominator",))
+C3_OMEGA3 = Condition("c3*Omega3 != 0", ("cos_half**2 - sin_half**2",), (ACROSS,))
+HALF_TURN = Condition("cos(phi3/2) != 0", ("cos_half",), (vanishing("half_turn", "rho + side"),))
 ROOT_IN_RATE = {Flaw.VARIABLE: "s_1 is a root in Omega_1^2; n expects one in (c_1 Omega_1)^2"}
-CHANGING = {Flaw.SIGNS: "S1 S2 is the sign of c3 Omega3"}
-ROOTS_OF_N = (
-    Reading(
-        "s_1 and s_2 by (13) and (14) as they are printed",
-        "n lacks the factor c_1^2",
-        ("theorem1_phi1.n",),
-        ("theorem1_printed.n",),
-    ),
-    Reading(
-        "s_1 and s_2 are roots in (c_1 Omega_1)^2, by (14) as mended for Lemma 1",
-        "n is right as it is printed",
-        ("theorem1_printed.with_14_mended",),
-    ),
-)
+CHANGING = {
+    Flaw.SIGNS: "S1 S2 is the sign of c3 Omega3: no constant signs last through a period, unless "
+    "axis 3 is the circulation axis"
+}
+JUMPS = {
+    Flaw.JUMP: "mended, q changes its sign where phi3 passes pi, as cos(phi3/2) does; "
+    "the attitude does not jump"
+}

@@ -1,4 +1,4 @@
-"""What a printed equation is made of: text, readings, conditions, flaws and the facts behind them.
+"""What a printed equation is made of: text, readings, conditions, flaws, and how it is put.
 
 These are values.  Nothing here says what is true: `rigidsym.proof.paper.verdicts` asks the ledger.
 """
@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from rigidsym.proof.paper.printed import PLAIN, Vocabulary
 from rigidsym.view.html.printed import equation_html
 
 
@@ -27,56 +28,84 @@ class Flaw(StrEnum):
     COMPONENT = "component equated with a matrix"
     REASON = "wrong reason"
     REFERENCE = "wrong reference"
+    JUDGEMENT = "a judgement"
+    JUMP = "sign of q jumps"
+
+
+class Root(StrEnum):
+    """The independent slips that the misprints come from."""
+
+    SCALE = "(14) and (10) to (12) take the roots in different variables"
+    HALF_ANGLE = "y* serves one sign of c3 Omega3, and the signs are constant"
+    MODULUS = "mu^2 is printed for mu"
+    DOT = "phi1' is printed for phi1"
+
+
+@dataclass(frozen=True, slots=True)
+class Sense:
+    """How a line is put into the language of a context, where the ledger decides it.
+
+    `defines` says what the line defines, as printed and in the context; `says` is what the text
+    says about it.  `given` are other displays whose definitions it takes as they are printed,
+    `mended` those it takes as they are repaired.  The line `of` another number, or `latex`, is
+    asked in place of the line itself, or `only` some of its statements; `texts` is in the language
+    of the context already.
+    `differentiated` lets both sides grow alike.
+    """
+
+    context: str
+    vocabulary: Vocabulary = PLAIN
+    defines: Mapping[str, str] = field(default_factory=dict)
+    says: tuple[str, ...] = ()
+    given: tuple[str, ...] = ()
+    mended: tuple[str, ...] = ()
+    of: str = ""
+    latex: str | None = None
+    only: tuple[int, ...] = ()
+    texts: Mapping[str, str] = field(default_factory=dict)
+    differentiated: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Condition:
     """What has to be so: the units of the proofs that it speaks for, and why it cannot go.
 
-    `needed_by` names facts: without the condition a denominator is zero, or there is a
-    counterexample.
+    `needed_by` is what shows it: without the condition a denominator is zero, or the line fails.
     """
 
     text: str
     units: tuple[str, ...] = ()
-    needed_by: tuple[str, ...] = ()
+    needed_by: tuple[Sense, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One way to read the print, what follows from it, and the facts that say so.
-
-    A reading fails where a fact refutes the print so read; `proved_by` backs what it implies.
-    """
+    """One way to read the print, what it implies, and how it is put so that it can be decided."""
 
     text: str
     implies: str
-    proved_by: tuple[str, ...] = ()
-    refuted_by: tuple[str, ...] = ()
+    senses: tuple[Sense, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """One printed equation: its number, LaTeX, how it is read, and the facts that decide it.
+    """One printed equation: its number, LaTeX, how it is read, and how that is put.
 
-    `repair` is what mends it, `repair_form` the same as the repair search writes it.
+    `repair` is what mends it, put as `mended`; `roots` are the slips that it comes from, and
+    `with_mended` is how it is put where another line is repaired and this one is not.
     """
 
     number: str
     latex: str
     reading: str
-    proved_by: tuple[str, ...] = ()
-    refuted_by: tuple[str, ...] = ()
+    senses: tuple[Sense, ...]
     conditions: tuple[Condition, ...] = ()
     repair: str = ""
-    repair_form: str = ""
+    mended: tuple[Sense, ...] = ()
     readings: tuple[Reading, ...] = ()
     flaws: Mapping[Flaw, str] = field(default_factory=dict)
-
-    @property
-    def needed_by(self) -> tuple[str, ...]:
-        """The facts that show the conditions necessary."""
-        return tuple(dict.fromkeys(name for c in self.conditions for name in c.needed_by))
+    roots: tuple[Root, ...] = ()
+    with_mended: Mapping[str, tuple[Sense, ...]] = field(default_factory=dict)
 
     def _repr_latex_(self) -> str:
         return f"${self.latex}$"

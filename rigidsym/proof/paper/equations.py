@@ -1,9 +1,9 @@
 """The paper's equations as printed, misprints kept: values, never functions.
 
-`proved_by` names the facts that together say what the equation says; `refuted_by` names
-counterexamples to the equation as printed, and `conditions` or `repair` what mends it.  Where the
-print can be read in several ways, `readings` says what each implies.  The verdict is computed from
-the ledger by `rigidsym.proof.paper.verdicts`; it is not written here.
+`senses` put an equation into the language of contexts, where the kernel is asked whether it holds;
+`conditions` or `repair` mend it.  Where the print can be read in several ways, `readings` says what
+each implies.  The verdict is computed from the ledger by `rigidsym.proof.paper.verdicts`; it is not
+written here.
 """
 
 from rigidsym.proof.paper.equation import Equation

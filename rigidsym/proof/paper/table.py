@@ -1,18 +1,20 @@
-"""A verdict as one row of text: equation, verdict and flaws, what mends or explains it, a point."""
+"""A verdict as one row of text: equation, verdict and flaws, cause, what mends it, a point."""
 
 from collections.abc import Iterator
 
+from rigidsym.proof.paper.counterexample import Counterexample
 from rigidsym.proof.paper.verdicts import Ruling, Verdict
 
 
-def row(verdict: Verdict) -> tuple[str, str, str, str]:
-    """The four columns of `rigidsym errata`."""
-    point = (verdict.counterexample or {}).items()
+def row(verdict: Verdict) -> tuple[str, str, str, str, str]:
+    """The five columns of `rigidsym errata`."""
+    point = verdict.counterexample
     return (
         f"({verdict.equation.number})",
         "\n".join(_ruling(verdict)),
+        "\n".join(verdict.roots),
         "\n".join(_explanation(verdict)),
-        ", ".join(f"{name} = {value}" for name, value in point),
+        "\n".join(_point(point)) if point else "",
     )
 
 
@@ -32,5 +34,16 @@ def _explanation(verdict: Verdict) -> Iterator[str]:
         if verdict.conditions:
             yield f"if {', '.join(verdict.conditions)}"
         yield from (f"found: {repair}" for repair in verdict.repairs)
-    for reading in equation.readings:
-        yield f"* {reading.text}: {'fails' if reading.refuted_by else 'holds'}; {reading.implies}"
+    for number in verdict.right_with:
+        yield f"right as printed once ({number}) is mended"
+    for read in verdict.readings:
+        fate = "holds" if read.holds else "fails"
+        yield f"* {read.reading.text}: {fate}; {read.reading.implies}"
+
+
+def _point(found: Counterexample) -> Iterator[str]:
+    if found.motion:
+        yield str(found.motion)
+    yield f"{found.lhs} = {found.left}"
+    yield f"{found.rhs} = {found.right}"
+    yield ", ".join(f"{name} = {value}" for name, value in found.point.items())

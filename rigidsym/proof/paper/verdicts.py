@@ -1,12 +1,14 @@
-"""The verdict on each printed equation, computed from the facts of a ledger."""
+"""The verdict on each printed equation, computed from what the facts of a ledger say."""
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Any
 
-from rigidsym.proof.paper.equation import Equation, Reading
+from rigidsym.proof.paper.answers import Answer, Answers, Data, ids, together
+from rigidsym.proof.paper.counterexample import Counterexample, counterexample
+from rigidsym.proof.paper.equation import Equation, Reading, Root
 from rigidsym.proof.paper.equations import EQUATIONS
 from rigidsym.view.html.printed import verdict_html
 
@@ -27,24 +29,54 @@ class Ruling(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
+class Read:
+    """A reading, whether the print holds when it is read so, and by which facts."""
+
+    reading: Reading
+    holds: bool | None
+    proved_by: tuple[str, ...]
+    refuted_by: tuple[str, ...]
+    counterexample: Counterexample | None
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for programs."""
+        return {
+            "reading": self.reading.text,
+            "implies": self.reading.implies,
+            "holds": self.holds,
+            "proved_by": list(self.proved_by),
+            "refuted_by": list(self.refuted_by),
+            "counterexample": self.counterexample.to_json() if self.counterexample else None,
+        }
+
+
+@dataclass(frozen=True, slots=True)
 class Verdict:
     """The ruling on one equation, with what belongs to it.
 
-    `conditions` are those of the equation, or of its repair where it is a misprint; `points` gives
-    the counterexample of each refuting fact, `repairs` what the repair search found.
+    `conditions` are those of the equation, or of its repair where it is a misprint; `readings` say
+    how each reading fares, `right_with` which other lines mended make this one right as printed,
+    `counterexample` where it fails, or would without a condition, and `repairs` what the repair
+    search found.
     """
 
     equation: Equation
     ruling: Ruling
     conditions: tuple[str, ...] = ()
-    points: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    proved_by: tuple[str, ...] = ()
+    refuted_by: tuple[str, ...] = ()
+    repaired_by: tuple[str, ...] = ()
+    needed_by: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    readings: tuple[Read, ...] = ()
+    right_with: tuple[str, ...] = ()
+    counterexample: Counterexample | None = None
     repairs: tuple[str, ...] = ()
     mutants: Mapping[str, int] = field(default_factory=dict)
 
     @property
-    def counterexample(self) -> Mapping[str, str] | None:
-        """Where the equation as printed fails, in exact numbers."""
-        return next((self.points.get(name) for name in self.equation.refuted_by), None)
+    def roots(self) -> tuple[Root, ...]:
+        """The slips that the line comes from."""
+        return self.equation.roots
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for programs."""
@@ -55,17 +87,30 @@ class Verdict:
             "reading": equation.reading,
             "verdict": self.ruling.value,
             "conditions": list(self.conditions),
+            "root_causes": [root.value for root in equation.roots],
+            "right_as_printed_with": list(self.right_with),
             "repair": equation.repair,
             "repairs_found": list(self.repairs),
-            "counterexample": self.counterexample,
-            "proved_by": list(equation.proved_by),
-            "refuted_by": list(equation.refuted_by),
-            "needed_by": list(equation.needed_by),
-            "conditions_needed_by": {c.text: list(c.needed_by) for c in equation.conditions},
-            "readings": [self._reading(reading) for reading in equation.readings],
+            "counterexample": self.counterexample.to_json() if self.counterexample else None,
+            "proved_by": list(self.proved_by),
+            "refuted_by": list(self.refuted_by),
+            "repaired_by": list(self.repaired_by),
+            "conditions_needed_by": {text: list(by) for text, by in self.needed_by.items()},
+            "readings": [read.to_json() for read in self.readings],
             "flaws": {flaw.value: text for flaw, text in equation.flaws.items()},
             "mutants": dict(self.mutants),
         }
+
+    def facts(self) -> tuple[str, ...]:
+        """All facts that the verdict rests on, each once."""
+        return tuple(dict.fromkeys(self._facts()))
+
+    def _facts(self) -> Iterator[str]:
+        yield from (*self.proved_by, *self.refuted_by, *self.repaired_by)
+        for read in self.readings:
+            yield from (*read.proved_by, *read.refuted_by)
+        for names in self.needed_by.values():
+            yield from names
 
     def _repr_latex_(self) -> str:
         return f"${self.equation.repair or self.equation.latex}$"
@@ -73,96 +118,128 @@ class Verdict:
     def _repr_html_(self) -> str:
         return verdict_html(self)
 
-    def _reading(self, reading: Reading) -> dict[str, Any]:
-        return {
-            "reading": reading.text,
-            "implies": reading.implies,
-            "holds": not reading.refuted_by,
-            "proved_by": list(reading.proved_by),
-            "refuted_by": list(reading.refuted_by),
-            "counterexample": next((self.points.get(name) for name in reading.refuted_by), None),
-        }
+
+def verdicts(ledger: Data, equations: Sequence[Equation] = EQUATIONS) -> list[Verdict]:
+    """A verdict for every printed equation, from a ledger as it stands in JSON.
+
+    Raises PrintError for a print that cannot be read.
+    """
+    answers = Answers(ledger, equations)
+    return [verdict(equation, answers, ledger.get("published", {})) for equation in equations]
 
 
-def verdicts(ledger: Mapping[str, Any]) -> list[Verdict]:
-    """A verdict for every printed equation, from a ledger as it stands in JSON."""
-    facts = {fact["id"]: fact for fact in ledger["facts"]}
-    contexts = {context["name"]: context for context in ledger["contexts"]}
-    ruled = [_verdict(equation, facts, contexts) for equation in EQUATIONS]
-    published = ledger.get("published", {})
-    mutants, found = published.get("mutants", {}), published.get("repairs", [])
-    return [
-        replace(
-            verdict, mutants=_total(mutants, verdict.equation), repairs=_repairs(found, verdict)
-        )
-        for verdict in ruled
-    ]
-
-
-def _repairs(found: Iterable[Mapping[str, str]], verdict: Verdict) -> tuple[str, ...]:
-    """The equations that a search found for a misprint."""
-    misprints = verdict.equation.refuted_by if verdict.ruling == Ruling.MISPRINT else ()
-    return tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["fact"] in misprints)
-
-
-def _total(mutants: Mapping[str, Mapping[str, int]], equation: Equation) -> dict[str, int]:
-    """The fates of the mutants of all that proves an equation, each with its count."""
-    total = sum((Counter(mutants.get(name, {})) for name in equation.proved_by), Counter())
-    return dict(sorted(total.items()))
-
-
-def _verdict(equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]) -> Verdict:
-    """Open unless every fact that is named is there, proved, and of the kind it has to be."""
-    sources = (equation, *equation.readings)
-    proving = [name for source in sources for name in source.proved_by]
-    refuting = [name for source in sources for name in source.refuted_by]
-    sealed = (
-        equation.proved_by
-        and _proved(proving, facts, ("equal", "root"))
-        and _proved(refuting, facts, ("unequal",))
-        and _proved(equation.needed_by, facts, ("equal", "root", "unequal"))
+def verdict(equation: Equation, answers: Answers, published: Data) -> Verdict:
+    """Open unless all that is asked is decided, and the repair holds."""
+    here = [answers.to(equation.latex, sense) for sense in equation.senses]
+    mended = [answers.to(equation.repair, sense) for sense in equation.mended]
+    readings = tuple(_read(equation, reading, answers) for reading in equation.readings)
+    needed = {
+        condition.text: [answers.to(equation.latex, sense) for sense in condition.needed_by]
+        for condition in equation.conditions
+    }
+    right_with = tuple(
+        number
+        for number, senses in equation.with_mended.items()
+        if together(answers.to(equation.latex, sense) for sense in senses)
     )
-    if not sealed:
-        return Verdict(equation, Ruling.OPEN)
-    conditions = _conditions(equation, facts, contexts)
-    points = {name: facts[name]["certificate"]["point"] for name in refuting}
-    return Verdict(equation, ruling_of(equation, conditions), conditions, points)
+    proofs = mended if mended else [*here, *_proofs(equation, answers)]
+    conditions = _conditions(equation, proofs, answers)
+    decided = all(answer.fact is not None for by in needed.values() for answer in by)
+    ruling = ruling_of(
+        together(here),
+        together(mended) if mended else False,
+        [read.holds for read in readings],
+        conditions,
+    )
+    proved_by = ids(here, "equal")
+    refuted_by = ids(here, "unequal")
+    points = [
+        counterexample(answer, answers.contexts)
+        for answer in (*here, *(answer for by in needed.values() for answer in by))
+    ]
+    return Verdict(
+        equation,
+        ruling if decided else Ruling.OPEN,
+        conditions,
+        proved_by,
+        refuted_by,
+        ids(mended, "equal"),
+        {text: (*ids(by, "equal"), *ids(by, "unequal")) for text, by in needed.items()},
+        readings,
+        right_with,
+        next(filter(None, points), None),
+        _repairs(published.get("repairs", ()), equation) if ruling == Ruling.MISPRINT else (),
+        _total(published.get("mutants", {}), answers.citing(equation.number)),
+    )
 
 
-def ruling_of(equation: Equation, conditions: Sequence[str]) -> Ruling:
-    """Refuted and repaired is a misprint; readings that disagree are ambiguous."""
-    if equation.refuted_by and equation.repair:
+def _read(equation: Equation, reading: Reading, answers: Answers) -> Read:
+    found = [answers.to(equation.latex, sense) for sense in reading.senses]
+    points = (counterexample(answer, answers.contexts) for answer in found)
+    return Read(
+        reading,
+        together(found),
+        ids(found, "equal"),
+        ids(found, "unequal"),
+        next(filter(None, points), None),
+    )
+
+
+def _proofs(equation: Equation, answers: Answers) -> Iterator[Answer]:
+    """The answers to readings that hold."""
+    for reading in equation.readings:
+        found = [answers.to(equation.latex, sense) for sense in reading.senses]
+        if together(found):
+            yield from found
+
+
+def ruling_of(
+    holds: bool | None,
+    mended: bool | None,
+    readings: Sequence[bool | None],
+    conditions: Sequence[str],
+) -> Ruling:
+    """Refuted and repaired is a misprint; readings that disagree are ambiguous.
+
+    `holds` is whether the line holds as it is printed, `mended` whether it has a repair that does,
+    None where that is open.
+    """
+    if holds is None or mended is None or None in readings:
+        return Ruling.OPEN
+    if not holds and mended:
         return Ruling.MISPRINT
-    fails = {bool(reading.refuted_by) for reading in equation.readings}
-    if True in fails:
-        return Ruling.AMBIGUOUS if False in fails else Ruling.OPEN
+    if not all(readings):
+        return Ruling.AMBIGUOUS if any(readings) else Ruling.OPEN
+    if not holds:
+        return Ruling.OPEN
     return Ruling.CONDITIONAL if conditions else Ruling.HOLDS
 
 
-def _proved(ids: Sequence[str], facts: Mapping[str, Any], kinds: Sequence[str]) -> bool:
-    found = [facts[name] for name in ids if name in facts]
-    return len(found) == len(ids) and all(
-        fact["grade"] == "PROVED"
-        and fact["kind"] in kinds
-        and fact["id"].startswith(fact["context"] + ".")
-        for fact in found
-    )
+def _repairs(found: Iterable[Mapping[str, str]], equation: Equation) -> tuple[str, ...]:
+    """The equations that a search found for a misprint."""
+    return tuple(f"{r['lhs']} = {r['rhs']}" for r in found if r["line"] == equation.number)
 
 
-def _conditions(
-    equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]
-) -> tuple[str, ...]:
+def _total(mutants: Mapping[str, Mapping[str, int]], names: Iterable[str]) -> dict[str, int]:
+    """The fates of the mutants of facts, each with its count."""
+    total = sum((Counter(mutants.get(name, {})) for name in names), Counter())
+    return dict(sorted(total.items()))
+
+
+def _conditions(equation: Equation, proofs: Iterable[Answer], answers: Answers) -> tuple[str, ...]:
     """The stated conditions, and every unit of the proofs that none of them speaks for."""
     stated = tuple(condition.text for condition in equation.conditions)
     covered = {unit for condition in equation.conditions for unit in condition.units}
-    units = needed_units(equation, facts, contexts)
+    units = needed_units(proofs, answers)
     return stated + tuple(f"{unit} != 0" for unit in units if unit not in covered)
 
 
-def needed_units(
-    equation: Equation, facts: Mapping[str, Any], contexts: Mapping[str, Any]
-) -> list[str]:
-    """What the proofs of an equation divide by, beyond the standing assumptions."""
-    named = sorted({facts[name]["context"] for name in equation.proved_by})
-    units = dict.fromkeys(unit for name in named for unit in contexts[name]["units"])
+def needed_units(proofs: Iterable[Answer], answers: Answers) -> list[str]:
+    """What proofs divide by, beyond the standing assumptions."""
+    named = {
+        answer.question.context: None
+        for answer in proofs
+        if answer.holds and answer.question.context in answers.contexts
+    }
+    units = dict.fromkeys(unit for name in named for unit in answers.contexts[name]["units"])
     return [unit for unit in units if unit not in STANDING | NEVER_ZERO]

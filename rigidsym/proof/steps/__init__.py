@@ -30,6 +30,7 @@ from rigidsym.proof.steps.calculus import (
     integrate,
     match,
     nonnegative,
+    rate_of,
     rewrite,
     roots,
 )
@@ -56,6 +57,7 @@ __all__ = [
     "matrix",
     "multiply",
     "nonnegative",
+    "rate_of",
     "rewrite",
     "roots",
     "solve",

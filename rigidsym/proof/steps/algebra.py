@@ -108,6 +108,8 @@ def determinant(
     """det of a named matrix, as a real expression."""
     value = tidy(desk, desk.explicit(name).det(method="berkowitz"))
     real, imaginary = desk.determinant(name)
-    fact = desk.decide(fact_id, [(real, value), *([(imaginary, 0)] if imaginary else [])], source)
+    parts: list[tuple[str, sympy.Expr | str]] = [(real, value)]
+    parts += [(imaginary, "0")] if imaginary else []
+    fact = desk.decide(fact_id, parts, source)
     shown = Eq(Determinant(name), value, evaluate=False)
     return desk.note(Step("multiply", why, value, (shown,), fact, source=tuple(source)))

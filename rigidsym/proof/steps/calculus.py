@@ -1,9 +1,11 @@
 """Steps on one expression: rates, partial fractions, integrals by a table, elimination, roots."""
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import sympy
 from sympy import Eq, Expr, Symbol
+from sympy.solvers.solveset import NonlinearError
 
 from rigidsym.proof.steps.collected import collected
 from rigidsym.proof.steps.desk import Desk
@@ -23,7 +25,8 @@ def differentiate(
 
 def rate_of(expression: Expr) -> Expr:
     """The derivative of an expression, not yet formed."""
-    return sympy.Function("D")(expression)
+    D: Any = sympy.Function("D")
+    return D(expression)
 
 
 def rewrite(
@@ -63,7 +66,7 @@ def eliminate(
     hidden = [sympy.expand(equation).subs(stand_ins) for equation in equations]
     try:
         (solution,) = sympy.linsolve(hidden, *stand_ins.values())
-    except (ValueError, sympy.solvers.solveset.NonlinearError):
+    except (ValueError, NonlinearError):
         raise StepError(f"eliminate: {fact_id}: no one solution of these equations") from None
     found = dict(zip(stand_ins.values(), solution, strict=True))
     above, below = sympy.fraction(sympy.together(expression))
@@ -78,7 +81,9 @@ def eliminate(
 def apart(expression: Expr, variable: Expr) -> Expr:
     """Partial fractions in a variable, which may be a power, each as c/(1 - n x)."""
     stand_in = sympy.Dummy()
-    parts = [sympy.expand(x).subs(variable, stand_in) for x in sympy.fraction(sympy.together(expression))]
+    parts = [
+        sympy.expand(x).subs(variable, stand_in) for x in sympy.fraction(sympy.together(expression))
+    ]
     terms = sympy.Add.make_args(sympy.apart(parts[0] / parts[1], stand_in))
     return sympy.Add(*(_normalised(term, stand_in).subs(stand_in, variable) for term in terms))
 
@@ -119,7 +124,9 @@ def integrate(
     fact = desk.decide(fact_id, [(f"D({desk.text(total)})", rate)], source)
     shown = Eq(sympy.Integral(rate, symbol("t")), total, evaluate=False)
     conditions = desk.divisors(total)
-    return desk.note(Step("integrate", why, total, (shown,), fact, conditions, source=tuple(source)))
+    return desk.note(
+        Step("integrate", why, total, (shown,), fact, conditions, source=tuple(source))
+    )
 
 
 def nonnegative(

@@ -24,7 +24,7 @@ from rigidsym.proof.steps.names import Dictionary, read, symbol
 from rigidsym.proof.steps.record import Step, StepError
 
 # What a body that moves has: none of these is ever zero.
-STANDING = {*map(symbol, "c1 c2 c3 c_i c_j c_k K".split())}
+STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
 
 class Desk:
@@ -129,7 +129,7 @@ class Desk:
 
     def _named_rate(self, named: sympy.Expr) -> sympy.Expr:
         total = sympy.S.Zero
-        for name in sorted(named.free_symbols, key=str):
+        for name in map(symbol, sorted(map(str, named.free_symbols))):
             total += sympy.diff(named, name) * self._rate_of(name)
         return total
 
@@ -147,7 +147,9 @@ class Desk:
         rate = self.rate(expression)
         texts = self.context.definitions
         written = rate
-        while known := {x: self.read(texts[str(x)]) for x in written.free_symbols if str(x) in texts}:
+        while known := {
+            x: self.read(texts[str(x)]) for x in written.free_symbols if str(x) in texts
+        }:
             written = written.subs(known)
         return rate, sympy.expand(written)
 
@@ -198,14 +200,13 @@ class Desk:
         self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
     ) -> Fact:
         """The kernel's decision on left = right, entry by entry."""
+        return self.decide(fact_id, self.entrywise(left, right), source)
+
+    def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
+        """The equations left = right of the entries, without those that are alike."""
         x, y = self.entries(left), self.entries(right)
-        pairs = [
-            (a or "0", b or "0")
-            for index in INDICES
-            for a, b in zip(x[index], y[index], strict=True)
-            if a != b
-        ]
-        return self.decide(fact_id, pairs, source)
+        parts = ((x[index][k] or "0", y[index][k] or "0") for index in INDICES for k in (0, 1))
+        return [(a, b) for a, b in parts if a != b]
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Desk":
         """Where a fact is stated: here, or in a context of its own where these are not zero."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from itertools import combinations
+from typing import Any
 
 import sympy
 from sympy import Eq, Matrix
@@ -14,7 +15,7 @@ def solve(
     desk: Desk,
     fact_id: str,
     equations: Sequence[tuple[sympy.Expr, sympy.Expr]],
-    unknowns: Sequence[sympy.Symbol],
+    unknowns: Sequence[Any],
     why: str,
     source: Sequence[str] = (),
 ) -> Step:
@@ -49,8 +50,8 @@ def solve(
 
 
 def _inverse(
-    desk: Desk, fact_id: str, system: Matrix, unknowns: Sequence[sympy.Symbol]
-) -> tuple[Matrix, list[int]]:
+    desk: Desk, fact_id: str, system: Any, unknowns: Sequence[Any]
+) -> tuple[Any, list[int]]:
     """The inverse of rows that determine the unknowns, its determinant modulo the relations."""
     rows = list(system.T.rref(simplify=True)[1])
     if len(rows) < len(unknowns):
@@ -63,9 +64,7 @@ def _inverse(
     return adjugate.applyfunc(lambda x: desk.reduced(x / determinant)), rows
 
 
-def _combination(
-    desk: Desk, factors: Matrix, texts: Sequence[str], rows: Sequence[int]
-) -> str:
+def _combination(desk: Desk, factors: Any, texts: Sequence[str], rows: Sequence[int]) -> str:
     terms = [
         f"({desk.text(factor)})*({texts[row]})"
         for factor, row in zip(factors, rows, strict=True)
@@ -93,9 +92,10 @@ def solve_family(
     free = system.nullspace()
     if len(free) != 1:
         raise StepError(f"solve: {fact_id}: {len(free)} directions are free, one was expected")
-    direction = _primitive(free[0])
-    particular = _regular(system, constants, direction, unknowns)
-    family = {x: p + parameter * d for x, p, d in zip(unknowns, particular, direction, strict=True)}
+    direction: Any = _primitive(free[0])
+    particular: Any = _regular(system, constants, direction, unknowns)
+    columns = zip(unknowns, particular, direction, strict=True)
+    family: Any = {x: p + parameter * d for x, p, d in columns}
     pairs = [(desk.text(x.subs(family)), desk.text(y)) for x, y in equations]
     pairs += _parallel(desk, system, equations, unknowns, particular, direction)
     fact = desk.decide(fact_id, pairs, source)
@@ -104,7 +104,7 @@ def solve_family(
     return desk.note(Step("solve", why, family, shown, fact, (), choice, tuple(source)))
 
 
-def _primitive(vector: Matrix) -> Matrix:
+def _primitive(vector: Any) -> Any:
     """A multiple without denominators and without a common factor."""
     below = sympy.lcm_list([sympy.denom(sympy.together(x)) for x in vector])
     whole = vector.applyfunc(lambda x: sympy.cancel(x * below))
@@ -121,7 +121,7 @@ def _regular(
     at_pole = [sympy.numer(sympy.together(x)) for x in solution]
     for numerator in at_pole:
         # Where the denominator is zero, so has the numerator to be.
-        rest = sympy.expand(numerator.subs({s: 0 for s in below.free_symbols}))
+        rest = sympy.expand(numerator.subs(dict.fromkeys(below.free_symbols, 0)))
         if rest.has(free):
             value = sympy.solve(rest, free)[0]
             return Matrix(solution).applyfunc(lambda x, v=value: sympy.cancel(x.subs(free, v)))
@@ -150,7 +150,7 @@ def _parallel(
     return found
 
 
-def _factors(system: Matrix, row: Matrix) -> Matrix:
+def _factors(system: Any, row: Any) -> Any:
     """A row as a combination of those of the system, without denominators if one row will do."""
     for k in range(system.rows):
         pairs = list(zip(row, system.row(k), strict=True))
@@ -160,4 +160,4 @@ def _factors(system: Matrix, row: Matrix) -> Matrix:
             found[k] = ratios.pop()
             return found
     factors, free = system.T.gauss_jordan_solve(row.T)
-    return factors.subs({symbol: 0 for symbol in free}).applyfunc(sympy.cancel).T
+    return factors.subs(dict.fromkeys(free, 0)).applyfunc(sympy.cancel).T

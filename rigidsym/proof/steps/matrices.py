@@ -7,8 +7,7 @@ multiplies.  The inverse is written by the conjugate transpose, as for the unita
 
 from collections.abc import Callable, Mapping
 from functools import reduce
-from itertools import product
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import sympy
 from sympy import (
@@ -22,12 +21,13 @@ from sympy import (
     ZeroMatrix,
 )
 from sympy.matrices.expressions.adjoint import Adjoint
+from sympy.printing.printer import Printer
 
 from rigidsym.language.expression import Call, Expression, Name, Operation
 from rigidsym.language.expression import Number as Whole
 from rigidsym.proof.steps.record import StepError
 
-INDICES = tuple(product((1, 2), repeat=2))
+INDICES = ((1, 1), (1, 2), (2, 1), (2, 2))
 # The tree of a real number, None where it is zero; a complex number; a matrix by its indices.
 Real: TypeAlias = Expression | None
 Number: TypeAlias = tuple[Real, Real]
@@ -38,16 +38,17 @@ class Rate(MatrixExpr):
     """The time derivative of a matrix expression."""
 
     @property
-    def shape(self) -> tuple[int, int]:
+    def shape(self) -> Any:
         """That of what is differentiated."""
-        return self.args[0].shape
+        inner: Any = self.args[0]
+        return inner.shape
 
-    def _latex(self, printer: sympy.printing.printer.Printer) -> str:
+    def _latex(self, printer: Printer) -> str:
         inner = printer._print(self.args[0])
         simple = isinstance(self.args[0], MatrixSymbol)
         return rf"\dot{{{inner}}}" if simple else rf"\frac{{d}}{{dt}}\left({inner}\right)"
 
-    def _sympystr(self, printer: sympy.printing.printer.Printer) -> str:
+    def _sympystr(self, printer: Printer) -> str:
         return f"D({printer._print(self.args[0])})"
 
 
@@ -75,7 +76,7 @@ def explicit(
 ) -> ImmutableMatrix:
     """The matrix that an expression in named matrices is."""
 
-    def of(node: MatrixExpr) -> ImmutableMatrix:
+    def of(node: Any) -> ImmutableMatrix:
         match node:
             case MatrixSymbol():
                 return values[node.name]
@@ -113,7 +114,7 @@ def entries(
 ) -> Entries:
     """The trees of the entries of an expression in named matrices; `scalar` is for factors."""
 
-    def of(node: MatrixExpr) -> Entries:
+    def of(node: Any) -> Entries:
         match node:
             case MatrixSymbol():
                 return _named(node.name, values[node.name])
@@ -162,38 +163,32 @@ def _named(name: str, value: ImmutableMatrix) -> Entries:
 def _plus(left: Real, right: Real) -> Real:
     if left is None or right is None:
         return left if right is None else right
-    match right:
-        case Call("neg", (term,)):
-            return Operation("-", left, term)
+    if isinstance(right, Call) and right.function == "neg":
+        return Operation("-", left, right.arguments[0])
     return Operation("+", left, right)
 
 
 def _minus(left: Real, right: Real) -> Real:
-    match left, right:
-        case _, None:
-            return left
-        case None, Call("neg", (term,)):
-            return term
-        case None, _:
-            return Call("neg", (right,))
-        case _, Call("neg", (term,)):
-            return Operation("+", left, term)
-    return Operation("-", left, right)
+    return left if right is None else _plus(left, _negative(right))
+
+
+def _negative(tree: Expression) -> Expression:
+    if isinstance(tree, Call) and tree.function == "neg":
+        return tree.arguments[0]
+    return Call("neg", (tree,))
 
 
 def _times(left: Real, right: Real) -> Real:
-    match left, right:
-        case (None, _) | (_, None):
-            return None
-        case Call("neg", (x,)), _:
-            return _minus(None, _times(x, right))
-        case _, Call("neg", (y,)):
-            return _minus(None, _times(left, y))
-        case Whole(1), _:
-            return right
-        case _, Whole(1):
-            return left
-    return Operation("*", left, right)
+    if left is None or right is None:
+        return None
+    signs, factors = 0, []
+    for tree in (left, right):
+        negative = isinstance(tree, Call) and tree.function == "neg"
+        signs += negative
+        factors += [_negative(tree)] if negative else [tree]
+    found = [tree for tree in factors if tree != Whole(1)] or [Whole(1)]
+    product = Operation("*", *found) if len(found) == 2 else found[0]
+    return _negative(product) if signs == 1 else product
 
 
 def _derived(real: Real) -> Real:
@@ -211,12 +206,12 @@ def _scaled(
     """A factor of any sign in front of a matrix."""
     negative = factor.could_extract_minus_sign()
     tree = scalar(-factor if negative else factor)
-    by = Call("neg", (tree,)) if negative else tree
+    by = _negative(tree) if negative else tree
     return {index: (_times(by, x), _times(by, y)) for index, (x, y) in whole.items()}
 
 
 def _multiplied(left: Entries, right: Entries) -> Entries:
-    found = {}
+    found: dict[tuple[int, int], Number] = {}
     for i, j in INDICES:
         real: Real = None
         imaginary: Real = None

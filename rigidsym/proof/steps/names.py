@@ -1,12 +1,12 @@
 """SymPy's expressions in the names of a context, and back.
 
 The kernel knows names only: `cos_half_phi1` is a generator whose reading says cos(phi1/2).  Where a
-reading is a function of other quantities, SymPy works with the function, and this is the dictionary.
+reading is a function of other quantities, SymPy works with the function: this is the dictionary.
 """
 
 from collections.abc import Callable, Mapping
 from functools import cached_property
-from typing import ClassVar
+from typing import Any
 
 import sympy
 from sympy.printing.precedence import PRECEDENCE
@@ -69,7 +69,7 @@ class Dictionary:
         self.context = context
 
     @cached_property
-    def names(self) -> Mapping[sympy.Expr, sympy.Symbol]:
+    def names(self) -> Mapping[Any, sympy.Symbol]:
         """cos(phi1/2) -> cos_half_phi1, and so on."""
         found = {}
         for name, reading in self.context.reading.items():
@@ -106,8 +106,6 @@ class Dictionary:
 class _Printer(StrPrinter):
     """SymPy's own text, with quotients in the place of negative powers."""
 
-    printmethod: ClassVar[str] = "_kernel_text"
-
     def _print_Pow(self, expr: sympy.Pow, rational: bool = False) -> str:
         base, exponent = expr.as_base_exp()
         if not exponent.is_Integer:
@@ -116,4 +114,3 @@ class _Printer(StrPrinter):
         if exponent > 0:
             return inner if exponent == 1 else f"{inner}**{exponent}"
         return f"1/{inner}" if exponent == -1 else f"1/{inner}**{-exponent}"
-

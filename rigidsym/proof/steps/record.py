@@ -1,15 +1,11 @@
 """What a step leaves behind, and how it fails."""
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
 import sympy
 
 from rigidsym.proof.kernel import Fact
-
-# What a SymPy user can go on with.
-Value = sympy.Expr | sympy.MatrixBase | Mapping[sympy.Symbol, sympy.Expr]
 
 
 class StepError(ValueError):

@@ -1,7 +1,8 @@
 """Equations of motion from a Lagrangian in body rates, by the variation of Euler and Poincare."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy
 from sympy import Eq
@@ -26,9 +27,9 @@ class Variation:
     step: Step
 
     @property
-    def equations(self) -> list[tuple[sympy.Expr, sympy.Expr]]:
+    def equations(self) -> list[tuple[Any, Any]]:
         """M' = moment, with the rates' rates as unknowns."""
-        known = dict(zip(MOMENTA, self.momenta, strict=True))
+        known: Any = dict(zip(MOMENTA, self.momenta, strict=True))
         pairs = zip(self.momenta, self.moments, strict=True)
         return [(self.desk.rate(momentum), moment.subs(known)) for momentum, moment in pairs]
 
@@ -83,7 +84,7 @@ def _turned(constants: Constants, etas: Sequence[sympy.Symbol]) -> list[sympy.Ex
 
 def _free_motion(
     lagrangian: sympy.Expr,
-    small: Mapping[sympy.Symbol, sympy.Expr],
+    small: Any,
     momenta: Sequence[sympy.Expr],
     moments: Sequence[sympy.Expr],
 ) -> Part:

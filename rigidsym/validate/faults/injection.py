@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
-from typing import Any
 
 from rigidsym.engines.threads import processors
 from rigidsym.validate.executors import processes, undisturbed
@@ -85,7 +84,7 @@ def _until_a_crash(
     faults: Sequence[Fault], strata: Strata
 ) -> Iterator[tuple[Fault, list[Detection] | None]]:
     """Faults and detections; None for all that were under way when a process was lost, the last."""
-    waiting, running = list(faults), dict[Future[Any], Fault]()
+    waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
     lost = False
     with processes(processors()) as pool:
         while running or (waiting and not lost):

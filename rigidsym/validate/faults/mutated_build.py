@@ -4,6 +4,7 @@ import tempfile
 from importlib import resources
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from rigidsym.engines import Engine, build
 from rigidsym.engines.c_engine import CEngine
@@ -37,7 +38,8 @@ def installed(name: str) -> str:
 
 
 def _numpy(text: str) -> Engine:
-    module = ModuleType("torque_free")
+    # It has what its text defines.
+    module: Any = ModuleType("torque_free")
     exec(compile(text, FILES["numpy"], "exec"), module.__dict__)
     return NumpyEngine(module)
 

@@ -3,14 +3,47 @@
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import TypedDict
 
 from rigidsym.validate.faults.detection import Detection
 from rigidsym.validate.faults.fault import KINDS, Fault
 
-SCHEMA = "rigidsym.faults/1"
+SCHEMA = "rigidsym.faults/2"
 # More strata than these are counted, not named.
 _NAMED = 4
+
+
+class CaughtData(TypedDict):
+    """By what a stratum caught a fault."""
+
+    case: str
+    by: list[str]
+
+
+class FaultData(TypedDict):
+    """A fault, and who caught it, by stratum."""
+
+    target: str
+    name: str
+    kind: str
+    old: str
+    new: str
+    options: list[str]
+    caught: dict[str, CaughtData]
+
+
+class FaultReportData(TypedDict):
+    """The schema rigidsym.faults/2; strata: how many each caught, alone, and of how many."""
+
+    schema: str
+    targets: list[str]
+    cases: int
+    digits: int
+    seed: int
+    passed: bool
+    kinds: Mapping[str, str]
+    strata: dict[str, dict[str, int]]
+    faults: list[FaultData]
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,8 +96,8 @@ class FaultReport:
         """How many faults no other stratum caught."""
         return sum((stratum,) == outcome.strata for outcome in self.outcomes)
 
-    def to_data(self) -> dict[str, Any]:
-        """The schema rigidsym.faults/1."""
+    def to_data(self) -> FaultReportData:
+        """The schema rigidsym.faults/2."""
         return {
             "schema": SCHEMA,
             "targets": list(self.targets),
@@ -128,7 +161,7 @@ def _uncaught(fault: Fault) -> str:
     return f"| {fault.line} | {fault.kind} | 0 | NOT CAUGHT | |"
 
 
-def _fault(outcome: Outcome) -> Mapping[str, Any]:
+def _fault(outcome: Outcome) -> FaultData:
     fault = outcome.fault
     return {
         "target": fault.target,

@@ -1,8 +1,7 @@
 """heyoka: Taylor's method at the precision of doubles, compiled for the machine."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines import States
 from rigidsym.validate.peers.equations import rates
@@ -31,11 +30,11 @@ class HeyokaPeer:
         blank = [1.0] + [0.0] * 6
         self._integrator = heyoka.taylor_adaptive(system, blank, tol=1e-16, pars=[1.0] * 3)
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
         """See `Peer`."""
-        return Start(inertia, omega0, attitude0)
+        return Start.of(inertia, omega0, attitude0)
 
-    def states(self, prepared: Start, t: Any) -> States:
+    def states(self, prepared: Start, t: ArrayLike) -> States:
         """See `Peer`."""
         return both_ways(prepared, t, lambda times: self._followed(prepared, times))
 

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines import EngineError, States
 
@@ -14,21 +14,20 @@ Floats = tuple[float, ...]
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """Moments (3), rates (3) and a unit quaternion (4) at t = 0; raises EngineError for no such."""
+    """Moments (3), rates (3) and a unit quaternion (4) at t = 0."""
 
     inertia: Floats
     omega0: Floats
     attitude0: Floats
 
-    def __post_init__(self) -> None:
-        for field, size in (("inertia", 3), ("omega0", 3), ("attitude0", 4)):
-            values = _numbers(field, getattr(self, field))
-            if values.shape != (size,):
-                raise EngineError(field, f"shape {values.shape}: one body's must be ({size},)")
-            object.__setattr__(self, field, tuple(values.tolist()))
-        if min(self.inertia) <= 0:
+    @classmethod
+    def of(cls, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> "Start":
+        """That of numbers as a peer gets them; raises EngineError where no motion starts so."""
+        moments, rates = _vector("inertia", inertia, 3), _vector("omega0", omega0, 3)
+        quaternion = _vector("attitude0", attitude0, 4)
+        if min(moments) <= 0:
             raise EngineError("inertia", "principal moments must be positive")
-        object.__setattr__(self, "attitude0", _unit(self.attitude0))
+        return cls(moments, rates, _unit(quaternion))
 
     @property
     def state(self) -> Floats:
@@ -36,7 +35,7 @@ class Start:
         return (*self.attitude0, *self.omega0)
 
 
-def both_ways(start: Start, t: Any, follow: Callable[[np.ndarray], np.ndarray]) -> States:
+def both_ways(start: Start, t: ArrayLike, follow: Callable[[np.ndarray], np.ndarray]) -> States:
     """States at times in any order, by what goes only one way from t = 0.
 
     follow: rows (n, 7) at n times that leave zero, each farther than the one before; fewer rows
@@ -56,7 +55,7 @@ def both_ways(start: Start, t: Any, follow: Callable[[np.ndarray], np.ndarray]) 
     return rows[:, :4], rows[:, 4:]
 
 
-def checked(t: Any) -> np.ndarray:
+def checked(t: ArrayLike) -> np.ndarray:
     """Times (N,); raises EngineError unless they are finite."""
     times = _numbers("t", t)
     if times.ndim != 1:
@@ -72,7 +71,14 @@ def _padded(rows: np.ndarray, size: int) -> np.ndarray:
     return padded
 
 
-def _numbers(field: str, values: Any) -> np.ndarray:
+def _vector(field: str, values: ArrayLike, size: int) -> Floats:
+    array = _numbers(field, values)
+    if array.shape != (size,):
+        raise EngineError(field, f"shape {array.shape}: one body's must be ({size},)")
+    return tuple(array.tolist())
+
+
+def _numbers(field: str, values: ArrayLike) -> np.ndarray:
     try:
         array = np.asarray(values, float)
     except (TypeError, ValueError, OverflowError):

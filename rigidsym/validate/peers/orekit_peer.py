@@ -4,9 +4,11 @@ import math
 import os
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from types import ModuleType
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines import EngineError, States
 from rigidsym.errors import InputError
@@ -25,6 +27,10 @@ _CLASSES = {
 }
 
 
+# JPype makes its classes as it runs.
+JavaObject: TypeAlias = Any
+
+
 class OrekitPeer:
     """`TorqueFree` asked for each time alone; Java starts with the first motion.
 
@@ -41,11 +47,11 @@ class OrekitPeer:
         except jpype.JVMNotFoundException:
             raise InputError("peer", self.name, "needs Java (JAVA_HOME may name it)") from None
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> JavaObject:
         """See `Peer`."""
-        return started().motion(Start(inertia, omega0, attitude0))
+        return started().motion(Start.of(inertia, omega0, attitude0))
 
-    def states(self, prepared: Any, t: Any) -> States:
+    def states(self, prepared: JavaObject, t: ArrayLike) -> States:
         """See `Peer`."""
         java = started()
         rows = [java.state(prepared, time) for time in checked(t).tolist()]
@@ -62,11 +68,11 @@ class _Java:
 
     process: int
     failure: type[Exception]
-    classes: dict[str, Any]
-    epoch: Any
-    frame: Any
+    classes: dict[str, JavaObject]
+    epoch: JavaObject
+    frame: JavaObject
 
-    def motion(self, start: Start) -> Any:
+    def motion(self, start: Start) -> JavaObject:
         """`TorqueFree`, or EngineError in Orekit's words."""
         new, vector = self.classes, self.classes["vector"]
         axes = zip(start.inertia, (vector.PLUS_I, vector.PLUS_J, vector.PLUS_K), strict=True)
@@ -80,7 +86,7 @@ class _Java:
         except self.failure as error:
             raise EngineError("orekit", _line(error)) from None
 
-    def state(self, motion: Any, time: float) -> list[float]:
+    def state(self, motion: JavaObject, time: float) -> list[float]:
         """q and omega, or NaN."""
         try:
             found = motion.getAttitude(None, self.epoch.shiftedBy(time), self.frame)
@@ -98,7 +104,7 @@ def started() -> _Java:
     return java
 
 
-def _packages() -> tuple[tuple[Any, str], tuple[Any, str]]:
+def _packages() -> tuple[tuple[ModuleType, str], tuple[ModuleType, str]]:
     """Orekit's and JPype's modules and versions; importing them does not start Java."""
     orekit = needed("orekit", "orekit_jpype", "orekit-jpype")
     return orekit, needed("orekit", "jpype", "jpype1")

@@ -1,18 +1,36 @@
 """What every peer does, and what it is honest about."""
 
 from importlib import import_module, metadata
-from typing import Any, Protocol
+from types import ModuleType
+from typing import Protocol
 
-from rigidsym.engines import States
+from numpy.typing import ArrayLike
+
+from rigidsym.engines import Prepared, States
 from rigidsym.errors import InputError
 
 
-class Peer(Protocol):
+class Solver(Protocol):
+    """What finds the states of a motion.
+
+    Conventions and units are those of `rigidsym.engines.Engine`.
+    """
+
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
+        """One motion from float64 numbers: (3,), (3,) and (4,), the last of any length but zero."""
+        ...
+
+    def states(self, prepared: Prepared, t: ArrayLike) -> States:
+        """(q, omega), (N, 4) and (N, 3), at times t (N,) in any order, of any sign."""
+        ...
+
+
+class Peer(Solver, Protocol):
     """Another program that finds the states of a motion, given the numbers as a user would.
 
-    Conventions and units are those of `rigidsym.engines.Engine`; nothing is rescaled or mended on
-    the way, but for the attitude at t = 0, which is normalised.  Both methods raise EngineError for
-    what the peer refuses; a state that it fails to reach is NaN.  One thread at a time.
+    Nothing is rescaled or mended on the way, but for the attitude at t = 0, which is normalised.
+    Both methods raise EngineError for what the peer refuses; a state that it fails to reach is NaN.
+    One thread at a time.
     """
 
     @property
@@ -38,16 +56,8 @@ class Peer(Protocol):
         """
         ...
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
-        """One motion from float64 numbers: (3,), (3,) and (4,), the last of any length but zero."""
-        ...
 
-    def states(self, prepared: Any, t: Any) -> States:
-        """(q, omega), (N, 4) and (N, 3), at times t (N,) in any order, of any sign."""
-        ...
-
-
-def needed(peer: str, module: str, package: str) -> tuple[Any, str]:
+def needed(peer: str, module: str, package: str) -> tuple[ModuleType, str]:
     """A module and the version of its package; raises InputError where it cannot be imported."""
     try:
         return import_module(module), metadata.version(package)

@@ -2,9 +2,9 @@
 
 import math
 import warnings
-from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rigidsym.engines import States
 from rigidsym.validate.peers.equations import rates
@@ -29,11 +29,11 @@ class ScipyPeer:
         module, self.version = needed(self.name, "scipy.integrate", "scipy")
         self._solve = module.solve_ivp
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
         """See `Peer`."""
-        return Start(inertia, omega0, attitude0)
+        return Start.of(inertia, omega0, attitude0)
 
-    def states(self, prepared: Start, t: Any) -> States:
+    def states(self, prepared: Start, t: ArrayLike) -> States:
         """See `Peer`."""
         return both_ways(prepared, t, lambda times: self._followed(prepared, times))
 

@@ -4,17 +4,19 @@ import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import TypeGuard, TypeVar
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from rigidsym.engines import ENGINES, EngineError, States
+from rigidsym.engines import ENGINES, EngineError, Prepared, States
 from rigidsym.errors import InputError
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.peers.initial_state import Start, both_ways
+from rigidsym.validate.peers.protocol import Solver
 
 # (inertia (3,), omega0 (3,), attitude0 (4,), times (N,)) -> (q (N, 4), omega (N, 3)).
-Integrator = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], Any]
+Integrator = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], tuple[ArrayLike, ArrayLike]]
 Given = TypeVar("Given")
 
 # What goes in steps would never return from the farthest times: as far as short strata go, rad.
@@ -28,7 +30,7 @@ _NAME = re.compile(r"[\w.+-]+( [\w.+-]+)*")
 class UserIntegrator:
     """A peer whose failures, of whatever kind, are refusals; `said` keeps what they were."""
 
-    peer: Any
+    peer: Solver
     name: str
     version: str
     reach: float
@@ -38,7 +40,7 @@ class UserIntegrator:
     @classmethod
     def of(
         cls,
-        integrator: Any,
+        integrator: Integrator | Solver,
         name: str | None = None,
         reach: float | None = None,
         double_cover_sign: bool | None = None,
@@ -47,13 +49,14 @@ class UserIntegrator:
         from the object where it has it.  Raises InputError where it is neither, or cannot be called
         so."""
         said: list[str] = []
-        is_peer = all(
-            callable(getattr(integrator, method, None)) for method in ("prepare", "states")
-        )
-        if not is_peer and not callable(integrator):
+        if _is_solver(integrator):
+            peer: Solver = integrator
+        elif _is_function(integrator):
+            peer = Follower(integrator, said)
+        else:
             raise InputError("integrator", repr(integrator), _RULE)
         return cls(
-            integrator if is_peer else Follower(integrator, said),
+            peer,
             _name(_first(name, getattr(integrator, "name", None), _called(integrator))),
             str(getattr(integrator, "version", VERSION)),
             _reach(_first(reach, getattr(integrator, "reach", None), REACH)),
@@ -61,13 +64,13 @@ class UserIntegrator:
             said,
         )
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Any:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Peer`."""
         return _tried(self.said, lambda: self.peer.prepare(inertia, omega0, attitude0))
 
-    def states(self, prepared: Any, t: Any) -> States:
+    def states(self, prepared: Prepared, t: ArrayLike) -> States:
         """See `Peer`."""
-        return _tried(self.said, lambda: shaped(self.peer.states(prepared, t), len(t)))
+        return _tried(self.said, lambda: shaped(self.peer.states(prepared, t), np.size(t)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,11 +84,11 @@ class Follower:
     integrator: Integrator
     said: list[str]
 
-    def prepare(self, inertia: Any, omega0: Any, attitude0: Any) -> Start:
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
         """See `Peer`."""
-        return Start(inertia, omega0, attitude0)
+        return Start.of(inertia, omega0, attitude0)
 
-    def states(self, prepared: Start, t: Any) -> States:
+    def states(self, prepared: Start, t: ArrayLike) -> States:
         """See `Peer`."""
         return both_ways(prepared, t, lambda times: self._followed(prepared, times))
 
@@ -98,14 +101,22 @@ class Follower:
         return np.hstack(states)
 
 
-def shaped(states: Any, count: int) -> States:
+def _is_solver(integrator: object) -> TypeGuard[Solver]:
+    return all(callable(getattr(integrator, method, None)) for method in ("prepare", "states"))
+
+
+def _is_function(integrator: object) -> TypeGuard[Integrator]:
+    return callable(integrator)
+
+
+def shaped(states: object, count: int) -> States:
     """(q, omega) as arrays of float64, (N, 4) and (N, 3); raises EngineError for anything else."""
     if not isinstance(states, Sequence | np.ndarray) or len(states) != 2:
         raise EngineError("integrator", f"gives {type(states).__name__}: must be (q, omega)")
     return _rows("q", states[0], (count, 4)), _rows("omega", states[1], (count, 3))
 
 
-def _rows(field: str, values: Any, shape: tuple[int, int]) -> np.ndarray:
+def _rows(field: str, values: object, shape: tuple[int, int]) -> np.ndarray:
     try:
         found = np.asarray(values)
         # Complex numbers would lose a part without a word.
@@ -128,16 +139,16 @@ def _tried(said: list[str], work: Callable[[], Given]) -> Given:
         raise EngineError("integrator", said[-1]) from None
 
 
-def _first(*values: Any) -> Any:
+def _first(*values: Given | None) -> Given:
     return next(value for value in values if value is not None)
 
 
-def _called(integrator: Any) -> str:
+def _called(integrator: object) -> str:
     """What a function is called, or what an object is."""
     return getattr(integrator, "__name__", type(integrator).__name__).strip("<>")
 
 
-def _name(name: Any) -> str:
+def _name(name: str) -> str:
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise InputError("name", repr(name), "must be words of letters, digits and . + - _")
     if name in (*PEERS, *ENGINES):
@@ -145,7 +156,7 @@ def _name(name: Any) -> str:
     return name
 
 
-def _reach(reach: Any) -> float:
+def _reach(reach: float) -> float:
     try:
         found = math.nan if isinstance(reach, bool) else float(reach)
     except (TypeError, ValueError):

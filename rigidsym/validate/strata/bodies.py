@@ -1,9 +1,9 @@
 """Bodies that can exist, of no special kind, and in any order of their axes."""
 
 from collections.abc import Sequence
+from fractions import Fraction
 from itertools import permutations, product
 from random import Random
-from typing import Any
 
 from rigidsym.validate.strata.sample import Body, Motion, Numbers
 from rigidsym.validate.strata.spread import spread
@@ -24,14 +24,19 @@ def rates(random: Random) -> list[float]:
 
 
 def placed(
-    inertia: Sequence[Any], omega: Sequence[Any], order: Sequence[int], signs: Sequence[int]
+    inertia: Sequence[float | Fraction],
+    omega: Sequence[float | Fraction],
+    order: Sequence[int],
+    signs: Sequence[int],
 ) -> Motion:
     """The motion with its axes in this order, and its rates with these signs."""
     flipped = tuple(sign * omega[k] for sign, k in zip(signs, order, strict=True))
     return Motion(tuple(inertia[k] for k in order), flipped)
 
 
-def mixed(random: Random, inertia: Sequence[Any], omega: Sequence[Any]) -> Motion:
+def mixed(
+    random: Random, inertia: Sequence[float | Fraction], omega: Sequence[float | Fraction]
+) -> Motion:
     """Any order of the axes and any signs."""
     return placed(inertia, omega, random.choice(ORDERS), random.choice(SIGNS))
 

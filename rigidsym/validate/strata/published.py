@@ -5,7 +5,7 @@ from fractions import Fraction
 from functools import cache
 from importlib import resources
 from random import Random
-from typing import Any
+from typing import TypedDict
 
 from rigidsym.io.cases import paper_case
 from rigidsym.validate.strata.sample import Floats, Motion, Numbers
@@ -14,8 +14,19 @@ from rigidsym.validate.strata.times import late, turns
 _ENOUGH = 10
 
 
+class Entry(TypedDict):
+    """A published motion, its numbers as they were printed."""
+
+    name: str
+    source: str
+    inertia: list[str]
+    omega0: list[str]
+    attitude0: list[str]
+    times: list[str]
+
+
 @cache
-def published() -> tuple[dict[str, Any], ...]:
+def published() -> tuple[Entry, ...]:
     """The entries of published.toml, in its order."""
     text = resources.files("rigidsym.validate.strata").joinpath("published.toml").read_text("utf-8")
     return tuple(tomllib.loads(text)["motion"])

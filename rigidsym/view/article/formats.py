@@ -2,14 +2,13 @@
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from typing import Any, Protocol
 
 import sympy
 
 from rigidsym.language.symbols import GREEK, symbol
 from rigidsym.view.article.mathematics import latex, pretty
+from rigidsym.view.article.protocols import Chapter, Line
 from rigidsym.view.html.markup import Markup, join, lines, tag
-
 
 # A row that is longer than so many letters of LaTeX is broken where it can be.
 LONG = 150
@@ -21,26 +20,6 @@ NAMES = re.compile(
     rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|S|sn))\b"
     r"(?P<prime>')?(?:\^(?P<power>-?[0-9]))?"
 )
-
-
-class Line(Protocol):
-    """A step, as it is shown."""
-
-    why: str
-    shown: tuple[sympy.Basic, ...]
-    conditions: tuple[sympy.Expr, ...]
-    choice: str
-    source: tuple[str, ...]
-    fact: Any
-
-
-class Chapter(Protocol):
-    """A chapter, as it is shown."""
-
-    name: str
-    title: str
-    opening: str
-    steps: Sequence[Line]
 
 
 def article(chapters: Iterable[Chapter], form: str) -> str:
@@ -103,7 +82,7 @@ def _markdown(chapters: Sequence[Chapter]) -> str:
     for chapter in chapters:
         found += [f"## {formulas(chapter.title)}", "", formulas(_prose(chapter)), ""]
         for line in chapter.steps:
-            found += [formulas(sentence(line)), "", f"$${_display(line)}$$", ""]
+            found += [formulas(sentence(line)), "", f"$${display(line)}$$", ""]
             found += [f"`{line.fact.id}`{_where(line)}", ""]
     return "\n".join(found)
 
@@ -113,18 +92,23 @@ def _where(line: Line) -> str:
     return f", where {conditions}" if conditions else ""
 
 
-def _display(line: Line) -> str:
-    """The equations of a line, aligned, with the paper's numbers."""
-    rows = [row for equation in line.shown for row in rows_of(equation)]
-    several = len(rows) > 1
-    aligned = r" \\ ".join(rows)
-    plain = rf"\begin{{aligned}}{aligned}\end{{aligned}}" if several else aligned.replace("&", "")
+def display(line: Line) -> str:
+    """The equations of a line with the paper's numbers."""
     tags = numbers(line).replace("^-1", "^{-1}")
-    return rf"{plain}\tag*{{{_tag(tags)}}}" if tags else plain
+    return rf"{aligned(line)}\tag*{{{_tag(tags)}}}" if tags else aligned(line)
 
 
-def rows_of(equation: sympy.Basic) -> list[str]:
-    """In LaTeX, left &= right; a long right side is a row for each of its terms."""
+def aligned(line: Line) -> str:
+    """The equations of a line, under each other where there are several."""
+    rows = [row for equation in line.shown for row in _rows(equation)]
+    if len(rows) == 1:
+        return rows[0].replace("&", "")
+    below = r" \\ ".join(rows)
+    return rf"\begin{{aligned}}{below}\end{{aligned}}"
+
+
+def _rows(equation: sympy.Basic) -> list[str]:
+    """left &= right; a long right side is a row for each of its terms."""
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
     if len(terms) < 2 or len(latex(equation)) < LONG:
@@ -165,7 +149,7 @@ def _latex(chapters: Sequence[Chapter]) -> str:
 
 
 def _environment(line: Line) -> str:
-    return "\\begin{equation*}\n" + _display(line) + "\n\\end{equation*}"
+    return "\\begin{equation*}\n" + display(line) + "\n\\end{equation*}"
 
 
 def _prose(chapter: Chapter) -> str:
@@ -200,7 +184,9 @@ def _html(chapters: Sequence[Chapter]) -> str:
             where = [mathematics(latex(c), "inline") for c in provided(line)]
             note = join(" where ", *where) if where else ""
             body.append(tag("p", sentence(line), tag("code", line.fact.id, class_="fact")))
-            body.append(tag("div", *rows, tag("span", numbers(line), class_="number"), class_="line"))
+            body.append(
+                tag("div", *rows, tag("span", numbers(line), class_="number"), class_="line")
+            )
             body += [tag("p", note, class_="where")] if note else []
     title = "The torque-free motion of a rigid body, derived"
     head = lines(tag("meta", charset="utf-8"), tag("title", title), tag("style", Markup(_STYLE)))

@@ -7,7 +7,15 @@ numbers, and what must not be zero.
 import re
 from collections.abc import Iterator
 
-from rigidsym.view.article.formats import Line, formulas, numbers, provided, rows_of, sentence
+from rigidsym.view.article.formats import (
+    Line,
+    aligned,
+    display,
+    formulas,
+    numbers,
+    provided,
+    sentence,
+)
 from rigidsym.view.article.mathematics import latex
 from rigidsym.view.html.cards import card, code, formula, math, muted
 from rigidsym.view.html.markup import Markup, tag
@@ -20,23 +28,14 @@ def line_html(line: Line) -> str:
     """A line as a card."""
     said = tag("span", *_prose(sentence(line)))
     head = tag("div", said, muted(code(line.fact.id)), style=f"{_ROW};padding-top:.4em")
-    equations = tag("div", formula(_aligned(line)), style=_EQUATIONS)
+    equations = tag("div", formula(aligned(line)), style=_EQUATIONS)
     body = tag("div", equations, muted(numbers(line)), style=_ROW)
     return card(head, body, *_where(line))
 
 
 def line_latex(line: Line) -> str:
     """A line's equations as one display with the paper's numbers."""
-    tags = numbers(line).replace("R^-1 dR/dt", r"$R^{-1}\dot R$")
-    return rf"$${_aligned(line)}\tag*{{{tags}}}$$" if tags else f"$${_aligned(line)}$$"
-
-
-def _aligned(line: Line) -> str:
-    rows = [row for equation in line.shown for row in rows_of(equation)]
-    if len(rows) == 1:
-        return rows[0].replace("&", "")
-    aligned = r" \\ ".join(rows)
-    return rf"\begin{{aligned}}{aligned}\end{{aligned}}"
+    return f"$${display(line)}$$"
 
 
 def _prose(text: str) -> Iterator[str | Markup]:

@@ -42,10 +42,6 @@ def _rank(factor: sympy.Expr) -> tuple[int, str]:
     return 1 + factor.is_Add + 2 * moving, str(factor)
 
 
-def _negative(term: sympy.Expr | sympy.MatrixExpr) -> bool:
-    return term.could_extract_minus_sign()
-
-
 class _Latex(LatexPrinter):
     def __init__(self) -> None:
         super().__init__({"fold_func_brackets": True})
@@ -56,7 +52,7 @@ class _Latex(LatexPrinter):
     def _print_MatrixSymbol(self, expr: sympy.MatrixSymbol) -> str:
         return symbol(expr.name).latex
 
-    def _print_Mul(self, expr: sympy.Mul) -> str:
+    def _print_Mul(self, expr: Any) -> str:
         above, below = sympy.fraction(expr, exact=True)
         sign = ""
         if above.as_coeff_Mul()[0].is_negative:
@@ -69,7 +65,7 @@ class _Latex(LatexPrinter):
     def _as_ordered_terms(self, expr: sympy.Expr, order: str | None = None) -> list[sympy.Expr]:
         """A sum begins with a plus where it can."""
         terms = super()._as_ordered_terms(expr, order)
-        first = next((term for term in terms if not _negative(term)), terms[0])
+        first = next((x for x in terms if not x.could_extract_minus_sign()), terms[0])
         return [first, *(term for term in terms if term is not first)]
 
     def _print_MatAdd(self, expr: sympy.MatAdd) -> str:
@@ -109,23 +105,23 @@ class _Pretty(PrettyPrinter):
     def _print_MatrixSymbol(self, e: sympy.MatrixSymbol) -> prettyForm:
         return self._print_Symbol(sympy.Symbol(e.name))
 
-    def _print_MatAdd(self, expr: sympy.MatAdd) -> prettyForm:
-        whole = self._print(expr.args[0])
+    def _print_MatAdd(self, expr: Any) -> prettyForm:
+        whole: Any = self._print(expr.args[0])
         for term in expr.args[1:]:
             shown = self._print(term)
-            glue = " - " if _negative(term) else " + "
+            glue = " - " if term.could_extract_minus_sign() else " + "
             whole = prettyForm(*whole.right(glue))
             whole = prettyForm(*whole.right(self._print(-term) if glue == " - " else shown))
         return whole
 
-    def _print_D(self, expr: sympy.Expr) -> prettyForm:
-        inner = self._print(expr.args[0])
+    def _print_D(self, expr: Any) -> prettyForm:
+        inner: Any = self._print(expr.args[0])
         if expr.args[0].is_Symbol and "_" not in expr.args[0].name:
             return self._print_Symbol(sympy.Symbol(f"{expr.args[0].name}_rate"))
         return prettyForm(*prettyForm("d/dt ").right(prettyForm(*inner.parens())))
 
-    def _print_Rate(self, e: sympy.MatrixExpr) -> prettyForm:
-        inner = self._print(e.args[0])
+    def _print_Rate(self, e: Any) -> prettyForm:
+        inner: Any = self._print(e.args[0])
         if isinstance(e.args[0], sympy.MatrixSymbol):
             return self._print_Symbol(sympy.Symbol(f"{e.args[0].name}_rate"))
         return prettyForm(*prettyForm("d/dt ").right(prettyForm(*inner.parens())))

@@ -4,7 +4,6 @@ Colours are those of the page, but for tints of badges that are seen on light an
 """
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 from rigidsym.view.html.markup import Markup, join, tag
 from rigidsym.view.palette import BAD, FAIR, GOOD, OPEN
@@ -30,7 +29,7 @@ _CELL = "text-align:left;vertical-align:top;padding:.2em .8em .2em 0;background:
 _SCROLL = "overflow-x:auto;overflow-y:hidden"
 
 
-def card(*children: Any) -> str:
+def card(*children: object) -> str:
     """A representation as a whole."""
     return tag("div", *children, class_=_CLASSES, style="line-height:1.5;max-width:72em")
 
@@ -53,12 +52,12 @@ def formula(latex: str) -> Markup:
     return tag("div", rf"\(\displaystyle {latex}\)", style=style)
 
 
-def head(title: Any, *others: Any) -> Markup:
+def head(title: object, *others: object) -> Markup:
     """The first line: a name in bold, then badges and remarks."""
     return tag("div", tag("strong", title), *(join(" ", other) for other in others))
 
 
-def muted(*children: Any) -> Markup:
+def muted(*children: object) -> Markup:
     """What is not the first thing to read."""
     return tag("span", *children, style="opacity:.7")
 
@@ -68,7 +67,7 @@ def code(text: str) -> Markup:
     return tag("code", text)
 
 
-def table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> Markup:
+def table(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> Markup:
     """A table to read from left to right, in the colours of the page; columns may be unnamed."""
     heads = tag("thead", tag("tr", *(tag("th", name, style=_CELL) for name in columns)))
     body = [tag("tr", *(tag("td", cell, style=_CELL) for cell in row)) for row in rows]
@@ -76,7 +75,7 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> Markup:
     return tag("div", whole, style=_SCROLL)
 
 
-def folded(summary: Any, *children: Any) -> Markup:
+def folded(summary: object, *children: object) -> Markup:
     """What opens at a click."""
     return tag("details", tag("summary", summary), *children, style="margin:.2em 0")
 
@@ -86,6 +85,6 @@ def counted(count: int, thing: str) -> str:
     return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
 
 
-def bullets(items: Iterable[Any]) -> Markup:
+def bullets(items: Iterable[object]) -> Markup:
     """A list."""
     return tag("ul", *(tag("li", item) for item in items), style="margin:.2em 0")

@@ -1,7 +1,6 @@
 """HTML from nested calls; what is not markup yet is escaped, so that no name can break a page."""
 
 import html
-from typing import Any
 
 
 class Markup(str):
@@ -10,26 +9,27 @@ class Markup(str):
     __slots__ = ()
 
 
+Attribute = str | float | bool | None
 # Elements that have no end tag.
 VOID = ("meta", "br")
 
 
-def text(value: Any) -> Markup:
+def text(value: object) -> Markup:
     """A value as HTML: escaped, unless it is markup."""
     return value if isinstance(value, Markup) else Markup(html.escape(str(value)))
 
 
-def join(*parts: Any) -> Markup:
+def join(*parts: object) -> Markup:
     """Parts one after the other."""
     return Markup("".join(map(text, parts)))
 
 
-def lines(*parts: Any) -> Markup:
+def lines(*parts: object) -> Markup:
     """Parts on lines of their own."""
     return Markup("\n".join(map(text, parts)))
 
 
-def tag(name: str, /, *children: Any, **attributes: Any) -> Markup:
+def tag(name: str, /, *children: object, **attributes: Attribute) -> Markup:
     """An element; `class_` is the attribute class, None and False are attributes left out.
 
     >>> tag("p", "1 < 2 ", tag("b", "&"), class_="note", hidden=None)
@@ -49,7 +49,7 @@ def _attribute(key: str) -> str:
     return key.rstrip("_").replace("_", "-")
 
 
-def _value(value: Any) -> str:
+def _value(value: Attribute) -> str:
     """Pixels to a hundredth."""
     if value is True:
         return ""

@@ -1,27 +1,141 @@
 """Plans and transfers as notebooks show them."""
 
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import Protocol
 
 import numpy as np
 
 from rigidsym.language.statement import listed
 from rigidsym.view.html.cards import card, counted, head, math, muted, table
-from rigidsym.view.html.markup import tag
+from rigidsym.view.html.flights import Motion
+from rigidsym.view.html.markup import Markup, tag
 from rigidsym.view.html.quantities import INERTIA, MOMENTUM, RATE, decimal, row, vector
 
-_ASKED = (
-    ("inertia", r"(c_1, c_2, c_3)", INERTIA),
-    ("start", r"R(0)", ""),
-    ("target", r"R(T)", ""),
-    ("start_spin", r"\Omega(0^-)", RATE),
-    ("target_spin", r"\Omega(T^+)", RATE),
-)
-_LIMITS = (("max_rate", RATE), ("max_burst", MOMENTUM))
 _ROUNDING = 1e-12
 
 
-def plan_html(plan: Any) -> str:
+class Limits(Protocol):
+    """What the spacecraft can do; None where there is no limit."""
+
+    @property
+    def max_rate(self) -> Fraction | None:
+        """rad/s."""
+        ...
+
+    @property
+    def max_burst(self) -> Fraction | None:
+        """N m s."""
+        ...
+
+
+class Manoeuvre(Protocol):
+    """What is asked for."""
+
+    @property
+    def inertia(self) -> Sequence[Fraction]:
+        """Principal moments (3,), kg m^2."""
+        ...
+
+    @property
+    def start(self) -> Sequence[Fraction]:
+        """Quaternion (4,)."""
+        ...
+
+    @property
+    def target(self) -> Sequence[Fraction]:
+        """Quaternion (4,)."""
+        ...
+
+    @property
+    def duration(self) -> Fraction | None:
+        """s."""
+        ...
+
+    @property
+    def start_spin(self) -> Sequence[Fraction]:
+        """Rates before (3,), rad/s."""
+        ...
+
+    @property
+    def target_spin(self) -> Sequence[Fraction]:
+        """Rates after (3,), rad/s."""
+        ...
+
+    @property
+    def limits(self) -> Limits:
+        """Of rates and bursts."""
+        ...
+
+
+class Transfer(Protocol):
+    """A natural motion from start to target."""
+
+    @property
+    def manoeuvre(self) -> Manoeuvre:
+        """What it is for, with its duration."""
+        ...
+
+    @property
+    def motion(self) -> Motion:
+        """The motion."""
+        ...
+
+    @property
+    def omega0(self) -> np.ndarray:
+        """Rates at the start (3,), rad/s."""
+        ...
+
+    @property
+    def omega1(self) -> np.ndarray:
+        """Rates at the end (3,), rad/s."""
+        ...
+
+    @property
+    def bursts(self) -> np.ndarray:
+        """(2, 3), N m s."""
+        ...
+
+    @property
+    def cost(self) -> float:
+        """N m s."""
+        ...
+
+    @property
+    def energy(self) -> float:
+        """J."""
+        ...
+
+    @property
+    def peak_rate(self) -> float:
+        """rad/s."""
+        ...
+
+    @property
+    def residual(self) -> float:
+        """By what it misses the target, rad."""
+        ...
+
+
+class Plan(Protocol):
+    """Transfers for one manoeuvre."""
+
+    @property
+    def manoeuvre(self) -> Manoeuvre:
+        """What was asked for."""
+        ...
+
+    @property
+    def transfers(self) -> Sequence[Transfer]:
+        """The cheapest first."""
+        ...
+
+    def table(self) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
+        """Columns and rows."""
+        ...
+
+
+def plan_html(plan: Plan) -> str:
     """What was asked for, then the transfers, the cheapest first."""
     asked = plan.manoeuvre
     title = head("Plan", muted(f"{counted(len(plan.transfers), 'transfer')}, {_duration(asked)}"))
@@ -30,7 +144,7 @@ def plan_html(plan: Any) -> str:
     return card(title, table((), _asked(asked)), table((*columns, "regime"), found))
 
 
-def transfer_html(transfer: Any) -> str:
+def transfer_html(transfer: Transfer) -> str:
     """The natural motion, its two bursts, what they cost, and by what it misses."""
     title = head("Transfer", muted(transfer.motion.regime), muted(_duration(transfer.manoeuvre)))
     first, last = transfer.bursts
@@ -46,18 +160,21 @@ def transfer_html(transfer: Any) -> str:
     return card(title, table((), told))
 
 
-def _asked(asked: Any) -> Iterator[tuple[Any, ...]]:
-    for field, name, unit in _ASKED:
-        values = getattr(asked, field)
-        if any(values) or field in ("inertia", "start", "target"):
-            yield row(field, f"{name} = {vector(values)}", unit)
-    for field, unit in _LIMITS:
-        value = getattr(asked.limits, field)
-        if value is not None:
-            yield row(field, decimal(value), unit)
+def _asked(asked: Manoeuvre) -> Iterator[tuple[Markup, ...]]:
+    yield row("inertia", f"(c_1, c_2, c_3) = {vector(asked.inertia)}", INERTIA)
+    yield row("start", f"R(0) = {vector(asked.start)}", "")
+    yield row("target", f"R(T) = {vector(asked.target)}", "")
+    if any(asked.start_spin):
+        yield row("start_spin", rf"\Omega(0^-) = {vector(asked.start_spin)}", RATE)
+    if any(asked.target_spin):
+        yield row("target_spin", rf"\Omega(T^+) = {vector(asked.target_spin)}", RATE)
+    if asked.limits.max_rate is not None:
+        yield row("max_rate", decimal(asked.limits.max_rate), RATE)
+    if asked.limits.max_burst is not None:
+        yield row("max_burst", decimal(asked.limits.max_burst), MOMENTUM)
 
 
-def _row(one: Any) -> Iterator[Any]:
+def _row(one: Transfer) -> Iterator[Markup]:
     yield math(_computed(one.omega0))
     yield from (math(decimal(x)) for x in (one.cost, one.energy, one.peak_rate))
     yield math(_below(one.residual))
@@ -76,5 +193,5 @@ def _below(value: float) -> str:
     return next((rf"< 10^{{{k}}}" for k in bounds), decimal(value))
 
 
-def _duration(asked: Any) -> str:
-    return f"{float(asked.duration):g} s"
+def _duration(asked: Manoeuvre) -> str:
+    return f"{float(asked.duration or 0):g} s"

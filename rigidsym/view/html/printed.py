@@ -8,6 +8,8 @@ from rigidsym.view.html.cards import badge, bullets, card, code, formula, head, 
 from rigidsym.view.html.markup import Markup, join
 
 Row = tuple[Any, Any]
+# Sides of equations that are longer than this are left to the ledger.
+LONG = 80
 
 
 def equation_html(equation: Any) -> str:
@@ -31,17 +33,26 @@ def _rows(verdict: Any) -> Iterator[Row]:
         yield muted("found by search"), join(*(formula(_repair(r)) for r in verdict.repairs))
     if verdict.conditions:
         yield muted("holds if"), join(*map(_condition, verdict.conditions))
+    for number in verdict.right_with:
+        yield muted("right as printed"), f"once ({number}) is mended"
+    if verdict.roots:
+        yield muted("root cause"), bullets(map(str, verdict.roots))
     if verdict.counterexample:
-        yield muted("fails at"), _point(verdict.counterexample)
-    if equation.readings:
-        yield muted("readings"), bullets(_reading(verdict, r) for r in equation.readings)
+        yield muted("fails at"), _fails(verdict.counterexample)
+    if verdict.readings:
+        yield muted("readings"), bullets(map(_reading, verdict.readings))
     if equation.flaws:
         yield muted("flaws"), bullets(f"{flaw}: {text}" for flaw, text in equation.flaws.items())
-    yield from _facts(equation)
+    yield from _facts(verdict)
 
 
-def _facts(equation: Any) -> Iterator[Row]:
-    for what, names in (("proved by", equation.proved_by), ("refuted by", equation.refuted_by)):
+def _facts(verdict: Any) -> Iterator[Row]:
+    every = {
+        "proved by": verdict.proved_by,
+        "refuted by": verdict.refuted_by,
+        "repaired by": verdict.repaired_by,
+    }
+    for what, names in every.items():
         if names:
             yield muted(what), join(*(join(code(name), " ") for name in names))
 
@@ -59,9 +70,24 @@ def _point(values: Mapping[str, str]) -> Markup:
     return formula(listed(point(values)))
 
 
-def _reading(verdict: Any, reading: Any) -> Markup:
-    fails = bool(reading.refuted_by)
-    points = (verdict.points.get(name) for name in reading.refuted_by)
-    where = next((p for p in points if p), None)
-    said = join(reading.text, ": ", badge("fails" if fails else "holds"), " ", reading.implies)
-    return join(said, _point(where)) if where else said
+def _fails(found: Any) -> Markup:
+    """The motion, if the point is of one; both sides there, and the point."""
+    sides = [
+        f"{name} = {value}"
+        for name, value in ((found.lhs, found.left), (found.rhs, found.right))
+        if len(name) < LONG
+    ]
+    motion = [str(found.motion)] if found.motion else []
+    lines = (join(text, " ") for text in (*motion, *sides))
+    return join(*lines, _point(found.point))
+
+
+def _reading(read: Any) -> Markup:
+    said = join(
+        read.reading.text,
+        ": ",
+        badge("holds" if read.holds else "fails"),
+        " ",
+        read.reading.implies,
+    )
+    return join(said, _point(read.counterexample.point)) if read.counterexample else said

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import Any
 
 from rigidsym import inputs
+from rigidsym.inputs import Number
 from rigidsym.view.html.cards import math, muted
 from rigidsym.view.html.markup import Markup
 
@@ -12,7 +12,7 @@ RATE, MOMENTUM = r"\mathrm{rad/s}", r"\mathrm{N\,m\,s}"
 INERTIA = r"\mathrm{kg\,m^2}"
 
 
-def decimal(value: Any) -> str:
+def decimal(value: Number | float) -> str:
     """Six digits, in LaTeX."""
     if isinstance(value, inputs.Uncertain):
         return rf"{decimal(value.middle)} \pm {decimal(value.radius)}"
@@ -22,7 +22,7 @@ def decimal(value: Any) -> str:
     return rf"{number} \cdot 10^{{{int(exponent)}}}" if exponent else number
 
 
-def vector(values: Iterable[Any]) -> str:
+def vector(values: Iterable[Number | float]) -> str:
     """Its components, in LaTeX."""
     inside = r",\ ".join(map(decimal, values))
     return f"({inside})"

@@ -3,16 +3,17 @@
 import io
 from collections.abc import Generator, Mapping
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rigidsym.errors import package
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Figure
+    from matplotlib.typing import RcKeyType
 
 
 @contextmanager
-def defaults(settings: Mapping[Any, Any] | None = None) -> Generator[None]:
+def defaults(settings: Mapping["RcKeyType", object] | None = None) -> Generator[None]:
     """Draw with matplotlib's own settings and these, whatever the user's matplotlibrc says.
 
     Artists take some of them when they are made and others when they are drawn: figures are made
@@ -21,9 +22,7 @@ def defaults(settings: Mapping[Any, Any] | None = None) -> Generator[None]:
     import matplotlib
 
     # The backend has no part in what is drawn here, and once set it stays.
-    own: dict[Any, Any] = {
-        key: x for key, x in matplotlib.rcParamsDefault.items() if key != "backend"
-    }
+    own = {key: x for key, x in matplotlib.rcParamsDefault.items() if key != "backend"}
     with matplotlib.rc_context({**own, **(settings or {})}):
         yield
 

@@ -1,6 +1,6 @@
 """Pictures of a flight: attitude, control torques, disturbances."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from rigidsym.view.plots import histories
 from rigidsym.view.protocols import Flight
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 PAPER_TORQUE = 5e-4
@@ -64,7 +65,7 @@ def disturbances(run: Flight) -> "Figure":
     return _finished(figure, axes, run)
 
 
-def _finished(figure: "Figure", axes: Any, run: Flight) -> "Figure":
+def _finished(figure: "Figure", axes: "Axes", run: Flight) -> "Figure":
     if run.t[0] < run.arrival < run.t[-1]:
         histories.mark(axes, run.arrival, "target reached")
     if axes.lines:

@@ -4,7 +4,7 @@ Functions that make figures are decorated by `defaults()`: the user's matplotlib
 """
 
 import io
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypedDict, Unpack
 
 import numpy as np
 
@@ -15,16 +15,25 @@ from rigidsym.view.plots import figure as flat
 from rigidsym.view.plots.figure import defaults
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 require("drawing", "matplotlib")
 
-FLOWN: dict[str, Any] = {"linewidth": 2.0}
-WANTED: dict[str, Any] = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
+
+class Style(TypedDict, total=False):
+    """How a line is drawn: its width, in points, and its dashes."""
+
+    linewidth: float
+    linestyle: tuple[int, tuple[int, int]]
+
+
+FLOWN: Style = {"linewidth": 2.0}
+WANTED: Style = {"linewidth": 1.0, "linestyle": (0, (5, 3))}
 
 
 @defaults()
-def blank(height: float = 4.2) -> tuple["Figure", Any]:
+def blank(height: float = 4.2) -> tuple["Figure", "Axes"]:
     """A figure that shows itself in a notebook, and its axes over time."""
     figure = flat.blank("drawing", 8.0, height)
     axes = figure.add_subplot()
@@ -38,28 +47,36 @@ def blank(height: float = 4.2) -> tuple["Figure", Any]:
 
 
 def lines(
-    axes: Any,
+    axes: "Axes",
     t: np.ndarray,
     values: np.ndarray,
     labels: tuple[str, ...],
     colours: tuple[str, ...] = AXES,
-    **style: Any,
+    **style: Unpack[Style],
 ) -> None:
     """A line for each column of values (N, k); a label that is empty is left out of the legend."""
     for column, label, colour in zip(values.T, labels, colours, strict=True):
         axes.plot(t, column, color=colour, label=label or None, **style)
 
 
-def legend(axes: Any) -> None:
+def legend(axes: "Axes") -> None:
     """Beside the plot, where it hides nothing."""
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
 
 
-def mark(axes: Any, t: float, text: str) -> None:
+def mark(axes: "Axes", t: float, text: str) -> None:
     """A dotted line at a time, its meaning written above."""
     axes.axvline(t, color="0.4", linewidth=1.0, linestyle=":")
-    place = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
-    axes.annotate(text, (t, 1.0), xytext=(0, 4), ha="center", fontsize=9, color="0.3", **place)
+    axes.annotate(
+        text,
+        (t, 1.0),
+        xytext=(0, 4),
+        xycoords=("data", "axes fraction"),
+        textcoords="offset points",
+        ha="center",
+        fontsize=9,
+        color="0.3",
+    )
 
 
 def rendered(figure: "Figure") -> dict[str, bytes]:

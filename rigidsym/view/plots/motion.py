@@ -1,9 +1,10 @@
 """Rates, attitude and momentum sphere of one motion, as a matplotlib figure."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rigidsym.inputs import Times
 from rigidsym.solution.polhode import Regime
 from rigidsym.view.geometry import (
     great_circles,
@@ -20,7 +21,9 @@ from rigidsym.view.regimes import REGIMES
 from rigidsym.view.times import chosen
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d import Axes3D
 
 
 SAMPLES = 801
@@ -28,7 +31,7 @@ AROUND = 401
 SEPARATRIX = REGIMES[Regime.SEPARATRIX]
 
 
-def plot(motion: Motion, times: Any = None) -> "Figure":
+def plot(motion: Motion, times: Times | None = None) -> "Figure":
     """Three plots: omega(t), q(t), and the momentum on its sphere in body axes."""
     figure = blank("plot", 10.5, 5.2)
     t = chosen(motion, times, SAMPLES)
@@ -47,7 +50,7 @@ def plot(motion: Motion, times: Any = None) -> "Figure":
 
 
 def _lines(
-    axes: Any,
+    axes: "Axes",
     t: np.ndarray,
     values: np.ndarray,
     names: tuple[str, ...],
@@ -63,7 +66,7 @@ def _lines(
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
 
 
-def _sphere(axes: Any, motion: Motion, omega: np.ndarray) -> None:
+def _sphere(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
     """The sphere |M| = K with its circles, the separatrix, the polhode, and what of it is run."""
     size = float(np.linalg.norm(momentum(motion)))
     # A body at rest has no such sphere: one of unit radius carries the axes.
@@ -80,7 +83,7 @@ def _sphere(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     axes.set_title(f"momentum sphere, body axes\n|M| = {size:.4g} kg m²/s", fontsize=10)
 
 
-def _polhode(axes: Any, motion: Motion, omega: np.ndarray) -> None:
+def _polhode(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
     """All of the polhode thin, what is run through of it thick, and where that begins."""
     whole = moments(motion) * polhode(motion, AROUND)
     run = moments(motion) * omega
@@ -90,14 +93,14 @@ def _polhode(axes: Any, motion: Motion, omega: np.ndarray) -> None:
     axes.plot(*run[:1].T, "o", color=colour, markersize=5, label="first time")
 
 
-def _body_axes(axes: Any, radius: float) -> None:
+def _body_axes(axes: "Axes3D", radius: float) -> None:
     for k, colour in enumerate(AXES):
         tip = np.eye(3)[k] * radius * 1.25
         axes.plot(*zip(np.zeros(3), tip, strict=True), color=colour, linewidth=1.2)
         axes.text(*(1.1 * tip), MOMENTUM[k], color=colour, ha="center", va="center")
 
 
-def _dress(axes: Any, radius: float) -> None:
+def _dress(axes: "Axes3D", radius: float) -> None:
     axes.set_xlim(-radius, radius)
     axes.set_ylim(-radius, radius)
     axes.set_zlim(-radius, radius)

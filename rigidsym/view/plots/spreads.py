@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from rigidsym.view.palette import BLUE, ORANGE
 from rigidsym.view.plots import histories
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
@@ -42,7 +43,7 @@ def spreads(panels: Sequence[Panel]) -> "Figure":
     return figure
 
 
-def _dots(axes: Any, rows: Mapping[str, Sequence[float]]) -> None:
+def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:
     """A row for each name, the first on top; dots are spread a little, in the order of cases."""
     for place, values in enumerate(rows.values()):
         offsets = 0.5 * (np.arange(len(values)) + 0.5) / len(values) - 0.25
@@ -54,7 +55,7 @@ def _dots(axes: Any, rows: Mapping[str, Sequence[float]]) -> None:
     axes.spines[["top", "right"]].set_visible(False)
 
 
-def _plain_ticks(axes: Any) -> None:
+def _plain_ticks(axes: "Axes") -> None:
     """1, 2, 5 and their decades, not powers."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 

@@ -1,9 +1,11 @@
 """The tumbling body: a box of uniform density with the moments of inertia, as it turns in space."""
 
-from typing import TYPE_CHECKING, Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rigidsym.inputs import Times
 from rigidsym.quaternions import rotated
 from rigidsym.view.geometry import moments, momentum
 from rigidsym.view.palette import AXES, GREY, SIDES
@@ -18,6 +20,7 @@ from rigidsym.view.scenes.scene import (
 from rigidsym.view.times import chosen
 
 if TYPE_CHECKING:
+    from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure
 
 FRAMES = 145
@@ -38,7 +41,7 @@ def edges(inertia: np.ndarray) -> np.ndarray:
     return np.maximum(np.sqrt(squares / np.max(squares)), THINNEST)
 
 
-def tumbling_body(motion: Motion, times: Any = None) -> "Figure":
+def tumbling_body(motion: Motion, times: Times | None = None) -> "Figure":
     """The body in inertial space, with the path of one axis; a slider moves `times` (N,), s.
 
     The axis is the body axis nearest to the momentum at t = 0, which flips where a motion nears
@@ -59,7 +62,9 @@ def tumbling_body(motion: Motion, times: Any = None) -> "Figure":
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 
-def _moving(go: Any, q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int) -> list[Any]:
+def _moving(
+    go: ModuleType, q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int
+) -> list["Trace"]:
     """The box, the axis that is followed, and its end."""
     x, y, z = np.round(rotated(q, size * _CORNERS), 6).T + 0.0
     i, j, k = np.array(_TRIANGLES).T
@@ -83,7 +88,7 @@ def _moving(go: Any, q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int
     ]
 
 
-def _momentum(go: Any, motion: Motion) -> list[Any]:
+def _momentum(go: ModuleType, motion: Motion) -> list["Trace"]:
     """The direction of the momentum, which stays; nothing for a body at rest."""
     vector = rotated(motion(0.0)[0], momentum(motion))
     length = float(np.linalg.norm(vector))

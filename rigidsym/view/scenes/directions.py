@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, Protocol
+from types import ModuleType
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from rigidsym.view.scenes.scene import body_axes, curves, dot, figure, line, plo
 from rigidsym.view.scenes.sphere import SEPARATRIX, globe
 
 if TYPE_CHECKING:
+    from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure
 
 AROUND, ON_THE_WAY = 121, 361
@@ -54,7 +56,7 @@ def scene(
     return figure(traces, title, DIRECTION_AXES, 1.15)
 
 
-def _transfer(go: Any, transfer: Transfer, name: str, colour: str) -> Iterator[Any]:
+def _transfer(go: ModuleType, transfer: Transfer, name: str, colour: str) -> Iterator["Trace"]:
     motion = transfer.motion
     size = float(np.linalg.norm(momentum(motion)))
     rates = motion(np.linspace(0, transfer.duration, ON_THE_WAY))[1]

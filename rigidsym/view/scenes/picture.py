@@ -1,7 +1,6 @@
 """A plotly figure that brings a still of itself, which is seen where no scripts run."""
 
 from base64 import b64encode
-from typing import Any
 
 from plotly.graph_objects import Figure
 
@@ -14,7 +13,7 @@ class Picture(Figure):
     Not a PNG: of one that comes with a figure JupyterLab's extension shows nothing else.
     """
 
-    def show(self, *args: Any, **kwargs: Any) -> None:
+    def show(self, *args: object, **kwargs: object) -> None:
         """As plotly's, and the still with it where a notebook shows the figure."""
         bundle = {} if args or kwargs else super()._repr_mimebundle_()
         if not bundle:

@@ -1,11 +1,13 @@
 """Poinsot's picture: the ellipsoid of inertia rolls, without slipping, on the invariable plane."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rigidsym.errors import InputError
+from rigidsym.inputs import Times
 from rigidsym.quaternions import product, rotated
 from rigidsym.view.geometry import (
     great_circles,
@@ -32,6 +34,7 @@ from rigidsym.view.scenes.scene import (
 from rigidsym.view.times import chosen
 
 if TYPE_CHECKING:
+    from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure
 
 FRAMES = 61
@@ -69,7 +72,7 @@ def rolling(motion: Motion, times: np.ndarray) -> Rolling:
     )
 
 
-def rolling_ellipsoid(motion: Motion, times: Any = None) -> "Figure":
+def rolling_ellipsoid(motion: Motion, times: Times | None = None) -> "Figure":
     """The rolling ellipsoid with polhode and herpolhode; a slider moves `times` (N,), s.
 
     The space of the picture is that of rates, rad/s, with the momentum upwards: the contact is
@@ -89,7 +92,7 @@ def rolling_ellipsoid(motion: Motion, times: Any = None) -> "Figure":
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 
-def _moving(go: Any, motion: Motion, steps: Rolling, k: int) -> list[Any]:
+def _moving(go: ModuleType, motion: Motion, steps: Rolling, k: int) -> list["Trace"]:
     """What turns with the body: the ellipsoid, its main sections, the polhode; and the contact."""
     q, colour = steps.q[k], REGIMES[motion.regime]
     sections = curves([steps.axes * circle[::2] for circle in great_circles(1.0)])
@@ -103,7 +106,7 @@ def _moving(go: Any, motion: Motion, steps: Rolling, k: int) -> list[Any]:
     ]
 
 
-def _fixed(go: Any, path: Rolling, colour: str) -> list[Any]:
+def _fixed(go: ModuleType, path: Rolling, colour: str) -> list["Trace"]:
     """The herpolhode on the invariable plane."""
     reach = 1.25 * float(np.hypot(*path.contact.T[:2]).max()) or 0.5 * path.height
     sides = np.array([-reach, reach])

@@ -4,7 +4,8 @@ Colours other than those of the data are grey and see-through, for light and for
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,25 +14,32 @@ from rigidsym.view.geometry import rounded
 from rigidsym.view.palette import AXES, FAINT, GREY, GRID
 
 if TYPE_CHECKING:
+    from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure as Figure
 
 WIDTH, HEIGHT = 760, 620
 _FRAME_MS = 60
+# As plotly takes it: by name, nested.
+Layout = dict[str, object]
 
 
-def plotly(user: str) -> Any:
+def plotly(user: str) -> ModuleType:
     """plotly's graph objects; raises ImportError with one line where it is not installed."""
     return package("plotly.graph_objects", user)
 
 
-def line(go: Any, points: np.ndarray, name: str, colour: str, width: float, **how: Any) -> Any:
+def line(
+    go: ModuleType, points: np.ndarray, name: str, colour: str, width: float, **how: bool
+) -> "Trace":
     """A curve (N, 3)."""
     x, y, z = rounded(points).T
     style = {"color": colour, "width": width}
     return go.Scatter3d(x=x, y=y, z=z, mode="lines", name=name, line=style, **how)
 
 
-def sketch(go: Any, points: np.ndarray, name: str, colour: str, width: float, **how: Any) -> Any:
+def sketch(
+    go: ModuleType, points: np.ndarray, name: str, colour: str, width: float, **how: bool
+) -> "Trace":
     """A curve (N, 3) that is only looked at, in four bytes a number."""
     x, y, z = _single(points).T
     style = {"color": colour, "width": width}
@@ -44,14 +52,14 @@ def curves(parts: Sequence[np.ndarray]) -> np.ndarray:
     return np.concatenate([piece for part in parts for piece in (part, gap)][:-1])
 
 
-def dot(go: Any, point: np.ndarray, name: str, colour: str, **how: Any) -> Any:
+def dot(go: ModuleType, point: np.ndarray, name: str, colour: str, **how: bool) -> "Trace":
     """A point (3,)."""
     x, y, z = rounded(point).reshape(3, 1)
     marker = {"color": colour, "size": 5}
     return go.Scatter3d(x=x, y=y, z=z, mode="markers", name=name, marker=marker, **how)
 
 
-def skin(go: Any, points: np.ndarray, colour: str, opacity: float) -> Any:
+def skin(go: ModuleType, points: np.ndarray, colour: str, opacity: float) -> "Trace":
     """A surface (N, M, 3) in one colour, as it may be seen through."""
     x, y, z = np.moveaxis(_single(points), 2, 0)
     return go.Surface(
@@ -81,7 +89,7 @@ def ball(rows: int, columns: int) -> np.ndarray:
     return np.stack([sine * np.cos(around), sine * np.sin(around), np.cos(polar)], axis=2)
 
 
-def body_axes(go: Any, length: float) -> list[Any]:
+def body_axes(go: ModuleType, length: float) -> list["Trace"]:
     """The three axes from the middle on."""
     tips = length * np.eye(3)
     return [
@@ -90,7 +98,7 @@ def body_axes(go: Any, length: float) -> list[Any]:
     ]
 
 
-def figure(traces: Sequence[Any], title: str, labels: Sequence[str], half: float) -> Any:
+def figure(traces: Sequence["Trace"], title: str, labels: Sequence[str], half: float) -> "Figure":
     """A figure whose scene is a cube of half width `half`, axes labelled with units."""
     # It needs plotly, which whoever calls has.
     from rigidsym.view.scenes.picture import Picture
@@ -118,7 +126,7 @@ def figure(traces: Sequence[Any], title: str, labels: Sequence[str], half: float
     )
 
 
-def _axis(label: str, half: float) -> dict[str, Any]:
+def _axis(label: str, half: float) -> Layout:
     return {
         "title": {"text": label, "font": {"size": 11}},
         "range": [-half, half],
@@ -136,8 +144,12 @@ def _axis(label: str, half: float) -> dict[str, Any]:
 
 
 def with_slider(
-    go: Any, figure: Any, times: np.ndarray, moving: Sequence[int], frames: Sequence[Sequence[Any]]
-) -> Any:
+    go: ModuleType,
+    figure: "Figure",
+    times: np.ndarray,
+    moving: Sequence[int],
+    frames: Sequence[Sequence["Trace"]],
+) -> "Figure":
     """The figure with a frame for each time: `moving` are the traces that frames replace."""
     names = [f"{t:.4g}" for t in times]
     figure.frames = [
@@ -169,7 +181,7 @@ def with_slider(
     return figure
 
 
-def _at_once(duration: int) -> dict[str, Any]:
+def _at_once(duration: int) -> Layout:
     return {
         "mode": "immediate",
         "frame": {"duration": duration, "redraw": True},
@@ -177,9 +189,9 @@ def _at_once(duration: int) -> dict[str, Any]:
     }
 
 
-def _buttons() -> dict[str, Any]:
-    play = {"label": "▶", "method": "animate"}
-    play["args"] = [None, _at_once(_FRAME_MS) | {"fromcurrent": True}]  # type: ignore[assignment]
+def _buttons() -> Layout:
+    going = [None, _at_once(_FRAME_MS) | {"fromcurrent": True}]
+    play = {"label": "▶", "method": "animate", "args": going}
     stop = {"label": "❚❚", "method": "animate", "args": [[None], _at_once(0)]}
     return {
         "type": "buttons",

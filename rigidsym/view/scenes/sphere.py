@@ -1,7 +1,8 @@
 """The momentum sphere: all motions of one body with one momentum, and where they part."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from types import ModuleType
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -32,6 +33,7 @@ from rigidsym.view.scenes.scene import (
 )
 
 if TYPE_CHECKING:
+    from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure
 
 AROUND = 121
@@ -58,13 +60,13 @@ def momentum_sphere(motion: Motion, family: int = 5) -> "Figure":
     return figure(traces, title, MOMENTUM_AXES, 1.15 * size)
 
 
-def globe(go: Any, radius: float) -> list[Any]:
+def globe(go: ModuleType, radius: float) -> list["Trace"]:
     """A sphere with its great circles, which what is drawn on it stands out from."""
     circles = sketch(go, curves(great_circles(radius)), "sphere", GRID, 1, showlegend=False)
     return [skin(go, 0.985 * radius * ball(19, 37), GREY, 0.18), circles]
 
 
-def _family(go: Any, motion: Motion, size: float, count: int) -> Iterator[Any]:
+def _family(go: ModuleType, motion: Motion, size: float, count: int) -> Iterator["Trace"]:
     """One trace for each regime."""
     found: dict[Regime, list[np.ndarray]] = {}
     for other in members(motion, size, count):
@@ -73,7 +75,7 @@ def _family(go: Any, motion: Motion, size: float, count: int) -> Iterator[Any]:
         yield line(go, curves(parts), str(regime), REGIMES[regime], 2.5)
 
 
-def _own(go: Any, motion: Motion) -> Iterator[Any]:
+def _own(go: ModuleType, motion: Motion) -> Iterator["Trace"]:
     """The polhode of the motion itself, and where it begins."""
     colour = REGIMES[motion.regime]
     if not motion.regime.steady:

@@ -3,19 +3,25 @@
 import io
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rigidsym.errors import package
 from rigidsym.view.palette import GREY
 
+if TYPE_CHECKING:
+    from mpl_toolkits.mplot3d import Axes3D
+    from plotly.basedatatypes import BaseTraceType as Trace
+    from plotly.graph_objects import Figure, Mesh3d, Scatter3d, Surface
+    from plotly.graph_objs.layout import Scene
+
 SIZE, DPI = (6.6, 5.4), 90
 # plotly's widths are in pixels, matplotlib's in points; on a smaller picture lines are thinner.
 _THINNER = 0.4
 
 
-def still(picture: Any) -> bytes:
+def still(picture: "Figure") -> bytes:
     """JPEG of a plotly figure made of lines, points, surfaces and triangles in one scene, as it is
     before anything is turned or moved; raises ImportError without matplotlib."""
     figure = package("matplotlib.figure", "still").Figure(figsize=SIZE, layout="constrained")
@@ -31,11 +37,11 @@ def still(picture: Any) -> bytes:
     return buffer.getvalue()
 
 
-def _points(trace: Any) -> list[np.ndarray]:
+def _points(trace: "Trace") -> list[np.ndarray]:
     return [np.asarray(trace[name], dtype=float) for name in "xyz"]
 
 
-def _scatter(axes: Any, trace: Any) -> None:
+def _scatter(axes: "Axes3D", trace: "Scatter3d") -> None:
     name = "_nolegend_" if trace.showlegend is False else trace.name
     if "lines" in (trace.mode or "lines"):
         style = {"color": trace.line.color, "linewidth": _THINNER * (trace.line.width or 2)}
@@ -45,26 +51,27 @@ def _scatter(axes: Any, trace: Any) -> None:
     axes.plot(*_points(trace), label=name, **style)
 
 
-def _surface(axes: Any, trace: Any) -> None:
+def _surface(axes: "Axes3D", trace: "Surface") -> None:
     colour, opacity = trace.colorscale[0][1], trace.opacity
     axes.plot_surface(*_points(trace), color=colour, alpha=opacity, linewidth=0, shade=False)
 
 
-def _triangles(axes: Any, trace: Any) -> None:
+def _triangles(axes: "Axes3D", trace: "Mesh3d") -> None:
     corners = np.stack([trace.i, trace.j, trace.k], axis=1).astype(int)
     sides = np.stack(_points(trace), axis=1)[corners]
     collection = package("mpl_toolkits.mplot3d.art3d", "still").Poly3DCollection
     axes.add_collection3d(collection(sides, facecolors=list(trace.facecolor), zsort="min"))
 
 
-_DRAWN: Mapping[str, Callable[[Any, Any], None]] = {
+# By plotly's names of the types that they take.
+_DRAWN: Mapping[str, Callable[["Axes3D", Any], None]] = {
     "scatter3d": _scatter,
     "surface": _surface,
     "mesh3d": _triangles,
 }
 
 
-def _dress(axes: Any, scene: Any) -> None:
+def _dress(axes: "Axes3D", scene: "Scene") -> None:
     """The scene's cube, labels and camera."""
     eye = scene.camera.eye
     azimuth = math.degrees(math.atan2(eye.y, eye.x))

@@ -3,10 +3,11 @@
 from importlib import resources
 
 from rigidsym.view.html.markup import Markup, lines, tag
+from rigidsym.view.report_data import Report
 from rigidsym.view.validation import cases, plots, strata, summary
 from rigidsym.view.validation import colophon as environment
 from rigidsym.view.validation.marks import palette
-from rigidsym.view.validation.source import Data, passed
+from rigidsym.view.validation.source import passed
 
 # Even a mistake in this package could load nothing.
 POLICY = "default-src 'none'; style-src 'unsafe-inline'"
@@ -21,13 +22,13 @@ CONTENTS = {
 }
 
 
-def page(data: Data) -> str:
+def page(data: Report) -> str:
     """The page of `ValidationReport.to_data()`: the same text for the same data."""
     body = tag("body", "\n", tag("main", "\n", lines(*_sections(data)), "\n"), "\n")
     return lines(Markup("<!DOCTYPE html>"), tag("html", _head(data), body, lang="en"), "")
 
 
-def _sections(data: Data) -> list[Markup]:
+def _sections(data: Report) -> list[Markup]:
     return [
         summary.summary(data),
         summary.failures(data),
@@ -42,7 +43,7 @@ def _sections(data: Data) -> list[Markup]:
     ]
 
 
-def _head(data: Data) -> Markup:
+def _head(data: Report) -> Markup:
     verdict = "passed" if passed(data) else "failed"
     return tag(
         "head",

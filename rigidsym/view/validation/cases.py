@@ -1,6 +1,10 @@
 """Single cases in full: inputs, errors, and the command that runs them again."""
 
+from collections.abc import Mapping
+from typing import Literal
+
 from rigidsym.view.html.markup import Markup, join, tag
+from rigidsym.view.report_data import Case, Implementation, Report, WorstError
 from rigidsym.view.validation.figures import (
     NOTHING,
     UNIT,
@@ -13,13 +17,18 @@ from rigidsym.view.validation.figures import (
     share,
     units,
 )
-from rigidsym.view.validation.source import Data, anchors, beyond
+from rigidsym.view.validation.source import anchors, beyond
 from rigidsym.view.validation.table import barred, column, row, table
 
-INPUTS = {"inertia": "kg m²", "omega0": "rad/s", "attitude0": "", "times": "s"}
+INPUTS: Mapping[Literal["inertia", "omega0", "attitude0", "times"], str] = {
+    "inertia": "kg m²",
+    "omega0": "rad/s",
+    "attitude0": "",
+    "times": "s",
+}
 
 
-def worst(data: Data) -> Markup:
+def worst(data: Report) -> Markup:
     """The cases that are worst somewhere."""
     where = anchors(data)
     listed = sorted(data["worst"], key=lambda found: (-_worst(data, found)[0], found["case"]))
@@ -42,7 +51,7 @@ def replay(command: str) -> Markup:
     return tag("code", command, class_="command")
 
 
-def case(data: Data, found: Data) -> Markup:
+def case(data: Report, found: Case) -> Markup:
     """Inputs, regime, errors and the command of one case."""
     about = f"{found['regime']}; distance from the separatrix {units(found['distance'])}"
     return join(
@@ -53,14 +62,14 @@ def case(data: Data, found: Data) -> Markup:
     )
 
 
-def _folded(data: Data, found: Data, anchor: str) -> Markup:
+def _folded(data: Report, found: Case, anchor: str) -> Markup:
     part, name, measure = _worst(data, found)
     remark = tag("small", f"{found['regime']}; {name} {measure} {share(part)} of its bound")
     title = tag("summary", tag("strong", found["case"]), " ", remark)
     return tag("details", title, tag("div", case(data, found), id=anchor), class_="case")
 
 
-def _worst(data: Data, found: Data) -> tuple[float, str, str]:
+def _worst(data: Report, found: Case) -> tuple[float, str, str]:
     """The largest part of a bound that a module needs, who needs it, and of which."""
     shares = (
         (number(cell["share"]), name, measure)
@@ -71,7 +80,7 @@ def _worst(data: Data, found: Data) -> tuple[float, str, str]:
     return max(shares, default=(0.0, "", ""))
 
 
-def _inputs(found: Data) -> Markup:
+def _inputs(found: Case) -> Markup:
     rows = (
         tag(
             "tr",
@@ -88,7 +97,7 @@ def _value(written: str) -> Markup:
     return tag("div", tag("span", decimal(written)), tag("code", written), class_="both")
 
 
-def _errors(data: Data, found: Data) -> Markup:
+def _errors(data: Report, found: Case) -> Markup:
     names = measures(data)
     rows = (
         tag("tr", row(one["name"]), *(_error(one, errors.get(name)) for name in names))
@@ -98,12 +107,12 @@ def _errors(data: Data, found: Data) -> Markup:
     return table(f"Errors of {found['case']}, in units of {UNIT}", [head], rows)
 
 
-def _in_order(data: Data, found: Data) -> list[tuple[Data, Data]]:
+def _in_order(data: Report, found: Case) -> list[tuple[Implementation, Mapping[str, WorstError]]]:
     errors = found["errors"]
-    return [(one, errors[one["name"]]) for one in data["contestants"] if one["name"] in errors]
+    return [(one, errors[one["name"]]) for one in data["implementations"] if one["name"] in errors]
 
 
-def _error(one: Data, cell: Data | None) -> Markup:
+def _error(one: Implementation, cell: WorstError | None) -> Markup:
     if cell is None:
         return tag("td", NOTHING, class_="none")
     title = f"{share(cell['share'])} of the bound, at t = {seconds(cell['t'])}"

@@ -1,15 +1,14 @@
 """The end of the page: what the measures mean, their bounds, and what it all ran on."""
 
 import json
-from typing import Any
 
 from rigidsym.view.html.markup import Markup, tag
+from rigidsym.view.report_data import Figure, Report
 from rigidsym.view.validation.figures import UNIT, measures, plain, units
-from rigidsym.view.validation.source import Data
 from rigidsym.view.validation.table import column, pairs, row, table
 
 
-def bounds(data: Data) -> Markup:
+def bounds(data: Report) -> Markup:
     """Measures, their bounds, and what they mean."""
     rows = (_bound(data, name) for name in measures(data))
     head = tag("tr", *map(column, ("measure", "bound", f"in {UNIT}", "meaning")))
@@ -29,12 +28,12 @@ def bounds(data: Data) -> Markup:
     )
 
 
-def environment(data: Data) -> Markup:
+def environment(data: Report) -> Markup:
     """What the campaign ran on, and full digests."""
     run = [(name, _value(value)) for name, value in sorted(data["run"].items())]
     digests = [
         (f"digest of {one['name']}", tag("code", one["digest"]))
-        for one in data["contestants"]
+        for one in data["implementations"]
         if one["digest"]
     ]
     known = [("schema", data["schema"]), ("version", data["campaign"]["version"])]
@@ -46,7 +45,7 @@ def environment(data: Data) -> Markup:
     )
 
 
-def _bound(data: Data, name: str) -> Markup:
+def _bound(data: Report, name: str) -> Markup:
     bound = data["bounds"][name]
     return tag(
         "tr",
@@ -57,5 +56,5 @@ def _bound(data: Data, name: str) -> Markup:
     )
 
 
-def _value(value: Any) -> str:
+def _value(value: Figure | None) -> str:
     return value if isinstance(value, str) else json.dumps(value, sort_keys=True)

@@ -1,7 +1,5 @@
 """Lines and words of a picture."""
 
-from typing import Any
-
 from rigidsym.view.html.markup import Markup, tag
 
 
@@ -11,7 +9,7 @@ def line(class_: str, x1: float, y1: float, x2: float, y2: float) -> Markup:
 
 
 def write(
-    x: float, y: float, written: str, anchor: str = "middle", class_: str | None = None, **more: Any
+    x: float, y: float, written: str, anchor: str = "middle", class_: str | None = None, **more: str
 ) -> Markup:
     """Words at a point."""
     return tag("text", written, class_=class_, x=x, y=y, text_anchor=anchor, **more)

@@ -1,13 +1,11 @@
 """Figures of a report as numbers, and numbers as a reader wants them."""
 
 import math
-from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
 
 from rigidsym.validate.bounds import MEASURES, ULP
+from rigidsym.view.report_data import Figure, Report
 
-Figure = float | str
 NOTHING = "\N{EN DASH}"
 KAPPA = "\N{GREEK SMALL LETTER KAPPA}"
 TIMES = "\N{MULTIPLICATION SIGN}"
@@ -137,7 +135,7 @@ def half_octave(part: str) -> float:
     return _exponent(part, "2^")
 
 
-def measures(data: Mapping[str, Any]) -> list[str]:
+def measures(data: Report) -> list[str]:
     """What is measured, in the order of its definition."""
     known = [name for name in MEASURES if name in data["bounds"]]
     return known + sorted(set(data["bounds"]) - set(known))

@@ -3,9 +3,9 @@
 import math
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 from rigidsym.view.html.markup import Markup, join, lines, tag
+from rigidsym.view.report_data import Implementation
 from rigidsym.view.validation import figures
 from rigidsym.view.validation.axis import Axis, fitted
 from rigidsym.view.validation.drawing import line, write
@@ -21,7 +21,7 @@ ROOM = 24.0
 SHORT = 12
 
 
-def common(implementations: Iterable[Mapping[str, Any]], measure: str, bound: float) -> Axis:
+def common(implementations: Iterable[Implementation], measure: str, bound: float) -> Axis:
     """One axis for every stratum, so that pictures can be compared."""
     parts = {
         figures.half_octave(part)
@@ -34,7 +34,7 @@ def common(implementations: Iterable[Mapping[str, Any]], measure: str, bound: fl
 
 
 def histogram(
-    implementations: Sequence[Mapping[str, Any]],
+    implementations: Sequence[Implementation],
     stratum: str,
     measure: str,
     bound: float,
@@ -59,7 +59,7 @@ def histogram(
     )
 
 
-def _row(k: int, one: Mapping[str, Any], sizes: Mapping[str, int], axis: Axis) -> Markup:
+def _row(k: int, one: Implementation, sizes: Mapping[str, int], axis: Axis) -> Markup:
     """Bars above a base line, the highest of them as high as the row."""
     base = TOP + ROW * (k + 1)
     counts = _counts(sizes, axis)

@@ -1,10 +1,10 @@
 """Marks of implementations: one colour and one shape each, told apart without colour too."""
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 from rigidsym.view.html.markup import Markup, join, tag
 from rigidsym.view.palette import SERIES, SERIES_ON_DARK
+from rigidsym.view.report_data import Implementation
 
 RADIUS = 4.0
 # Corners around the centre, in radii; none for a circle.
@@ -29,7 +29,7 @@ def mark(k: int, x: float, y: float, title: str) -> Markup:
     return _shape(k, x, y, f"mark {colour(k)}", tag("title", title))
 
 
-def legend(implementations: Sequence[Mapping[str, Any]]) -> Markup:
+def legend(implementations: Sequence[Implementation]) -> Markup:
     """Whose marks are whose."""
     return tag("ul", *(_entry(k, one) for k, one in enumerate(implementations)), class_="legend")
 
@@ -44,7 +44,7 @@ def _rules(colours: Sequence[str]) -> str:
     return "\n".join(f".c{k} {{ --series: {name}; }}" for k, name in enumerate(colours))
 
 
-def _entry(k: int, one: Mapping[str, Any]) -> Markup:
+def _entry(k: int, one: Implementation) -> Markup:
     drawn = _shape(k, 6.0, 6.0, f"key {colour(k)}")
     picture = tag("svg", drawn, viewBox="0 0 12 12", width=12, height=12, aria_hidden="true")
     return tag("li", join(picture, " ", one["name"]))

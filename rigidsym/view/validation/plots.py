@@ -1,15 +1,15 @@
 """The figures of the page."""
 
 from rigidsym.view.html.markup import Markup, join, lines, tag
+from rigidsym.view.report_data import ByMeasure, Report
 from rigidsym.view.validation.histogram import common, histogram
 from rigidsym.view.validation.marks import legend
 from rigidsym.view.validation.scatter import Labels, scatter
-from rigidsym.view.validation.source import Data
 
 Y_LABELS = {"angle": "angle error (rad)", "omega": "rate error (relative)"}
 NAMES = {"angle": "Angle error (rad)", "omega": "Rate error (relative to |ω|)"}
 # View, heading, abscissa, the name of its zero, and what to look for.
-VIEWS = (
+VIEWS: tuple[tuple[ByMeasure, str, str, str, str], ...] = (
     (
         "distance",
         "Error and distance from the separatrix",
@@ -38,7 +38,7 @@ VIEWS = (
 )
 
 
-def views(data: Data) -> Markup:
+def views(data: Report) -> Markup:
     """Errors against distance, time and condition."""
     return tag(
         "section",
@@ -48,13 +48,13 @@ def views(data: Data) -> Markup:
             "Each mark is the worst state of its decade; point at one for its case. "
             "“None” marks states for which no number came out; below 10⁻²⁰ decades are closer.",
         ),
-        legend(data["contestants"]),
+        legend(data["implementations"]),
         *(_view(data, *view) for view in VIEWS),
         id="plots",
     )
 
 
-def sizes(data: Data) -> Markup:
+def sizes(data: Report) -> Markup:
     """How errors are distributed, stratum by stratum."""
     return tag(
         "section",
@@ -65,16 +65,20 @@ def sizes(data: Data) -> Markup:
             "the order of the legend and scaled to its highest bar. "
             "The dashed line is the documented bound.",
         ),
-        legend(data["contestants"]),
+        legend(data["implementations"]),
         *(_sizes(data, measure) for measure in NAMES),
         id="sizes",
     )
 
 
-def _view(data: Data, view: str, heading: str, x: str, zero: str, remark: str) -> Markup:
+def _view(data: Report, view: ByMeasure, heading: str, x: str, zero: str, remark: str) -> Markup:
     pictures = [
         scatter(
-            data["contestants"], view, measure, data["bounds"][measure], Labels(x, y_label, zero)
+            data["implementations"],
+            view,
+            measure,
+            data["bounds"][measure],
+            Labels(x, y_label, zero),
         )
         for measure, y_label in Y_LABELS.items()
     ]
@@ -82,14 +86,14 @@ def _view(data: Data, view: str, heading: str, x: str, zero: str, remark: str) -
     return tag("figure", caption, tag("div", *pictures, class_="pair"), id=f"plot-{view}")
 
 
-def _sizes(data: Data, measure: str) -> Markup:
+def _sizes(data: Report, measure: str) -> Markup:
     bound = data["bounds"][measure]
-    axis = common(data["contestants"], measure, bound)
+    axis = common(data["implementations"], measure, bound)
     pictures = [
         tag(
             "figure",
             tag("figcaption", stratum["name"]),
-            histogram(data["contestants"], stratum["name"], measure, bound, axis),
+            histogram(data["implementations"], stratum["name"], measure, bound, axis),
         )
         for stratum in data["strata"]
     ]

@@ -1,12 +1,12 @@
 """Worst errors against a property of their cases: both axes logarithmic, a mark for each decade."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from rigidsym.validate.bounds import ULP
 from rigidsym.view.html.markup import Markup, join, lines, tag
+from rigidsym.view.report_data import ByMeasure, Cell, Figure, Implementation
 from rigidsym.view.validation import figures, source
 from rigidsym.view.validation.axis import Axis, fitted
 from rigidsym.view.validation.drawing import line, write
@@ -43,8 +43,8 @@ class Labels:
 
 
 def scatter(
-    implementations: Sequence[Mapping[str, Any]],
-    view: str,
+    implementations: Sequence[Implementation],
+    view: ByMeasure,
     measure: str,
     bound: float,
     labels: Labels,
@@ -78,7 +78,7 @@ def scatter(
     )
 
 
-def _points(k: int, one: Mapping[str, Any], count: int, view: str, measure: str) -> list[Point]:
+def _points(k: int, one: Implementation, count: int, view: ByMeasure, measure: str) -> list[Point]:
     """In the order of their decades, beside those of other implementations."""
     aside = (k - (count - 1) / 2) * min(SPREAD / count, MOST)
     found = sorted((figures.decade(part), cell) for part, cell in one[view][measure].items())
@@ -88,12 +88,12 @@ def _points(k: int, one: Mapping[str, Any], count: int, view: str, measure: str)
     ]
 
 
-def _exponent(figure: figures.Figure) -> float:
+def _exponent(figure: Figure) -> float:
     value = figures.number(figure) * ULP
     return math.log10(value) if value else -math.inf
 
 
-def _title(name: str, exponent: float, cell: Mapping[str, Any]) -> str:
+def _title(name: str, exponent: float, cell: Cell) -> str:
     if math.isinf(exponent):
         decade = "beyond all" if exponent > 0 else "0"
     else:

@@ -1,27 +1,25 @@
 """Tables: implementations by regime and by stratum."""
 
-from typing import Any
-
 from rigidsym.view.html.markup import Markup, lines, tag
+from rigidsym.view.report_data import ByPart, Cell, Figure, Implementation, Report, Stratum
 from rigidsym.view.validation.figures import (
     NOTHING,
     UNIT,
-    Figure,
     measures,
     number,
     plain,
     share,
     units,
 )
-from rigidsym.view.validation.source import Data, anchors, beyond, place
+from rigidsym.view.validation.source import anchors, beyond, place
 from rigidsym.view.validation.table import barred, column, figure, row, table
 
 SHOWN = {"angle": "angle", "omega": "rate"}
 
 
-def regimes(data: Data) -> Markup:
+def regimes(data: Report) -> Markup:
     """The worst errors by regime of motion, implementations side by side."""
-    names = sorted({name for one in data["contestants"] for name in one["regimes"]})
+    names = sorted({name for one in data["implementations"] for name in one["regimes"]})
     cases = anchors(data)
     rows = (_regime(data, name, cases) for name in names)
     caption = (
@@ -37,10 +35,10 @@ def regimes(data: Data) -> Markup:
     )
 
 
-def strata(data: Data) -> Markup:
+def strata(data: Report) -> Markup:
     """What was tested, how much of the bounds it takes, and all measures of implementations."""
     rows = (_stratum(data, stratum) for stratum in data["strata"])
-    names = (one["name"] for one in data["contestants"])
+    names = (one["name"] for one in data["implementations"])
     head = ["stratum", *names, "cases", "states", "oracles"]
     caption = (
         "Largest part of a documented bound that was needed, of all measures; oracles: their "
@@ -50,51 +48,51 @@ def strata(data: Data) -> Markup:
         "section",
         tag("h2", "Strata"),
         table(caption, [tag("tr", *map(column, head))], rows),
-        *(_all_measures(data, one) for one in data["contestants"]),
+        *(_all_measures(data, one) for one in data["implementations"]),
         id="strata",
     )
 
 
-def _two_lines(first: str, data: Data) -> list[Markup]:
-    groups = [column(one["name"], span=len(SHOWN)) for one in data["contestants"]]
+def _two_lines(first: str, data: Report) -> list[Markup]:
+    groups = [column(one["name"], span=len(SHOWN)) for one in data["implementations"]]
     under = [column(shown) for _ in groups for shown in SHOWN.values()]
     return [tag("tr", column(first, rows=2), *groups), tag("tr", *under)]
 
 
-def _regime(data: Data, name: str, cases: dict[str, str]) -> Markup:
+def _regime(data: Report, name: str, cases: dict[str, str]) -> Markup:
     found = (
         figure(cell, _part(cell, data["bounds"][measure]), cases, beyond(one))
-        for one in data["contestants"]
+        for one in data["implementations"]
         for measure in SHOWN
         for cell in [_cell(one, "regimes", name, measure)]
     )
     return tag("tr", row(name), *found)
 
 
-def _part(cell: Data | None, bound: float) -> Figure | None:
+def _part(cell: Cell | None, bound: float) -> Figure | None:
     """Of angle and of rates, whose allowance depends on nothing else."""
     return None if cell is None else number(cell["units"]) / bound
 
 
-def _cell(one: Data, view: str, part: str, measure: str) -> Any:
+def _cell(one: Implementation, view: ByPart, part: str, measure: str) -> Cell | None:
     return one[view].get(part, {}).get(measure)
 
 
-def _stratum(data: Data, stratum: Data) -> Markup:
+def _stratum(data: Report, stratum: Stratum) -> Markup:
     oracles = stratum["disagreement"]
     tested = "number" if stratum["cases"] else "number beyond"
     apart = "number" if number(oracles) <= 1 else "number beyond"
     return tag(
         "tr",
         row(stratum["name"], tag("small", stratum["about"], class_="about")),
-        *(_largest(one, stratum["name"], data) for one in data["contestants"]),
+        *(_largest(one, stratum["name"], data) for one in data["implementations"]),
         tag("td", stratum["cases"], class_=tested),
         tag("td", stratum["states"], class_=tested),
         tag("td", units(oracles), class_=apart),
     )
 
 
-def _largest(one: Data, stratum: str, data: Data) -> Markup:
+def _largest(one: Implementation, stratum: str, data: Report) -> Markup:
     shares = one["shares"].get(stratum, {})
     known = [name for name in measures(data) if name in shares]
     if not known:
@@ -105,7 +103,7 @@ def _largest(one: Data, stratum: str, data: Data) -> Markup:
     return barred(share(part), name, part, beyond(one), title)
 
 
-def _all_measures(data: Data, one: Data) -> Markup:
+def _all_measures(data: Report, one: Implementation) -> Markup:
     cases, names = anchors(data), measures(data)
     rows = (_every(one, stratum["name"], names, cases) for stratum in data["strata"])
     caption = f"{one['name']}: the worst of each measure, in units of {UNIT}; κ: condition number"
@@ -118,7 +116,7 @@ def _all_measures(data: Data, one: Data) -> Markup:
     return tag("details", summary, table(caption, head, rows), open=not one["peer"])
 
 
-def _every(one: Data, stratum: str, names: list[str], cases: dict[str, str]) -> Markup:
+def _every(one: Implementation, stratum: str, names: list[str], cases: dict[str, str]) -> Markup:
     found = (
         figure(_cell(one, "strata", stratum, name), _needed(one, stratum, name), cases, beyond(one))
         for name in names
@@ -126,6 +124,6 @@ def _every(one: Data, stratum: str, names: list[str], cases: dict[str, str]) -> 
     return tag("tr", row(stratum), lines(*found))
 
 
-def _needed(one: Data, stratum: str, measure: str) -> Figure | None:
+def _needed(one: Implementation, stratum: str, measure: str) -> Figure | None:
     cell = _cell(one, "shares", stratum, measure)
     return None if cell is None else cell["units"]

@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator
 
 from rigidsym.view.html.markup import Markup, join, tag
+from rigidsym.view.report_data import Figure, Implementation, Report
 from rigidsym.view.validation.cases import case, replay
 from rigidsym.view.validation.figures import (
-    Figure,
     counted,
     measures,
     number,
@@ -14,10 +14,10 @@ from rigidsym.view.validation.figures import (
     scientific,
     share,
 )
-from rigidsym.view.validation.source import Data, cells, modules, passed, peers, worst
+from rigidsym.view.validation.source import cells, modules, passed, peers, worst
 
 
-def summary(data: Data) -> Markup:
+def summary(data: Report) -> Markup:
     """Verdict, implementations, worst figures, and the command that writes them."""
     verdict, word = ("passed", "Passed") if passed(data) else ("failed", "Failed")
     return tag(
@@ -33,7 +33,7 @@ def summary(data: Data) -> Markup:
     )
 
 
-def failures(data: Data) -> Markup:
+def failures(data: Report) -> Markup:
     """What broke, in full; nothing where nothing did."""
     if passed(data):
         return Markup("")
@@ -51,7 +51,7 @@ def failures(data: Data) -> Markup:
     return tag("section", tag("h2", "Failures"), *broken, *others, id="failures", class_="failures")
 
 
-def _headline(data: Data) -> str:
+def _headline(data: Report) -> str:
     names = [one["name"] for one in modules(data)]
     if passed(data):
         within = "stays" if len(names) == 1 else "stay"
@@ -60,7 +60,7 @@ def _headline(data: Data) -> str:
     return f"{_listed(names)}: {count} {'failure' if count == 1 else 'failures'}"
 
 
-def _told(data: Data) -> Markup:
+def _told(data: Report) -> Markup:
     """What failed, a line each."""
     if passed(data):
         return Markup("")
@@ -73,7 +73,7 @@ def _listed(names: list[str]) -> str:
     return f"{', '.join(first)} and {last}" if first else last
 
 
-def _comparison(data: Data) -> Markup:
+def _comparison(data: Report) -> Markup:
     """What peers come to, in the same cases."""
     found = (worst([one], "strata", "angle") for one in peers(data))
     listed = (_peer(name, cell["units"]) for name, _, cell in filter(None, found))
@@ -85,7 +85,7 @@ def _peer(name: str, figure: Figure) -> Markup:
     return tag("span", f"{name} {plain(figure)}{unit}", class_="peer")
 
 
-def _tiles(data: Data) -> Iterator[Markup]:
+def _tiles(data: Report) -> Iterator[Markup]:
     yield _worst(data, "Worst angle error", "angle", " rad")
     yield _worst(data, "Worst rate error", "omega", " relative")
     yield _tightest(data)
@@ -95,7 +95,7 @@ def _tiles(data: Data) -> Iterator[Markup]:
     yield _tile("Tested", f"{total['cases']:,} cases", states)
 
 
-def _worst(data: Data, title: str, measure: str, unit: str) -> Markup:
+def _worst(data: Report, title: str, measure: str, unit: str) -> Markup:
     found = worst(modules(data), "strata", measure)
     if found is None:
         return _tile(title, "not measured", "")
@@ -108,7 +108,7 @@ def _worst(data: Data, title: str, measure: str, unit: str) -> Markup:
     return _tile(title, scientific(cell["units"]) + unit, remark, beyond=part > 1)
 
 
-def _tightest(data: Data) -> Markup:
+def _tightest(data: Report) -> Markup:
     """The bound that is nearest to being broken."""
     found = [
         (number(cell["units"]), measure, name, stratum)
@@ -122,7 +122,7 @@ def _tightest(data: Data) -> Markup:
     return _tile("Nearest to its bound", share(part), remark, beyond=part > 1)
 
 
-def _oracles(data: Data) -> Markup:
+def _oracles(data: Report) -> Markup:
     """How far the two ways to the truth are apart."""
     title, allowed = "Oracles differ by", data["agreement"]
     apart = [(number(one["disagreement"]), one["name"]) for one in data["strata"]]
@@ -138,7 +138,7 @@ def _tile(title: str, shown: str, remark: str, *, beyond: bool = False) -> Marku
     return tag("div", tag("dt", title), value, tag("dd", remark))
 
 
-def _campaign(data: Data) -> Iterator[Markup]:
+def _campaign(data: Report) -> Iterator[Markup]:
     """Who was measured, and what makes the same campaign again."""
     whole = data["campaign"]
     facts = [("version", whole["version"]), ("seed", whole["seed"]), ("digits", whole["digits"])]
@@ -147,6 +147,6 @@ def _campaign(data: Data) -> Iterator[Markup]:
         yield tag("div", tag("dt", name), tag("dd", value))
 
 
-def _digest(one: Data) -> Markup:
+def _digest(one: Implementation) -> Markup:
     digest = one["digest"] or ""
     return join(tag("code", digest[:12], title=digest))

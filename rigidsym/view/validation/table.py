@@ -3,15 +3,15 @@
 from collections.abc import Iterable, Mapping
 
 from rigidsym.view.html.markup import Markup, join, lines, tag
+from rigidsym.view.report_data import Cell, Figure
 from rigidsym.view.validation.figures import (
     NOTHING,
-    Figure,
     brief,
     condition,
     number,
     plain,
 )
-from rigidsym.view.validation.source import Data, place
+from rigidsym.view.validation.source import place
 
 
 def table(
@@ -41,7 +41,7 @@ def pairs(caption: str, named: Iterable[tuple[str, object]]) -> Markup:
     return table(caption, [tag("tr", column("name"), column("value"))], rows, "words")
 
 
-def figure(cell: Data | None, part: Figure | None, cases: Mapping[str, str], beyond: str) -> Markup:
+def figure(cell: Cell | None, part: Figure | None, cases: Mapping[str, str], beyond: str) -> Markup:
     """A worst error in units, a bar for its part of the bound, and its condition beside it.
 
     `beyond` is the class of cells that are beyond their bound.

@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 from fractions import Fraction
+from functools import partial
 
 import pytest
 
@@ -108,7 +109,7 @@ def test_pieces_of_work_keep_their_order_and_tell_how_many_are_done():
     told = []
     with local(1) as place:
         work = _Work(place, 3, lambda done, total: told.append((done, total)))
-        assert work.done([(pow, 2, k) for k in range(3)]) == [1, 2, 4]
+        assert work.done([partial(pow, 2, k) for k in range(3)]) == [1, 2, 4]
     assert told == [(1, 3), (2, 3), (3, 3)]
 
 

@@ -283,7 +283,7 @@ def test_an_assumption_is_graded_by_its_points_and_replays_with_the_same_balls()
     with pytest.raises(KernelError, match="agree"):
         book.assume("c.wrong", {"s": "u"}, "nobody", points)
     with pytest.raises(KernelError, match="reference"):
-        book.assume("c.orphan", {"s": "s"}, "", points)
+        book.assume("c.orphan", {"s**2": "s*s"}, "", points)
     assert book.assume("c.bare", {"s": "u"}, "somebody", []).grade == Grade.ASSUMED
     assert book.assume("c.same", {"s**2": "s*s"}, "anybody", points).grade == Grade.ENCLOSED
     sealed = book.ledger.to_text()

@@ -1,7 +1,7 @@
 import pytest
 
 from rigidsym.proof.algebra import Book, Part, half_angle, jacobi, join, sign
-from rigidsym.proof.algebra.book import facts, readings
+from rigidsym.proof.algebra.book import definitions, facts, readings
 from rigidsym.proof.kernel import Grade, KernelError
 
 A = Part(
@@ -104,17 +104,23 @@ def test_carry_keeps_the_statement_and_its_weakest_grade():
         *facts("c", "nothing refuted"),
         *readings("c", "d", "1"),
         *readings("nowhere", "x", "1"),
+        *definitions("c", "x", "1"),
+        *definitions("nowhere", "d", "1"),
     ],
     ids=str,
 )
-def test_only_proved_facts_and_readings_are_published(entry):
+def test_only_proved_facts_definitions_and_readings_are_published(entry):
     book = Book()
-    book.open(join("c", Part({"x": "1"}, reading={"x": "sin(1)"})))
+    book.open(join("c", Part({"x": "1"}, definitions={"d": "2*x"}, reading={"x": "sin(1)"})))
     book.claim("c.one", {"x - x": "0"})
     book.refute("c.refuted", {"x": "2"}, {})
-    good = [*facts("c", "one"), *readings("c", "x", "1")]
-    assert good == [{"fact": "c.one"}, {"context": "c", "reading": "x", "source": ["1"]}]
+    good = [*facts("c", "one"), *definitions("c", "d", "2", "3"), *readings("c", "x", "1")]
+    assert good == [
+        {"fact": "c.one"},
+        {"context": "c", "definition": "d", "source": ["2", "3"]},
+        {"context": "c", "reading": "x", "source": ["1"]},
+    ]
     book.publish("good", good)
     assert book.ledger.published == {"sequences": {"good": good}}
-    with pytest.raises(KernelError, match="neither"):
+    with pytest.raises(KernelError, match="is no proved fact"):
         book.publish("bad", [entry])

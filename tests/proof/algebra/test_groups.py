@@ -1,9 +1,10 @@
 """The same laws for unit quaternions and for SU(2), as identities over a free ring."""
 
 import pytest
+from sympy import sqrt
 
 from rigidsym.proof.algebra import equal, names
-from rigidsym.proof.algebra.quaternion import conjugate, product
+from rigidsym.proof.algebra.quaternion import conjugate, kinematics, product, rotated
 from rigidsym.proof.algebra.su2 import (
     Complex,
     basis,
@@ -14,6 +15,13 @@ from rigidsym.proof.algebra.su2 import (
 )
 from rigidsym.proof.kernel import Context, Ledger
 
+# q' of (3) as in textbooks, row by row.
+TEXTBOOK = {
+    "D(q0)": "(-Omega1*q1 - Omega2*q2 - Omega3*q3)/2",
+    "D(q1)": "(Omega1*q0 + Omega3*q2 - Omega2*q3)/2",
+    "D(q2)": "(Omega2*q0 - Omega3*q1 + Omega1*q3)/2",
+    "D(q3)": "(Omega3*q0 + Omega2*q1 - Omega1*q2)/2",
+}
 GENERATORS = tuple(f"{name}{k}" for name in "pqr" for k in range(4))
 
 
@@ -136,3 +144,26 @@ def test_matrix_rate_obeys_leibniz_in_order():
     X, Y = from_quaternion((a, b, zero, zero)), from_quaternion((b, zero, a, zero))
     assert holds((X @ Y).rate(), X.rate() @ Y + X @ Y.rate())
     assert not holds((X @ Y).rate(), X.rate() @ Y + Y.rate() @ X)
+
+
+def test_kinematics_are_those_of_textbooks_and_texts_that_the_kernel_reads():
+    found = kinematics("q0 q1 q2 q3", "Omega1 Omega2 Omega3")
+    names = ("q0", "q1", "q2", "q3", "Omega1", "Omega2", "Omega3")
+    ring = Ledger().open(Context("textbook", names, dict.fromkeys(names, "0")))
+    assert found.keys() == TEXTBOOK.keys()
+    for rate, side in found.items():
+        assert not (ring.read(str(side)) - ring.read(TEXTBOOK[rate])).numerator
+
+
+def test_axes_of_the_other_handedness_turn_the_other_way(pqr):
+    """With an axis turned round, i and its coefficient change sign; the product is the same one."""
+    p, q, _ = pqr
+    mirrored = [[x[0], x[1] * -1, x[2], x[3]] for x in (p, q)]
+    whole, left = product(*mirrored), product(p, q, -1)
+    assert holds((whole[0], whole[1] * -1, *whole[2:]), left)
+
+
+def test_a_quarter_turn_about_the_third_axis_takes_the_first_to_the_second():
+    half = sqrt(2) / 2
+    assert rotated((half, 0, 0, half), (1, 0, 0)) == [0, 1, 0]
+    assert rotated((half, 0, 0, half), (1, 0, 0), -1) == [0, -1, 0]

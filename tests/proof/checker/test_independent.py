@@ -54,7 +54,7 @@ def small_ledger() -> str:
     ledger.open(Context("circle", tuple(at), at, relations=(circle,), **fields))
     names, point = (*at, "v"), {**at, "v": "4"}
     ledger.open(Context("point", names, point, relations=(circle, "v - w**2"), **fields))
-    statement = (("D(double)*w1", "s"), ("2*(1 - 2*s**2)", "s"))
+    statement = (("D(double)*w1", "2*s"), ("2*(1 - 2*s**2)", "s + s"))
     prove(ledger, Fact("rate", "circle", "equal", *statement, "identity"))
     prove(ledger, Fact("length", "point", "root", ("w",), ("v",), "identity"))
     apart = {"point": {"w": "2", "s": "3/5", "c": "4/5"}}
@@ -103,6 +103,8 @@ TAMPERED = [
     ("facts/0/rhs/1", GONE, "fact rate"),
     ("facts/0/rhs/1", "s + (w+1)**100000", "fact rate"),
     ("facts/0/rhs/1", "s/c", "fact rate"),
+    ("facts/0/lhs/1", "s + s", "fact rate"),
+    ("facts/0/rhs/1", "2 * (s)", "fact rate"),
     ("facts/0/lhs/1", "D(s, c)", "fact rate"),
     ("facts/0/certificate/cofactors/0/0", "4*w", "fact rate"),
     ("facts/0/certificate/cofactors/0/0", GONE, "fact rate"),
@@ -185,7 +187,7 @@ def test_refuses_what_has_the_wrong_shape(path, value, culprit):
         SMALL[:-200],
         SMALL + SMALL,
         written(json.loads(SMALL)).replace("\n ", "\n  "),
-        SMALL.replace('"schema"', '"schema": "rigidsym.ledger/2",\n "schema"'),
+        SMALL.replace('"schema"', '"schema": "rigidsym.ledger/3",\n "schema"'),
         SMALL.replace('"s": "0"', '"s": "0",\n    "s": "0"'),
     ],
     ids=range(9),
@@ -211,10 +213,10 @@ def excerpt() -> str:
 
 
 def test_both_checkers_accept_the_excerpt(excerpt):
-    assert check(excerpt) == len(replay(excerpt).facts) > 40
+    assert check(excerpt) == len(replay(excerpt).facts) > 30
 
 
-@pytest.mark.parametrize("k", range(1, 41, 4))
+@pytest.mark.parametrize("k", range(1, 31, 3))
 def test_both_checkers_refuse_a_changed_statement(excerpt, k):
     fact = json.loads(excerpt)["facts"][k]
     text = tampered(excerpt, f"facts/{k}/rhs/0", f"{fact['rhs'][0]} + 1")

@@ -47,9 +47,9 @@ SIGNS = Context(
 
 
 def signed(form: str, kind: str = "nonnegative") -> Fact:
-    """form = form >= 0, or form = sqrt(form**2)."""
-    rhs = form if kind == "nonnegative" else f"({form})**2"
-    return Fact("f", "signs", kind, (form,), (rhs,), "identity", certificate={"cofactors": [[]]})
+    """0 + form = form >= 0, or form = sqrt(form**2)."""
+    lhs, rhs = (f"0 + {form}", form) if kind == "nonnegative" else (form, f"({form})**2")
+    return Fact("f", "signs", kind, (lhs,), (rhs,), "identity", certificate={"cofactors": [[]]})
 
 
 @pytest.mark.parametrize("kind", ["nonnegative", "root"])
@@ -98,13 +98,13 @@ def test_a_definition_cannot_rename_what_is_no_name(name):
 
 
 def test_a_sign_needs_its_equation():
-    wrong = replace(signed("x"), lhs=("y",))
+    wrong = replace(signed("x"), lhs=("0 + y",))
     refused([SIGNS], [wrong])
     refused([SIGNS], [replace(wrong, kind="equal")])
 
 
 def test_every_component_of_a_sign_is_looked_at():
-    both = Fact("f", "signs", "nonnegative", ("x", "z"), ("x", "z"), "identity")
+    both = Fact("f", "signs", "nonnegative", ("0 + x", "0 + z"), ("x", "z"), "identity")
     refused([SIGNS], [replace(both, certificate={"cofactors": [[], []]})])
 
 
@@ -120,20 +120,26 @@ def test_definitions_that_double_are_seen_in_no_time():
 PLAIN = Context("plain", ("x",), {"x": "1"}, rates={"x": "3*x"})
 
 
-def trivial(text: str) -> Fact:
-    return Fact(
-        "f", "plain", "equal", (text,), (text,), "identity", certificate={"cofactors": [[]]}
-    )
+def read(text: str) -> Fact:
+    """What a text means is not 1/7 where x = 1: true, if it can be read, of all in the lists."""
+    point = {"point": {"x": "1"}}
+    return Fact("f", "plain", "unequal", (text,), ("1/7",), "counterexample", certificate=point)
+
+
+def zero(text: str) -> Fact:
+    """text - text = 0."""
+    lhs, certificate = f"{text} - {text}", {"cofactors": [[]]}
+    return Fact("f", "plain", "equal", (lhs,), ("0",), "identity", certificate=certificate)
 
 
 @pytest.mark.parametrize("text", EXPRESSIONS, ids=lambda text: ascii(text[:16]))
 def test_both_read_an_expression(text):
-    accepted([PLAIN], [trivial(text)])
+    accepted([PLAIN], [read(text)])
 
 
 @pytest.mark.parametrize("text", NOT_EXPRESSIONS, ids=lambda text: ascii(text[:16]))
 def test_neither_reads_anything_else(text):
-    refused([PLAIN], [trivial(text)])
+    refused([PLAIN], [read(text)])
 
 
 TOKENS = ["x", "y", "D", "if", "2", "0", "10", "1_0", *"+-*/(),", "**", " ", "  ", "#", "."]
@@ -208,11 +214,97 @@ def test_neither_takes_what_is_no_name(field, name):
 @pytest.mark.parametrize("field", ["id", "context", "rule"])
 def test_neither_takes_an_id_that_is_not_made_of_names(field, name):
     for value in (name, f"plain.{name}"):
-        both_refuse(unchecked([PLAIN], [replace(trivial("x"), **{field: value})]))
+        both_refuse(unchecked([PLAIN], [replace(zero("x"), **{field: value})]))
 
 
 def test_neither_lets_an_identity_rest_on_premises():
-    refused([PLAIN], [trivial("x"), replace(trivial("2*x"), id="g", premises=("f",))])
+    refused([PLAIN], [zero("x"), replace(zero("2*x"), id="g", premises=("f",))])
+
+
+# A fact says more than its context.
+
+MOVING = Context(
+    "moving",
+    ("x", "y", "c", "w"),
+    {"x": "1", "y": "2", "c": "1", "w": "1"},
+    definitions={"E": "x**2 + y**2/2", "twice": "2*E"},
+    rates={"x": "(-y)*c", "y": "x", "w": "?"},
+    nonnegative=("w",),
+)
+STILL = replace(MOVING, rates=None)
+
+
+def stated(lhs, rhs, kind="equal"):
+    lhs, rhs = ((side,) if isinstance(side, str) else side for side in (lhs, rhs))
+    rows = {"cofactors": [[]] * len(lhs)}
+    return Fact("f", "moving", kind, lhs, rhs, "identity", certificate=rows)
+
+
+RESTATED = [
+    *(("x", "x"), ("0", "0"), ("x + y", "(x + (y))"), ("D(x)", "D( x )"), ("-x", "-(x)")),
+    *(("E", "x**2 + y**2/2"), ("E", "((x)**2) + (y**2)/2"), ("twice", "2*E"), ("twice", "2 * (E)")),
+    *(("D(x)", "-y*c"), ("D (x)", "(-(y))*c"), ("D(y)", "x"), ("D(c)", "0"), ("D((c))", "(0)")),
+]
+
+
+@pytest.mark.parametrize("turned", [False, True], ids=["", "turned"])
+@pytest.mark.parametrize(("lhs", "rhs"), RESTATED, ids=str)
+def test_what_says_no_more_than_its_context_is_no_fact(lhs, rhs, turned):
+    sides = (rhs, lhs) if turned else (lhs, rhs)
+    refused([MOVING], [stated(*sides)])
+    told = (sides[0], "x - x"), (sides[1], "0")
+    refused([MOVING], [stated(*told)])
+    refused([MOVING], [stated(*(column[::-1] for column in told))])
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [
+        *(("x", "1*x"), ("x - x", "0"), ("x + y", "y + x"), ("E", "y**2/2 + x**2")),
+        *(("twice", "E*2"), ("twice", "2*x**2 + y**2"), ("twice", "2*(x**2 + y**2/2)")),
+        *(("D(x)", "-c*y"), ("D(x)", "-(y*c)"), ("2*D(y)", "2*x"), ("D(D(y))", "-y*c")),
+        *(("D(E)", "(1 - 2*c)*x*y"), ("D(c*y)", "c*x"), ("D(c)", "x - x"), ("D(2)", "0")),
+    ],
+    ids=str,
+)
+def test_what_has_to_be_decided_is_a_fact(lhs, rhs):
+    accepted([MOVING], [stated(lhs, rhs)])
+    accepted([MOVING], [stated(rhs, lhs)])
+
+
+def test_a_root_or_a_sign_of_a_thing_itself_is_no_fact():
+    refused([MOVING], [stated("0", "0", "root")])
+    refused([MOVING], [stated("w", "w", "nonnegative")])
+    accepted([MOVING], [stated("w", "w**2", "root")])
+    accepted([MOVING], [stated("2*w - w", "w", "nonnegative")])
+
+
+def test_without_time_there_are_no_rates_to_read_back():
+    refused([STILL], [stated("D(c)", "0")])
+    refused([STILL], [stated("E", "x**2 + y**2/2")])
+    accepted([STILL], [stated("2*E", "2*x**2 + y**2")])
+
+
+@pytest.mark.parametrize("rule", ["assumption", "transfer"])
+def test_what_is_assumed_or_transferred_says_more_too(rule):
+    definition = Fact("a", "moving", "equal", ("E",), ("x**2 + y**2/2",), "assumption")
+    definition = replace(definition, grade=Grade.ASSUMED, certificate={"reference": "a book"})
+    if rule == "assumption":
+        refused([MOVING], [definition])
+    else:
+        free = Context("free", (*MOVING.generators, "E"), {**MOVING.witness, "E": "3"})
+        there = replace(definition, context="free")
+        bridge = Fact("b", "moving", "model", (), ("free",), "model")
+        carried = replace(definition, id="h", rule="transfer", premises=("a", "b"), certificate={})
+        refused([free, MOVING], [there, bridge, carried])
+
+
+def test_a_counterexample_may_have_components_that_agree():
+    """One component that differs refutes all of them together."""
+    point = {"point": {**MOVING.witness}}
+    apart = Fact("f", "moving", "unequal", ("x", "y"), ("x", "x"), "counterexample")
+    accepted([MOVING], [replace(apart, certificate=point)])
+    refused([MOVING], [replace(apart, lhs=("x",), rhs=("x",), certificate=point)])
 
 
 # Models and what is transferred by them.
@@ -297,7 +389,13 @@ def test_a_premise_from_another_context():
     [
         Fact("e", "free", "root", ("r",), ("r**2",), "identity", certificate={"cofactors": [[]]}),
         Fact(
-            "e", "free", "nonnegative", ("r",), ("r",), "identity", certificate={"cofactors": [[]]}
+            "e",
+            "free",
+            "nonnegative",
+            ("2*r - r",),
+            ("r",),
+            "identity",
+            certificate={"cofactors": [[]]},
         ),
         Fact(
             "e",

@@ -9,36 +9,27 @@ import pytest
 
 import derivations
 from derivations.repairs import PRINTED
+from rigidsym import TorqueFreeMotion
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.kernel import replay
-from rigidsym.proof.paper import (
-    EQUATIONS,
-    Condition,
-    Equation,
-    Flaw,
-    Reading,
-    Ruling,
-    row,
-    verdicts,
-)
+from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, row, verdicts
+from rigidsym.proof.paper.answers import Answers
+from rigidsym.proof.paper.questions import question
 from rigidsym.proof.paper.verdicts import needed_units, ruling_of
+from rigidsym.proof.paper.verdicts import verdict as verdict_on
 
 LEDGER = json.loads(Path(derivations.__file__).with_name("ledger.json").read_text("utf-8"))
 FACTS = {fact["id"]: fact for fact in LEDGER["facts"]}
 CONTEXTS = {context["name"]: context for context in LEDGER["contexts"]}
-DECIDED = [equation for equation in EQUATIONS if equation.proved_by]
-PROVING = [(e.number, name) for e in DECIDED for s in (e, *e.readings) for name in s.proved_by]
-REFUTING = [(e.number, name) for e in DECIDED for s in (e, *e.readings) for name in s.refuted_by]
-NECESSARY = [(e.number, name) for e in DECIDED for name in e.needed_by]
-NEEDED = sorted({*PROVING, *REFUTING, *NECESSARY})
 RULED = {verdict.equation.number: verdict for verdict in verdicts(LEDGER)}
+PRINT = {equation.number: equation for equation in EQUATIONS}
+NEEDED = sorted((number, name) for number, v in RULED.items() for name in v.facts())
 OTHERS = ["Lemma 1", "footnote 1", "footnote 2", "Remark 1", "Theorem 1", "Remark 2", "footnote 3"]
 OTHERS += ["R^-1 dR/dt", "Remark 3"]
 
 
 def ruling(number, ledger=LEDGER):
-    (verdict,) = (v for v in verdicts(ledger) if v.equation.number == number)
-    return verdict
+    return verdict_on(PRINT[number], Answers(ledger, EQUATIONS), ledger["published"])
 
 
 def changed(fact_id, **fields):
@@ -69,33 +60,36 @@ def test_latex_is_balanced(equation):
     assert equation.latex.count(r"\begin") == equation.latex.count(r"\end")
 
 
-@pytest.mark.parametrize(("number", "name"), NEEDED)
-def test_named_facts_are_sealed_with_the_right_kind(number, name):
-    proving, refuting = (number, name) in PROVING, (number, name) in REFUTING
-    assert not (proving and refuting)
-    assert FACTS[name]["grade"] == "PROVED"
-    if proving:
-        assert FACTS[name]["kind"] in ("equal", "root")
-    if refuting:
-        assert FACTS[name]["kind"] == "unequal"
-
-
-@pytest.mark.parametrize("equation", DECIDED, ids=lambda e: e.number)
-def test_what_is_backed_is_not_open(equation):
-    assert ruling(equation.number).ruling != Ruling.OPEN
-
-
 def test_every_printed_equation_is_decided():
-    assert list(EQUATIONS) == DECIDED
+    assert [v.equation.number for v in RULED.values() if v.ruling == Ruling.OPEN] == []
+    assert all(verdict.facts() for verdict in RULED.values())
 
 
 @pytest.mark.parametrize(("number", "name"), NEEDED)
-def test_a_verdict_does_not_outlive_its_facts(number, name):
+def test_a_verdict_rests_on_what_facts_say_and_not_on_their_names(number, name):
+    fact = FACTS[name]
     without = LEDGER | {"facts": [fact for fact in LEDGER["facts"] if fact["id"] != name]}
-    weakened = changed(name, grade="ASSUMED")
+    other = changed(name, lhs=[f"2*({fact['lhs'][0]})", *fact["lhs"][1:]])
+    weaker = changed(name, grade="ASSUMED")
     turned = changed(name, kind="model")
-    for ledger in (without, weakened, turned):
+    elsewhere = changed(name, context="body" if fact["context"] != "body" else "axis")
+    for ledger in (without, other, weaker, turned, elsewhere):
         assert ruling(number, ledger).ruling == Ruling.OPEN
+    renamed = changed(name, id=f"{fact['context']}.by_another_name")
+    assert ruling(number, renamed).ruling == RULED[number].ruling
+
+
+@pytest.mark.parametrize("number", ["5", "6", "14", "20"])
+def test_a_context_that_defines_something_else_answers_nothing(number):
+    (sense,) = PRINT[number].senses
+    contexts = []
+    for context in LEDGER["contexts"]:
+        if context["name"] == sense.context:
+            name = next(iter(sense.defines.values()))
+            assert name in context["definitions"]
+            context = context | {"definitions": context["definitions"] | {name: "1"}}
+        contexts.append(context)
+    assert ruling(number, LEDGER | {"contexts": contexts}).ruling == Ruling.OPEN
 
 
 CONDITIONS = [(verdict.equation, text) for verdict in RULED.values() for text in verdict.conditions]
@@ -105,21 +99,14 @@ CONDITIONS = [(verdict.equation, text) for verdict in RULED.values() for text in
 def test_every_condition_is_shown_necessary(equation, text):
     (condition,) = (c for c in equation.conditions if c.text == text)
     assert condition.needed_by
-
-
-@pytest.mark.parametrize("equation", DECIDED, ids=lambda e: e.number)
-def test_no_condition_speaks_for_units_that_no_proof_has(equation):
-    units = needed_units(equation, FACTS, CONTEXTS)
-    for condition in equation.conditions:
-        assert not condition.units or {*condition.units} & {*units}
+    assert RULED[equation.number].needed_by[text]
 
 
 def test_units_that_no_condition_speaks_for_are_shown():
-    equation = Equation("x", "", "", proved_by=("tangent.phi3",))
-    units = needed_units(equation, FACTS, CONTEXTS)
-    assert units == ["sin_phi2", "cos_phi3"]
-    (verdict,) = (v for v in verdicts(LEDGER) if v.equation.number == "29")
-    assert verdict.conditions == ("sin_phi2 != 0", "cos_phi3 != 0")
+    answers = Answers(LEDGER, EQUATIONS)
+    answer = answers.to(PRINT["29"].latex, PRINT["29"].senses[0])
+    assert needed_units([answer], answers) == ["sin_phi2", "cos_phi3"]
+    assert RULED["29"].conditions == ("sin_phi2 != 0", "cos_phi3 != 0")
 
 
 @pytest.mark.parametrize("number", ["9", "22"])
@@ -137,31 +124,30 @@ def test_19_holds_on_either_side_with_the_sign_of_that_side():
     assert Flaw.SIGNS in verdict.equation.flaws
 
 
-HOLDING = Reading("a", "", ("x",))
-FAILING = Reading("b", "", ("x",), ("y",))
-GIVEN = Condition("c", (), ("z",))
-
-
 @pytest.mark.parametrize(
-    ("fields", "conditions", "expected"),
+    ("holds", "mended", "readings", "conditions", "expected"),
     [
-        ({}, (), Ruling.HOLDS),
-        ({}, ("c",), Ruling.CONDITIONAL),
-        ({"refuted_by": ("y",), "repair": "r"}, ("c",), Ruling.MISPRINT),
-        ({"refuted_by": ("y",), "repair": "r", "readings": (HOLDING, FAILING)}, (), "misprint"),
-        ({"readings": (HOLDING, FAILING)}, ("c",), Ruling.AMBIGUOUS),
-        ({"readings": (HOLDING, HOLDING)}, (), Ruling.HOLDS),
-        ({"readings": (FAILING,)}, ("c",), Ruling.OPEN),
-        ({"refuted_by": ("y",), "conditions": (GIVEN,)}, ("c",), Ruling.CONDITIONAL),
+        (True, False, (), (), Ruling.HOLDS),
+        (True, False, (), ("c",), Ruling.CONDITIONAL),
+        (False, True, (), ("c",), Ruling.MISPRINT),
+        (False, True, (True, False), (), Ruling.MISPRINT),
+        (False, False, (), (), Ruling.OPEN),
+        (False, None, (True, False), (), Ruling.OPEN),
+        (None, True, (), (), Ruling.OPEN),
+        (True, False, (True, False), ("c",), Ruling.AMBIGUOUS),
+        (True, False, (True, True), (), Ruling.HOLDS),
+        (True, False, (False,), ("c",), Ruling.OPEN),
+        (True, False, (True, None), (), Ruling.OPEN),
     ],
 )
-def test_rulings(fields, conditions, expected):
-    assert ruling_of(Equation("n", "", "", ("x",), **fields), conditions) == expected
+def test_rulings(holds, mended, readings, conditions, expected):
+    assert ruling_of(holds, mended, readings, conditions) == expected
 
 
 def test_what_is_ambiguous_says_what_each_reading_implies():
     ambiguous = [v for v in RULED.values() if v.ruling == Ruling.AMBIGUOUS]
-    assert [v.equation.number for v in ambiguous] == ["footnote 2", "Remark 1", "17", "Remark 3"]
+    found = [v.equation.number for v in ambiguous]
+    assert found == ["footnote 2", "14", "Remark 1", "17", "Remark 3"]
     for verdict in ambiguous:
         readings = verdict.to_json()["readings"]
         assert {reading["holds"] for reading in readings} == {True, False}
@@ -228,13 +214,24 @@ def sealed():
 
 @pytest.mark.parametrize("verdict", MISPRINTS, ids=lambda v: v.equation.number)
 def test_the_search_finds_the_repair_that_is_printed(verdict, sealed):
-    equation = verdict.equation
-    assert bool(equation.repair_form) != (equation.number in NO_SMALL_REPAIR)
-    if equation.repair_form:
-        place, _, form = equation.repair_form.partition(" = ")
-        rings = [sealed.rings[FACTS[name]["context"]] for name in equation.refuted_by]
-        found = [r.partition(" = ")[2] for r in verdict.repairs if r.startswith(f"{place} = ")]
-        assert any(_same(ring, form, text) for ring in rings for text in found)
+    number = verdict.equation.number
+    assert bool(verdict.repairs) != (number in NO_SMALL_REPAIR)
+    for line, left, place in PRINTED:
+        if line == number and (line, place) != ("36", "lhs"):
+            context, mended = _repair(verdict.equation, left, place)
+            ring = sealed.rings[context]
+            found = [r.partition(" = ")[2] for r in verdict.repairs]
+            assert any(_same(ring, mended, text) for text in found)
+
+
+def _repair(equation, left, place):
+    """What the printed repair has in the place where the search looked."""
+    asked = [question(equation.repair, sense, PRINT) for sense in equation.mended]
+    if place in ("lhs", "rhs"):
+        (whole,) = (q for q in asked if left in q.lhs)
+        return whole.context, whole.rhs[whole.lhs.index(left)]
+    (whole,) = (q for q in asked if place in q.definitions)
+    return whole.context, whole.definitions[place]
 
 
 def _same(ring, left, right):
@@ -244,31 +241,106 @@ def _same(ring, left, right):
         return False
 
 
-def test_every_refuted_line_of_a_misprint_is_searched_or_is_no_single_formula():
-    refuting = {name for verdict in MISPRINTS for name in verdict.equation.refuted_by}
-    assert {*PRINTED} <= refuting
-    assert refuting - {*PRINTED} == {
-        "distinct_axis.not_roots_in_momentum",  # two edits of (14) at once
-        "signed.any_S1_S2",  # signs that no constant mends
-        "crossing.continuous",
-        "signed.reflection",  # words
-    }
+def test_every_misprint_is_searched_or_is_no_single_formula():
+    numbers = {verdict.equation.number for verdict in MISPRINTS}
+    assert numbers == {line for line, *_ in PRINTED} | {*NO_SMALL_REPAIR}
 
 
-def test_a_row_shows_flaws_readings_and_repairs():
-    _, verdict, repair, point = row(ruling("36"))
+def test_only_four_slips_are_independent():
+    causes = {verdict.equation.number: verdict.roots for verdict in MISPRINTS}
+    assert {root for roots in causes.values() for root in roots} == {*Root}
+    assert [number for number, roots in causes.items() if not roots] == ["footnote 3"]
+    assert causes["11"] == causes["20"] == (Root.SCALE,)
+    assert causes["36"] == (Root.MODULUS, Root.DOT)
+
+
+@pytest.mark.parametrize("number", ["10", "11", "12", "16", "20", "21"])
+def test_lines_on_the_roots_are_right_as_printed_once_14_is_mended(number):
+    assert RULED[number].right_with == ("14",)
+    assert "right as printed once (14) is mended" in row(RULED[number])[3]
+
+
+# Statements about all motions, and what speaks of none: quaternions, footnote 1.
+MOVING = ["Lemma 1", "10", "11", "12", "16", "Theorem 1", "20", "21", "36", "35", "Remark 2"]
+
+
+@pytest.mark.parametrize("number", MOVING)
+def test_counterexamples_are_motions_with_printed_and_true_value(number):
+    found = RULED[number].counterexample
+    assert found.left != found.right
+    motion = TorqueFreeMotion([*map(str, found.motion.inertia)], [*map(str, found.motion.omega)])
+    assert motion.regime
+    assert str(found.motion) in row(RULED[number])[4]
+    assert str(found.left) in row(RULED[number])[4]
+
+
+@pytest.mark.parametrize("name", ["printed_sine", "printed_20", "printed_35", "printed_36"])
+def test_amplitudes_at_a_point_are_those_of_the_motion(name):
+    point = {k: Fraction(v) for k, v in CONTEXTS[name]["witness"].items()}
+    motion = next(
+        v.counterexample.motion
+        for v in RULED.values()
+        if v.counterexample and v.counterexample.fact.startswith(f"{name}.")
+    )
+    (c1, c2, c3), (w1, w2, w3) = motion.inertia, motion.omega
+    H = (c1 * w1**2 + c2 * w2**2 + c3 * w3**2) / 2
+    KK = (c1 * w1) ** 2 + (c2 * w2) ** 2 + (c3 * w3) ** 2
+    alpha = -(c1 - c2) * (c1 - c3) / (c2 * c3)
+    roots = [(KK - 2 * H * c) / (c1 * (c1 - c)) for c in (c2, c3)]
+    assert {"zeta", "xi", "sn", "cn"} <= {*point}
+    zeta, xi, sn, cn = (point[k] for k in ("zeta", "xi", "sn", "cn"))
+    dn = point["dn"] if "dn" in point else point["w"] / point["root_s"]
+    assert zeta**2 in roots
+    (other,) = {*roots} - {zeta**2}
+    assert xi**2 == alpha * other
+    assert w1 == zeta * sn
+    assert xi * zeta * cn * dn == (c2 - c3) / c1 * w2 * w3
+    assert point.get("c_i", point.get("c1")) == c1
+    assert (point.get("H", H), point.get("K", 0) ** 2 or KK) == (H, KK)
+    assert point.get("mu", zeta**2 / other) == zeta**2 / other
+
+
+def test_14_has_both_readings():
+    rate, momentum = RULED["14"].readings
+    assert (rate.holds, momentum.holds) == (True, False)
+
+
+def test_remark_1s_second_condition_fails_on_the_third_axis():
+    read = RULED["Remark 1"].readings[3]
+    assert read.holds is False
+    assert Fraction(read.counterexample.left) == -Fraction(read.counterexample.right)
+
+
+def test_the_negative_root_of_the_third_axis_is_s_i():
+    reading = RULED["Lemma 1"].readings[3]
+    assert not reading.holds
+    assert "never s_j" in reading.reading.implies
+
+
+def test_29_says_that_it_fixes_phi3_up_to_half_turns():
+    assert "half turns" in RULED["29"].equation.flaws[Flaw.BRANCH]
+
+
+def test_footnote_3_is_a_judgement_and_the_mended_theorem_says_where_q_jumps():
+    assert Flaw.JUDGEMENT in RULED["footnote 3"].equation.flaws
+    assert "phi3 passes pi" in RULED["Theorem 1"].equation.flaws[Flaw.JUMP]
+
+
+def test_a_row_shows_flaws_causes_readings_and_repairs():
+    _, verdict, cause, repair, point = row(ruling("36"))
     assert "wrong left side" in verdict
-    assert "found: phi1 = K/c1*t + kappa*Pi" in repair
-    assert "mu = 9/16" in point
-    assert "fails" in row(ruling("Remark 3"))[2]
-    assert row(ruling("29"))[1] == "holds if sin_phi2 != 0, cos_phi3 != 0"
+    assert "mu^2 is printed for mu" in cause
+    assert "found: D(phi1) = K / c1 + sigma_printed" in repair
+    assert "mu = 49/225" in point
+    assert "fails" in row(ruling("Remark 3"))[3]
+    assert row(ruling("29"))[1].startswith("holds if sin_phi2 != 0, cos_phi3 != 0")
 
 
 def test_35_is_a_misprint_and_its_counterexample_tells_why():
     verdict = ruling("35")
     assert verdict.ruling == Ruling.MISPRINT
     assert verdict.equation.repair
-    point = {name: Fraction(value) for name, value in verdict.counterexample.items()}
+    point = {name: Fraction(value) for name, value in verdict.counterexample.point.items()}
     sn, cn, dn, mu, xi = (point[name] for name in ("sn", "cn", "dn", "mu", "xi"))
     assert sn**2 + cn**2 == 1
     assert dn**2 + mu * sn**2 == 1
@@ -277,21 +349,35 @@ def test_35_is_a_misprint_and_its_counterexample_tells_why():
     assert rate**2 == xi**2 * (1 - mu * sn**2)
 
 
-@pytest.mark.parametrize("name", ["moving_body.any_start", "amplitude.printed"])
-def test_counterexamples_break_the_printed_equation_in_exact_numbers(name):
-    fact = FACTS[name]
-    context = CONTEXTS[fact["context"]]
-    values = {key: Fraction(value) for key, value in fact["certificate"]["point"].items()}
-    relations = [eval(relation, {}, dict(values)) for relation in context["relations"]]
-    assert set(relations) == {0}
-    for key, text in context["definitions"].items():
-        values[key] = eval(text, {}, dict(values))
-    rates = {key: eval(text, {}, dict(values)) for key, text in context["rates"].items()}
-    scope = {"D": lambda name: rates[name]}
-    texts = [text.replace("D(theta)", "D('theta')") for text in (*fact["lhs"], *fact["rhs"])]
-    sides = [eval(text, scope, dict(values)) for text in texts]
-    half = len(sides) // 2
-    assert sides[:half] != sides[half:]
+REFUTED = [v for v in RULED.values() if v.counterexample]
+
+
+def _values(context, point):
+    """All names of a context at a point: definitions may stand in any order."""
+    values = {key: Fraction(value) for key, value in point.items()}
+    waiting = {k: v for k, v in context["definitions"].items() if "D(" not in v}
+    while waiting:
+        known = {k: v for k, v in waiting.items() if not _names(v) & {*waiting}}
+        values |= {key: eval(text, {}, dict(values)) for key, text in known.items()}
+        waiting = {k: v for k, v in waiting.items() if k not in known}
+    return values
+
+
+def _names(text):
+    return {*re.findall(r"[A-Za-z_]\w*", text)}
+
+
+@pytest.mark.parametrize("verdict", REFUTED, ids=lambda v: v.equation.number)
+def test_counterexamples_break_the_printed_equation_in_exact_numbers(verdict):
+    found = verdict.counterexample
+    context = CONTEXTS[FACTS[found.fact]["context"]]
+    values = _values(context, found.point)
+    assert {eval(relation, {}, dict(values)) for relation in context["relations"]} <= {0}
+    for text, value in ((found.lhs, found.left), (found.rhs, found.right)):
+        if "D(" not in text:
+            exact = re.sub(r"(?<![\w*])(\d+)", r"Fraction(\1)", text)
+            assert eval(exact, {"Fraction": Fraction}, dict(values)) == value
+    assert found.left != found.right
 
 
 def test_verdicts_are_plain_data():

@@ -70,7 +70,9 @@ def test_everybody_and_every_stratum_and_plot_is_there(data):
     assert len(elements.all("svg", "plot")) == 2 * 3 + 2 * len(STRATA)
     drawn = elements.all("circle", "mark") + elements.all("polygon", "mark")
     views = ("distance", "turned", "condition")
-    cells = [one[v][m] for one in data["contestants"] for v in views for m in ("angle", "omega")]
+    cells = [
+        one[v][m] for one in data["implementations"] for v in views for m in ("angle", "omega")
+    ]
     assert len(drawn) == sum(map(len, cells))
     assert len(elements.all("line", "bound")) == len(elements.all("svg", "plot"))
     assert all("scope" in given for given in elements.all("th"))
@@ -125,7 +127,7 @@ def test_the_same_data_give_the_same_page(data):
 
 def test_nothing_measured_is_no_reason_to_break(data):
     """A campaign that was stopped before it had anything."""
-    for one in data["contestants"]:
+    for one in data["implementations"]:
         for view in ("strata", "shares", "regimes"):
             one[view] = {}
         for view in ("distance", "turned", "condition"):

@@ -1,6 +1,9 @@
 """What `runtime` finds around it in the generated module, for linters and type checkers."""
 
-from typing import Any
+from collections.abc import Callable
+from typing import TypedDict, TypeVar
+
+import numpy as np
 
 from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble, _two_sum
 
@@ -20,14 +23,38 @@ __all__ = [
     "_two_sum",
 ]
 
-INITIAL_STATE: dict[str, Any] = {}
+Value = TypeVar("Value")
+Arrays = Callable[..., tuple[np.ndarray, ...]]
+
+
+class Step(TypedDict):
+    """A function of constants, the names of what it takes, and of what it gives."""
+
+    constants: Arrays
+    given: tuple[str, ...]
+    names: tuple[str, ...]
+
+
+class Branch(Step):
+    """How the states of a kind of motion are found: angles by rates and time, states by angles and
+    shape; `fast` are the rates that limit the time."""
+
+    angles: Arrays
+    state: Arrays
+    rates: tuple[str, ...]
+    shape: tuple[str, ...]
+    fast: tuple[str, ...]
+    steady: bool
+
+
+INITIAL_STATE: Step = {"constants": lambda: (), "given": (), "names": ()}
 NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = MAX_ANGLE = MAX_RATE = 1.0
-BRANCHES: dict[str, Any] = {}
+BRANCHES: dict[str, Branch] = {}
 
 
-def _discriminant(*values: Any) -> Any:
+def _discriminant(*values: Value) -> Value:
     raise NotImplementedError
 
 
-def _steady_constants(*values: Any) -> Any:
+def _steady_constants(*values: _DoubleDouble | np.ndarray) -> tuple[np.ndarray, ...]:
     raise NotImplementedError

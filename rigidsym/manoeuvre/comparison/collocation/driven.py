@@ -2,7 +2,6 @@
 
 from bisect import bisect_right
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 from scipy.integrate import OdeSolution, solve_ivp
@@ -51,7 +50,7 @@ class Driven:
 
 def _equations(
     model: Model, inertia: np.ndarray, torque: np.ndarray
-) -> Callable[[float, np.ndarray], Any]:
+) -> Callable[[float, np.ndarray], np.ndarray]:
     def derivative(t: float, state: np.ndarray) -> np.ndarray:
         q, w = state[:4], state[4:]
         felt = torque - cross(w, inertia * w) if model is Model.THRUSTERS else torque

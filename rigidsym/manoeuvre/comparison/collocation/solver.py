@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -22,7 +21,7 @@ TOLERANCE = 1e-8
 MOST_ITERATIONS = 500
 
 _QUIET = {"print_time": False, "ipopt.print_level": 0, "ipopt.sb": "yes"}
-SETTINGS: Mapping[str, Mapping[str, Any]] = {
+SETTINGS: Mapping[str, Mapping[str, float | str]] = {
     # An interior-point method pushes what it is given away from the bounds, and begins with a
     # barrier so high that little is left of it.
     "default": {},
@@ -73,7 +72,7 @@ def optimum(
 
 
 @cache
-def _solver(task: Task, settings: str, intervals: int, points: int) -> Any:
+def _solver(task: Task, settings: str, intervals: int, points: int) -> ca.Function:
     found = programme(task, Mesh(intervals, points))
     if found.parameters.numel() != PARAMETERS:
         raise ValueError("a programme is given a body and a target")

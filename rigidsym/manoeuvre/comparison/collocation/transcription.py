@@ -1,7 +1,6 @@
 """Optimal control as a nonlinear programme in CasADi's symbols, one for all bodies and targets."""
 
 from dataclasses import dataclass
-from typing import Any
 
 import casadi as ca
 
@@ -17,13 +16,13 @@ PARAMETERS = 7
 class Programme:
     """Minimise `objective` over `unknowns` where `constraints` vanish; `parameters` are given."""
 
-    unknowns: Any
-    parameters: Any
-    objective: Any
-    constraints: Any
+    unknowns: ca.MX
+    parameters: ca.MX
+    objective: ca.MX
+    constraints: ca.MX
 
 
-def derivative(model: Model, inertia: Any, torque: Any, state: Any) -> Any:
+def derivative(model: Model, inertia: ca.SX, torque: ca.SX, state: ca.SX) -> ca.SX:
     """q' = q (0, w) / 2 and w', of a state (7,)."""
     q, w = state[:4], state[4:]
     turn = ca.vertcat(-ca.dot(q[1:], w), q[0] * w + ca.cross(q[1:], w)) / 2
@@ -31,7 +30,7 @@ def derivative(model: Model, inertia: Any, torque: Any, state: Any) -> Any:
     return ca.vertcat(turn, felt / inertia)
 
 
-def defects(model: Model, mesh: Mesh) -> Any:
+def defects(model: Model, mesh: Mesh) -> ca.Function:
     """A function of one interval: by how much its states do not obey the equations.
 
     Of the state at its begin, those inside, that at its end, the impulse, its length and the
@@ -78,6 +77,6 @@ def programme(task: Task, mesh: Mesh) -> Programme:
     )
 
 
-def _vector_part(p: Any, q: Any) -> Any:
+def _vector_part(p: ca.MX, q: ca.MX) -> ca.MX:
     """Of conj(p) q: zero where p and q are the same attitude."""
     return p[0] * q[1:] - q[0] * p[1:] - ca.cross(p[1:], q[1:])

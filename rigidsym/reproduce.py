@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import perf_counter
-from typing import Any
+from typing import TypeVar
 
 from rigidsym import inputs
 from rigidsym.codegen import TARGETS, Generated, generate
@@ -23,6 +23,7 @@ from rigidsym.view.svg import Panel, svg
 
 Say = Callable[[str, str, float, bool], None]
 Progress = Callable[[str], Callable[[int, int], None]]
+Found = TypeVar("Found")
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +94,7 @@ def _all_targets(solution: Solution) -> dict[str, Generated]:
     return generated
 
 
-def _timed(stage: Callable[[], Any]) -> tuple[Any, float]:
+def _timed(stage: Callable[[], Found]) -> tuple[Found, float]:
     start = perf_counter()
     return stage(), perf_counter() - start
 

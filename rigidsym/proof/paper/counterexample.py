@@ -1,0 +1,120 @@
+"""Where a printed line fails: a point, what both sides are there, and the motion."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from rigidsym.language.expression import Call, Expression, Name, Number, Operation, parse
+from rigidsym.proof.paper.answers import Answer, Data
+from rigidsym.proof.paper.motions import Motion, motion_at
+
+
+@dataclass(frozen=True, slots=True)
+class Counterexample:
+    """A fact, its point, the equation that fails there, and both sides in numbers.
+
+    `motion` is a body and its rates that are at this point, where the context speaks of one.
+    """
+
+    fact: str
+    point: Mapping[str, str]
+    lhs: str
+    rhs: str
+    left: Fraction
+    right: Fraction
+    motion: Motion | None
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain data for programs."""
+        return {
+            "fact": self.fact,
+            "point": dict(self.point),
+            "lhs": self.lhs,
+            "rhs": self.rhs,
+            "left": str(self.left),
+            "right": str(self.right),
+            "motion": self.motion.to_json() if self.motion else None,
+        }
+
+
+def counterexample(answer: Answer, contexts: Mapping[str, Data]) -> Counterexample | None:
+    """The first component that fails, if one does."""
+    if answer.fact is None or answer.holds:
+        return None
+    point = answer.fact["certificate"]["point"]
+    instant = Instant(contexts[answer.question.context], point)
+    for lhs, rhs in zip(answer.fact["lhs"], answer.fact["rhs"], strict=True):
+        left, right = instant.value(parse(lhs)), instant.value(parse(rhs))
+        if left != right:
+            motion = motion_at(answer.question.context, instant)
+            return Counterexample(answer.fact["id"], point, lhs, rhs, left, right, motion)
+    return None
+
+
+class Instant:
+    """A context at one of its points: what its texts are there, and how they change."""
+
+    def __init__(self, context: Data, point: Mapping[str, str]) -> None:
+        self.context, self.point = context, point
+        self._known: dict[str, Fraction] = {}
+
+    @cached_property
+    def names(self) -> set[str]:
+        """What has a value here."""
+        return {*self.point, *self.context["definitions"]}
+
+    def of(self, name: str) -> Fraction:
+        """The value of a name."""
+        if name not in self._known:
+            text = self.point[name] if name in self.point else self.context["definitions"][name]
+            self._known[name] = self.value(parse(text))
+        return self._known[name]
+
+    def value(self, tree: Expression) -> Fraction:
+        """The value of an expression."""
+        match tree:
+            case Number(value):
+                return Fraction(value)
+            case Name(name):
+                return self.of(name)
+            case Call("neg", (inner,)):
+                return -self.value(inner)
+            case Call("D", (inner,)):
+                return self.value(self.rate(inner))
+            case Operation("**", base, Number(exponent)):
+                return self.value(base) ** exponent
+            case Operation(operator, left, right):
+                x, y = self.value(left), self.value(right)
+                return {"+": x + y, "-": x - y, "*": x * y}[operator] if operator != "/" else x / y
+        raise ValueError(f"{tree} has no value")
+
+    def rate(self, tree: Expression) -> Expression:
+        """The time derivative of an expression, as an expression."""
+        match tree:
+            case Number():
+                return Number(0)
+            case Name(name):
+                text = self.context["definitions"].get(name)
+                if text is not None:
+                    return self.rate(parse(text))
+                return parse((self.context["rates"] or {}).get(name, "0"))
+            case Call("neg", (inner,)):
+                return Call("neg", (self.rate(inner),))
+            case Call("D", (inner,)):
+                return self.rate(self.rate(inner))
+            case Operation("**", base, Number(exponent)):
+                slope = Operation(
+                    "*", Number(exponent), Operation("**", base, Number(exponent - 1))
+                )
+                return Operation("*", slope, self.rate(base))
+            case Operation("*", left, right):
+                first = Operation("*", self.rate(left), right)
+                return Operation("+", first, Operation("*", left, self.rate(right)))
+            case Operation("/", left, right):
+                above = Operation("-", self.rate(left), Operation("*", tree, self.rate(right)))
+                return Operation("/", above, right)
+            case Operation(operator, left, right):
+                return Operation(operator, self.rate(left), self.rate(right))
+        raise ValueError(f"{tree} has no rate")

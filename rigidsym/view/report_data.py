@@ -1,0 +1,127 @@
+"""What a validation report holds: the schema rigidsym.validation/3, by its keys.
+
+Errors are in units of 2^-53; "inf" and "nan" stand for what JSON has no number for.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Literal, TypedDict
+
+Figure = float | str
+# Views that have parts and then measures, and those that have measures and then parts.
+ByPart = Literal["strata", "shares", "regimes"]
+ByMeasure = Literal["distance", "turned", "condition"]
+
+
+class Cell(TypedDict):
+    """The worst of `count` figures, its condition, case and time; of shares, `units` is the part of
+    the bound, and `count` what was beyond it."""
+
+    count: int
+    units: Figure
+    condition: Figure
+    case: str
+    t: str
+
+
+Cells = Mapping[str, Mapping[str, Cell]]
+
+
+class Implementation(TypedDict):
+    """Who was measured; `share` is the largest part of a bound, by stratum, `sizes` are by stratum,
+    measure and half octave."""
+
+    name: str
+    peer: bool
+    digest: str | None
+    passed: bool
+    strata: Cells
+    shares: Cells
+    share: Mapping[str, Figure]
+    regimes: Cells
+    sizes: Mapping[str, Mapping[str, Mapping[str, int]]]
+    distance: Cells
+    turned: Cells
+    condition: Cells
+
+
+class Stratum(TypedDict):
+    """What was tested, and how far the oracles are apart."""
+
+    name: str
+    about: str
+    cases: int
+    states: int
+    disagreement: Figure
+
+
+class WorstError(TypedDict):
+    """The worst of one measure in a case."""
+
+    units: Figure
+    condition: Figure
+    share: Figure
+    t: str
+
+
+class Numbers(TypedDict):
+    """The numbers of a case without loss: doubles in hexadecimal, others as fractions."""
+
+    inertia: list[str]
+    omega0: list[str]
+    attitude0: list[str]
+    times: list[str]
+
+
+class Case(Numbers):
+    """A case with errors by implementation and measure, and the command that runs it again."""
+
+    case: str
+    regime: str
+    distance: Figure
+    errors: Mapping[str, Mapping[str, WorstError]]
+    replay: str
+
+
+class Failure(TypedDict):
+    """A broken bound."""
+
+    line: str
+    target: str
+    measure: str
+    stratum: str
+    index: int
+    share: Figure
+    simplest: Case
+
+
+class Campaign(TypedDict):
+    """What is measured."""
+
+    targets: list[str]
+    peers: list[str]
+    strata: list[str]
+    cases: int
+    digits: int
+    seed: int
+    digests: list[str]
+    peer_versions: list[str]
+    version: str
+
+
+class Report(TypedDict):
+    """All of it; bounds are in units of 2^-53, `agreement` is what oracles have to agree to."""
+
+    schema: str
+    campaign: Campaign
+    command: str
+    passed: bool
+    complaints: list[str]
+    unit: str
+    bounds: Mapping[str, float]
+    meanings: Mapping[str, str]
+    strata: Sequence[Stratum]
+    agreement: float
+    implementations: Sequence[Implementation]
+    worst: Sequence[Case]
+    failures: Sequence[Failure]
+    run: Mapping[str, Figure | None]
