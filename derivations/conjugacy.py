@@ -2,7 +2,7 @@
 
 The momentum in space is constant, so there is an R with R M R^-1 = K A1.  Multiplied out,
 K R^-1 A1 R does not see phi1: compared with M it gives phi2 and phi3, and no integration was
-needed.  `Setting` chooses the axes of the turns and the one that the momentum is turned onto.
+needed.  The axes of the turns, and the one that the momentum is turned onto, can be chosen.
 """
 
 from dataclasses import dataclass, replace

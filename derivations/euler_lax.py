@@ -1,9 +1,9 @@
 """From the kinetic energy to Euler's equations, the Lax pair and the conserved momentum.
 
-The variation of the Lagrangian gives M' for M = dL/dOmega; solved for the rates these are Euler's
-equations (5).  The equation M' = [M, B] is solved for B: Omega, up to a multiple of M.  So the
-spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R Omega the matrix R M R^-1 is
-constant, (9) and (22); the gradient of H in the momenta is Omega (8).
+The variation of the Lagrangian gives M', where M is its gradient in the rates; solved for the rates'
+own rates these are Euler's equations (5).  The equation M' = [M, B] is solved for B: Omega, up to a
+multiple of M.  So the spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R Omega the
+matrix R M R^-1 is constant, (9) and (22); the gradient of H in the momenta is Omega (8).
 """
 
 from collections.abc import Mapping

@@ -154,7 +154,7 @@ def _matched(book: Book) -> None:
     alpha, s_i, s_j, v = symbols("alpha s_i s_j v")
     speed = zeta * xi * (1 - v) * (1 - mu * v)
     quadratic = alpha * (s_i - zeta * v) * (s_j - zeta * v)
-    why = "zeta sn matches, its coefficients compared"
+    why = "zeta sn(xi t + C) put in, coefficients compared: two choices"
     unknown = (zeta, xi, mu)
     both = match(desk, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11"])
     first = both.value[0]
@@ -164,7 +164,7 @@ def _matched(book: Book) -> None:
     rotating = Part(definitions={"Omega_i": "zeta*sn", "quartic": str(by_rate)})
     desk = Desk.open(book, "sine", *body, rotating)
     squared = rate_of(RATE) ** 2
-    why = "the first of the two"
+    why = "the first choice of the two solves it"
     rewrite(desk, "sine.solves", squared, by_rate, why, ["10"])
     differentiate(desk, "sine.slope", RATE, "its slope", ["16"])
     desk = Desk.open(book, "start", *body, rotating, Part(units=("zeta",)))

@@ -18,7 +18,7 @@ from derivations.setting import KINETIC, Setting
 from rigidsym.cli import main
 from rigidsym.language.expression import parse, to_text
 from rigidsym.proof.derivation import Derivation, DerivationError, derive
-from rigidsym.proof.steps import Step, algebra, calculus, linear
+from rigidsym.proof.steps import algebra, calculus, linear
 from rigidsym.proof.steps.names import read, symbol
 
 FOLDER = Path(derivations.__file__).parent
@@ -361,7 +361,7 @@ def test_another_kinetic_energy_gives_other_equations_and_another_phi1(monkeypat
 
 
 def test_a_wrong_bracket_goes_through_to_other_equations(monkeypatch):
-    """The variation is proved for the constants that it is given: the Lax pair then refuses them."""
+    """The variation is proved for the constants it is given: the Lax pair then refuses them."""
     honest = lie_algebra._brackets
 
     def flipped(desk):

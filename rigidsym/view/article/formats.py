@@ -7,7 +7,7 @@ from typing import Any, Protocol
 import sympy
 
 from rigidsym.language.symbols import GREEK, symbol
-from rigidsym.view.article.mathematics import latex, pretty
+from rigidsym.view.article.mathematics import dotted, latex, pretty
 from rigidsym.view.html.markup import Markup, join, lines, tag
 
 # A row that is longer than so many letters of LaTeX is broken where it can be.
@@ -88,7 +88,7 @@ def _formulas(prose: str) -> str:
 
 def _name(found: re.Match[str]) -> str:
     text = symbol(found["name"]).latex
-    primed = rf"\dot{{{text}}}" if found["prime"] else text
+    primed = dotted(text) if found["prime"] else text
     return f"{primed}^{{{found['power']}}}" if found["power"] else primed
 
 
@@ -107,20 +107,23 @@ def _where(line: Line) -> str:
     return f", where {conditions}" if conditions else ""
 
 
-def _display(line: Line) -> str:
-    """The equations of a line, aligned, with the paper's numbers."""
+def _display(line: Line, fit: str = "") -> str:
+    """The equations of a line, aligned, with the paper's numbers; in the macro `fit` if given."""
     rows = [row for equation in line.shown for row in _rows(equation)]
     several = len(rows) > 1
     aligned = r" \\ ".join(rows)
     plain = rf"\begin{{aligned}}{aligned}\end{{aligned}}" if several else aligned.replace("&", "")
+    plain = f"{fit}{{{plain}}}" if fit else plain
     tags = numbers(line).replace("^-1", "^{-1}")
     return rf"{plain}\tag*{{{_tag(tags)}}}" if tags else plain
 
 
 def _rows(equation: sympy.Basic) -> list[str]:
-    """left &= right; a long right side is a row for each of its terms."""
+    """left &= right; where that is long, a row for each term of matrices, or one for each side."""
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
+    if len(terms) < 2 and len(latex(equation)) > 2 * LONG:
+        return [f"&{latex(left)}", rf"&\quad = {latex(right)}"]
     if len(terms) < 2 or len(latex(equation)) < LONG:
         return [f"{latex(left)} &= {latex(right)}"]
     first, *rest = map(latex, terms)
@@ -135,9 +138,14 @@ def _tag(text: str) -> str:
 _PREAMBLE = r"""\documentclass[11pt]{article}
 \usepackage[a4paper,left=22mm,right=42mm,top=22mm,bottom=24mm,marginparwidth=34mm]{geometry}
 \usepackage[T1]{fontenc}
-\usepackage{amsmath,amssymb}
+\usepackage{amsmath,amssymb,graphicx}
 \allowdisplaybreaks
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{6pt plus 2pt}
 \newcommand{\fact}[1]{\marginpar{\raggedright\scriptsize\ttfamily #1}}
+\newsavebox{\display}
+\newcommand{\fit}[1]{\sbox{\display}{$\displaystyle #1$}%
+  \ifdim\wd\display>\linewidth\resizebox{\linewidth}{!}{\usebox{\display}}\else#1\fi}
 \title{The torque-free motion of a rigid body, derived}
 \date{}
 \begin{document}
@@ -153,13 +161,13 @@ def _latex(chapters: Sequence[Chapter]) -> str:
             name = line.fact.id.replace("_", r"\_\allowbreak ").replace(".", r".\allowbreak ")
             found += [rf"{_escaped(_sentence(line))}\fact{{{name}}}", _environment(line)]
             if where := _where(line):
-                found.append(rf"\noindent {where[2:]}.")
+                found.append(f"{where[2:]}.")
             found.append("")
     return "\n".join([*found, r"\end{document}", ""])
 
 
 def _environment(line: Line) -> str:
-    return "\\begin{equation*}\n" + _display(line) + "\n\\end{equation*}"
+    return "\\begin{equation*}\n" + _display(line, r"\fit") + "\n\\end{equation*}"
 
 
 def _prose(chapter: Chapter) -> str:

@@ -420,7 +420,7 @@ def test_vary_gives_momenta_and_moments(book):
     found = vary(book, "variation", energy, CONSTANTS, given, "why")
     admitted(book, found.step)
     assert found.momenta == (a * rates[0], b * rates[1], rates[2])
-    M1, M2, M3 = symbols("M1 M2 M3")
+    M2, M3 = symbols("M2 M3")
     assert sympy.expand(found.moments[0] - (M2 * rates[2] - M3 * rates[1])) == 0
 
 
