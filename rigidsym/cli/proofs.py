@@ -44,11 +44,14 @@ def _add_setting(derive: ArgumentParser) -> None:
 
 def _derive(options: Namespace) -> int:
     from derivations.setting import setting_of
+    from rigidsym.errors import InputError
     from rigidsym.proof.derivation import DerivationError, derive
 
     names = ("sequence", "axis", "factor", "sign", "order", "lagrangian")
     chosen = {name: value for name in names if (value := getattr(options, name)) is not None}
     reading = options.show or options.format is not None
+    if reading and options.json:
+        raise InputError("json", "given", "is not for --show and --format")
     try:
         setting = setting_of(chosen) if chosen or reading else None
         derivation = derive(options.chapters, progress("derive"), setting)

@@ -274,12 +274,14 @@ FORMATS = (
                    ("counterexample", "conditions_needed_by", "flaws", "mutants")}),
     ),
     Format(
-        "rigidsym.derive/1",
+        "rigidsym.derive/2",
         "`rigidsym derive --json`",
         lambda: _json(derive(["lie_algebra"]).to_json()),
         {
             "chapters[].chapter": "the module under `derivations`",
             "chapters[].title": "its first words",
+            "chapters[].computed": "how many of its facts a step computed",
+            "chapters[].guessed": "how many were written down, and decided by the kernel",
             "chapters[].facts[].id": "context and name",
             "chapters[].facts[].statement": "in one line",
             "chapters[].facts[].grade": "how it is known",

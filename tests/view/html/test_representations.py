@@ -11,6 +11,7 @@ from html_cards import well_formed
 from validation_reports import whole
 
 from derivations import lie_algebra
+from derivations.setting import Setting
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_text
@@ -96,6 +97,7 @@ def test_facts_are_listed_and_chosen():
 
 def book():
     written = Book()
+    written.keep(Setting())
     lie_algebra.derive(written)
     return written
 
