@@ -1,9 +1,9 @@
 """From the kinetic energy to Euler's equations, the Lax pair and the conserved momentum.
 
-The variation of the Lagrangian gives M', where M is its gradient in the rates; solved for the
-rates' own rates these are Euler's equations (5).  The equation M' = [M, B] is solved for B: Omega,
-up to a multiple of M.  So the spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R
-Omega the matrix R M R^-1 is constant, (9) and (22); the gradient of H in the momenta is Omega (8).
+The variation of the Lagrangian gives M', where M is its gradient in the rates; solved for their
+rates these are Euler's equations (5).  The equation M' = [M, B] is solved for B: Omega, up to a
+multiple of M.  So the spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R Omega
+the matrix R M R^-1 is constant, (9) and (22); the gradient of H in the momenta is Omega (8).
 """
 
 from collections.abc import Mapping
@@ -78,7 +78,7 @@ def derive(book: Book) -> None:
     algebra = book.found(Algebra)
     given = parameters(algebra.setting)
     lagrangian = algebra.setting.energy()
-    why = "vary the Lagrangian, delta Omega = eta' + [Omega, eta]"
+    why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
     varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
     unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
     equations, why = varied.equations, "Euler's equations: solve for the rates of the rates"
@@ -106,7 +106,7 @@ def _body(
     )
     matrices = {**algebra.basis, "M": combination("M1 M2 M3")}
     desk = Desk.open(book, "spectrum", free, matrices=matrices, static=True)
-    why = "the eigenvalues of M, whose trace is 0, are the square roots of -det M"
+    why = "the spectrum of M, whose trace is zero, is in its determinant"
     spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
     square = sympy.expand(spectrum.value / algebra.setting.factor**2)
     pairs = zip(momenta, RATES, strict=True)

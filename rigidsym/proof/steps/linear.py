@@ -53,7 +53,7 @@ def solve(
 
 
 def _system(
-    fact_id: str, equations: Sequence[tuple[sympy.Expr, sympy.Expr]], unknowns: Sequence[Any]
+    fact_id: str, equations: Sequence[tuple[sympy.Expr, ...]], unknowns: Sequence[Any]
 ) -> tuple[Any, Any]:
     """The matrix and the right side of equations left = right."""
     try:

@@ -63,7 +63,8 @@ def sentence(line: Line) -> str:
     """What was done, and what was chosen."""
     formula = NAMES.match(line.why) or re.match(r"\w+\(", line.why)
     words = line.why if formula else line.why[:1].upper() + line.why[1:]
-    return f"{words}; {line.choice}:" if line.choice else f"{words}:"
+    whole = f"{words}; {line.choice}" if line.choice else words
+    return whole if whole.endswith("?") else f"{whole}:"
 
 
 def formulas(prose: str) -> str:
@@ -133,6 +134,7 @@ _PREAMBLE = r"""\documentclass[11pt]{article}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{6pt plus 2pt}
 \newcommand{\fact}[1]{\marginpar{\raggedright\scriptsize\ttfamily #1}}
+\newcommand{\step}{\par\vskip 0pt plus 6\baselineskip\penalty-200\vskip 0pt plus -6\baselineskip}
 \newsavebox{\display}
 \newcommand{\fit}[1]{\sbox{\display}{$\displaystyle #1$}%
   \ifdim\wd\display>\linewidth\resizebox{\linewidth}{!}{\usebox{\display}}\else#1\fi}
@@ -149,7 +151,7 @@ def _latex(chapters: Sequence[Chapter]) -> str:
         found += [rf"\section{{{_escaped(chapter.title)}}}", _escaped(_prose(chapter)), ""]
         for line in chapter.steps:
             name = line.fact.id.replace("_", r"\_\allowbreak ").replace(".", r".\allowbreak ")
-            found += [rf"{_escaped(sentence(line))}\fact{{{name}}}", _environment(line)]
+            found += [rf"\step {_escaped(sentence(line))}\fact{{{name}}}", _environment(line)]
             if where := _where(line):
                 found.append(f"{where[2:]}.")
             found.append("")
