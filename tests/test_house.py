@@ -27,7 +27,7 @@ ALLOWED = {
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors proof view.html",
     "rigidsym.proof": "",
-    "derivations": "proof.algebra proof.kernel proof.paper",
+    "derivations": "language proof.algebra proof.kernel proof.paper",
     # What is computed from it.
     "rigidsym.solution": "errors io.ledger language",
     "rigidsym.precise": f"{FOUNDATION} inputs solution",

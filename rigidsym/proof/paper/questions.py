@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from rigidsym.proof.paper.equation import Equation, Sense
-from rigidsym.proof.paper.printed import Display, Statement, parse, translate
+from rigidsym.proof.paper.printed import Display, PrintError, Statement, parse, translate
 from rigidsym.proof.paper.printed.translation import defined
 
 Texts = tuple[str, ...]
@@ -21,7 +21,7 @@ class Question:
 
 
 def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Question:
-    """A line as a sense puts it; PrintError where the vocabulary has no word for it."""
+    """A line as a sense puts it; PrintError where it has no word for it, or it says nothing."""
     line = printed[sense.of].latex if sense.of else latex
     own = [parse(sense.latex if sense.latex is not None else line)]
     if sense.only:
@@ -37,7 +37,9 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
         differentiated=sense.differentiated,
     )
     equations = [*found.equations, *sense.texts.items()]
-    lhs, rhs = zip(*equations, strict=True) if equations else ((), ())
+    if not equations:
+        raise PrintError(f"{line}: says nothing in {sense.context}")
+    lhs, rhs = zip(*equations, strict=True)
     return Question(sense.context, found.definitions, lhs, rhs)
 
 

@@ -5,11 +5,14 @@ from dataclasses import replace
 from rigidsym.proof.paper import lemma1
 from rigidsym.proof.paper.conditions import DISTINCT, IMAGINARY, OVER_C_I, S_I, S_J, SPINNING
 from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
+from rigidsym.proof.paper.printed import Vocabulary
+from rigidsym.proof.paper.words import BODY
 
 CONSERVED = Sense(
     "printed_6",
-    defines={"H": "H_printed", "K**2": "K_squared_printed"},
-    latex="",
+    Vocabulary({**BODY, "t": "0"}),
+    {"H": "H_printed", "K**2": "K_squared_printed"},
+    given=("6",),
     texts={"D(H_printed)": "0", "D(K_squared_printed)": "0"},
 )
 
@@ -231,7 +234,7 @@ SECTION_3: tuple[Equation, ...] = (
         r"\tfrac{s_j}{s_i}\right)\ \text{otherwise}",
         "the derivative of (10) at t = 0",
         lemma1.SIXTEEN,
-        mended=(replace(lemma1.SIXTEEN[0], of=""),),
+        mended=(replace(lemma1.SIXTEEN[0], of="", only=()),),
         with_mended={"14": lemma1.SIXTEEN_MENDED},
         roots=(Root.SCALE,),
         repair=r"\dot\Omega_i(0)=\pm\sqrt{\alpha s_j}\sqrt{s_i}\,\mathrm{cn}(C_i,s_i/s_j)\,"
