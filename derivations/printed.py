@@ -13,7 +13,7 @@ from rigidsym.proof.algebra import Book, Part, extend, join
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
 from rigidsym.proof.paper.printed import in_names
-from rigidsym.proof.paper.questions import Question, asked, question
+from rigidsym.proof.paper.questions import Question, asked, question, telling
 from rigidsym.proof.paper.words import SEEN_FROM_SPACE
 
 CONSTANT_M = Part(
@@ -191,6 +191,8 @@ def ask(book: Book, number: str, whole: Question) -> None:
     """Let the kernel decide what is not decided yet, in a context that is opened for it."""
     if whole.context not in book.ledger.contexts:
         book.open(_context(book, whole))
+    context = book.ledger.contexts[whole.context]
+    whole = telling(whole, context.definitions, context.rates or {})
     said = (whole.context, whole.lhs, whole.rhs)
     if not any((f.context, f.lhs, f.rhs) == said for f in book.ledger.facts.values()):
         equations = list(zip(whole.lhs, whole.rhs, strict=True))

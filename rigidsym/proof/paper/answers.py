@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rigidsym.proof.paper.equation import Equation, Sense
-from rigidsym.proof.paper.questions import Question, question
+from rigidsym.proof.paper.questions import Question, question, telling
 
 Data = Mapping[str, Any]
 
@@ -43,11 +43,11 @@ class Answers:
     def to(self, latex: str, sense: Sense) -> Answer:
         """The answer to a line as a sense puts it."""
         asked = question(latex, sense, self.printed)
-        fact = self.facts.get((asked.context, asked.lhs, asked.rhs))
         context = self.contexts.get(asked.context)
         if context is None or not asked.definitions.items() <= context["definitions"].items():
-            fact = None
-        return Answer(asked, fact)
+            return Answer(asked, None)
+        asked = telling(asked, context["definitions"], context["rates"] or {})
+        return Answer(asked, self.facts.get((asked.context, asked.lhs, asked.rhs)))
 
 
 def _sound(fact: Data) -> bool:

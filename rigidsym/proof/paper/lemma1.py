@@ -106,6 +106,8 @@ LEMMA = replace(FOURTEEN_IN_MOMENTUM, given=("14",), latex="")
 LEMMA_MENDED = replace(LEMMA, context="printed_14_mended", mended=("Lemma 1",))
 # Mended, (14) has the alpha of IN_MOMENTUM.
 ALPHA_MENDED = replace(LEMMA_MENDED, says=(), texts={"alpha_printed": "alpha/c_i**2"})
+# What makes it a motion: the quadratic with the roots s_i and s_j.
+SOLVES = stated("sine", {"D(Omega_i)**2": "alpha*(s_i - Omega_i**2)*(s_j - Omega_i**2)"})
 FOOTNOTE_1 = Sense(
     "printed_footnote_1",
     Vocabulary(

@@ -1,13 +1,15 @@
 """What the ledger is asked about a printed line: definitions and equations in a context's texts."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from rigidsym.language.expression import Call, Expression, Name
+from rigidsym.language.expression import parse as parse_text
 from rigidsym.proof.paper.equation import Equation, Sense
 from rigidsym.proof.paper.printed import Display, PrintError, Statement, parse, translate
 from rigidsym.proof.paper.printed.translation import defined
 
-Texts = tuple[str, ...]
+Texts = Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,9 +17,9 @@ class Question:
     """Whether equations hold in a context that has some definitions from the print."""
 
     context: str
-    definitions: Mapping[str, str]
-    lhs: Texts
-    rhs: Texts
+    definitions: Texts
+    lhs: tuple[str, ...]
+    rhs: tuple[str, ...]
 
 
 def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Question:
@@ -41,6 +43,26 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
         raise PrintError(f"{line}: says nothing in {sense.context}")
     lhs, rhs = zip(*equations, strict=True)
     return Question(sense.context, found.definitions, lhs, rhs)
+
+
+def telling(whole: Question, definitions: Texts, rates: Texts) -> Question:
+    """A question without the equations that its context has as definitions or known rates."""
+    known: dict[Expression, Expression] = {
+        Name(name): parse_text(text) for name, text in definitions.items()
+    }
+    known |= {Call("D", (Name(name),)): parse_text(t) for name, t in rates.items() if t != "?"}
+
+    def is_told(left: str, right: str) -> bool:
+        x, y = parse_text(left), parse_text(right)
+        return known.get(x) == y or known.get(y) == x
+
+    pairs = [p for p in zip(whole.lhs, whole.rhs, strict=True) if not is_told(*p)]
+    if not pairs:
+        raise PrintError(
+            f"{whole.lhs[0]} = {whole.rhs[0]}: what {whole.context} defines, and no more"
+        )
+    lhs, rhs = zip(*pairs, strict=True)
+    return replace(whole, lhs=lhs, rhs=rhs)
 
 
 def _definitions(display: Display, defines: Mapping[str, str]) -> Display:
