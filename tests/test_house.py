@@ -28,7 +28,7 @@ ALLOWED = {
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors proof view.html",
     "rigidsym.proof": "",
-    "derivations": "errors proof.algebra proof.kernel proof.paper proof.steps",
+    "derivations": "errors language proof.algebra proof.kernel proof.paper proof.steps",
     # What is computed from it.
     "rigidsym.solution": "errors io.ledger language",
     "rigidsym.precise": f"{FOUNDATION} inputs solution",

@@ -173,7 +173,9 @@ def test_errata_tells_the_misprint_in_35(capsys):
     assert verdicts["6"]["verdict"] == "holds"
     assert verdicts["9"]["conditions"] == ["R(0) M(0) = M(0) R(0)"]
     assert verdicts["35"]["verdict"] == "misprint"
-    assert verdicts["35"]["counterexample"]["mu"] == "9/16"
+    assert verdicts["35"]["counterexample"]["point"]["mu"] == "49/225"
+    assert verdicts["35"]["counterexample"]["motion"]["inertia"][2] == "1"
+    assert verdicts["12"]["right_as_printed_with"] == ["14"]
     assert main(["errata"]) == 0
     assert "misprint" in capsys.readouterr().out
 
