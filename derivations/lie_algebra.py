@@ -86,7 +86,7 @@ def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
 
 def derive(book: Book) -> None:
     """(1), (2), (4) and (3)."""
-    setting = book.found(Setting)
+    setting = book.found(Setting) if Setting in book else Setting()
     desk = Desk.open(
         book, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
     )
