@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import sympy
 
 from rigidsym.language.symbols import GREEK, symbol
-from rigidsym.view.article.mathematics import latex, pretty
+from rigidsym.view.article.mathematics import dotted, latex, pretty
 from rigidsym.view.article.protocols import Chapter, Line
 from rigidsym.view.html.markup import Markup, join, lines, tag
 
@@ -63,7 +63,8 @@ def sentence(line: Line) -> str:
     """What was done, and what was chosen."""
     formula = NAMES.match(line.why) or re.match(r"\w+\(", line.why)
     words = line.why if formula else line.why[:1].upper() + line.why[1:]
-    return f"{words}; {line.choice}:" if line.choice else f"{words}:"
+    whole = f"{words}; {line.choice}" if line.choice else words
+    return whole if whole.endswith("?") else f"{whole}:"
 
 
 def formulas(prose: str) -> str:
@@ -73,7 +74,7 @@ def formulas(prose: str) -> str:
 
 def _name(found: re.Match[str]) -> str:
     text = symbol(found["name"]).latex
-    primed = rf"\dot{{{text}}}" if found["prime"] else text
+    primed = dotted(text) if found["prime"] else text
     return f"{primed}^{{{found['power']}}}" if found["power"] else primed
 
 
@@ -92,10 +93,11 @@ def _where(line: Line) -> str:
     return f", where {conditions}" if conditions else ""
 
 
-def display(line: Line) -> str:
-    """The equations of a line with the paper's numbers."""
+def display(line: Line, fit: str = "") -> str:
+    """The equations of a line with the paper's numbers; in the macro `fit` if given."""
+    shown = f"{fit}{{{aligned(line)}}}" if fit else aligned(line)
     tags = numbers(line).replace("^-1", "^{-1}")
-    return rf"{aligned(line)}\tag*{{{_tag(tags)}}}" if tags else aligned(line)
+    return rf"{shown}\tag*{{{_tag(tags)}}}" if tags else shown
 
 
 def aligned(line: Line) -> str:
@@ -108,9 +110,11 @@ def aligned(line: Line) -> str:
 
 
 def _rows(equation: sympy.Basic) -> list[str]:
-    """left &= right; a long right side is a row for each of its terms."""
+    """left &= right; where that is long, a row for each term of matrices, or one for each side."""
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
+    if len(terms) < 2 and len(latex(equation)) > 2 * LONG:
+        return [f"&{latex(left)}", rf"&\quad = {latex(right)}"]
     if len(terms) < 2 or len(latex(equation)) < LONG:
         return [f"{latex(left)} &= {latex(right)}"]
     first, *rest = map(latex, terms)
@@ -125,9 +129,15 @@ def _tag(text: str) -> str:
 _PREAMBLE = r"""\documentclass[11pt]{article}
 \usepackage[a4paper,left=22mm,right=42mm,top=22mm,bottom=24mm,marginparwidth=34mm]{geometry}
 \usepackage[T1]{fontenc}
-\usepackage{amsmath,amssymb}
+\usepackage{amsmath,amssymb,graphicx}
 \allowdisplaybreaks
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{6pt plus 2pt}
 \newcommand{\fact}[1]{\marginpar{\raggedright\scriptsize\ttfamily #1}}
+\newcommand{\step}{\par\vskip 0pt plus 6\baselineskip\penalty-200\vskip 0pt plus -6\baselineskip}
+\newsavebox{\display}
+\newcommand{\fit}[1]{\sbox{\display}{$\displaystyle #1$}%
+  \ifdim\wd\display>\linewidth\resizebox{\linewidth}{!}{\usebox{\display}}\else#1\fi}
 \title{The torque-free motion of a rigid body, derived}
 \date{}
 \begin{document}
@@ -141,15 +151,15 @@ def _latex(chapters: Sequence[Chapter]) -> str:
         found += [rf"\section{{{_escaped(chapter.title)}}}", _escaped(_prose(chapter)), ""]
         for line in chapter.steps:
             name = line.fact.id.replace("_", r"\_\allowbreak ").replace(".", r".\allowbreak ")
-            found += [rf"{_escaped(sentence(line))}\fact{{{name}}}", _environment(line)]
+            found += [rf"\step {_escaped(sentence(line))}\fact{{{name}}}", _environment(line)]
             if where := _where(line):
-                found.append(rf"\noindent {where[2:]}.")
+                found.append(f"{where[2:]}.")
             found.append("")
     return "\n".join([*found, r"\end{document}", ""])
 
 
 def _environment(line: Line) -> str:
-    return "\\begin{equation*}\n" + display(line) + "\n\\end{equation*}"
+    return "\\begin{equation*}\n" + display(line, r"\fit") + "\n\\end{equation*}"
 
 
 def _prose(chapter: Chapter) -> str:
