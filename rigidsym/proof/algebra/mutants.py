@@ -84,7 +84,7 @@ def decide(
     return "refuted" if differ or divide(ring, difference)[1] else "equivalent"
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=4)
 def _value(ring: Ring, text: str) -> Element:
     """What a text means: of mutants in a row, one side is the same."""
     return ring.read(text)
