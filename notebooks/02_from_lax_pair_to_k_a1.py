@@ -131,8 +131,11 @@ desk = Desk.open(book, "quaternions", PAIR, matrices=matrices, static=True)
 
 constants = [[(sympy.S.Zero,) * 3 for _ in A] for _ in A]
 for i, j in ((0, 1), (1, 2), (0, 2)):
-    fact, bracket = f"quaternions.bracket_{i + 1}{j + 1}", commutator(A[i], A[j])
-    step = coordinates(desk, fact, bracket, A, "a bracket of the basis", ["4"])
+    fact, why = (
+        f"quaternions.bracket_{i + 1}{j + 1}",
+        f"the bracket of A{i + 1} and A{j + 1}, read off",
+    )
+    step = coordinates(desk, fact, commutator(A[i], A[j]), A, why, ["4"])
     constants[i][j], constants[j][i] = step.value, tuple(-x for x in step.value)
     display(step)
 
@@ -162,7 +165,7 @@ kinematics
 # %%
 given, lagrangian = parameters(setting), setting.energy()
 display(equation("L", lagrangian))
-why = "vary the Lagrangian, delta Omega = eta' + [Omega, eta]"
+why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
 varied = vary(book, "variation", lagrangian, constants, given, why, ["5", "7"])
 varied.step
 
@@ -181,7 +184,7 @@ euler
 momenta = Part(witness=dict.fromkeys(map(str, MOMENTA), "1"))
 named = {**basis, "M": combination("M1 M2 M3")}
 desk = Desk.open(book, "spectrum", momenta, matrices=named, static=True)
-why = "the eigenvalues of M, whose trace is 0, are the square roots of -det M"
+why = "the spectrum of M, whose trace is zero, is in its determinant"
 spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
 spectrum
 
@@ -204,7 +207,9 @@ body = Part(
     rates={str(w): str(euler[symbol(f"{w}_rate")]) for w in RATES},
     reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
 )
-book.keep(Dynamics(given, body, varied.momenta))
+gaps = [name - value for name, value in zip(MOMENTA, varied.momenta, strict=True)]
+velocities = sympy.solve(gaps, RATES)
+book.keep(Dynamics(given, body, varied.momenta, velocities))
 display(equation("H", energy), equation("K^2", square))
 
 # %% [markdown]

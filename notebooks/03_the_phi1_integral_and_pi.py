@@ -73,6 +73,7 @@ from rigidsym.proof.steps import (
     integrate,
     multiply,
     nonnegative,
+    rate_of,
     rewrite,
     solve,
 )
@@ -105,8 +106,8 @@ display(step(book, "compared.phi2"), step(book, "compared.phi3"))
 # the kernel confirms the three coordinates that are left of them.
 
 # %%
-parts = (TURNING, *reduction.angles)
-desk = Desk.open(book, "turning", MOMENTUM, *parts, matrices=reduction.matrices)
+parts = (MOMENTUM, TURNING, BODY_RATES, *reduction.angles)
+desk = Desk.open(book, "turning", *parts, matrices=reduction.matrices)
 why = "the velocity in the body, multiplied out"
 velocity = coordinates(desk, "turning.velocity", R.I * Rate(R), A, why, ["R^-1 dR/dt"])
 display(velocity, printed("R^-1 dR/dt"))
@@ -132,12 +133,16 @@ display(rates, last)
 
 # %%
 there = (dynamics.parameters, MOMENTUM, *reduction.circles)
-desk = Desk.open(book, "on_momentum", *there, by_angles(book, reduction, *there), static=True)
-rate = rates[UNKNOWN[0]]
-put_in = {w: desk.read(desk.context.definitions[str(w)]) for w in RATES}
+body = by_angles(book, reduction, *there)
+desk = Desk.open(book, "on_momentum", *there, body, static=True)
+rate, put_in = rates[UNKNOWN[0]], {w: desk.read(body.definitions[str(w)]) for w in RATES}
+named = Part(
+    units=tuple(map(desk.text, desk.divisors(rate))),
+    definitions={"phi1_rate": desk.text(rate)},
+)
+desk = Desk.open(book, "line32", *there, named, body, static=True)
 by_phi, why = desk.reduced(rate.subs(put_in)), "phi1' with the momentum put in"
-line = rewrite(desk, "line32.by_angles", rate, by_phi, why, ["32"], "substitute")
-line
+rewrite(desk, "line32.by_angles", UNKNOWN[0], by_phi, why, ["32"], "substitute")
 
 # %% [markdown]
 # What was $\frac00$ at the pole $\sin\phi_2=0$ has no denominator now. And since
@@ -157,7 +162,7 @@ across = (MOMENTA[second] ** 2 + MOMENTA[third] ** 2) / K**2
 quotient = sympy.cancel(above / below.subs(sympy.sin(w * PHI[1]) ** 2, across))
 quotient = desk.reduced(quotient.subs(dict(zip(MOMENTA, dynamics.momenta, strict=True))))
 why = "phi1' with the momentum in the place of the angles"
-line = rewrite(desk, "line32.rate", rate, quotient, why, ["32"], "substitute")
+line = rewrite(desk, "line32.rate", UNKNOWN[0], quotient, why, ["32"], "substitute")
 display(line, printed("32"))
 
 # %% [markdown]
@@ -171,11 +176,9 @@ display(line, printed("32"))
 squares = [RATES[second] ** 2, RATES[third] ** 2]
 energy = 2 * H - 2 * read(dynamics.body.definitions["H"])
 momentum = K**2 - sum(x**2 for x in dynamics.momenta)
-desk = Desk(book, book.ledger.contexts["line32"], {})
 invariants, why = [energy, momentum], "two rates eliminated by H and K"
-one_rate = eliminate(
-    desk, "line32.by_invariants", line.value, invariants, squares, why, ["6", "33"]
-)
+fact, of = "line32.by_invariants", UNKNOWN[0]
+one_rate = eliminate(desk, fact, line.value, invariants, squares, why, ["33"], of)
 display(one_rate, printed("33"))
 
 # %% [markdown]
@@ -258,7 +261,7 @@ table = Part(
 )
 desk = Desk.open(book, "table", *given, table)
 known = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}
-why = "integrated by the table: d/dt Pi(n; am(xi t + gamma) | mu) = xi/(1 - n sn^2)"
+why = "integrated term by term, by the table that has the rate of Pi"
 integral = integrate(desk, "table.phi1", split, known, why, ["19", "36"])
 display(equation("n", n), integral)
 
@@ -270,7 +273,7 @@ display(equation("n", n), integral)
 kappa, steady = (integral.value.coeff(symbol(name)) for name in ("Pi", "t"))
 named = Part(definitions={"kappa": desk.text(kappa), "phi1": f"{desk.text(steady)}*t + kappa*Pi"})
 desk = Desk.open(book, "third_kind", *given, table, named)
-slope, why = sympy.Function("D")(symbol("phi1")), "so phi1 has the rate (33)"
+slope, why = rate_of(symbol("phi1")), "so phi1 has the rate (33)"
 done = rewrite(desk, "third_kind.phi1", slope, one_rate.value, why, ["19", "33"], "differentiate")
 display(definitions(book.ledger, "third_kind", "n", "kappa", "phi1"), done)
 
@@ -291,9 +294,9 @@ verdict["20"]
 
 # %%
 desk = Desk.open(book, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
-why = "the amplitude, theta = am(xi t + gamma | mu), in the place of t"
+why = "the square of the rate of the amplitude theta"
 (by_sn,) = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)
-squared = sympy.Function("D")(symbol("theta")) ** 2
+squared = rate_of(symbol("theta")) ** 2
 value = XI**2 * by_sn
 amplitude = rewrite(desk, "amplitude.squared", squared, value, why, ["35"], "differentiate")
 display(amplitude, verdict["35"])

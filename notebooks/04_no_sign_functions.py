@@ -126,7 +126,7 @@ quadratic = sympy.expand(-sympy.numer(sympy.together(2 * tau / (1 - tau**2) - y_
 quadratic *= 1 if quadratic.coeff(tau) > 0 else -1
 solutions = [x.subs(sympy.sqrt(y_**2 + 1), root) for x in sympy.solve(quadratic, tau)]
 factors = sympy.Mul(y_, *(tau - x for x in solutions), evaluate=False)
-why = "tan(phi3) = 2 tau/(1 - tau^2) with tau = tan(phi3/2): the roots"
+why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
 rewrite(desk, "half_tangent.roots", quadratic, factors, why, ["19"], "roots")
 
 # %% [markdown]

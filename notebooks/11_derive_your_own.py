@@ -55,6 +55,7 @@ from rigidsym.proof.steps import (
     eliminate,
     matrix,
     multiply,
+    rate_of,
     rewrite,
     solve,
     solve_family,
@@ -84,7 +85,7 @@ display(step(book, "quaternions.bracket_12"), step(book, "quaternions.kinematics
 # nothing else: vary it, by Euler's and Poincaré's rule $\delta\Omega=\dot\eta+[\Omega,\eta]$.
 
 # %%
-why = "vary the Lagrangian, delta Omega = eta' + [Omega, eta]"
+why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
 varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
 for name, momentum in zip(MOMENTA, varied.momenta, strict=True):
     display(equation(name, momentum))
@@ -112,7 +113,7 @@ basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
 free = Part(witness=dict.fromkeys(map(str, MOMENTA), "1"))
 named = {**basis, "M": combination("M1 M2 M3")}
 desk = Desk.open(book, "spectrum", free, matrices=named, static=True)
-why = "the eigenvalues of M, whose trace is 0, are the square roots of -det M"
+why = "the spectrum of M, whose trace is zero, is in its determinant"
 spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
 
 square = sympy.expand(spectrum.value / setting.factor**2)
@@ -128,7 +129,9 @@ body = Part(
     rates={str(w): str(euler[symbol(f"{w}_rate")]) for w in RATES},
     reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
 )
-book.keep(Dynamics(given, body, varied.momenta))
+gaps = [name - value for name, value in zip(MOMENTA, varied.momenta, strict=True)]
+velocities = sympy.solve(gaps, RATES)
+book.keep(Dynamics(given, body, varied.momenta, velocities))
 display(spectrum, equation("H", energy))
 
 # %% [markdown]
@@ -214,7 +217,7 @@ moving = Part(
 )
 desk = Desk.open(book, "gyrostat", given, moving)
 slope = desk.rate(RATES[wheel])
-name, why = sympy.Function("D")(RATES[wheel]) ** 2, "the rate along the wheel, squared: a quartic"
+name, why = rate_of(RATES[wheel]) ** 2, "the rate along the wheel, squared: a quartic"
 quartic = eliminate(desk, "gyrostat.quartic", slope**2, invariants, others, why, ["14"], name)
 quartic
 
