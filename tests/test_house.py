@@ -23,7 +23,7 @@ ALLOWED = {
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
-    "rigidsym.proof.steps": "language proof.algebra proof.kernel",
+    "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
     "rigidsym.proof.paper": "language view.html",
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors proof view.html",
