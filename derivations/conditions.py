@@ -73,6 +73,10 @@ def _start(book: Book) -> None:
         nonnegative=("cn_principal",),
     )
     book.open(join("start", SINE, SCALED, SINE_OF_10, half, other))
+    point = {"sn": "3/5", "cn": "-4/5", "half": "-1", "zeta": "1", "s_j": "1", "root_s": "1"}
+    left = {**point, "w": "4/5", "xi": "2"}
+    principal = {"D(Omega_i)": "xi*zeta*cn_principal*dn"}
+    book.refute("start.principal_value", principal, left, ["footnote 2", "Remark 1"])
     book.claim("start.sign", {"D(Omega_i)": "half*xi*zeta*cn_principal*dn"}, ["Remark 1", "16"])
     book.claim(
         "start.other_value",
