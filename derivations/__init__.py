@@ -29,7 +29,7 @@ CHAPTERS = (
     "lemma1",
     "real_axes",
     "theorem1",
-    "misprints",
+    "conditions",
     "theorem1_signs",
     "printed",
     "descended_form",

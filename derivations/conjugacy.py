@@ -2,10 +2,11 @@
 
 The momentum in space is constant, so there is an R with R M R^-1 = K A1.  Multiplied out,
 K R^-1 A1 R does not see phi1: compared with M it gives phi2 and phi3, and no integration was
-needed.  `Setting` chooses the axes of the turns and the one that the momentum is turned onto.
+needed.  The axes of the turns, and the one that the momentum is turned onto, can be chosen.
 """
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import sympy
 from sympy import ImmutableMatrix, MatrixExpr
@@ -31,7 +32,7 @@ TURNING = Part(
     rates={f"phi{k}_rate": "?" for k in (1, 2, 3)},
     reading={f"phi{k}_rate": f"d phi{k}/dt, rad/s" for k in (1, 2, 3)},
 )
-K, *MOMENTS = symbols("K c1 c2 c3")
+K = symbol("K")
 PHI = symbols("phi1 phi2 phi3")
 E1, E2, E3 = map(matrix, ("E1", "E2", "E3"))
 
@@ -137,12 +138,10 @@ def _reduced(book: Book, reduction: Reduction) -> None:
 
 def by_angles(book: Book, reduction: Reduction, *parts: Part) -> Part:
     """The body whose momentum is K times the direction, in the names that these parts give."""
-    dynamics, wheels = book.found(Dynamics), book.found(Algebra).setting.wheel()
+    dynamics = book.found(Dynamics)
     text = Dictionary(join("by_angles", *parts, static=True)).text
-    rates = {
-        str(rate): text((K * x - h) / c)
-        for rate, x, h, c in zip(RATES, reduction.direction, wheels, MOMENTS, strict=True)
-    }
+    seen: Any = {m: K * x for m, x in zip(MOMENTA, reduction.direction, strict=True)}
+    rates = {str(rate): text(dynamics.velocities[rate].subs(seen)) for rate in RATES}
     known = {name: dynamics.body.definitions[name] for name in ("M1", "M2", "M3", "H")}
     return Part(definitions={**rates, **known})
 

@@ -1,9 +1,9 @@
 """From the kinetic energy to Euler's equations, the Lax pair and the conserved momentum.
 
-The variation of the Lagrangian gives M' for M = dL/dOmega; solved for the rates these are Euler's
-equations (5).  The equation M' = [M, B] is solved for B: Omega, up to a multiple of M.  So the
-spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R Omega the matrix R M R^-1 is
-constant, (9) and (22); the gradient of H in the momenta is Omega (8).
+The variation of the Lagrangian gives M', where M is its gradient in the rates; solved for their
+rates these are Euler's equations (5).  The equation M' = [M, B] is solved for B: Omega, up to a
+multiple of M.  So the spectrum of M, that is K, cannot change (6), (7), (15).  With R' = R Omega
+the matrix R M R^-1 is constant, (9) and (22); the gradient of H in the momenta is Omega (8).
 """
 
 from collections.abc import Mapping
@@ -49,11 +49,15 @@ MOMENTA = symbols("M1 M2 M3")
 
 @dataclass(frozen=True, slots=True)
 class Dynamics:
-    """What this chapter found: the body's parameters, and a Part with its equations of motion."""
+    """What this chapter found: the body's parameters, and a Part with its equations of motion.
+
+    `momenta` are M1, M2, M3 of the rates, `velocities` the rates of the momenta.
+    """
 
     parameters: Part
     body: Part
     momenta: tuple[sympy.Expr, ...]
+    velocities: Mapping[sympy.Symbol, sympy.Expr]
 
 
 def parameters(setting: Setting) -> Part:
@@ -73,18 +77,18 @@ def derive(book: Book) -> None:
     """(5) to (9), (15) and (22)."""
     algebra = book.found(Algebra)
     given = parameters(algebra.setting)
-    lagrangian, why = (
-        algebra.setting.energy(),
-        "vary the Lagrangian, delta Omega = eta' + [Omega, eta]",
-    )
+    lagrangian = algebra.setting.energy()
+    why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
     varied = vary(book, "variation", lagrangian, algebra.constants, given, why, ["5", "7"])
     unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
     equations, why = varied.equations, "Euler's equations: solve for the rates of the rates"
     euler = solve(varied.desk, "variation.euler", equations, unknown, why, ["5"])
     body = _body(book, algebra, given, varied.momenta, euler.value)
-    book.keep(Dynamics(given, body, varied.momenta))
+    gaps = [m - value for m, value in zip(MOMENTA, varied.momenta, strict=True)]
+    velocities = sympy.solve(gaps, RATES)
+    book.keep(Dynamics(given, body, varied.momenta, velocities))
     _lax_pair(book, algebra, given, body)
-    _gradient(book, algebra, given)
+    _gradient(book, algebra, given, velocities)
     _conjugation(book, algebra, given, body)
 
 
@@ -102,11 +106,11 @@ def _body(
     )
     matrices = {**algebra.basis, "M": combination("M1 M2 M3")}
     desk = Desk.open(book, "spectrum", free, matrices=matrices, static=True)
-    why = "the eigenvalues of M, whose trace is 0, are the square roots of -det M"
+    why = "the spectrum of M, whose trace is zero, is in its determinant"
     spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
     square = sympy.expand(spectrum.value / algebra.setting.factor**2)
-    velocities = zip(momenta, RATES, strict=True)
-    energy = sum(m * w for m, w in velocities) - algebra.setting.energy()
+    pairs = zip(momenta, RATES, strict=True)
+    energy = sum(m * w for m, w in pairs) - algebra.setting.energy()
     return Part(
         witness={"Omega1": "1", "Omega2": "2", "Omega3": "3"},
         definitions={
@@ -149,13 +153,10 @@ def _lax_pair(book: Book, algebra: Algebra, given: Part, body: Part) -> None:
     solve_family(desk, "partner.found", equations, unknown, symbol("b_free"), why, ["7"])
 
 
-def _gradient(book: Book, algebra: Algebra, given: Part) -> None:
+def _gradient(
+    book: Book, algebra: Algebra, given: Part, velocities: Mapping[sympy.Symbol, sympy.Expr]
+) -> None:
     """(8): dH/dM_i = Omega_i, with d/dt read as the derivative along one momentum."""
-    wheels = algebra.setting.wheel()
-    velocities = {
-        w: (m - h) / c
-        for w, m, h, c in zip(RATES, MOMENTA, wheels, symbols("c1 c2 c3"), strict=True)
-    }
     energy = sum(m * w for m, w in zip(MOMENTA, RATES, strict=True)) - algebra.setting.energy()
     momenta = Part(
         witness={"M1": "1", "M2": "1", "M3": "1"},

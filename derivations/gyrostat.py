@@ -2,7 +2,8 @@
 
 With one wheel, along axis a, the square of Omega_a' is a quartic in Omega_a.  With any wheels, the
 rates move on the intersection of two quadrics, 2 H and K^2, and the determinant of their pencil is
-the quartic whose square root has the same periods.
+the quartic whose square root has the same periods.  The quartic of one rate has half of one of
+them: two values of the other rates and their negatives share it.
 """
 
 import sympy

@@ -7,7 +7,7 @@ in two ways: one is (10), the other (11).
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy
@@ -82,7 +82,7 @@ def derive(book: Book) -> None:
     texts = map(desk.text, coefficients(found.value, RATE**2))
     quartic = Part(definitions=dict(zip(names, texts, strict=True)))
     desk = Desk.open(book, "axis", INERTIA, moving, quartic)
-    alpha, beta, chi = map(symbol, names)
+    alpha, beta, chi = map(symbol, quartic.definitions)
     polynomial = alpha * RATE**4 + beta * RATE**2 + chi
     why = "a quadratic in the square of the rate"
     rewrite(desk, "axis.quartic", squared, polynomial, why, ["14"])
@@ -159,19 +159,18 @@ def _matched(book: Book) -> None:
     alpha, s_i, s_j, v = symbols("alpha s_i s_j v")
     speed = zeta * xi * (1 - v) * (1 - mu * v)
     quadratic = alpha * (s_i - zeta * v) * (s_j - zeta * v)
-    why = "zeta sn matches, its coefficients compared"
-    match(desk, "matched.amplitude", speed, quadratic, v, (zeta, xi, mu), why, ["10", "11"])
-    body = (SINE, Part(definitions={"mu": "s_i/s_j"}), SCALED)
-    rotating = Part(
-        definitions={
-            "Omega_i": "zeta*sn",
-            "quartic": "alpha*(s_i - Omega_i**2)*(s_j - Omega_i**2)",
-        }
-    )
+    why = "zeta sn(xi t + C) put in, coefficients compared: two choices"
+    unknown = (zeta, xi, mu)
+    both = match(desk, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11"])
+    first = both.value[0]
+    scale = replace(SINE, relations=(f"xi**2 - ({desk.text(first[xi])})",))
+    body = (scale, Part(definitions={"mu": desk.text(first[mu])}), SCALED)
+    by_rate = quadratic.subs(v, RATE**2 / zeta)
+    rotating = Part(definitions={"Omega_i": "zeta*sn", "quartic": str(by_rate)})
     desk = Desk.open(book, "sine", *body, rotating)
     squared = rate_of(RATE) ** 2
-    why = "the first of the two"
-    rewrite(desk, "sine.solves", squared, symbol("quartic"), why, ["10"])
+    why = "the first choice of the two solves it"
+    rewrite(desk, "sine.solves", squared, by_rate, why, ["10"])
     differentiate(desk, "sine.slope", RATE, "its slope", ["16"])
     desk = Desk.open(book, "initial", *body, rotating, Part(units=("zeta",)))
     value = sympy.solve(RATE - symbol("zeta") * SN, SN)[0]

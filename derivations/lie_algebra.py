@@ -86,12 +86,19 @@ def commutator(x: MatrixExpr, y: MatrixExpr) -> MatrixExpr:
 
 def derive(book: Book) -> None:
     """(1), (2), (4) and (3)."""
-    setting = book.found(Setting)
+    setting = book.found(Setting) if Setting in book else Setting()
     desk = Desk.open(
         book, "SU2", UNIT_QUATERNION, matrices={"R": from_quaternion("q")}, static=True
     )
-    multiply(desk, "SU2.unitary", R * R.adjoint(), sympy.Identity(2), "R is unitary", ["1"])
-    determinant(desk, "SU2.special", R, "and special", ["1"])
+    multiply(
+        desk,
+        "SU2.unitary",
+        R * R.adjoint(),
+        sympy.Identity(2),
+        "R of the form (1) is unitary",
+        ["1"],
+    )
+    determinant(desk, "SU2.special", R, "and its determinant is one", ["1"])
 
     P, Q = map(matrix, "PQ")
     basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
@@ -110,7 +117,8 @@ def _brackets(desk: Desk) -> tuple[tuple[tuple[sympy.Expr, ...], ...], ...]:
     found = {}
     for i, j in ((0, 1), (1, 2), (0, 2)):
         fact = f"quaternions.bracket_{i + 1}{j + 1}"
-        step = coordinates(desk, fact, commutator(A[i], A[j]), A, "a bracket of the basis", ["4"])
+        why = f"the bracket of A{i + 1} and A{j + 1}, read off"
+        step = coordinates(desk, fact, commutator(A[i], A[j]), A, why, ["4"])
         found[i, j] = step.value
         found[j, i] = tuple(-x for x in step.value)
     zero = (sympy.S.Zero,) * 3

@@ -86,7 +86,7 @@ def derive(book: Book) -> None:
     )
     desk = Desk.open(book, "table", *given, table)
     rates = {T: sympy.S.One, symbol("Pi"): XI / (1 - n * SN**2)}  # n as it was found
-    why = "integrated by the table: d/dt Pi(n; am(xi t + gamma) | mu) = xi/(1 - n sn^2)"
+    why = "integrated term by term, by the table that has the rate of Pi"
     phi1 = integrate(desk, "table.phi1", split, rates, why, ["19", "36"])
     kappa = phi1.value.coeff(symbol("Pi"))
     named = Part(
@@ -109,7 +109,7 @@ def derive(book: Book) -> None:
     book.keep(ThirdKind(axis, (*given, table, named), split))
 
     desk = Desk.open(book, "amplitude", constants(axis), FUNCTIONS, AMPLITUDE)
-    why = "the amplitude, theta = am(xi t + gamma | mu), in the place of t"
+    why = "the square of the rate of the amplitude theta"
     by_sn = sympy.solve(DN**2 + MU * SN**2 - 1, DN**2)[0]
     squared = rate_of(symbol("theta")) ** 2
     rewrite(desk, "amplitude.squared", squared, XI**2 * by_sn, why, ["35"], "differentiate")

@@ -6,17 +6,25 @@ there, and the kernel is asked whether the rest holds.  Nobody says beforehand w
 """
 
 import re
-from dataclasses import asdict
 from string import ascii_lowercase
 
+from rigidsym.language.expression import to_text
 from rigidsym.proof.algebra import Book, Part, extend, join
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.questions import Question, asked, news, question
+from rigidsym.proof.paper.printed import in_names
+from rigidsym.proof.paper.questions import Question, asked, question, telling
+from rigidsym.proof.paper.words import SEEN_FROM_SPACE
 
 CONSTANT_M = Part(
     witness={"N1": "0", "N2": "0", "N3": "0"},
     reading={f"N{k}": f"component {k} of M(0)" for k in (1, 2, 3)},
+)
+# M(0) by (22): what R M R^-1 is, entry by entry.
+_SEEN = [to_text(part) for part in in_names(SEEN_FROM_SPACE)]
+SEEN = Part(
+    definitions={f"N{k}": f"2*({_SEEN[place]})" for k, place in ((1, 1), (2, 2), (3, 3))},
+    reading=CONSTANT_M.reading,
 )
 TIME = Part(witness={"t": "0"}, rates={"t": "1"}, reading={"t": "time, s"})
 PHASE = Part(witness={"gamma": "0"}, reading={"gamma": "the phase of sn in (34)"})
@@ -84,6 +92,7 @@ NAMED = Part(
 ARGUMENT = Part(witness={"u": "0"}, rates={"u": "nu"}, reading={"u": "zeta of footnote 1"})
 HALVES = Part(units=("side", "cos_half_phi3", "sin_phi2", "cos_phi3"))
 OUTER_MATCHED, INNER_MATCHED = Part(relations=("S2 - side*S1",)), Part(relations=("S4 - S3",))
+TRUE_ANGLES = Part(relations=("side - 1",))
 WRONG_OUTER, WRONG_INNER = Part(witness={"S2": "-1"}), Part(witness={"S4": "-1"})
 # The same motion, by the names of the chapter on phi1.
 AXIS_1 = Part(
@@ -127,6 +136,7 @@ BY_INVERSE = ("amplitude", (AXIS_1, THIRD_KIND, INVERSE))
 SETTINGS: dict[str, tuple[str, tuple[Part, ...]]] = {
     "printed_5": ("body", ()),
     "printed_6": ("body", ()),
+    "printed_9": ("moving_body", (SEEN,)),
     "printed_13": ("distinct_axis", (NAMED,)),
     "printed_13_mended": ("distinct_axis", (NAMED,)),
     "printed_14": ("axis", ()),
@@ -142,6 +152,7 @@ SETTINGS: dict[str, tuple[str, tuple[Part, ...]]] = {
     "printed_19_any_inner": ("signed", (HALVES, OUTER_MATCHED, WRONG_INNER)),
     "printed_star": ("half_angle_step", ()),
     "printed_star_mended": ("half_angle_step", ()),
+    "printed_remark_2": ("signed", (TRUE_ANGLES, OUTER_MATCHED, INNER_MATCHED)),
     "printed_20": ("amplitude", (AXIS_1, THIRD_KIND, OWN_POLES)),
     "printed_20_mended": BY_THIRD_KIND,
     "printed_20_with_14": BY_THIRD_KIND,
@@ -155,7 +166,7 @@ SETTINGS: dict[str, tuple[str, tuple[Part, ...]]] = {
     "printed_36": ("theorem1_amplitude", (AXIS_1, PHASE, ANGLE)),
     "printed_36_mended": ("theorem1_amplitude", (AXIS_1, PHASE, ANGLE)),
     "printed_36_of_modulus": ("theorem1_amplitude", (AXIS_1, PHASE, ANGLE, MODULUS)),
-    "printed_37": ("three_angle_motion", (QUATERNIONS,)),
+    "printed_37": ("moving_body", (QUATERNIONS,)),
 }
 # Where to look for a difference first.
 POINTS: dict[str, list[dict[str, str]]] = {
@@ -173,17 +184,18 @@ def derive(book: Book) -> None:
     printed = {equation.number: equation for equation in EQUATIONS}
     for equation in EQUATIONS:
         for latex, sense in asked(equation):
-            _ask(book, equation.number, question(latex, sense, printed))
+            ask(book, equation.number, question(latex, sense, printed))
 
 
-def _ask(book: Book, number: str, whole: Question) -> None:
+def ask(book: Book, number: str, whole: Question) -> None:
     """Let the kernel decide what is not decided yet, in a context that is opened for it."""
     if whole.context not in book.ledger.contexts:
         book.open(_context(book, whole))
-    lhs, rhs = news(whole, asdict(book.ledger.contexts[whole.context]))
-    said = (whole.context, lhs, rhs)
+    context = book.ledger.contexts[whole.context]
+    whole = telling(whole, context.definitions, context.rates or {})
+    said = (whole.context, whole.lhs, whole.rhs)
     if not any((f.context, f.lhs, f.rhs) == said for f in book.ledger.facts.values()):
-        equations = list(zip(lhs, rhs, strict=True))
+        equations = list(zip(whole.lhs, whole.rhs, strict=True))
         points = POINTS.get(whole.context, ())
         book.compare(_new_id(book, whole.context, number), equations, points, [number])
 

@@ -8,7 +8,7 @@ that are proved.  (14) for Lemma 1 is not found: it takes two edits at once.
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.repairs import repairs
 from rigidsym.proof.paper import EQUATIONS
-from rigidsym.proof.paper.questions import question
+from rigidsym.proof.paper.questions import question, telling
 
 # A line, which of its equations fails, and where that holds what the paper prints: a side of it,
 # or a definition.
@@ -40,7 +40,12 @@ def _refuted(book: Book, number: str, left: str) -> list[tuple[str, int]]:
     """The facts that refute a line, with the place of the equation that has this left side."""
     printed = {equation.number: equation for equation in EQUATIONS}
     asked = [question(printed[number].latex, sense, printed) for sense in printed[number].senses]
-    said = {(whole.context, whole.lhs, whole.rhs) for whole in asked if left in whole.lhs}
+    told = [
+        telling(whole, context.definitions, context.rates or {})
+        for whole in asked
+        for context in [book.ledger.contexts[whole.context]]
+    ]
+    said = {(whole.context, whole.lhs, whole.rhs) for whole in told if left in whole.lhs}
     return [
         (fact.id, fact.lhs.index(left))
         for fact in book.ledger.facts.values()

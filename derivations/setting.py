@@ -13,7 +13,7 @@ from typing import Any
 import sympy
 
 from rigidsym.errors import InputError
-from rigidsym.proof.steps.names import read, symbol, symbols
+from rigidsym.proof.steps.names import read, symbols
 
 KINETIC = "(c1*Omega1**2 + c2*Omega2**2 + c3*Omega3**2)/2"
 AXES = (1, 2, 3)
@@ -79,7 +79,7 @@ class Setting:
         """The Lagrangian as an expression."""
         try:
             return read(self.lagrangian)
-        except (ValueError, SyntaxError):
+        except (ValueError, SyntaxError, TypeError):  # TypeError: neg(x, y)
             raise InputError("lagrangian", self.lagrangian, "must be an expression") from None
 
     def wheel(self) -> tuple[sympy.Expr, ...]:
@@ -90,12 +90,13 @@ class Setting:
             rest = sympy.Poly(self.energy() - read(KINETIC), *rates)
         except sympy.PolynomialError:
             raise InputError("lagrangian", self.lagrangian, rule) from None
-        known = {symbol(f"h{k}") for k in AXES}
+        known = symbols("h1 h2 h3")
         if any(sum(powers) != 1 for powers in rest.monoms() if not rest.is_zero):
             raise InputError("lagrangian", self.lagrangian, rule)
         linear = tuple(rest.coeff_monomial(rate) for rate in rates)
-        if any(h.free_symbols - known for h in linear):
-            raise InputError("lagrangian", self.lagrangian, "knows h1, h2, h3 beside the moments")
+        if any(h.free_symbols - {*known} or not h.is_polynomial(*known) for h in linear):
+            rule = "must have polynomials in h1, h2, h3 in front of the rates of its linear part"
+            raise InputError("lagrangian", self.lagrangian, rule)
         return linear
 
 

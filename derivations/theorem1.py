@@ -56,7 +56,7 @@ def _inner_half(book: Book) -> None:
     found = [x.subs(sympy.sqrt(Y**2 + 1), ROOT) for x in sympy.solve(quadratic, TAU)]
     leading = sympy.Poly(quadratic, TAU).LC()
     product = sympy.Mul(leading, *(TAU - x for x in found), evaluate=False)
-    why = "tan(phi3) = 2 tau/(1 - tau^2) with tau = tan(phi3/2): the roots"
+    why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
     rewrite(desk, "half_tangent.roots", quadratic, product, why, ["19"], "roots")
 
 
@@ -73,6 +73,6 @@ def _third_kind(book: Book) -> None:
     slope, theta = third.rate, rate_of(symbol("theta"))
     constant = slope.as_independent(SN)[0]
     changed = constant + (slope - constant) / (XI * DN) * theta
-    why = "the amplitude as variable: dt = d theta/(xi dn)"
+    why = "with the amplitude theta as variable of the integral"
     rate = rate_of(symbol("phi1"))
     rewrite(desk, "theorem1_amplitude.integrand", rate, changed, why, ["36"], "substitute")

@@ -12,9 +12,9 @@ for which it is another by now, and all of them with `-m slow`.
 A new notebook: write cells, "# %%" and "# %% [markdown]", in NN_name.py or how_to_name.py and run
 the command, which adds the head.  It runs within a minute and writes nothing to stderr; it prints
 numbers rounded to what is certain, draws with matplotlib or plotly, and its last cell asserts ids
-and grades of facts.  `rigidsym.view.html` shows facts and verdicts, `rigidsym.view.scenes` motions,
-each with a still for readers without scripts; `support` and `figures` have what notebooks alone
-need.
+and grades of facts, folded by the tag "hide-cell" where a reader is to go on.
+`rigidsym.view.html` shows facts and verdicts, `rigidsym.view.scenes` motions, each with a still for
+readers without scripts; `support` and `figures` have what notebooks alone need.
 """
 
 import argparse
@@ -52,6 +52,8 @@ PAIRED = {
     "notebook_metadata_filter": "kernelspec,jupytext,"
     "-jupytext.text_representation.jupytext_version",
 }
+# Tags of cells whose code is folded; the site's `myst_nb` knows them.
+FOLDED = {"hide-cell", "hide-input"}
 # What no committed output may hold: addresses in memory, and folders of one machine.
 FOLDERS = {str(FOLDER.parent), str(Path.home()), sys.prefix, tempfile.gettempdir()} - {"/"}
 PRIVATE = re.compile(
@@ -89,10 +91,17 @@ def source(name: str) -> Any:
     )
     notebook.nbformat, notebook.nbformat_minor = 4, 5
     for cell, identity in zip(notebook.cells, _ids(notebook.cells), strict=True):
-        tags = cell.metadata.get("tags")
-        cell.metadata = nbformat.from_dict({"tags": tags} if tags else {})
+        cell.metadata = nbformat.from_dict(_metadata(cell.metadata.get("tags")))
         cell.id = identity
     return notebook
+
+
+def _metadata(tags: Sequence[str] | None) -> dict[str, Any]:
+    """The tags of a cell; what the site folds by its tag is folded in JupyterLab, too."""
+    if not tags:
+        return {}
+    folded = {"jupyter": {"source_hidden": True}} if {*tags} & FOLDED else {}
+    return {**folded, "tags": list(tags)}
 
 
 def _ids(cells: Sequence[Any]) -> Iterator[str]:

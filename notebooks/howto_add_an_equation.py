@@ -143,8 +143,8 @@ mine
 #
 # 1. Put `book.open` and `book.claim` into the chapter of `derivations` where they belong (a new
 #    chapter goes into `CHAPTERS` in `derivations/__init__.py`).
-# 2. If the paper prints the equation, name the fact in its section of `rigidsym/proof/paper`; the errata
-#    then know about it.
+# 2. If the paper prints the equation, put its LaTeX into the names of the context in its section of
+#    `rigidsym/proof/paper`, by a `Sense`: the kernel then decides the print itself.
 # 3. `rigidsym derive` proves everything again and seals the ledger; `rigidsym check` and
 #    `rigidsym check --independent` replay it.
 # 4. If numbers shall be computed by it, list it in `derivations/publish.py`.

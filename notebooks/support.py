@@ -1,35 +1,56 @@
-"""What notebooks alone need: ledgers to read from, and matrices of contexts as SymPy's.
+"""What notebooks alone need: books and ledgers to read from, and ways to show what is in them.
 
-Nothing is derived here.  Statements come from a ledger, whether it has just been written by
-chapters of `derivations` or replayed from the sealed one; `rigidsym.view.html` shows them.
+Nothing is derived here.  Steps come from a book, whether the cells of a notebook or chapters of
+`derivations` wrote it; statements from its ledger, or from the sealed one, replayed.
 """
 
-import re
 from collections.abc import Iterable, Mapping
 from importlib import import_module
 from typing import Any
 
-import sympy
 from IPython.display import HTML, Markdown, Math
 
-from derivations import CHAPTERS
+from derivations import CHAPTERS, FORWARD
+from derivations.setting import Setting
 from rigidsym.io.ledger import ledger_text
 from rigidsym.language.latex import latex
 from rigidsym.language.symbols import symbol
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.enclosures import encloses
-from rigidsym.proof.algebra.su2 import Complex, Matrix
 from rigidsym.proof.claims import Claim, claims
-from rigidsym.proof.kernel import Element, Grade, Ledger, replay
+from rigidsym.proof.kernel import Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS
+from rigidsym.proof.steps import Step
+from rigidsym.view.article import line_html
+from rigidsym.view.article.mathematics import latex as in_letters
+
+
+def begun(setting: Setting, *chapters: str) -> Book:
+    """A book with this setting, and in it forward chapters up to the last of these."""
+    book = Book()
+    book.keep(setting)
+    for name in FORWARD[: max(map(FORWARD.index, chapters), default=-1) + 1]:
+        import_module(f"derivations.{name}").derive(book)
+    return book
 
 
 def derived(*chapters: str) -> Ledger:
     """Run chapters of `derivations`, and those before the last of them, in a new ledger."""
-    book = Book()
+    book = begun(Setting())
     for name in CHAPTERS[: max(map(CHAPTERS.index, chapters)) + 1]:
         import_module(f"derivations.{name}").derive(book)
     return book.ledger
+
+
+def step(book: Book, fact: str) -> Step:
+    """The step of a book that found a fact; KeyError where none did."""
+    return {step.fact.id: step for step in book.steps}[fact]
+
+
+def lines(book: Book, *numbers: str) -> HTML:
+    """The steps of a book that are about equations of the paper, under each other."""
+    found = (step for step in book.steps if {*step.source} & {*numbers})
+    return HTML("\n".join(map(line_html, found)))
 
 
 def sealed() -> Ledger:
@@ -64,33 +85,9 @@ def definitions(ledger: Ledger, context: str, *names: str) -> Math:
     return Math(rf"\begin{{aligned}} {lines} \end{{aligned}}")
 
 
-def equation(lhs: Any, rhs: Any) -> Math:
-    """Two sides, SymPy's or text, as one displayed equation."""
-    return Math(rf"\displaystyle {_side(lhs)} = {_side(rhs)}")
-
-
-def matrix(value: Matrix) -> sympy.Matrix:
-    """A matrix over a context's ring as one of SymPy's."""
-    a, b, c, d = (number(entry) for entry in value.entries)
-    return sympy.Matrix([[a, b], [c, d]])
-
-
-def number(value: Complex | Element) -> sympy.Expr:
-    """An element of a context's ring, or a pair of them, as an expression of SymPy's."""
-    if isinstance(value, Complex):
-        return number(value.real) + sympy.I * number(value.imag)
-    factors = zip(value.ring.units, value.powers, strict=True)
-    below = sympy.prod(unit.as_expr() ** power for unit, power in factors if power)
-    whole = sympy.cancel(value.numerator.as_expr() / below)
-    return whole.expand().xreplace({name: letter(name.name) for name in whole.free_symbols})
-
-
-def letter(name: str) -> sympy.Expr:
-    """What a name of a context stands for, as SymPy prints it: `cos_half_phi1` is cos(phi1/2)."""
-    if found := re.fullmatch("(cos|sin)_(half_)?([a-z]+[0-9]?)", name):
-        angle = letter(found[3]) / (2 if found[2] else 1)
-        return (sympy.cos if found[1] == "cos" else sympy.sin)(angle)
-    return sympy.Symbol(symbol(name).latex)
+def equation(left: Any, right: Any) -> Math:
+    """Two sides, SymPy's or LaTeX, as one displayed equation."""
+    return Math(f"{_side(left)} = {_side(right)}")
 
 
 def table(rows: Iterable[Mapping[str, Any]]) -> Markdown:
@@ -105,4 +102,4 @@ def table(rows: Iterable[Mapping[str, Any]]) -> Markdown:
 
 
 def _side(side: Any) -> str:
-    return side if isinstance(side, str) else sympy.latex(side)
+    return side if isinstance(side, str) else in_letters(side)

@@ -23,11 +23,12 @@ ALLOWED = {
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
+    "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
     "rigidsym.proof.paper": "language view.html",
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors proof view.html",
     "rigidsym.proof": "",
-    "derivations": "proof.algebra proof.kernel proof.paper",
+    "derivations": "errors language proof.algebra proof.kernel proof.paper proof.steps",
     # What is computed from it.
     "rigidsym.solution": "errors io.ledger language",
     "rigidsym.precise": f"{FOUNDATION} inputs solution",
@@ -43,6 +44,7 @@ ALLOWED = {
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
+    "rigidsym.view.article": "language view.html",
     "rigidsym.view.html": f"{FOUNDATION} inputs view.palette view.report_data",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
@@ -62,7 +64,7 @@ ALLOWED = {
 OTHERS = {
     "matplotlib": ("rigidsym.view",),
     "plotly": ("rigidsym.view",),
-    "sympy": ("rigidsym.proof", "derivations"),
+    "sympy": ("rigidsym.proof", "rigidsym.view.article", "derivations"),
     "casadi": ("rigidsym.manoeuvre.comparison",),
 }
 

@@ -10,6 +10,7 @@ from rigidsym.cli.output import progress, say, table
 
 if TYPE_CHECKING:
     from rigidsym.proof.derivation import Derivation
+    from rigidsym.proof.paper.prose import Judged
 
 
 def add(command: Command) -> None:
@@ -44,11 +45,14 @@ def _add_setting(derive: ArgumentParser) -> None:
 
 def _derive(options: Namespace) -> int:
     from derivations.setting import setting_of
+    from rigidsym.errors import InputError
     from rigidsym.proof.derivation import DerivationError, derive
 
     names = ("sequence", "axis", "factor", "sign", "order", "lagrangian")
     chosen = {name: value for name in names if (value := getattr(options, name)) is not None}
     reading = options.show or options.format is not None
+    if reading and options.json:
+        raise InputError("json", "given", "is not for --show and --format")
     try:
         setting = setting_of(chosen) if chosen or reading else None
         derivation = derive(options.chapters, progress("derive"), setting)
@@ -147,13 +151,25 @@ def _errata(options: Namespace) -> int:
     import json
 
     from rigidsym.io.ledger import ledger_data
-    from rigidsym.proof.paper import row, verdicts
+    from rigidsym.proof.paper import judged, row, verdicts
 
-    ruled = verdicts(ledger_data(_ledger_text(None)))
+    ledger = ledger_data(_ledger_text(None))
+    ruled, prose = verdicts(ledger), judged(ledger)
     if options.json:
-        data = {"schema": "rigidsym.errata/2", "equations": [v.to_json() for v in ruled]}
+        data = {
+            "schema": "rigidsym.errata/2",
+            "equations": [verdict.to_json() for verdict in ruled],
+            "prose": [claim.to_json() for claim in prose],
+        }
         print(json.dumps(data, indent=1))
         return 0
     columns = ("equation", "verdict", "root cause", "repair, or how it is read", "counterexample")
     table("rigidsym errata", columns, [row(verdict) for verdict in ruled])
+    columns = ("claim in words", "judgement", "reason", "decided by")
+    table("in the paper's prose", columns, [_prose(claim) for claim in prose])
     return 0
+
+
+def _prose(found: "Judged") -> tuple[str, str, str, str]:
+    decided_by = (*found.facts, *(f"`{command}`" for command in found.prose.commands))
+    return found.prose.claim, found.judgement, found.prose.reason, "\n".join(decided_by)

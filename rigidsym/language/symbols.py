@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 
 GREEK = frozenset(
-    ("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "theta", "kappa", "lambda", "mu")
+    ("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu")
     + ("nu", "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega")
     + ("Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Phi", "Psi", "Omega")
 )

@@ -8,12 +8,14 @@ from ledgers import prove
 
 import derivations
 import rigidsym
-from derivations import CHAPTERS
+from derivations import CHAPTERS, FORWARD
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.kernel import Fact, KernelError, Ledger, replay
 
 SEALED = Path(derivations.__file__).with_name("ledger.json").read_text("utf-8")
 PACKAGE = Path(rigidsym.__file__).parent
+# What a derivation starts from, and the part of `lemma1` for a body with wheels.
+NO_CHAPTERS = {"setting", "gyrostat"}
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +37,11 @@ def decide(ledger):
 
 def test_every_chapter_file_is_a_chapter():
     files = {path.stem for path in Path(derivations.__file__).parent.glob("*.py")}
-    assert files - {"__init__"} == set(CHAPTERS)
+    assert files - {"__init__", *NO_CHAPTERS} == set(CHAPTERS)
+
+
+def test_the_chapters_that_compute_are_in_their_order_among_all():
+    assert [name for name in CHAPTERS if name in FORWARD] == list(FORWARD)
 
 
 def test_the_chapters_write_the_sealed_ledger_byte_for_byte(reproduced):
@@ -238,20 +244,23 @@ def test_trying_equations_left_the_ledger_alone(ledger, decide):
     assert "attempt" not in ledger.facts
 
 
-BANNED = {"simplify", "nsimplify", "trigsimp", "equals", "subs"}
+BANNED = {"simplify", "nsimplify", "trigsimp", "equals"}
+# A step may put a value in a symbol's place before the kernel sees it; what decides may not.
+DECIDING = {"kernel", "algebra"}
 TRUSTED = [
     path
     for folder in (
         Path(derivations.__file__).parent,
         PACKAGE / "proof" / "kernel",
         PACKAGE / "proof" / "algebra",
+        PACKAGE / "proof" / "steps",
     )
     for path in sorted(folder.glob("*.py"))
 ]
 
 
 def test_all_that_proves_is_looked_at():
-    assert {path.parent.name for path in TRUSTED} == {"derivations", "kernel", "algebra"}
+    assert {path.parent.name for path in TRUSTED} == {"derivations", "steps", *DECIDING}
 
 
 @pytest.mark.parametrize("path", TRUSTED, ids=lambda path: f"{path.parent.name}/{path.name}")
@@ -265,4 +274,4 @@ def test_no_heuristic_simplifier_is_named(path):
         if isinstance(node, ast.ImportFrom | ast.Import)
         for alias in node.names
     }
-    assert not named & BANNED
+    assert not named & (BANNED | ({"subs"} if path.parent.name in DECIDING else set()))

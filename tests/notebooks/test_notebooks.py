@@ -85,6 +85,15 @@ def test_a_notebook_ends_in_assertions(name):
     assert "assert " in code[-1].source
 
 
+def test_checks_and_pictures_are_folded_here_and_on_the_site():
+    folded = build.source("02_from_lax_pair_to_k_a1").cells
+    tagged = [cell for cell in folded if {*cell.metadata.get("tags", ())} & build.FOLDED]
+    assert tagged[-1] is folded[-1]
+    assert all(cell.metadata["jupyter"]["source_hidden"] for cell in tagged)
+    assert sum("jupyter" in cell.metadata for cell in folded) == len(tagged) > 1
+    assert "source_hidden" not in build.text(build.source("02_from_lax_pair_to_k_a1"))
+
+
 def test_an_edited_text_is_noticed(monkeypatch):
     changed = build.source(NAMES[0])
     changed.cells[-1].source += "  # edited"

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from generate.text import code, plain, table
 from rigidsym.io.ledger import ledger_data, ledger_text
-from rigidsym.proof.paper import Counterexample, Flaw, Ruling, Verdict, verdicts
+from rigidsym.proof.paper import Counterexample, Flaw, Ruling, Verdict, judged, verdicts
 
 _HEAD = """# The paper's errata
 
@@ -24,7 +24,22 @@ MEANINGS = {
 def page() -> str:
     """An overview, and a section for each equation."""
     ruled = verdicts(ledger_data(ledger_text()))
-    return "\n".join([_HEAD, _overview(ruled), *map(_section, ruled)])
+    return "\n".join([_HEAD, _overview(ruled), *map(_section, ruled), _prose()])
+
+
+def _prose() -> str:
+    """The paper's claims in words."""
+    rows = (
+        (
+            plain(found.prose.claim),
+            found.judgement,
+            plain(found.prose.reason),
+            ", ".join(map(code, (*found.facts, *found.prose.commands))),
+        )
+        for found in judged(ledger_data(ledger_text()))
+    )
+    head = "## Claims in words\n\nThese are judgements; what they rest on is named.\n"
+    return f"{head}\n{table(('the paper says', 'judged', 'because', 'decided by'), rows)}\n"
 
 
 def _overview(ruled: list[Verdict]) -> str:
@@ -115,10 +130,7 @@ def _point(point: Mapping[str, str]) -> str:
 
 def _fails(found: Counterexample) -> str:
     """Where a line fails: both sides there, the motion, and the point."""
-    sides = ", ".join(
-        code(f"{text} = {value}")
-        for text, value in ((found.lhs, found.left), (found.rhs, found.right))
-    )
+    sides = ", ".join(map(code, found.sides))
     motion = f" in the motion {code(str(found.motion))}" if found.motion else ""
     return f"**Fails as printed**{motion}, where {sides}: at {_point(found.point)}."
 

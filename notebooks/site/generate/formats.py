@@ -20,7 +20,7 @@ from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.precise import comparison
 from rigidsym.proof.derivation import derive
 from rigidsym.proof.kernel import ledger as ledgers
-from rigidsym.proof.paper import Verdict, verdicts
+from rigidsym.proof.paper import Verdict, judged, verdicts
 from rigidsym.proof.paper.verdicts import Ruling
 from rigidsym.validate import checkpoint, validate
 from rigidsym.validate.campaign import Campaign, Progress, complete
@@ -160,7 +160,9 @@ def _balls() -> Any:
 
 def _errata() -> Any:
     ruled = [v for v in verdicts(ledger_data(ledger_text())) if _is_full(v)]
-    return {"schema": "rigidsym.errata/2", "equations": [v.to_json() for v in ruled]}
+    prose = [claim.to_json() for claim in judged(ledger_data(ledger_text()))][:1]
+    equations = [verdict.to_json() for verdict in ruled]
+    return {"schema": "rigidsym.errata/2", "equations": equations, "prose": prose}
 
 
 def _is_full(verdict: Verdict) -> bool:
@@ -269,17 +271,25 @@ FORMATS = (
             "equations[].readings": "ways to read the print, and whether it holds so",
             "equations[].flaws": "what is wrong with the print, whether or not it is false",
             "equations[].mutants": "what became of the statements made wrong on purpose",
+            "prose[].claim": "what the paper claims in words",
+            "prose[].where": "where the paper says so",
+            "prose[].judgement": "whether it is so: a judgement",
+            "prose[].reason": "why",
+            "prose[].facts": "facts of the ledger that it rests on",
+            "prose[].measured_by": "commands that measure what it rests on",
         },
         frozenset({f"equations[].{name}" for name in
                    ("counterexample", "conditions_needed_by", "flaws", "mutants")}),
     ),
     Format(
-        "rigidsym.derive/1",
+        "rigidsym.derive/2",
         "`rigidsym derive --json`",
         lambda: _json(derive(["lie_algebra"]).to_json()),
         {
             "chapters[].chapter": "the module under `derivations`",
             "chapters[].title": "its first words",
+            "chapters[].computed": "how many of its facts a step computed",
+            "chapters[].guessed": "how many were written down, and decided by the kernel",
             "chapters[].facts[].id": "context and name",
             "chapters[].facts[].statement": "in one line",
             "chapters[].facts[].grade": "how it is known",

@@ -12,7 +12,7 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache, partial
 from itertools import chain, islice, zip_longest
 
 from rigidsym.proof.algebra.enclosures import encloses
@@ -77,11 +77,17 @@ def decide(
     Where the sides differ at a point of the context, that refutes them at once.
     """
     try:
-        difference = (ring.read(lhs) ** power - ring.read(rhs)).numerator
+        difference = (_value(ring, lhs) ** power - _value(ring, rhs)).numerator
     except KernelError:
         return "refused"
     differ = point is not None and at(difference, point)
     return "refuted" if differ or divide(ring, difference)[1] else "equivalent"
+
+
+@lru_cache(maxsize=4)
+def _value(ring: Ring, text: str) -> Element:
+    """What a text means: of mutants in a row, one side is the same."""
+    return ring.read(text)
 
 
 def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:

@@ -3,6 +3,7 @@
 from rigidsym.proof.paper.counterexample import Counterexample
 from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
 from rigidsym.proof.paper.equations import EQUATIONS
+from rigidsym.proof.paper.prose import Judged, judged
 from rigidsym.proof.paper.table import row
 from rigidsym.proof.paper.verdicts import Ruling, Verdict, verdicts
 
@@ -12,11 +13,13 @@ __all__ = [
     "Counterexample",
     "Equation",
     "Flaw",
+    "Judged",
     "Reading",
     "Root",
     "Ruling",
     "Sense",
     "Verdict",
+    "judged",
     "row",
     "verdicts",
 ]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from rigidsym.proof.paper.equation import Equation, Sense
-from rigidsym.proof.paper.questions import Question, news, question
+from rigidsym.proof.paper.questions import Question, question, telling
 
 Data = Mapping[str, Any]
 
@@ -46,7 +46,8 @@ class Answers:
         context = self.contexts.get(asked.context)
         if context is None or not asked.definitions.items() <= context["definitions"].items():
             return Answer(asked, None)
-        return Answer(asked, self.facts.get((asked.context, *news(asked, context))))
+        asked = telling(asked, context["definitions"], context["rates"] or {})
+        return Answer(asked, self.facts.get((asked.context, asked.lhs, asked.rhs)))
 
 
 def _sound(fact: Data) -> bool:

@@ -19,18 +19,17 @@ def vanishing(context: str, *texts: str) -> Sense:
 
 
 _MOVING = {**ROTATION, **MOMENTUM}
-_SEEN = r"R M R^{-1}=M(0)"
 CONSTANT = Sense(
     "printed_22",
     Vocabulary({**_MOVING, "at(M, 0)": algebra("N1", "N2", "N3")}),
-    latex=_SEEN,
+    of="22",
     differentiated=True,
 )
-AT_START = Sense("identity_start", Vocabulary({**_MOVING, "at(M, 0)": MOMENTUM["M"]}), latex=_SEEN)
+AT_START = Sense("identity_start", Vocabulary({**_MOVING, "at(M, 0)": MOMENTUM["M"]}), of="22")
 COMMUTES = Condition(
     "R(0) M(0) = M(0) R(0)",
     needed_by=(
-        Sense("moving_body", Vocabulary({**_MOVING, "at(M, 0)": MOMENTUM["M"]}), latex=_SEEN),
+        Sense("moving_body", Vocabulary({**_MOVING, "at(M, 0)": MOMENTUM["M"]}), of="22"),
         Sense("moving_body", Vocabulary(_MOVING), latex=r"(RMR^{-1}-M)R=[R,M]"),
     ),
 )

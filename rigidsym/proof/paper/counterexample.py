@@ -10,6 +10,8 @@ from rigidsym.language.expression import Call, Expression, Name, Number, Operati
 from rigidsym.proof.paper.answers import Answer, Data
 from rigidsym.proof.paper.motions import Motion, motion_at
 
+LONG = 80
+
 
 @dataclass(frozen=True, slots=True)
 class Counterexample:
@@ -25,6 +27,13 @@ class Counterexample:
     left: Fraction
     right: Fraction
     motion: Motion | None
+
+    @property
+    def sides(self) -> tuple[str, str]:
+        """Both sides with their values; long ones are left to the ledger."""
+        left = self.lhs if len(self.lhs) < LONG else "left side"
+        right = self.rhs if len(self.rhs) < LONG else "right side"
+        return f"{left} = {self.left}", f"{right} = {self.right}"
 
     def to_json(self) -> dict[str, Any]:
         """Plain data for programs."""

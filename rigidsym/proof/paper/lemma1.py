@@ -29,13 +29,17 @@ def _mended(sense: Sense, amplitude: int) -> Sense:
     words = sense.vocabulary.words
     small = words["s_i"] == IN_RATE["s_i"]
     mended = {**words, **(IN_MOMENTUM if small else exchanged(IN_MOMENTUM))}
+    when = sense.vocabulary.when.replace("s_j - s_i", "c_i**2*(s_j - s_i)")
     roots = list(sense.vocabulary.roots)
     roots[amplitude] = f"c_i*{roots[amplitude]}"
-    return replace(sense, vocabulary=replace(sense.vocabulary, words=mended, roots=tuple(roots)))
+    return replace(
+        sense, vocabulary=replace(sense.vocabulary, words=mended, roots=tuple(roots), when=when)
+    )
 
 
 _SMALL, _LARGE = {**SINE, **IN_RATE}, {**SINE, **exchanged(IN_RATE)}
-_MOVING = Vocabulary(_SMALL, ("zeta", "xi"), TRIPLE)
+_PHASE, _OTHER_PHASE = ("xi*t + C_i",), ("xi*t + root_s/zeta*C_i",)
+_MOVING = Vocabulary(_SMALL, ("zeta", "xi"), TRIPLE, arguments=_PHASE, when="1 - (s_i/s_j)**2")
 TEN = _sense("10", _MOVING, context=UNDIVIDED)
 TEN_MENDED = _mended(TEN, 0)
 # The other way to read the broken fraction: the root of s_i/c_i.
@@ -50,18 +54,28 @@ TEN_UNDER_ROOT = replace(
 TEN_MIXED = replace(
     TEN_MENDED,
     vocabulary=Vocabulary(
-        {**SINE, **IN_MOMENTUM, "alpha": "alpha"}, ("c_i*zeta", "c_i*xi"), TRIPLE
+        {**SINE, **IN_MOMENTUM, "alpha": "alpha"},
+        ("c_i*zeta", "c_i*xi"),
+        TRIPLE,
     ),
 )
 TEN_MODULUS = replace(TEN_MENDED, vocabulary=replace(TEN_MENDED.vocabulary, second=Second.MODULUS))
-ELEVEN = _sense("11", Vocabulary(_LARGE, ("zeta", "xi", "root_s/zeta"), TRIPLE))
+ELEVEN = _sense(
+    "11", Vocabulary(_LARGE, ("zeta", "xi", "root_s/zeta"), TRIPLE, arguments=_OTHER_PHASE)
+)
 ELEVEN_MENDED = _mended(ELEVEN, 0)
 TWELVE = _sense("12", Vocabulary(_SMALL, ("zeta",), TRIPLE))
 TWELVE_MENDED = _mended(TWELVE, 0)
-AT_0 = Vocabulary(_SMALL, ("xi", "zeta"), TRIPLE, moves=False)
+AT_0 = Vocabulary(_SMALL, ("xi", "zeta"), TRIPLE, arguments=("C_i",), moves=False)
 SIXTEEN = (
-    _sense("16", AT_0, 0, context=UNDIVIDED),
-    _sense("16", replace(AT_0, words=_LARGE, roots=("xi", "zeta", "root_s/zeta")), 3),
+    _sense("16", replace(AT_0, when="s_j - s_i"), 0, 2, context=UNDIVIDED),
+    _sense(
+        "16",
+        replace(
+            AT_0, words=_LARGE, roots=("xi", "zeta", "root_s/zeta"), arguments=("root_s/zeta*C_i",)
+        ),
+        3,
+    ),
 )
 SIXTEEN_MENDED = tuple(_mended(sense, 1) for sense in SIXTEEN)
 THIRTEEN = Sense(
@@ -92,6 +106,8 @@ LEMMA = replace(FOURTEEN_IN_MOMENTUM, given=("14",), latex="")
 LEMMA_MENDED = replace(LEMMA, context="printed_14_mended", mended=("Lemma 1",))
 # Mended, (14) has the alpha of IN_MOMENTUM.
 ALPHA_MENDED = replace(LEMMA_MENDED, says=(), texts={"alpha_printed": "alpha/c_i**2"})
+# What makes it a motion: the quadratic with the roots s_i and s_j.
+SOLVES = stated("sine", {"D(Omega_i)**2": "alpha*(s_i - Omega_i**2)*(s_j - Omega_i**2)"})
 FOOTNOTE_1 = Sense(
     "printed_footnote_1",
     Vocabulary(

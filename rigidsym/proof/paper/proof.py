@@ -17,9 +17,11 @@ from rigidsym.proof.paper.printed import Second, Vocabulary
 from rigidsym.proof.paper.words import (
     ANGLE_RATES,
     ANGLES,
+    BASIS,
     BODY,
     RATES,
     REDUCED,
+    ROTATION,
     THREE_TURNS,
     plain,
     su2,
@@ -36,11 +38,11 @@ THIRD_KIND = {
     "vartheta": "theta",
     "sin(vartheta)": "sn",
 }
-SINE = Vocabulary(THIRD_KIND, jacobi=(("sn", "cn", "dn"),))
-AMPLITUDE = Vocabulary(THIRD_KIND, ("dn",), (("sn", "cn", "dn"),))
-BY_PHI1 = Vocabulary({**THIRD_KIND, "phi_1": "phi1"}, ("dn",), (("sn", "cn", "dn"),))
+SINE = Vocabulary(THIRD_KIND, (), (("sn", "cn", "dn"),), arguments=("xi*t + gamma",))
+AMPLITUDE = replace(SINE, roots=("dn",))
+BY_PHI1 = replace(AMPLITUDE, words={**THIRD_KIND, "phi_1": "phi1"})
 # The dot on the left taken for a slip.
-WITHOUT_DOT = Vocabulary({**BY_PHI1.words, "D(phi_1)": "phi1"}, ("dn",), (("sn", "cn", "dn"),))
+WITHOUT_DOT = replace(BY_PHI1, words={**BY_PHI1.words, "D(phi_1)": "phi1"})
 # mu is the modulus: a square root of the parameter mu of the context.
 AMPLITUDE_OF_MODULUS = replace(
     AMPLITUDE, words={**AMPLITUDE.words, "mu": "modulus"}, second=Second.MODULUS
@@ -54,20 +56,20 @@ WITHOUT_DOT_OF_MODULUS = replace(
 SIGMA = {"sigma": "sigma_printed"}
 R_INT, R_START = su2("p0", "p1", "p2", "p3"), su2("r0", "r1", "r2", "r3")
 PULLED = {"R_int": R_INT, "at(Rbar, 0)": R_START}
-_BY_37 = r"R(t)=R_{int}\,\bar R(0)^{-1}\bar R(t)"
+# Rbar is any that satisfies (3).
 PULLED_BACK = Sense(
     "printed_37",
-    Vocabulary({**TURNS.words, **PULLED}),
-    {**THREE_TURNS, "R": "R"},
+    Vocabulary({**RATES, **PULLED, "Rbar": ROTATION["R"]}),
+    {**BASIS, "R": "R"},
     (r"\dot R=R(\Omega_1A_1+\Omega_2A_2+\Omega_3A_3)", r"\det R=1"),
-    ("4", "25"),
-    latex=_BY_37,
+    ("4",),
+    of="37",
 )
 # At t = 0: R is R(0), and Rbar is Rbar(0).
 STARTING = Sense(
     "pulled_back",
     Vocabulary({**PULLED, "R": R_INT, "Rbar": R_START}),
-    latex=_BY_37,
+    of="37",
 )
 FROM_IDENTITY = Vocabulary({**STARTING.vocabulary.words, "R_int": "matrix(1, 0, 0, 1)"})
 LINE_32 = Sense("line32", Vocabulary({**BODY, **ANGLE_RATES, "K": "K", "H": "H"}))

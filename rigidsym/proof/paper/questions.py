@@ -1,16 +1,15 @@
 """What the ledger is asked about a printed line: definitions and equations in a context's texts."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
 
-from rigidsym.language.expression import Expression
-from rigidsym.language.expression import parse as expression
+from rigidsym.language.expression import Call, Expression, Name
+from rigidsym.language.expression import parse as parse_text
 from rigidsym.proof.paper.equation import Equation, Sense
-from rigidsym.proof.paper.printed import Display, Statement, parse, translate
+from rigidsym.proof.paper.printed import Display, PrintError, Statement, parse, translate
 from rigidsym.proof.paper.printed.translation import defined
 
-Texts = tuple[str, ...]
+Texts = Mapping[str, str]
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,13 +17,13 @@ class Question:
     """Whether equations hold in a context that has some definitions from the print."""
 
     context: str
-    definitions: Mapping[str, str]
-    lhs: Texts
-    rhs: Texts
+    definitions: Texts
+    lhs: tuple[str, ...]
+    rhs: tuple[str, ...]
 
 
 def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Question:
-    """A line as a sense puts it; PrintError where the vocabulary has no word for it."""
+    """A line as a sense puts it; PrintError where it has no word for it, or it says nothing."""
     line = printed[sense.of].latex if sense.of else latex
     own = [parse(sense.latex if sense.latex is not None else line)]
     if sense.only:
@@ -40,26 +39,30 @@ def question(latex: str, sense: Sense, printed: Mapping[str, Equation]) -> Quest
         differentiated=sense.differentiated,
     )
     equations = [*found.equations, *sense.texts.items()]
-    lhs, rhs = zip(*equations, strict=True) if equations else ((), ())
+    if not equations:
+        raise PrintError(f"{line}: says nothing in {sense.context}")
+    lhs, rhs = zip(*equations, strict=True)
     return Question(sense.context, found.definitions, lhs, rhs)
 
 
-def news(asked: Question, context: Mapping[str, Any]) -> tuple[Texts, Texts]:
-    """Both sides of the equations that a context does not say itself, by definition or rate."""
-    rates = {f"D({name})": text for name, text in (context["rates"] or {}).items()}
-    told = {**context["definitions"], **rates}
-    said = {frozenset(map(_tree, pair)) for pair in told.items() if pair[1] != "?"}
-    pairs = [
-        pair
-        for pair in zip(asked.lhs, asked.rhs, strict=True)
-        if len(sides := frozenset(map(_tree, pair))) > 1 and sides not in said
-    ]
-    lhs, rhs = zip(*pairs, strict=True) if pairs else ((), ())
-    return lhs, rhs
+def telling(whole: Question, definitions: Texts, rates: Texts) -> Question:
+    """A question without equations that say nothing, or no more than its context does."""
+    known: dict[Expression, Expression] = {
+        Name(name): parse_text(text) for name, text in definitions.items()
+    }
+    known |= {Call("D", (Name(name),)): parse_text(t) for name, t in rates.items() if t != "?"}
 
+    def is_told(left: str, right: str) -> bool:
+        x, y = parse_text(left), parse_text(right)
+        return x == y or known.get(x) == y or known.get(y) == x
 
-def _tree(text: str) -> Expression:
-    return expression(text)
+    pairs = [p for p in zip(whole.lhs, whole.rhs, strict=True) if not is_told(*p)]
+    if not pairs:
+        raise PrintError(
+            f"{whole.lhs[0]} = {whole.rhs[0]}: what {whole.context} defines, and no more"
+        )
+    lhs, rhs = zip(*pairs, strict=True)
+    return replace(whole, lhs=lhs, rhs=rhs)
 
 
 def _definitions(display: Display, defines: Mapping[str, str]) -> Display:

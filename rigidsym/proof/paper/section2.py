@@ -9,7 +9,6 @@ from rigidsym.proof.paper.words import (
     MOMENTUM,
     RATES,
     ROTATION,
-    SEEN_FROM_SPACE,
     algebra,
     su2,
 )
@@ -157,8 +156,8 @@ SECTION_2: tuple[Equation, ...] = (
             CONSTANT,
             AT_START,
             Sense(
-                "moving_body",
-                Vocabulary({**ROTATION, **MOMENTUM, "at(M, 0)": SEEN_FROM_SPACE}),
+                "printed_9",
+                Vocabulary({**ROTATION, **MOMENTUM, "at(M, 0)": algebra("N1", "N2", "N3")}),
             ),
         ),
         conditions=(COMMUTES,),

@@ -5,11 +5,14 @@ from dataclasses import replace
 from rigidsym.proof.paper import lemma1
 from rigidsym.proof.paper.conditions import DISTINCT, IMAGINARY, OVER_C_I, S_I, S_J, SPINNING
 from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
+from rigidsym.proof.paper.printed import Vocabulary
+from rigidsym.proof.paper.words import BODY
 
 CONSERVED = Sense(
     "printed_6",
-    defines={"H": "H_printed", "K**2": "K_squared_printed"},
-    latex="",
+    Vocabulary({**BODY, "t": "0"}),
+    {"H": "H_printed", "K**2": "K_squared_printed"},
+    given=("6",),
     texts={"D(H_printed)": "0", "D(K_squared_printed)": "0"},
 )
 
@@ -24,6 +27,7 @@ SECTION_3: tuple[Equation, ...] = (
             lemma1.LEMMA_MENDED,
             lemma1.THIRTEEN_MENDED,
             lemma1.ALPHA_MENDED,
+            lemma1.SOLVES,
             lemma1.TEN_MENDED,
             lemma1.ELEVEN_MENDED,
             lemma1.TWELVE_MENDED,
@@ -69,7 +73,7 @@ SECTION_3: tuple[Equation, ...] = (
         r"\frac{s_i}{s_j}\right)\ \text{when}\ \left|\frac{s_i}{s_j}\right|\le1",
         "Omega_i = sqrt(s_i) sn solves the quartic of (14); divided by c_i it does not",
         (lemma1.TEN,),
-        mended=(replace(lemma1.TEN, of=""),),
+        mended=(replace(lemma1.TEN, of=""), lemma1.SOLVES),
         with_mended={"14": (lemma1.TEN_MENDED,)},
         roots=(Root.SCALE,),
         repair=r"\Omega_i(t)=\sqrt{s_i}\,\mathrm{sn}(\pm\sqrt{\alpha s_j}\,t+C_i,\ s_i/s_j)",
@@ -104,7 +108,7 @@ SECTION_3: tuple[Equation, ...] = (
         r"\sqrt{\tfrac{s_i}{s_j}}\,C_i,\ \frac{s_j}{s_i}\right)\ \text{otherwise}",
         "(10) by footnote 1",
         (lemma1.ELEVEN,),
-        mended=(replace(lemma1.ELEVEN, of=""),),
+        mended=(replace(lemma1.ELEVEN, of=""), lemma1.SOLVES),
         with_mended={"14": (lemma1.ELEVEN_MENDED,)},
         roots=(Root.SCALE,),
         repair=r"\Omega_i(t)=\sqrt{s_j}\,\mathrm{sn}(\pm\sqrt{\alpha s_i}\,t+"
@@ -231,7 +235,7 @@ SECTION_3: tuple[Equation, ...] = (
         r"\tfrac{s_j}{s_i}\right)\ \text{otherwise}",
         "the derivative of (10) at t = 0",
         lemma1.SIXTEEN,
-        mended=(replace(lemma1.SIXTEEN[0], of=""),),
+        mended=(replace(lemma1.SIXTEEN[0], of="", only=()),),
         with_mended={"14": lemma1.SIXTEEN_MENDED},
         roots=(Root.SCALE,),
         repair=r"\dot\Omega_i(0)=\pm\sqrt{\alpha s_j}\sqrt{s_i}\,\mathrm{cn}(C_i,s_i/s_j)\,"

@@ -1,5 +1,7 @@
 """Section IV, Theorem 1 to footnote 3: the attitude, (18) to (21)."""
 
+from dataclasses import replace
+
 from rigidsym.proof.paper import lemma1, theorem1
 from rigidsym.proof.paper.conditions import (
     ACROSS,
@@ -78,7 +80,7 @@ SECTION_4: tuple[Equation, ...] = (
         r"y^\star=\frac{y}{1+\sqrt{1+y^2}},\ x=\frac{c_1\Omega_1}K,\ "
         r"y=\frac{c_2\Omega_2}{c_3\Omega_3}",
         "phi3 is arctan(y): S1 S2 = 1 serves c3 Omega3 > 0, and S1 S2 = -1 serves c3 Omega3 < 0",
-        (theorem1.NINETEEN,),
+        (theorem1.NINETEEN, theorem1.TWENTY_WITH_14, theorem1.EITHER_SIGN),
         conditions=(
             Condition(
                 "S1*S2*c3*Omega3 > 0",
@@ -86,6 +88,8 @@ SECTION_4: tuple[Equation, ...] = (
                 (theorem1.ANY_OUTER_SIGNS, ACROSS),
             ),
             Condition("S3*S4 > 0", needed_by=(theorem1.ANY_INNER_SIGNS,)),
+            POLES,
+            RATE_2,
         ),
         roots=(Root.HALF_ANGLE,),
         flaws=CHANGING,
@@ -124,8 +128,12 @@ SECTION_4: tuple[Equation, ...] = (
         r"S_i=\pm1\ \text{constant, two of them suffice, set by}\ "
         r"\dot{\bar q}_0=\bar\Omega_0(\Omega_1(0),\Omega_2(0),\Omega_3(0))\,\bar q_0",
         "S1 S2 is the sign of c3 Omega3, which changes; where S2 changes phi1 has to jump by pi",
-        (theorem1.ANY_OUTER_SIGNS_AS_SAID, theorem1.STAR, theorem1.CONTINUOUS),
-        mended=(theorem1.STAR_MENDED,),
+        (
+            theorem1.ANY_OUTER_SIGNS_AS_SAID,
+            theorem1.STAR,
+            theorem1.CONTINUOUS,
+        ),
+        mended=(theorem1.STAR_MENDED, *theorem1.SIGNS_MENDED),
         roots=(Root.HALF_ANGLE,),
         conditions=(C3_OMEGA3, HALF_TURN),
         repair=r"S_1=S_2,\ S_3=S_4,\ "
@@ -134,7 +142,7 @@ SECTION_4: tuple[Equation, ...] = (
             Reading(
                 "Omega_0 is the linear map q -> q (0, Omega)/2",
                 "the display is (3) at t = 0",
-                (theorem1.AS_MAP,),
+                (theorem1.AS_MAP, replace(theorem1.EITHER_SIGN, only=(0,))),
             ),
             Reading(
                 "Omega_0 is the quaternion (0, Omega)/2, to the left of q_0",

@@ -44,6 +44,5 @@ def _explanation(verdict: Verdict) -> Iterator[str]:
 def _point(found: Counterexample) -> Iterator[str]:
     if found.motion:
         yield str(found.motion)
-    yield f"{found.lhs} = {found.left}"
-    yield f"{found.rhs} = {found.right}"
+    yield from found.sides
     yield ", ".join(f"{name} = {value}" for name, value in found.point.items())

@@ -29,8 +29,8 @@ EIGHTEEN = Sense(
     ),
     {**THREE_TURNS, **QUATERNION},
     (
-        r"\bar R=\begin{pmatrix}q_0+\mathrm iq_1&q_2+\mathrm iq_3\\"
-        r"-q_2+\mathrm iq_3&q_0-\mathrm iq_1\end{pmatrix}",
+        r"\begin{pmatrix}q_0+\mathrm iq_1&q_2+\mathrm iq_3\\"
+        r"-q_2+\mathrm iq_3&q_0-\mathrm iq_1\end{pmatrix}=\bar R",
     ),
     ("4", "25"),
 )
@@ -78,7 +78,13 @@ _MENDED = {"s_1": "c1**2*s_1", "s_2": "c1**2*s_2", "alpha": "alpha/c1**2"}
 _BY_20 = {name: f"{name}_printed" for name in ("n", "f", "m", "kappa")} | {"phi_1": "phi1_printed"}
 TWENTY = Sense(
     "printed_20",
-    Vocabulary(_THIRD_KIND, ("xi",), (("sn", "cn", "dn"),)),
+    Vocabulary(
+        _THIRD_KIND,
+        ("xi",),
+        (("sn", "cn", "dn"),),
+        arguments=("xi*t + C_11",),
+        when="1 - (s_1/s_2)**2",
+    ),
     _BY_20,
     given=("19",),
     of="20",
@@ -94,6 +100,8 @@ _INVERSE = replace(
     TWENTY.vocabulary,
     words={**_THIRD_KIND, "s_1": "s_2", "s_2": "s_1"},
     roots=("xi", "inverse_k"),
+    arguments=("xi*t + inverse_k*C_11",),
+    when="(s_2/s_1)**2 - 1",
 )
 TWENTY_ONE = replace(TWENTY, context="printed_21", vocabulary=_INVERSE, of="21")
 TWENTY_ONE_MENDED = replace(
@@ -129,7 +137,12 @@ REFLECTED = Sense("signed", Vocabulary({**ROTATION, **_SIGNS}), latex=r"\det R=S
 SIDE = Sense(
     "matched_signs",
     Vocabulary({**_SIGNS, **ANGLES, "c_3 * Omega_3": "M3", "K": "K"}),
-    latex=r"S_1S_2(c_3\Omega_3)=K\sin\phi_2\cos\phi_3",
+    says=(r"S_1S_2(c_3\Omega_3)=K\sin\phi_2\cos\phi_3",),
+)
+# S_i = +-1, for one i.
+EITHER_SIGN = Sense("signed", Vocabulary({"S_i": "S1"}, pm="S1"), texts={"S1**2": "1"}, only=(5,))
+SIGNS_MENDED = tuple(
+    Sense("printed_remark_2", Vocabulary(_SIGNS), only=(which,)) for which in (0, 1)
 )
 
 

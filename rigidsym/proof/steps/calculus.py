@@ -7,6 +7,7 @@ import sympy
 from sympy import Eq, Expr, Symbol
 from sympy.solvers.solveset import NonlinearError
 
+from rigidsym.proof.kernel import KernelError
 from rigidsym.proof.steps.collected import collected
 from rigidsym.proof.steps.desk import Desk
 from rigidsym.proof.steps.names import symbol
@@ -72,6 +73,8 @@ def eliminate(
     above, below = sympy.fraction(sympy.together(expression))
     parts = [sympy.expand(x).subs(stand_ins).subs(found) for x in (above, below)]
     value = desk.reduced(parts[0] / parts[1])
+    if value.has(*unknowns):  # the relations of the context may bring them back
+        value = collected(parts[0] / parts[1])
     if value.free_symbols & {*stand_ins.values()}:
         raise StepError(f"eliminate: {fact_id}: the equations leave an unknown free")
     left = expression if name is None else name
@@ -133,7 +136,10 @@ def nonnegative(
     desk: Desk, fact_id: str, expression: Expr, form: Expr, why: str, source: Sequence[str] = ()
 ) -> Step:
     """expression = form, a form of sums and products that shows it not to be negative."""
-    fact = desk.book.sign(fact_id, {desk.text(expression): desk.text(form)}, source)
+    try:
+        fact = desk.book.sign(fact_id, {desk.text(expression): desk.text(form)}, source)
+    except KernelError as error:
+        raise StepError(str(error)) from None
     shown = Eq(expression, form, evaluate=False)
     return desk.note(Step("nonnegative", why, form, (shown,), fact, source=tuple(source)))
 

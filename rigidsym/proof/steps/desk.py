@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import cached_property
 
 import sympy
-from sympy import ImmutableMatrix, MatrixExpr
+from sympy import Identity, ImmutableMatrix, Inverse, MatrixExpr
 
 from rigidsym.language.expression import parse, to_text
 from rigidsym.proof.algebra import Book, Part, join
@@ -23,6 +23,7 @@ from rigidsym.proof.steps.matrices import (
 from rigidsym.proof.steps.names import Dictionary, read, symbol
 from rigidsym.proof.steps.record import Step, StepError
 
+ONE = Identity(2)
 # What a body that moves has: none of these is ever zero.
 STANDING = {*map(symbol, ["c1", "c2", "c3", "c_i", "c_j", "c_k", "K"])}
 
@@ -199,14 +200,32 @@ class Desk:
     def decide_matrices(
         self, fact_id: str, left: MatrixExpr, right: MatrixExpr, source: Sequence[str]
     ) -> Fact:
-        """The kernel's decision on left = right, entry by entry."""
-        return self.decide(fact_id, self.entrywise(left, right), source)
+        """The kernel's decision on left = right, entry by entry.
+
+        Raises StepError where both are the same, or have the inverse of what is not unitary.
+        """
+        for inverse in sorted(left.atoms(Inverse) | right.atoms(Inverse), key=str):
+            if any(map(self._differs, self.entrywise(inverse.arg * inverse.arg.adjoint(), ONE))):
+                raise StepError(f"fact {fact_id}: {inverse.arg} is not unitary: no inverse of it")
+        pairs = self.entrywise(left, right)
+        if not pairs:
+            raise StepError(f"fact {fact_id}: both sides are the same: {left}")
+        return self.decide(fact_id, pairs, source)
 
     def entrywise(self, left: MatrixExpr, right: MatrixExpr) -> list[tuple[str, str]]:
-        """The equations left = right of the entries, without those that are alike."""
+        """The entries of both, without those that are the same."""
         x, y = self.entries(left), self.entries(right)
-        parts = ((x[index][k] or "0", y[index][k] or "0") for index in INDICES for k in (0, 1))
-        return [(a, b) for a, b in parts if a != b]
+        return [
+            (a or "0", b or "0")
+            for index in INDICES
+            for a, b in zip(x[index], y[index], strict=True)
+            if a != b
+        ]
+
+    def _differs(self, pair: tuple[str, str]) -> bool:
+        """Whether two texts have different normal forms."""
+        left, right = map(self.ring.read, pair)
+        return bool(self.ring.reduce((left - right).numerator)[1])
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Desk":
         """Where a fact is stated: here, or in a context of its own where these are not zero."""

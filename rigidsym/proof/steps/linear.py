@@ -6,6 +6,8 @@ from typing import Any
 
 import sympy
 from sympy import Eq, Matrix
+from sympy.polys.matrices import DomainMatrix
+from sympy.solvers.solveset import NonlinearError
 
 from rigidsym.proof.steps.desk import Desk
 from rigidsym.proof.steps.record import Step, StepError
@@ -25,9 +27,10 @@ def solve(
     the e, so that nothing else is a solution, and that each e is one of these differences, so that
     it is a solution.  Raises StepError where there is none, or more than one.
     """
-    named = [tuple(map(desk.dictionary.named, pair)) for pair in equations]
-    asked = [desk.dictionary.named(unknown) for unknown in unknowns]
-    system, constants = sympy.linear_eq_to_matrix([x - y for x, y in named], asked)
+    word = desk.dictionary.named
+    named = [(word(left), word(right)) for left, right in equations]
+    asked = [word(unknown) for unknown in unknowns]
+    system, constants = _system(fact_id, named, asked)
     inverse, rows = _inverse(desk, fact_id, system, asked)
     value = (inverse * constants[rows, :]).applyfunc(desk.reduced)
     there = desk.at(fact_id, *desk.divisors(*value, *inverse))
@@ -49,19 +52,37 @@ def solve(
     )
 
 
+def _system(
+    fact_id: str, equations: Sequence[tuple[sympy.Expr, ...]], unknowns: Sequence[Any]
+) -> tuple[Any, Any]:
+    """The matrix and the right side of equations left = right."""
+    try:
+        return sympy.linear_eq_to_matrix([x - y for x, y in equations], list(unknowns))
+    except NonlinearError:
+        asked = ", ".join(map(str, unknowns))
+        raise StepError(f"solve: {fact_id}: the equations are not linear in {asked}") from None
+
+
 def _inverse(
     desk: Desk, fact_id: str, system: Any, unknowns: Sequence[Any]
 ) -> tuple[Any, list[int]]:
     """The inverse of rows that determine the unknowns, its determinant modulo the relations."""
-    rows = list(system.T.rref(simplify=True)[1])
+    rows = list(_pivots(system.T))
     if len(rows) < len(unknowns):
-        pivots = system.rref(simplify=True)[1]
+        pivots = _pivots(system)
         free = ", ".join(str(x) for k, x in enumerate(unknowns) if k not in pivots)
         raise StepError(f"solve: {fact_id}: the equations leave {free} free")
     square = system[rows, :]
     determinant = desk.reduced(square.det(method="berkowitz"))
+    if determinant == 0:
+        raise StepError(f"solve: {fact_id}: the determinant is 0 by the relations of {desk.name}")
     adjugate = square.adjugate(method="berkowitz")
     return adjugate.applyfunc(lambda x: desk.reduced(x / determinant)), rows
+
+
+def _pivots(system: Any) -> tuple[int, ...]:
+    """The columns with a pivot, over the field of fractions of what is in the entries."""
+    return DomainMatrix.from_Matrix(system).to_field().rref()[1]
 
 
 def _combination(desk: Desk, factors: Any, texts: Sequence[str], rows: Sequence[int]) -> str:
@@ -88,7 +109,7 @@ def solve_family(
     solves the equations, and that what solves them differs from it by a multiple of the direction.
     Raises StepError where not exactly one direction is free.
     """
-    system, constants = sympy.linear_eq_to_matrix([x - y for x, y in equations], list(unknowns))
+    system, constants = _system(fact_id, equations, unknowns)
     free = system.nullspace()
     if len(free) != 1:
         raise StepError(f"solve: {fact_id}: {len(free)} directions are free, one was expected")

@@ -2,7 +2,8 @@
 
 A matrix R is up to eight definitions of its context, R_11_re to R_22_im; parts that are zero have
 none.  A product reaches the kernel as the sums of products of these, unexpanded: the kernel
-multiplies.  The inverse is written by the conjugate transpose, as for the unitary matrices here.
+multiplies.  The inverse is written by the conjugate transpose: `Desk.decide_matrices` sees to it
+that what is inverted is unitary.
 """
 
 from collections.abc import Callable, Mapping
@@ -16,6 +17,7 @@ from sympy import (
     Inverse,
     MatAdd,
     MatMul,
+    MatPow,
     MatrixExpr,
     MatrixSymbol,
     ZeroMatrix,
@@ -91,6 +93,8 @@ def explicit(
                 return (scalar * reduce(_product, map(of, factors))).applyfunc(sympy.expand)
             case Inverse() | Adjoint():
                 return of(node.args[0]).H
+            case MatPow() if node.exp.is_Integer and node.exp > 0:
+                return reduce(_product, [of(node.base)] * int(node.exp))
             case Rate():
                 return of(node.args[0]).applyfunc(lambda entry: _rate(entry, rate))
         raise StepError(f"{node}: no matrix expression of this vocabulary")
@@ -131,6 +135,8 @@ def entries(
             case Inverse() | Adjoint():
                 inner = of(node.args[0])
                 return {(i, j): (inner[j, i][0], _minus(None, inner[j, i][1])) for i, j in INDICES}
+            case MatPow() if node.exp.is_Integer and node.exp > 0:
+                return reduce(_multiplied, [of(node.base)] * int(node.exp))
             case Rate():
                 inner = of(node.args[0])
                 return {index: (_derived(x), _derived(y)) for index, (x, y) in inner.items()}

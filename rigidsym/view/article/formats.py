@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import sympy
 
 from rigidsym.language.symbols import GREEK, symbol
-from rigidsym.view.article.mathematics import latex, pretty
+from rigidsym.view.article.mathematics import dotted, latex, pretty
 from rigidsym.view.article.protocols import Chapter, Line
 from rigidsym.view.html.markup import Markup, join, lines, tag
 
@@ -17,7 +17,7 @@ LONG = 150
 # Names of quantities in prose: phi1', Omega_i^2, R^-1; M alone, but not "A" of a sentence.
 _GREEK = "|".join(sorted(GREEK, key=len, reverse=True))
 NAMES = re.compile(
-    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|sn))\b"
+    rf"\b(?P<name>(?:(?:{_GREEK})[1-3]?(?:_[ijk])?|[AcqFMb][0-3](?![0-9])|b_free|K|H|M|R|B|S|sn))\b"
     r"(?P<prime>')?(?:\^(?P<power>-?[0-9]))?"
 )
 
@@ -44,40 +44,46 @@ def _text(chapters: Sequence[Chapter]) -> str:
     found: list[str] = []
     for chapter in chapters:
         found += [chapter.title, "=" * len(chapter.title), ""]
-        for line in chapter.steps:
-            found += [f"{_sentence(line)}  {numbers(line)}".rstrip(), ""]
-            found += [_indented(pretty(equation)) for equation in line.shown]
-            found += [_indented("where " + pretty(c)) for c in provided(line)]
-            found += [_indented(f"[{line.fact.id}]"), ""]
+        found += [f"{line_text(line)}\n" for line in chapter.steps]
     return "\n".join(found)
+
+
+def line_text(line: Line) -> str:
+    """A line for a terminal."""
+    where = ["where " + pretty(condition) for condition in provided(line)]
+    below = [*map(pretty, line.shown), *where, f"[{line.fact.id}]"]
+    return "\n".join([f"{sentence(line)}  {numbers(line)}".rstrip(), "", *map(_indented, below)])
 
 
 def _indented(text: str) -> str:
     return "\n".join(f"    {row}".rstrip() for row in text.split("\n"))
 
 
-def _sentence(line: Line) -> str:
-    words = line.why if NAMES.match(line.why) else line.why[:1].upper() + line.why[1:]
-    return f"{words}; {line.choice}:" if line.choice else f"{words}:"
+def sentence(line: Line) -> str:
+    """What was done, and what was chosen."""
+    formula = NAMES.match(line.why) or re.match(r"\w+\(", line.why)
+    words = line.why if formula else line.why[:1].upper() + line.why[1:]
+    whole = f"{words}; {line.choice}" if line.choice else words
+    return whole if whole.endswith("?") else f"{whole}:"
 
 
-def _formulas(prose: str) -> str:
+def formulas(prose: str) -> str:
     """Prose with the names of quantities in LaTeX."""
     return NAMES.sub(lambda found: f"${_name(found)}$", prose)
 
 
 def _name(found: re.Match[str]) -> str:
     text = symbol(found["name"]).latex
-    primed = rf"\dot{{{text}}}" if found["prime"] else text
+    primed = dotted(text) if found["prime"] else text
     return f"{primed}^{{{found['power']}}}" if found["power"] else primed
 
 
 def _markdown(chapters: Sequence[Chapter]) -> str:
     found: list[str] = []
     for chapter in chapters:
-        found += [f"## {_formulas(chapter.title)}", "", _formulas(_prose(chapter)), ""]
+        found += [f"## {formulas(chapter.title)}", "", formulas(_prose(chapter)), ""]
         for line in chapter.steps:
-            found += [_formulas(_sentence(line)), "", f"$${_display(line)}$$", ""]
+            found += [formulas(sentence(line)), "", f"$${display(line)}$$", ""]
             found += [f"`{line.fact.id}`{_where(line)}", ""]
     return "\n".join(found)
 
@@ -87,20 +93,28 @@ def _where(line: Line) -> str:
     return f", where {conditions}" if conditions else ""
 
 
-def _display(line: Line) -> str:
-    """The equations of a line, aligned, with the paper's numbers."""
-    rows = [row for equation in line.shown for row in _rows(equation)]
-    several = len(rows) > 1
-    aligned = r" \\ ".join(rows)
-    plain = rf"\begin{{aligned}}{aligned}\end{{aligned}}" if several else aligned.replace("&", "")
+def display(line: Line, fit: str = "") -> str:
+    """The equations of a line with the paper's numbers; in the macro `fit` if given."""
+    shown = f"{fit}{{{aligned(line)}}}" if fit else aligned(line)
     tags = numbers(line).replace("^-1", "^{-1}")
-    return rf"{plain}\tag*{{{_tag(tags)}}}" if tags else plain
+    return rf"{shown}\tag*{{{_tag(tags)}}}" if tags else shown
+
+
+def aligned(line: Line) -> str:
+    """The equations of a line, under each other where there are several."""
+    rows = [row for equation in line.shown for row in _rows(equation)]
+    if len(rows) == 1:
+        return rows[0].replace("&", "")
+    below = r" \\ ".join(rows)
+    return rf"\begin{{aligned}}{below}\end{{aligned}}"
 
 
 def _rows(equation: sympy.Basic) -> list[str]:
-    """left &= right; a long right side is a row for each of its terms."""
+    """left &= right; where that is long, a row for each term of matrices, or one for each side."""
     left, right = equation.args
     terms = right.args if isinstance(right, sympy.MatAdd) else ()
+    if len(terms) < 2 and len(latex(equation)) > 2 * LONG:
+        return [f"&{latex(left)}", rf"&\quad = {latex(right)}"]
     if len(terms) < 2 or len(latex(equation)) < LONG:
         return [f"{latex(left)} &= {latex(right)}"]
     first, *rest = map(latex, terms)
@@ -115,9 +129,15 @@ def _tag(text: str) -> str:
 _PREAMBLE = r"""\documentclass[11pt]{article}
 \usepackage[a4paper,left=22mm,right=42mm,top=22mm,bottom=24mm,marginparwidth=34mm]{geometry}
 \usepackage[T1]{fontenc}
-\usepackage{amsmath,amssymb}
+\usepackage{amsmath,amssymb,graphicx}
 \allowdisplaybreaks
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{6pt plus 2pt}
 \newcommand{\fact}[1]{\marginpar{\raggedright\scriptsize\ttfamily #1}}
+\newcommand{\step}{\par\vskip 0pt plus 6\baselineskip\penalty-200\vskip 0pt plus -6\baselineskip}
+\newsavebox{\display}
+\newcommand{\fit}[1]{\sbox{\display}{$\displaystyle #1$}%
+  \ifdim\wd\display>\linewidth\resizebox{\linewidth}{!}{\usebox{\display}}\else#1\fi}
 \title{The torque-free motion of a rigid body, derived}
 \date{}
 \begin{document}
@@ -131,15 +151,15 @@ def _latex(chapters: Sequence[Chapter]) -> str:
         found += [rf"\section{{{_escaped(chapter.title)}}}", _escaped(_prose(chapter)), ""]
         for line in chapter.steps:
             name = line.fact.id.replace("_", r"\_\allowbreak ").replace(".", r".\allowbreak ")
-            found += [rf"{_escaped(_sentence(line))}\fact{{{name}}}", _environment(line)]
+            found += [rf"\step {_escaped(sentence(line))}\fact{{{name}}}", _environment(line)]
             if where := _where(line):
-                found.append(rf"\noindent {where[2:]}.")
+                found.append(f"{where[2:]}.")
             found.append("")
     return "\n".join([*found, r"\end{document}", ""])
 
 
 def _environment(line: Line) -> str:
-    return "\\begin{equation*}\n" + _display(line) + "\n\\end{equation*}"
+    return "\\begin{equation*}\n" + display(line, r"\fit") + "\n\\end{equation*}"
 
 
 def _prose(chapter: Chapter) -> str:
@@ -150,7 +170,7 @@ def _prose(chapter: Chapter) -> str:
 
 def _escaped(text: str) -> str:
     """Prose for LaTeX: names of quantities in their letters, what is special escaped."""
-    parts = re.split(r"(\$[^$]*\$)", _formulas(text.replace("`", "")))
+    parts = re.split(r"(\$[^$]*\$)", formulas(text.replace("`", "")))
     return "".join(part if part.startswith("$") else _plain(part) for part in parts)
 
 
@@ -173,7 +193,7 @@ def _html(chapters: Sequence[Chapter]) -> str:
             rows = [mathematics(latex(equation)) for equation in line.shown]
             where = [mathematics(latex(c), "inline") for c in provided(line)]
             note = join(" where ", *where) if where else ""
-            body.append(tag("p", _sentence(line), tag("code", line.fact.id, class_="fact")))
+            body.append(tag("p", sentence(line), tag("code", line.fact.id, class_="fact")))
             body.append(
                 tag("div", *rows, tag("span", numbers(line), class_="number"), class_="line")
             )

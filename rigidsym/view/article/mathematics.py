@@ -12,7 +12,10 @@ from sympy.printing.pretty.stringpict import prettyForm
 from rigidsym.language.symbols import symbol
 
 # Constants of a motion, which the paper writes in front of what moves.
-CONSTANTS = ("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3")
+CONSTANTS = {
+    *("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3", "n", "s_i"),
+    *("s_j", "alpha", "beta", "chi", "mu", "xi", "zeta", "nu", "kappa", "sqrt_mu", "b_free"),
+}
 _FUNCTIONS = {"jacobi_sn": "sn", "jacobi_cn": "cn", "jacobi_dn": "dn", "jacobi_am": "am"}
 _DOT = "\N{COMBINING DOT ABOVE}"
 
@@ -29,12 +32,19 @@ def pretty(expression: sympy.Basic, width: int = 100) -> str:
 
 
 def _rank(factor: sympy.Expr) -> tuple[int, str]:
-    """Numbers, constants, sums of constants, then what moves."""
+    """Numbers, constants, sums of constants, then what moves, functions last."""
     names = {str(x) for x in factor.free_symbols}
     if factor.is_Number:
         return 0, str(factor)
-    moving = bool(names - {*CONSTANTS}) or bool(factor.atoms(sympy.Function))
-    return 1 + factor.is_Add + 2 * moving, str(factor)
+    functions = bool(factor.atoms(sympy.Function))
+    moving = functions or bool(names - CONSTANTS)
+    return 1 + factor.is_Add + 2 * moving + 2 * functions, str(factor)
+
+
+def dotted(text: str) -> str:
+    r"""The rate of a quantity in LaTeX: \dot{\Omega}_{i}, the dot on the letter alone."""
+    letter, mark, rest = text.partition("_")
+    return rf"\dot{{{letter}}}{mark}{rest}"
 
 
 class _Latex(LatexPrinter):
@@ -57,6 +67,12 @@ class _Latex(LatexPrinter):
         inside = [self._row(side, alone=True) for side in (above, below)]
         return rf"{sign}\frac{{{inside[0]}}}{{{inside[1]}}}"
 
+    def _as_ordered_terms(self, expr: sympy.Expr, order: str | None = None) -> list[sympy.Expr]:
+        """A sum begins with a plus where it can."""
+        terms = super()._as_ordered_terms(expr, order)
+        first = next((x for x in terms if not x.could_extract_minus_sign()), terms[0])
+        return [first, *(term for term in terms if term is not first)]
+
     def _print_MatAdd(self, expr: sympy.MatAdd) -> str:
         terms = [self._print(term) for term in expr.args]
         signed = (t if t.startswith("-") else f"+ {t}" for t in terms[1:])
@@ -74,8 +90,8 @@ class _Latex(LatexPrinter):
         if name == "D":
             inner = self._print(expr.args[0])
             simple = expr.args[0].is_Symbol and "^" not in inner
-            text = rf"\dot{{{inner}}}" if simple else rf"\frac{{d}}{{dt}}\left({inner}\right)"
-            return text if exp is None else rf"{{{text}}}^{{{exp}}}"
+            text = dotted(inner) if simple else rf"\frac{{d}}{{dt}}\left({inner}\right)"
+            return text if exp is None else rf"{text}^{{{exp}}}"
         if name in _FUNCTIONS:
             power = "" if exp is None else f"^{{{exp}}}"
             arguments = r" \mid ".join(map(self._print, expr.args))
@@ -103,14 +119,16 @@ class _Pretty(PrettyPrinter):
             whole = prettyForm(*whole.right(self._print(-term) if glue == " - " else shown))
         return whole
 
-    def _print_D(self, expr: Any) -> prettyForm:
-        inner: Any = self._print(expr.args[0])
-        if expr.args[0].is_Symbol and "_" not in expr.args[0].name:
-            return self._print_Symbol(sympy.Symbol(f"{expr.args[0].name}_rate"))
-        return prettyForm(*prettyForm("d/dt ").right(*inner.parens()))
+    def _print_Function(self, e: Any, *rest: Any, **settings: Any) -> prettyForm:
+        if e.func.__name__ != "D":
+            return super()._print_Function(e, *rest, **settings)
+        inner: Any = self._print(e.args[0])
+        if e.args[0].is_Symbol and "_" not in e.args[0].name:
+            return self._print_Symbol(sympy.Symbol(f"{e.args[0].name}_rate"))
+        return prettyForm(*prettyForm("d/dt ").right(prettyForm(*inner.parens())))
 
     def _print_Rate(self, e: Any) -> prettyForm:
         inner: Any = self._print(e.args[0])
         if isinstance(e.args[0], sympy.MatrixSymbol):
             return self._print_Symbol(sympy.Symbol(f"{e.args[0].name}_rate"))
-        return prettyForm(*prettyForm("d/dt ").right(*inner.parens()))
+        return prettyForm(*prettyForm("d/dt ").right(prettyForm(*inner.parens())))

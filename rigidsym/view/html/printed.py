@@ -8,8 +8,6 @@ from rigidsym.view.html.cards import badge, bullets, card, code, formula, head, 
 from rigidsym.view.html.markup import Markup, join
 
 Row = tuple[Any, Any]
-# Sides of equations that are longer than this are left to the ledger.
-LONG = 80
 
 
 def equation_html(equation: Any) -> str:
@@ -72,13 +70,8 @@ def _point(values: Mapping[str, str]) -> Markup:
 
 def _fails(found: Any) -> Markup:
     """The motion, if the point is of one; both sides there, and the point."""
-    sides = [
-        f"{name} = {value}"
-        for name, value in ((found.lhs, found.left), (found.rhs, found.right))
-        if len(name) < LONG
-    ]
     motion = [str(found.motion)] if found.motion else []
-    lines = (join(text, " ") for text in (*motion, *sides))
+    lines = (join(text, " ") for text in (*motion, *found.sides))
     return join(*lines, _point(found.point))
 
 

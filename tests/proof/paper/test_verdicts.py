@@ -12,7 +12,7 @@ from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
 from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.kernel import replay
-from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, row, verdicts
+from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, row, verdicts
 from rigidsym.proof.paper.answers import Answers
 from rigidsym.proof.paper.questions import question
 from rigidsym.proof.paper.verdicts import needed_units, ruling_of
@@ -120,7 +120,8 @@ def test_the_start_has_to_commute_with_the_momentum(number):
 def test_19_holds_on_either_side_with_the_sign_of_that_side():
     verdict = ruling("19")
     assert verdict.ruling == Ruling.CONDITIONAL
-    assert verdict.conditions == ("S1*S2*c3*Omega3 > 0", "S3*S4 > 0")
+    assert verdict.conditions[:2] == ("S1*S2*c3*Omega3 > 0", "S3*S4 > 0")
+    assert "unless axis 3 is the circulation axis" in verdict.equation.flaws[Flaw.SIGNS]
     assert Flaw.SIGNS in verdict.equation.flaws
 
 
@@ -384,3 +385,18 @@ def test_verdicts_are_plain_data():
     data = json.loads(json.dumps([verdict.to_json() for verdict in verdicts(LEDGER)]))
     assert [entry["equation"] for entry in data] == [e.number for e in EQUATIONS]
     assert {entry["verdict"] for entry in data} <= {r.value for r in Ruling}
+
+
+def test_claims_in_words_are_judgements_that_name_what_decides_them():
+    found = judged(LEDGER)
+    assert len(found) == 5
+    assert all(claim.facts or claim.prose.commands for claim in found)
+    assert all(claim.decided for claim in found)
+    assert {*FACTS} >= {name for claim in found for name in claim.facts}
+
+
+def test_a_claim_in_words_is_open_without_its_facts():
+    for claim in judged(LEDGER):
+        for name in claim.facts:
+            left = [fact for fact in LEDGER["facts"] if fact["id"] != name]
+            assert "open" in {c.judgement for c in judged(LEDGER | {"facts": left})}

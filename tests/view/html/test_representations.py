@@ -11,6 +11,7 @@ from html_cards import well_formed
 from validation_reports import whole
 
 from derivations import lie_algebra
+from derivations.setting import Setting
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_text
@@ -53,11 +54,10 @@ def test_a_verdict_shows_ruling_print_and_derivation(number):
     assert verdict.ruling in shown
     assert verdict.equation.latex in shown
     assert verdict.equation.repair in shown
-    assert all(name in shown for name in verdict.equation.proved_by)
+    assert all(name in shown for name in verdict.proved_by)
     assert ("fails at" in shown) == bool(verdict.counterexample)
     assert verdict._repr_latex_() == f"${verdict.equation.repair or verdict.equation.latex}$"
-    assert [*FACTS.behind(verdict)] == [*FACTS.behind(verdict.equation)]
-    assert {*verdict.equation.proved_by} <= {*FACTS.behind(verdict)}
+    assert {*verdict.proved_by, *verdict.refuted_by} <= {*FACTS.behind(verdict)}
 
 
 def test_few_hypotheses_stand_before_the_turnstile_and_many_by_name():
@@ -96,6 +96,7 @@ def test_facts_are_listed_and_chosen():
 
 def book():
     written = Book()
+    written.keep(Setting())
     lie_algebra.derive(written)
     return written
 

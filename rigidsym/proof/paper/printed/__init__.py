@@ -4,7 +4,7 @@ The parser is the project's own: SymPy's `parse_latex` evaluates while it reads,
 Lie brackets nor functions of a time, "when" or lists of equations.
 """
 
-from rigidsym.proof.paper.printed.interpreter import PLAIN, Second, Vocabulary
+from rigidsym.proof.paper.printed.interpreter import PLAIN, Second, Vocabulary, in_names
 from rigidsym.proof.paper.printed.parser import parse
 from rigidsym.proof.paper.printed.translation import Translation, translate
 from rigidsym.proof.paper.printed.tree import Display, PrintError, Statement, Words
@@ -18,6 +18,7 @@ __all__ = [
     "Translation",
     "Vocabulary",
     "Words",
+    "in_names",
     "parse",
     "translate",
 ]

@@ -40,15 +40,18 @@ class Vocabulary:
     """What the print's words are called in a context.
 
     `words` gives texts for what the print writes so (a name, or any expression); `roots` names its
-    square roots in order, `jacobi` the sn, cn and dn of its elliptic functions in order, `pm` the
-    sign that it leaves open.  `second` says what the second argument of sn is, `moves` whether the
-    first grows with time, or is that of an instant.
+    square roots in order, `jacobi` the sn, cn and dn of its elliptic functions in order, and
+    `arguments` those of which they are, where the context says; `pm` is the sign that it leaves
+    open, `when` what its condition says is not negative.  `second` says what the second argument
+    of sn is, `moves` whether the first grows with time, or is that of an instant.
     """
 
     words: Mapping[str, str] = field(default_factory=dict)
     roots: Sequence[str] = ()
     jacobi: Sequence[tuple[str, str, str]] = ()
     pm: str = "1"
+    arguments: Sequence[str] = ()
+    when: str = ""
     second: Second = Second.PARAMETER
     moves: bool = True
 
@@ -69,7 +72,7 @@ class Interpreter:
     def __init__(self, vocabulary: Vocabulary) -> None:
         self.vocabulary = vocabulary
         self.asked: list[tuple[Expression, Expression]] = []
-        self.meant = {word: _plain(text) for word, text in vocabulary.words.items()}
+        self.meant = {word: in_names(text) for word, text in vocabulary.words.items()}
         self._roots: dict[str, Complex] = {}
         self._triples: dict[str, Triple] = {}
 
@@ -183,7 +186,10 @@ class Interpreter:
         if text not in self._triples:
             if len(self._triples) == len(self.vocabulary.jacobi):
                 raise PrintError(f"sn({text}): the vocabulary has no word for it")
-            s, c, d = map(_number, self.vocabulary.jacobi[len(self._triples)])
+            place = len(self._triples)
+            s, c, d = map(_number, self.vocabulary.jacobi[place])
+            if self.vocabulary.arguments:
+                self.ask(self.number(argument), _number(self.vocabulary.arguments[place]))
             self._triples[text] = (s, c, d)
             self.ask(squared(c) + squared(s), Complex(ONE))
             self.complement(s, d, parameter)
@@ -222,6 +228,22 @@ class Interpreter:
         self.complement(s, d, parameter)
         return self.meant["C_i"]
 
+    def condition(self, left: Expression, relation: str, right: Expression) -> None:
+        """Ask that an inequality says of a quantity that it is not negative, or positive."""
+        if self.vocabulary.when:
+            x, y = map(self._size, (left, right))
+            over = x - y if relation in (">", ">=") else y - x
+            self.ask(over, _number(self.vocabulary.when))
+
+    def _size(self, tree: Expression) -> Complex:
+        """A side of an inequality; of absolute values and of numbers beside them, the square."""
+        match tree:
+            case Call("abs", (inner,)):
+                return Complex(self.number(inner).square())
+            case Number():
+                return squared(Complex(tree))
+        return self.number(tree)
+
     def ask(self, left: Value, right: Value) -> None:
         """Let two values be the same."""
         self.asked += [(x, y) for x, y in zip(left, right, strict=True) if x != y]
@@ -258,7 +280,8 @@ class _Plain(Interpreter):
         return super().value(tree)
 
 
-def _plain(text: str) -> Value:
+def in_names(text: str) -> Value:
+    """The meaning of a text in a context's own names."""
     return _Plain(PLAIN).value(parse(text))
 
 

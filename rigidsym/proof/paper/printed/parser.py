@@ -7,8 +7,8 @@
     factor    = quantity ["^" exponent]
 
 A product is written by putting factors side by side; a function without brackets takes one
-quantity.  A name before (t) or (0) is at that time, before a list it is applied to it; before
-anything else in brackets it is a factor.
+quantity.  A name before (t) or a number in brackets is at that time, before a list it is applied
+to it; before anything else in brackets it is a factor.
 """
 
 from functools import lru_cache
@@ -257,7 +257,7 @@ class _Reader:
         if self.next != "(":
             return found
         after = self.tokens[self.place + 1 : self.place + 3]
-        if after in (["t", ")"], ["0", ")"]):
+        if after[1:] == [")"] and (after[0] == "t" or after[0].isdigit()):
             (time,) = self.list()
             return Call("at", (found, time))
         return self.list_of(found)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from rigidsym.language.expression import Call, Expression, Name, Number, Operation, to_text
 from rigidsym.proof.paper.printed.interpreter import Interpreter, Vocabulary, rate
-from rigidsym.proof.paper.printed.tree import Display, Statement
+from rigidsym.proof.paper.printed.tree import Display, PrintError, Statement
 from rigidsym.proof.paper.printed.values import (
     ZERO,
     Complex,
@@ -18,6 +18,7 @@ from rigidsym.proof.paper.printed.values import (
 )
 
 EQUALITIES = ("=", "<->")
+ORDERS = ("<", "<=", ">", ">=")
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,10 +41,11 @@ def translate(
     `defines` names what the displays define, as printed and in the context; a matrix is put in
     where it is used.  All else is stated: `differentiated` states that both sides grow alike.
     """
-    interpreter = Interpreter(vocabulary)
+    displays, interpreter = list(displays), Interpreter(vocabulary)
     lines = [pair for display in displays for pair in _equations(display)]
     for name, meaning in defines.items():
         interpreter.meant[name] = Complex(Name(meaning))
+    _check_defined(displays, defines)
     definitions: dict[str, str] = {}
     for left, right in lines:
         if defined(left) in defines:
@@ -58,6 +60,10 @@ def translate(
         if defined(left) not in defines:
             sides = alike(meaning(interpreter, left), meaning(interpreter, right))
             stated += [pair for pair in zip(*sides, strict=True) if pair[0] != pair[1]]
+    for mentioned in _mentioned(displays):
+        interpreter.value(mentioned)
+    for left, relation, right in _inequalities(displays):
+        interpreter.condition(left, relation, right)
     texts = [(to_text(x), to_text(y)) for x, y in (*stated, *interpreter.asked)]
     return Translation(definitions, tuple(dict.fromkeys(texts)))
 
@@ -68,6 +74,29 @@ def _equations(display: Display) -> Iterator[tuple[Expression, Expression]]:
         if isinstance(piece, Statement):
             neighbours = zip(piece.sides, piece.relations, piece.sides[1:], strict=False)
             yield from ((x, y) for x, relation, y in neighbours if relation in EQUALITIES)
+
+
+def _check_defined(displays: Iterable[Display], defines: Mapping[str, str]) -> None:
+    """Refuse displays that leave something undefined, or define it twice."""
+    found = [[defined(left) for left, _ in _equations(display)] for display in displays]
+    for name in defines:
+        times = [names.count(name) for names in found]
+        if not any(times) or max(times) > 1:
+            raise PrintError(f"{name}: defined {max(times)} times")
+
+
+def _mentioned(displays: Iterable[Display]) -> Iterator[Expression]:
+    """What a text speaks of without saying anything of it."""
+    for piece in (piece for display in displays for piece in display):
+        if isinstance(piece, Statement) and not piece.relations:
+            yield piece.sides[0]
+
+
+def _inequalities(displays: Iterable[Display]) -> Iterator[tuple[Expression, str, Expression]]:
+    """The conditions that displays put as inequalities."""
+    for piece in (piece for display in displays for piece in display):
+        if isinstance(piece, Statement) and piece.relations[:1] and piece.relations[0] in ORDERS:
+            yield piece.sides[0], piece.relations[0], piece.sides[1]
 
 
 def defined(left: Expression) -> str:

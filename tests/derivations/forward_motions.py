@@ -1,0 +1,146 @@
+"""Motions integrated without the derivation: R' = R Omega, M' = [M, Omega], in matrices alone."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+import sympy
+
+from derivations.setting import Setting
+from rigidsym.proof.derivation import Derivation
+from rigidsym.proof.steps import Step
+from rigidsym.proof.steps.names import symbol, symbols
+
+INERTIA = np.array([1.0, 1.7, 2.3])
+RATES0 = np.array([0.7, 0.9, 0.8])
+WHEELS = {"h1": 0.3, "h2": -0.4, "h3": 0.25}
+TIME, STEPS = 1.0, 400
+RATES, MOMENTA = symbols("Omega1 Omega2 Omega3"), symbols("M1 M2 M3")
+
+
+def steps_of(derivation: Derivation) -> dict[str, Step]:
+    """All steps by their facts."""
+    return {step.fact.id: step for chapter in derivation.chapters for step in chapter.steps}
+
+
+def constants() -> dict[sympy.Symbol, float]:
+    """c1, c2, c3, h1, h2, h3."""
+    inertia = dict(zip(symbols("c1 c2 c3"), INERTIA, strict=True))
+    return {**inertia, **{symbol(name): value for name, value in WHEELS.items()}}
+
+
+def value(expression: sympy.Expr, point: dict[sympy.Symbol, float]) -> float:
+    """The value of an expression, all of whose symbols have one."""
+    return float(sympy.sympify(expression).subs(point))
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A body of moments INERTIA from RATES0, in the basis and with the wheels of a setting."""
+
+    setting: Setting
+
+    @cached_property
+    def basis(self) -> np.ndarray:
+        """A1, A2, A3."""
+        return np.array([np.array(A.tolist(), dtype=complex) for A in self.setting.basis()])
+
+    @cached_property
+    def wheel(self) -> np.ndarray:
+        """h along each axis."""
+        return np.array([value(h, constants()) for h in self.setting.wheel()])
+
+    def matrix(self, vector: np.ndarray) -> np.ndarray:
+        """x1 A1 + x2 A2 + x3 A3"""
+        return np.einsum("k,kij->ij", vector, self.basis)
+
+    def coordinates(self, matrix: np.ndarray) -> np.ndarray:
+        """x1, x2, x3 of x1 A1 + x2 A2 + x3 A3"""
+        norm = float(self.setting.factor) ** 2 * 2
+        return np.einsum("kji,ji->k", self.basis.conj(), matrix).real / norm
+
+    def rates(self, momentum: np.ndarray) -> np.ndarray:
+        """Omega of M = c Omega + h."""
+        return (momentum - self.wheel) / INERTIA
+
+    def moments(self, momentum: np.ndarray) -> np.ndarray:
+        """M' = [M, Omega]"""
+        M, Omega = self.matrix(momentum), self.matrix(self.rates(momentum))
+        return self.coordinates(M @ Omega - Omega @ M)
+
+    def run(self, phi1_rate) -> tuple[np.ndarray, np.ndarray, float]:
+        """R and M at TIME from R = 1, and the integral of phi1_rate(Omega), by Runge-Kutta."""
+
+        def slope(state):
+            R, M, _ = state
+            Omega = self.rates(M)
+            return R @ self.matrix(Omega), self.moments(M), phi1_rate(Omega)
+
+        def moved(state, rate, h):
+            return tuple(x + h * y for x, y in zip(state, rate, strict=True))
+
+        h = TIME / STEPS
+        state = (np.eye(2, dtype=complex), INERTIA * RATES0 + self.wheel, 0.0)
+        for _ in range(STEPS):
+            k1 = slope(state)
+            k2 = slope(moved(state, k1, h / 2))
+            k3 = slope(moved(state, k2, h / 2))
+            k4 = slope(moved(state, k3, h))
+            rates = zip(k1, k2, k3, k4, strict=True)
+            state = moved(state, tuple((a + 2 * b + 2 * c + d) / 6 for a, b, c, d in rates), h)
+        return state
+
+    def turn(self, axis: int, angle: float) -> np.ndarray:
+        """exp(angle A), by its series."""
+        w = float(self.setting.factor)
+        A = self.basis[axis - 1]
+        return np.eye(2) * np.cos(w * angle) + A * np.sin(w * angle) / w
+
+    def front(self) -> np.ndarray:
+        """A constant turn of the outer axis onto the target: any will do, so the first is taken."""
+        outer, target = (self.basis[k - 1] for k in (self.setting.sequence[0], self.setting.target))
+        quarter = np.pi / 4 / float(self.setting.factor)
+        turns = [self.turn(axis, k * quarter) for axis in (1, 2, 3) for k in range(4)]
+        pairs = (x @ y for x, y in product(turns, turns))
+        return next(T for T in pairs if np.allclose(T @ outer @ T.conj().T, target))
+
+    def angles(self, steps: dict[str, Step], momentum: np.ndarray) -> tuple[float, float]:
+        """phi2 and phi3 of a momentum, by what the derivation solved for them."""
+        K = float(np.linalg.norm(momentum))
+        point = {symbol("K"): K, **dict(zip(MOMENTA, momentum, strict=True))}
+        double = 2 * self.setting.factor
+        (cosine,) = steps["compared.phi2"].value.values()
+        phi2 = float(np.arccos(value(cosine, point)))  # the sine is not negative
+        point[sympy.sin(double * symbol("phi2"))] = np.sin(phi2)
+        C, S = (value(x, point) for x in steps["compared.phi3"].value.values())
+        return phi2 / float(double), float(np.arctan2(S, C)) / float(double)
+
+    def turned(self, phi: tuple[float, float, float]) -> np.ndarray:
+        """R of the three angles."""
+        product = self.front()
+        for axis, angle in zip(self.setting.sequence, phi, strict=True):
+            product = product @ self.turn(axis, angle)
+        return product
+
+
+def errors(derivation: Derivation, setting: Setting, fact: str) -> tuple[float, float]:
+    """How far the three angles are from R' = R Omega, and R M R^-1 from K A, at TIME.
+
+    `fact` is the step that has phi1' of the rates, K and H.
+    """
+    steps, motion = steps_of(derivation), Motion(setting)
+    momentum0 = INERTIA * RATES0 + motion.wheel
+    known = {
+        **constants(),
+        symbol("K"): float(np.linalg.norm(momentum0)),
+        symbol("H"): float(INERTIA @ RATES0**2) / 2,
+    }
+    phi1_rate = sympy.lambdify([RATES], steps[fact].value.subs(known))
+    R, momentum, phi1 = motion.run(phi1_rate)
+    before = motion.turned((0.0, *motion.angles(steps, momentum0)))
+    after = motion.turned((phi1, *motion.angles(steps, momentum)))
+    K, target = np.linalg.norm(momentum0), motion.basis[setting.target - 1]
+    M = motion.matrix(momentum)
+    gap = before.conj().T @ after - R
+    return np.abs(gap).max(), np.abs(after @ M @ after.conj().T - K * target).max()

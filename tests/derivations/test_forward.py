@@ -1,0 +1,459 @@
+"""The chapters that compute: from any basis, sequence and Lagrangian to phi1, held to numbers."""
+
+import ast
+import json
+from collections.abc import Iterator
+from functools import cache
+from itertools import permutations, product
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy
+from forward_motions import INERTIA, RATES, RATES0, Motion, constants, errors, steps_of, value
+
+import derivations
+from derivations import FORWARD, euler_lax, lie_algebra
+from derivations.setting import KINETIC, Setting
+from rigidsym.cli import main
+from rigidsym.language.expression import parse, to_text
+from rigidsym.proof.derivation import Derivation, DerivationError, derive
+from rigidsym.proof.steps import algebra, calculus, linear
+from rigidsym.proof.steps.names import read, symbol
+
+FOLDER = Path(derivations.__file__).parent
+ONE = f"{KINETIC} + h2*Omega2"
+TWO = f"{KINETIC} + h1*Omega1 + h3*Omega3"
+THREE = f"{KINETIC} + h1*Omega1 + h2*Omega2 + h3*Omega3"
+
+
+@cache
+def derived(setting: Setting) -> Derivation:
+    return derive((), setting=setting)
+
+
+# What is typed in the chapters: nothing.
+
+
+# What computes: steps that find their value, SymPy, and what a desk or a chapter found.
+COMPUTES = {
+    *("solve", "factor", "expand", "cancel", "apart", "together", "subs", "coefficients", "rate"),
+    *(
+        "read",
+        "found",
+        "numer",
+        "det",
+        "reduced",
+        "coordinates",
+        "eliminate",
+        "collect",
+        "linsolve",
+    ),
+    *("integrate", "roots", "match", "solve_family", "determinant", "vary"),
+}
+NOTHING = {"One", "Zero", "Identity", "ZeroMatrix"}
+# The steps to which a chapter gives the right side, and where that stands among their arguments.
+GIVEN = {"rewrite": 3, "nonnegative": 3}
+STEPS = {*GIVEN, "multiply", "coordinates", "determinant", "differentiate", "eliminate", "match"}
+STEPS |= {"roots", "integrate", "solve", "solve_family", "vary"}
+
+
+def called(call: ast.Call) -> str:
+    return getattr(call.func, "attr", getattr(call.func, "id", ""))
+
+
+def bound(function: ast.FunctionDef) -> dict[str, list[ast.expr]]:
+    """What the names of a function are bound to; None for its parameters."""
+    found: dict[str, list[ast.expr]] = {}
+    for node in ast.walk(function):
+        targets = node.targets if isinstance(node, ast.Assign) else []
+        if isinstance(node, ast.For | ast.comprehension):
+            targets, node.value = [node.target], node.iter
+        for name in (n for target in targets for n in ast.walk(target)):
+            if isinstance(name, ast.Name):
+                found.setdefault(name.id, []).append(node.value)
+    return found
+
+
+def computed(node: ast.AST, names: dict[str, list[ast.expr]], seen: tuple[str, ...] = ()) -> bool:
+    """Whether an expression has a part that something computed, its names looked up."""
+    for part in ast.walk(node):
+        if isinstance(part, ast.Call) and called(part) in COMPUTES:
+            return not (called(part) == "read" and isinstance(part.args[0], ast.Constant))
+        if isinstance(part, ast.Attribute) and part.attr in {*NOTHING, "value", "by_invariants"}:
+            return True
+        if isinstance(part, ast.Name) and part.id not in seen:
+            values = names.get(part.id, [])
+            if any(computed(value, names, (*seen, part.id)) for value in values):
+                return True
+    return False
+
+
+def typed(source: str) -> Iterator[str]:
+    """The right sides that a chapter types, and the calls by which it could state one.
+
+    Typed is: an equation stated past the steps (`claim`, `refute`, `root`, `sign`, `decide`); a
+    text handed to a step that is neither its fact's name, nor its words; a number in a product of
+    matrices; a right side handed to `rewrite` or `nonnegative` that nothing computed: no part of
+    it, names looked up, was found by a step, by SymPy, or by an earlier chapter.
+    """
+    for function in (f for f in ast.walk(ast.parse(source)) if isinstance(f, ast.FunctionDef)):
+        names = bound(function)
+        for call in (node for node in ast.walk(function) if isinstance(node, ast.Call)):
+            name = called(call)
+            if name in ("claim", "refute", "root", "sign", "decide", "model", "carry"):
+                yield f"{name} in line {call.lineno}"
+            if name == "read" and call.args and isinstance(call.args[0], ast.Constant):
+                is_name = str(call.args[0].value).isidentifier()
+                if not is_name:
+                    yield f"a text is read in line {call.lineno}"
+            if name not in STEPS or not isinstance(call.func, ast.Name):
+                continue
+            texts = [
+                a for a in call.args[2:] if isinstance(a, ast.Constant) and a.value is not None
+            ]
+            words = [a for a in texts if isinstance(a.value, str)]
+            if len(words) > 1 + (len(call.args) > 6) or len(words) < len(texts):
+                yield f"{name} is given a text in line {call.lineno}"
+            if name == "multiply" and any(isinstance(x, ast.Constant) for x in numbers(call)):
+                yield f"a number in a product in line {call.lineno}"
+            if name in GIVEN and not computed(call.args[GIVEN[name]], names):
+                yield f"{name} is given what nothing computed in line {call.lineno}"
+
+
+def numbers(call: ast.Call) -> Iterator[ast.AST]:
+    """What a product of matrices has in it, but for indices and for the size of 0 and 1."""
+    waiting = list(call.args[2:4])
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ast.Subscript) or (
+            isinstance(node, ast.Call) and called(node) in NOTHING
+        ):
+            continue
+        yield node
+        waiting += ast.iter_child_nodes(node)
+
+
+@pytest.mark.parametrize("chapter", [*FORWARD, "gyrostat"])
+def test_no_right_side_is_typed(chapter):
+    assert list(typed((FOLDER / f"{chapter}.py").read_text("utf-8"))) == []
+
+
+TYPED = [
+    'book.claim("a.b", {"x": "y"})',
+    'rewrite(desk, "a.b", x, read("c1*Omega1"), "why")',
+    'rewrite(desk, "a.b", x, c1 * Omega1, "why")',
+    'y = symbol("c1") * symbol("Omega1")\n    rewrite(desk, "a.b", x, y, "why")',
+    'nonnegative(desk, "a.b", x, 1 + y**2, "why")',
+    'multiply(desk, "a.b", R * M, 2 * A, "why")',
+    'differentiate(desk, "a.b", "x*y", "why")',
+]
+
+
+@pytest.mark.parametrize("line", TYPED)
+def test_a_right_side_that_is_typed_is_seen(line):
+    assert len(list(typed(f"def derive(book):\n    {line}\n"))) >= 1
+
+
+def test_what_is_not_a_step_is_the_assumption_about_Pi_alone():
+    last = derived(Setting()).chapters
+    others = {f.id for c in last for f in c.facts} - {*steps_of(derived(Setting()))}
+    assert others == {"windings.rule"}
+
+
+# No fact says nothing.
+
+
+def sides(derivation: Derivation) -> Iterator[tuple[dict, dict, list[tuple[str, str]]]]:
+    """Each fact's context, the fact, and its equations in one spelling."""
+    data = json.loads(derivation.ledger)
+    contexts = {context["name"]: context for context in data["contexts"]}
+    for fact in data["facts"]:
+        pairs = zip(fact["lhs"], fact["rhs"], strict=True)
+        yield contexts[fact["context"]], fact, [(spelled(x), spelled(y)) for x, y in pairs]
+
+
+def spelled(text: str) -> str:
+    return to_text(parse(text))
+
+
+SETTINGS = [
+    Setting(),
+    Setting((3, 1, 3), 2, sympy.Integer(1), -1, (2, 1, 3)),
+    Setting(lagrangian=ONE),
+]
+
+
+@pytest.mark.parametrize("setting", SETTINGS, ids=str)
+def test_no_fact_has_the_same_on_both_sides(setting):
+    assert [
+        f["id"] for _, f, pairs in sides(derived(setting)) if any(x == y for x, y in pairs)
+    ] == []
+
+
+@pytest.mark.parametrize("setting", SETTINGS, ids=str)
+def test_no_fact_restates_a_definition_or_a_rate_of_its_context(setting):
+    found = []
+    for context, fact, pairs in sides(derived(setting)):
+        known = {(name, spelled(text)) for name, text in context["definitions"].items()}
+        rates = (context["rates"] or {}).items()
+        known |= {(f"D({name})", spelled(text)) for name, text in rates if text != "?"}
+        if all(pair in known or pair[::-1] in known for pair in pairs):
+            found.append(fact["id"])
+    assert found == []
+
+
+def test_the_paper_is_the_default():
+    assert Setting().paper
+    assert Setting(axis=1).paper
+    assert not Setting((1, 3, 1)).paper
+
+
+# Any sequence, axis and basis, by numbers.
+
+
+def variants() -> list[Setting]:
+    sequences = [(i, j, i) for i, j in permutations((1, 2, 3), 2)]
+    factors = (sympy.Rational(1, 2), sympy.Integer(1))
+    plain = [
+        Setting(sequence, axis, factor, sign)
+        for sequence, axis, factor, sign in product(sequences, (1, 2, 3), factors, (1, -1))
+    ]
+    return plain + [Setting(order=order) for order in permutations((1, 2, 3))]
+
+
+DRAWN = [
+    Setting(),
+    Setting((3, 1, 3), 2, sympy.Integer(1), -1, (2, 1, 3)),
+    Setting((2, 3, 2), 3, order=(3, 1, 2)),
+]
+WHEELS = [Setting(lagrangian=ONE), Setting((2, 1, 2), 1, lagrangian=TWO)]
+WHEELS += [Setting((3, 2, 3), lagrangian=THREE)]
+
+
+def follows(setting: Setting, fact: str) -> None:
+    """The angles of a derivation carry R' = R Omega, and turn the momentum onto the axis."""
+    of_attitude, of_momentum = errors(derived(setting), setting, fact)
+    assert of_attitude < 1e-9
+    assert of_momentum < 1e-12
+
+
+@pytest.mark.parametrize("fact", ["line32.rate", "line32.by_invariants"])
+@pytest.mark.parametrize("setting", [*DRAWN, *WHEELS], ids=str)
+def test_a_derivation_is_a_motion_by_numbers(setting, fact):
+    follows(setting, fact)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("setting", variants(), ids=str)
+def test_every_derivation_is_a_motion_by_numbers(setting):
+    follows(setting, "line32.by_invariants")
+
+
+@pytest.mark.parametrize("setting", [*DRAWN, *WHEELS], ids=str)
+def test_euler_s_equations_are_those_of_the_matrices(setting):
+    steps, motion = steps_of(derived(setting)), Motion(setting)
+    point = {**constants(), **dict(zip(RATES, RATES0, strict=True))}
+    found = [value(x, point) for x in steps["variation.euler"].value.values()]
+    assert np.allclose(found, motion.moments(INERTIA * RATES0 + motion.wheel) / INERTIA, atol=1e-14)
+
+
+# Wheels: the quartic by numbers, and that both quartics are of one curve.
+
+
+def invariants(motion: Motion) -> dict[sympy.Symbol, float]:
+    momentum = INERTIA * RATES0 + motion.wheel
+    squared = {symbol("K_squared"): float(momentum @ momentum)}
+    return {**constants(), **squared, symbol("H"): float(INERTIA @ RATES0**2) / 2}
+
+
+def test_the_quartic_of_one_wheel_is_the_square_of_its_rate():
+    motion = Motion(WHEELS[0])
+    momentum = INERTIA * RATES0 + motion.wheel
+    rate = motion.moments(momentum)[1] / INERTIA[1]
+    quartic = steps_of(derived(WHEELS[0]))["gyrostat.quartic"].value
+    found = value(quartic, {**invariants(motion), symbol("Omega2"): RATES0[1]})
+    assert found == pytest.approx(rate**2, rel=1e-12)
+
+
+@pytest.mark.parametrize("setting", WHEELS, ids=str)
+def test_the_quartic_of_any_wheels_is_the_determinant_of_the_pencil(setting):
+    motion = Motion(setting)
+    point = invariants(motion)
+    H, K2 = (point[symbol(name)] for name in ("H", "K_squared"))
+    mixed = motion.wheel[:, None] * INERTIA[:, None] * np.eye(3)
+    energy = np.block([[np.diag(INERTIA), np.zeros((3, 1))], [np.zeros((1, 3)), -2 * H]])
+    corner = np.sum(motion.wheel**2) - K2
+    along = mixed.sum(axis=1, keepdims=True)
+    momentum = np.block([[np.diag(INERTIA**2), along], [along.T, corner]])
+    quartic = steps_of(derived(setting))["pencil.quartic"].value
+    for x in (-1.5, 0.3, 4.0):
+        expected = np.linalg.det(x * energy - momentum)
+        assert value(quartic, {**point, symbol("x"): x}) == pytest.approx(expected, rel=1e-10)
+
+
+def j_invariant(quartic: sympy.Expr, variable: sympy.Symbol) -> sympy.Expr:
+    """That of the elliptic curve y^2 = quartic."""
+    a, b, c, d, e = sympy.Poly(quartic, variable).all_coeffs()
+    one = 12 * a * e - 3 * b * d + c**2
+    two = 72 * a * c * e + 9 * b * c * d - 27 * a * d**2 - 27 * e * b**2 - 2 * c**3
+    return 1728 * 4 * one**3 / (4 * one**3 - two**2)
+
+
+def modular(x: sympy.Expr, y: sympy.Expr) -> sympy.Expr:
+    """The classical modular polynomial of level 2: 0 where curves have a 2-isogeny."""
+    return (
+        x**3 + y**3 - x**2 * y**2 + 1488 * x * y * (x + y) - 162000 * (x**2 + y**2)
+        + 40773375 * x * y + 8748000000 * (x + y) - 157464000000000
+    )  # fmt: skip
+
+
+def test_one_rate_of_a_gyrostat_is_on_a_quotient_of_the_pencil_s_curve():
+    """(Omega1, Omega3) and their negatives have the same Omega2: a curve with half a period."""
+    steps = steps_of(derived(WHEELS[0]))
+    names = ("c1", "c2", "c3", "h2", "H", "K_squared")
+    values = map(sympy.Rational, ("1", "7/4", "5/2", "1/3", "9/8", "4"))
+    exact = dict(zip(map(symbol, names), values, strict=True))
+    curves = (("gyrostat.quartic", "Omega2"), ("pencil.quartic", "x"))
+    one, two = (
+        j_invariant(sympy.expand(steps[fact].value.subs(exact)), symbol(name))
+        for fact, name in curves
+    )
+    assert modular(one, two) == 0
+    assert one != two
+    assert modular(one, two + 1) != 0
+
+
+def test_with_wheels_about_other_axes_phi1_is_no_function_of_one_rate():
+    steps = steps_of(derived(WHEELS[2]))
+    assert steps["line32.by_invariants"].value.free_symbols & {*RATES} > {symbol("Omega3")}
+    assert "sine_motion.split" not in steps
+
+
+# What is changed changes what comes out.
+
+
+def test_the_other_handedness_turns_the_signs_of_euler_s_equations():
+    plain, turned = (steps_of(derived(s)) for s in (Setting(), Setting(order=(2, 1, 3))))
+    for rate, moment in plain["variation.euler"].value.items():
+        assert turned["variation.euler"].value[rate] == -moment
+
+
+def test_the_other_sign_and_twice_the_basis_scale_the_brackets():
+    plain = steps_of(derived(Setting()))["quaternions.bracket_12"].value
+    other = Setting((3, 1, 3), 2, sympy.Integer(1), -1)
+    found = steps_of(derive(["lie_algebra"], setting=other))["quaternions.bracket_12"].value
+    assert found == tuple(-2 * x for x in plain)
+
+
+def test_another_kinetic_energy_gives_other_equations_and_another_phi1(monkeypatch):
+    heavier = KINETIC.replace("c3", "5*c3")
+    plain = steps_of(derived(Setting()))
+    monkeypatch.setattr("derivations.setting.KINETIC", heavier)
+    steps = steps_of(derive((), setting=Setting(lagrangian=heavier)))
+    heavy: dict = {symbol("c3"): 5 * symbol("c3")}
+    for fact in ("variation.euler", "compared.phi3"):
+        for one, two in zip(plain[fact].value.values(), steps[fact].value.values(), strict=True):
+            assert sympy.cancel(one.subs(heavy) - two) == 0
+    one, two = (found["line32.rate"].value for found in (plain, steps))
+    assert sympy.cancel(one.subs(heavy) - two) == 0
+    assert sympy.cancel(one - two) != 0
+
+
+def test_a_wrong_bracket_goes_through_to_other_equations(monkeypatch):
+    """The variation is proved for the constants it is given: the Lax pair then refuses them."""
+    honest = lie_algebra._brackets
+
+    def flipped(desk):
+        return tuple(tuple(tuple(-x for x in y) for y in z) for z in honest(desk))
+
+    monkeypatch.setattr(lie_algebra, "_brackets", flipped)
+    with pytest.raises(DerivationError, match=r"^chapter euler_lax: fact body\.lax: undecided"):
+        derive(["euler_lax"], setting=Setting())
+
+
+# What SymPy finds wrong is refused by the kernel, in whatever chapter.
+LIES = [
+    (algebra, "_coordinate", "lie_algebra", "fact quaternions.product"),
+    (linear, "_combination", "euler_lax", "fact variation.euler"),
+    (calculus, "collected", "phi1_integral", "fact sine_motion.split"),
+]
+
+
+@pytest.mark.parametrize(("module", "name", "chapter", "message"), LIES, ids=[x[1] for x in LIES])
+def test_a_wrong_answer_is_refused_where_it_is_given(monkeypatch, module, name, chapter, message):
+    honest = getattr(module, name)
+
+    def lie(*arguments):
+        found = honest(*arguments)
+        return f"-({found})" if isinstance(found, str) else -found
+
+    monkeypatch.setattr(module, name, lie)
+    with pytest.raises(DerivationError, match=rf"^chapter {chapter}: {message}: undecided"):
+        derive([chapter], setting=Setting())
+
+
+def test_a_lax_partner_that_is_none_is_refused(monkeypatch):
+    monkeypatch.setattr(euler_lax, "Rate", lambda matrix: matrix)
+    with pytest.raises(DerivationError, match=r"^chapter euler_lax: fact body\.lax: undecided"):
+        derive(["euler_lax"])
+
+
+# The command.
+
+
+def test_a_variant_leaves_the_sealed_ledger_and_both_checkers_accept_its_own(tmp_path, capsys):
+    sealed, path = FOLDER / "ledger.json", tmp_path / "own.json"
+    before = sealed.read_bytes(), sealed.stat().st_mtime_ns
+    variant = ["--sequence", "3-1-3", "--axis", "3"]
+    assert main(["derive", *variant, "-o", str(path)]) == 0
+    assert main(["derive", "lie_algebra", *variant]) == 0
+    assert (sealed.read_bytes(), sealed.stat().st_mtime_ns) == before
+    capsys.readouterr()
+    for options in ([], ["--independent"]):
+        assert main(["check", str(path), *options]) == 0
+        assert "accepted" in capsys.readouterr().out
+
+
+PLUS = f"{KINETIC} + "
+BAD = [
+    ("--sequence", "3-2-1", "must be one of: 1-2-1, 1-3-1, 2-1-2, 2-3-2, 3-1-3, 3-2-3"),
+    ("--sequence", "1-1-1", "must be one of: 1-2-1"),
+    ("--sequence", "1-4-1", "must be three axes such as 3-1-3"),
+    ("--sequence", "", "must be three axes such as 3-1-3"),
+    ("--axis", "4", "must be 1, 2 or 3"),
+    ("--axis", "x", "must be a whole number"),
+    ("--factor", "2", "must be 1/2 or 1"),
+    ("--factor", "1/0", "must be 1/2 or 1"),
+    ("--sign", "0", "must be 1 or -1"),
+    ("--order", "1-1-2", "another basis spans no algebra"),
+    ("--lagrangian", "", "must be an expression"),
+    ("--lagrangian", "(c1*Omega1**2", "must be an expression"),
+    ("--lagrangian", "f(Omega1)", "must be an expression"),
+    ("--lagrangian", "neg(Omega1, Omega2)", "must be an expression"),
+    ("--lagrangian", "Omega1**3", "plus a linear part"),
+    ("--lagrangian", PLUS + "h1", "plus a linear part"),
+    ("--lagrangian", PLUS + "1/Omega1", "plus a linear part"),
+    ("--lagrangian", PLUS + "Omega1*Omega2", "plus a linear part"),
+    ("--lagrangian", PLUS + "w*Omega1", "polynomials in h1, h2, h3"),
+    ("--lagrangian", PLUS + "Omega1/h1", "polynomials in h1, h2, h3"),
+    ("--lagrangian", PLUS + "sqrt(h1)*Omega1", "polynomials in h1, h2, h3"),
+]
+
+
+@pytest.mark.parametrize(("option", "text", "rule"), BAD, ids=[f"{o} {t}" for o, t, _ in BAD])
+def test_a_choice_that_is_none_is_one_line(option, text, rule, capsys):
+    assert main(["derive", option, text]) == 2
+    error = capsys.readouterr().err
+    assert f"{option[2:]} = {text}: " in error
+    assert rule in error
+    assert len(error.splitlines()) == 1
+
+
+def test_a_variant_has_no_chapters_beyond_theorem_1(capsys):
+    assert main(["derive", "regimes", "--sequence", "3-1-3"]) == 2
+    assert "chapter = regimes: must be one of: lie_algebra" in capsys.readouterr().err
+
+
+def test_an_expression_is_read_as_it_is_written():
+    assert read(KINETIC) == sum(symbol(f"c{k}") * symbol(f"Omega{k}") ** 2 for k in (1, 2, 3)) / 2

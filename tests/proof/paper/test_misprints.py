@@ -1,0 +1,116 @@
+"""Every coefficient, sign, index and exponent counts: changed, it changes a verdict."""
+
+from dataclasses import asdict, replace
+from importlib import import_module
+from itertools import groupby
+
+import pytest
+from house import imports
+from misprints import misprints
+
+from derivations import CHAPTERS, printed
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.kernel import KernelError, Ledger
+from rigidsym.proof.paper import EQUATIONS
+from rigidsym.proof.paper.answers import Answers
+from rigidsym.proof.paper.printed import PrintError
+from rigidsym.proof.paper.questions import asked, question
+from rigidsym.proof.paper.verdicts import verdict
+
+# Changes that leave the meaning as it is, each with a reason; and what is not said in formulas.
+HARMLESS = {
+    ("19", "sign", "-D;"): "D is any constant",
+    ("Lemma 1", "axis", r"\Omega_j(t)"): "the lemma is in words, and i any axis",
+    ("footnote 2", "number", r"\mathbb C^3"): "a remark in words",
+}
+PLACES = ("latex", "repair")
+
+
+@pytest.fixture(scope="module")
+def forward():
+    """The ledger as it is before the print is opened, and the same as data."""
+    book = Book()
+    for name in CHAPTERS[: CHAPTERS.index("printed")]:
+        import_module(f"derivations.{name}").derive(book)
+    ledger = book.ledger
+    return ledger, _data(ledger, Ledger())
+
+
+def _data(ledger, before):
+    contexts = [c for name, c in ledger.contexts.items() if name not in before.contexts]
+    facts = [f for name, f in ledger.facts.items() if name not in before.facts]
+    return {"contexts": [*map(asdict, contexts)], "facts": [*map(asdict, facts)]}
+
+
+def fate(equation, forward):
+    """What is decided about one line, the other lines being as they are printed."""
+    before, data = forward
+    book = Book()
+    book.ledger.contexts, book.ledger.facts = dict(before.contexts), dict(before.facts)
+    book.ledger.rings = dict(before.rings)
+    every = [equation if e.number == equation.number else e for e in EQUATIONS]
+    by_number = {e.number: e for e in every}
+    for latex, sense in asked(equation):
+        printed.ask(book, equation.number, question(latex, sense, by_number))
+    new = _data(book.ledger, before)
+    ledger = {key: [*data[key], *new[key]] for key in data}
+    found = verdict(equation, Answers(ledger, every), {})
+    return found.ruling, [read.holds for read in found.readings], found.right_with
+
+
+def survivors(equation, forward, changes):
+    """The changes that leave the verdict as it was."""
+    as_printed = fate(equation, forward)
+    for place, kind, text in changes:
+        try:
+            changed = fate(replace(equation, **{place: text}), forward) != as_printed
+        except (PrintError, KernelError):
+            changed = True
+        harmless = any((equation.number, kind) == key[:2] and key[2] in text for key in HARMLESS)
+        if not changed and not harmless:
+            yield place, kind, text
+
+
+def _changes(equation):
+    for place in PLACES:
+        for kind, text in misprints(getattr(equation, place)):
+            yield place, kind, text
+
+
+@pytest.mark.parametrize("equation", EQUATIONS, ids=lambda e: e.number)
+def test_the_first_change_of_each_kind_is_noticed(equation, forward):
+    kinds = groupby(_changes(equation), key=lambda change: change[:2])
+    assert list(survivors(equation, forward, [next(group) for _, group in kinds])) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("equation", EQUATIONS, ids=lambda e: e.number)
+def test_every_change_is_noticed(equation, forward):
+    assert list(survivors(equation, forward, _changes(equation))) == []
+
+
+def test_what_is_harmless_is_still_printed():
+    for number, kind, text in HARMLESS:
+        (equation,) = (e for e in EQUATIONS if e.number == number)
+        assert any(kind == k and text in t for _, k, t in _changes(equation))
+
+
+def test_there_are_changes_of_every_kind_and_most_lines_have_some():
+    found = {e.number: [kind for _, kind, _ in _changes(e)] for e in EQUATIONS}
+    assert {kind for kinds in found.values() for kind in kinds} == {
+        "number",
+        "sign",
+        "axis",
+        "function",
+    }
+    assert sum(map(len, found.values())) > 700
+    assert [n for n, kinds in found.items() if not kinds] == ["7", "Remark 1", "Remark 3"]
+
+
+def test_only_the_comparison_and_the_search_for_repairs_read_the_print():
+    readers = {
+        module
+        for module, others in imports().items()
+        if module.startswith("derivations.") and any("proof.paper" in other for other in others)
+    }
+    assert readers == {"derivations.printed", "derivations.repairs"}

@@ -1,0 +1,181 @@
+"""Named matrices entry by entry, the two ways of a dictionary, and what a desk knows."""
+
+import random
+
+import pytest
+import sympy
+from sympy import I, Identity, ImmutableMatrix, MatAdd, MatMul, ZeroMatrix
+
+from rigidsym.language.expression import parse
+from rigidsym.proof.algebra import Book, Part, circle, half_angle, jacobi
+from rigidsym.proof.algebra.jacobi_functions import jacobi_sn
+from rigidsym.proof.steps import Desk, Rate, StepError, matrix
+from rigidsym.proof.steps.collected import collected, positive
+from rigidsym.proof.steps.matrices import part_name, split
+from rigidsym.proof.steps.names import read, symbol, symbols
+
+x, y, a = symbols("x y a")
+NAMES = ("P", "Q", "S")
+POOL = (0, 1, -1, I, -I, x, -x, I * y, x + I * y, 2 - I * a, sympy.Rational(1, 2))
+
+
+def drawn(random: random.Random) -> ImmutableMatrix:
+    return ImmutableMatrix(2, 2, [random.choice(POOL) for _ in range(4)])
+
+
+def expression(random: random.Random, depth: int):
+    if depth == 0:
+        return random.choice([*map(matrix, NAMES), Identity(2), ZeroMatrix(2, 2)])
+    one, two = (expression(random, depth - 1) for _ in range(2))
+    match random.randrange(4):
+        case 0:
+            return MatAdd(one, two, evaluate=False)
+        case 1:
+            return MatMul(one, two, evaluate=False)
+        case 2:
+            return MatMul(random.choice((-x, sympy.Integer(-2), y - x, a)), one, evaluate=False)
+    return one.adjoint()
+
+
+@pytest.mark.parametrize("seed", range(25))
+def test_entries_are_those_of_explicit_multiplication(seed):
+    draw = random.Random(seed)
+    values = {name: drawn(draw) for name in NAMES}
+    witness = dict.fromkeys("xya", "1")
+    rates = {"x": "a*y", "y": "x - a"}
+    desk = Desk.open(Book(), "named", Part(witness=witness, rates=rates), matrices=values)
+    whole = expression(draw, 3)
+    if seed % 2:
+        whole = Rate(whole)
+    explicit = desk.explicit(whole)
+    for (i, j), texts in desk.entries(whole).items():
+        parts = split(explicit[i - 1, j - 1])
+        for text, part in zip(texts, parts, strict=True):
+            said = desk.ring.read(text or "0")
+            assert not (said - desk.ring.read(desk.text(part))).numerator
+
+
+def test_an_entry_is_sums_of_products_of_names_unexpanded():
+    values = {"P": ImmutableMatrix(((x, I * y), (I * y, x)))}
+    desk = Desk.open(Book(), "named", Part(witness={"x": "1", "y": "1"}), matrices=values)
+    P = matrix("P")
+    assert desk.entries(P * P)[1, 1] == ("P_11_re * P_11_re - P_12_im * P_21_im", None)
+    assert part_name("P", (1, 2), 1) == "P_12_im"
+
+
+def test_a_matrix_by_those_before_it():
+    values = {"P": ImmutableMatrix(((x, 0), (0, y))), "Q": matrix("P") * matrix("P")}
+    desk = Desk.open(Book(), "named", Part(witness={"x": "1", "y": "1"}), matrices=values)
+    assert desk.context.definitions["Q_11_re"] == "P_11_re * P_11_re"
+    assert desk.explicit(matrix("Q")) == ImmutableMatrix(((x**2, 0), (0, y**2)))
+
+
+@pytest.fixture
+def desk():
+    parts = (
+        Part(witness={"a": "2", "w": "1", "xi": "1", "mu": "9/16"}),
+        half_angle("phi1", "w"),
+        jacobi("sn", "cn", "dn", "xi*t", "mu", "xi"),
+    )
+    return Desk.open(Book(), "words", *parts)
+
+
+def test_a_dictionary_goes_both_ways(desk):
+    sn = jacobi_sn(symbol("xi") * symbol("t"), symbol("mu"))
+    meant = a * sympy.cos(symbol("phi1") / 2) + sn**2
+    named = desk.dictionary.named(meant)
+    assert {str(name) for name in named.free_symbols} >= {"a", "sn"}
+    assert not named.atoms(sympy.Function)
+    assert desk.dictionary.meant(named) == meant
+    assert desk.read(desk.text(meant)) == meant
+
+
+@pytest.mark.parametrize(
+    ("expression", "text"),
+    [
+        (x**-1, "1/x"),
+        (x**-3, "1/x**3"),
+        (y * x**-2, "y/x**2"),
+        ((x + y) ** -2, "1/(x + y)**2"),
+        (x * (x + y) ** -1, "x/(x + y)"),
+        (sympy.Rational(-2, 3) * x, "-2*x/3"),
+        (-1 / x, "-1/x"),
+    ],
+)
+def test_negative_powers_are_quotients(expression, text):
+    desk = Desk.open(Book(), "plain", Part({"x": "1", "y": "1"}, units=("x", "x + y")), static=True)
+    assert desk.text(expression) == text
+    assert sympy.cancel(read(text) - expression) == 0
+    desk.ring.read(text)
+
+
+@pytest.mark.parametrize(
+    ("expression", "message"),
+    [
+        (sympy.tan(x), r"tan\(x\) has no name in words"),
+        (I * x, "I has no name in words"),
+        (sympy.sqrt(x), "the kernel knows whole powers only"),
+        (x**y, "the kernel knows whole powers only"),
+    ],
+)
+def test_what_the_kernel_has_no_word_for_is_one_line(desk, expression, message):
+    with pytest.raises(StepError, match=message):
+        desk.text(expression)
+
+
+def test_a_reading_that_is_words_is_no_function(desk):
+    assert all(isinstance(f, sympy.Function) for f in desk.dictionary.names)
+    with pytest.raises((ValueError, SyntaxError)):
+        read("a moment of inertia, kg m^2")
+    with pytest.raises(ValueError, match="not a function that SymPy is told of"):
+        read("zeta(x)")
+    assert parse("x") is not None
+
+
+# A desk.
+
+
+def test_at_a_context_of_its_own_and_the_same_again():
+    book = Book()
+    desk = Desk.open(book, "whole", Part({"x": "2", "y": "1"}), static=True)
+    there = desk.at("part.fact", x - y)
+    assert there.name == "part"
+    assert book.ledger.contexts["part"].units == ("x - y",)
+    assert desk.at("whole.fact", x) is desk
+    assert desk.at("part.other", x).context == there.context
+
+
+def test_where_what_is_not_zero_is_zero_at_the_witness():
+    desk = Desk.open(Book(), "whole", Part({"x": "1", "y": "1"}), static=True)
+    with pytest.raises(ValueError, match="part"):
+        desk.where("part", x - y)
+
+
+def test_divisors_are_factors_but_what_is_never_zero():
+    part = Part({"x": "2", "y": "1", "c1": "1", "K": "1"}, definitions={"d": "x**2 - y**2"})
+    desk = Desk.open(Book(), "whole", part, static=True)
+    c1, K, d = symbols("c1 K d")
+    assert desk.divisors(1 / (c1 * K * 3)) == ()
+    assert set(desk.divisors(1 / d, a / (x - y))) == {x - y, x + y}
+    assert desk.divisors(x, y**2) == ()
+
+
+def test_reduced_by_the_relations():
+    desk = Desk.open(Book(), "circle", circle("C", "S", "theta"), Part({"x": "1"}), static=True)
+    C, S = (f(symbol("theta")) for f in (sympy.cos, sympy.sin))
+    assert desk.reduced(x * C**2 + x * S**2) == x
+    assert desk.reduced(x / (C**2 + S**2)) == x
+
+
+def test_rates_with_definitions_written_out():
+    moving = Part({"x": "1", "y": "1"}, rates={"x": "w"}, definitions={"w": "x*y"})
+    desk = Desk.open(Book(), "moving", moving)
+    assert desk.rates(x**2) == (2 * symbol("w") * x, 2 * x**2 * y)
+
+
+def test_collected_is_the_same_and_begins_with_a_plus():
+    expression = (x - y) * (y - a) / (a - x)
+    found = collected(sympy.expand(expression))
+    assert sympy.cancel(found - expression) == 0
+    assert positive(-x + y) in (x - y, y - x)
+    assert not str(positive(y - x)).startswith("-")
