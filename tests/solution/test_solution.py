@@ -137,7 +137,7 @@ def unmodelled(context):
         (unmodelled("theta_form"), "hyperbolic: no context is a model of all"),
         (changed(state=["regular.sn"]), "state: sn needs Omega_b"),
         (changed(state=["regular.euler"]), "not one proved formula"),
-        (changed(state=["amplitude.printed"]), "not one proved formula"),
+        (changed(state=["start.principal_value"]), "not one proved formula"),
         (changed(state=[defined("descended", "no_such")]), "not readable"),
         (changed(state=[defined("nowhere", "u_1")]), "not readable"),
         (changed(state=[{"context": "descended", "definition": "u_1"}]), "not readable"),
