@@ -25,7 +25,7 @@ ALLOWED = {
     "rigidsym.proof.algebra": "proof.kernel",
     "rigidsym.proof.paper": "language view.html",
     "rigidsym.proof.claims": "io.ledger language view.html",
-    "rigidsym.proof.derivation": "derivations errors proof view.html",
+    "rigidsym.proof.derivation": "derivations errors io.ledger language proof view.html",
     "rigidsym.proof": "",
     "derivations": "proof.algebra proof.kernel",
     # What is computed from it.

@@ -9,10 +9,10 @@ import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from typing import TypedDict
+from typing import Any, TypedDict
 
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_data, ledger_text
+from rigidsym.io.ledger import ledger_data, ledger_text, specification_text
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -24,6 +24,7 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.language.sequence import FormulaSequence
+from rigidsym.language.specification import Unproved, require
 
 AXES = ("a", "b", "d")
 _BY_FUNCTIONS = (
@@ -191,6 +192,7 @@ def load(text: str) -> Solution:
         }
     except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/3: {error!r}") from None
+    _check_specified(data)
     for name in INPUTS:
         if name not in sequences:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
@@ -201,6 +203,14 @@ def load(text: str) -> Solution:
         for name, formulas in sequences.items()
     }
     return Solution(sequences, _digest(sequences), evaluated)
+
+
+def _check_specified(data: Mapping[str, Any]) -> None:
+    """The ledger states every theorem of the specification; that proofs hold, checkers decide."""
+    try:
+        require(specification_text(), data)
+    except Unproved as error:
+        raise LedgerError(f"ledger: {error}") from None
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:
