@@ -43,10 +43,9 @@ PULL_BACK = Part(
 
 def derive(book: Book) -> None:
     """Euler's equations, and |q| = 1 and q' = (1/2) q (0, Omega) for q = p exp(t Omega)."""
-    turn = half_angle("theta", "omega")
+    turn = replace(half_angle("theta", "omega"), definitions={})
     body = book.found(Dynamics).body
-    constant = replace(CONSTANT, definitions=body.definitions, reading=body.reading)
-    book.open(join("steady", INERTIA, constant, SPIN, AXIS, turn, PULL_BACK))
+    book.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
     euler = {f"D(Omega{k})": body.rates[f"Omega{k}"] for k in (1, 2, 3)}
     book.claim("steady.euler", euler, ["5"])
     book.claim("steady.norm", {"q0**2 + q1**2 + q2**2 + q3**2": "1"}, ["1"])

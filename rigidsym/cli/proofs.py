@@ -107,7 +107,7 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
 
 def _check(options: Namespace) -> int:
     """Facts by grade; 1 where the ledger is refused, or a fact rests on a reference alone."""
-    grades = _independent_grades if options.independent else _kernel_grades
+    grades = independent_grades if options.independent else _kernel_grades
     found = grades(_ledger_text(options.ledger))
     if found is None:
         return 1
@@ -136,7 +136,8 @@ def _kernel_grades(text: str) -> dict[str, int] | None:
     return dict(Counter(str(fact.grade) for fact in ledger.facts.values()).most_common())
 
 
-def _independent_grades(text: str) -> dict[str, int] | None:
+def independent_grades(text: str) -> dict[str, int] | None:
+    """Facts by grade as the independent checker has them; None, and a line, where it refuses."""
     from rigidsym.io.ledger import specification_text
     from rigidsym.proof.checker import Refused, grades
 
@@ -157,16 +158,12 @@ def _ledger_text(path: Path | None) -> str:
 def _errata(options: Namespace) -> int:
     import json
 
-    from rigidsym.io.ledger import ledger_data, specification_text
-    from rigidsym.language.specification import Unproved, require
+    from rigidsym.io.ledger import ledger_data
     from rigidsym.proof.paper import row, verdicts
 
-    try:
-        require(specification_text(), data := ledger_data(_ledger_text(None)))
-    except Unproved as error:
-        say(f"rigidsym errata: {error}")
+    if independent_grades(text := _ledger_text(None)) is None:
         return 1
-    ruled = verdicts(data)
+    ruled = verdicts(ledger_data(text))
     if options.json:
         listed = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
         print(json.dumps(listed, indent=1))
