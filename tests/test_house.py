@@ -24,6 +24,7 @@ ALLOWED = {
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
     "rigidsym.proof.paper": "language view.html",
+    "rigidsym.proof.audit": "language",
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors io.ledger language proof view.html",
     "rigidsym.proof": "",

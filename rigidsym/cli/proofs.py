@@ -1,4 +1,4 @@
-"""The commands `derive`, `check` and `errata`."""
+"""The commands `derive`, `check`, `errata` and `audit`."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -29,6 +29,9 @@ def add(command: Command) -> None:
 
     errata = command("errata", _errata, "the verdict on each printed equation")
     errata.add_argument("--json", action="store_true", help="to stdout alone")
+
+    audit = command("audit", _audit, "what is trusted and not decided, theorem by theorem")
+    audit.add_argument("--json", action="store_true", help="to stdout alone")
 
 
 def _add_setting(derive: ArgumentParser) -> None:
@@ -112,7 +115,7 @@ def _check(options: Namespace) -> int:
     if found is None:
         return 1
     counts = ", ".join(f"{count} {grade}" for grade, count in found.items())
-    print(f"{counts} facts: the specification is proved")
+    print(f"{counts} facts: accepted, and they prove the specification")
     if assumed := found.get("ASSUMED"):
         say(f"rigidsym check: {assumed} ASSUMED: facts must be ENCLOSED at least")
     return 1 if assumed else 0
@@ -170,4 +173,34 @@ def _errata(options: Namespace) -> int:
         return 0
     columns = ("equation", "verdict", "repair, or how it is read", "counterexample")
     table("rigidsym errata", columns, [row(verdict) for verdict in ruled])
+    return 0
+
+
+def _audit(options: Namespace) -> int:
+    import json
+    from dataclasses import asdict
+
+    from rigidsym.io.ledger import ledger_data, specification_text
+    from rigidsym.proof.audit import audit, handwritten, totals
+
+    if independent_grades(text := _ledger_text(None)) is None:
+        return 1
+    audits = audit(specification_text(), ledger_data(text))
+    counts, lines = totals(audits), handwritten()
+    if options.json:
+        theorems = [asdict(one) for one in audits]
+        data = {
+            "schema": "rigidsym.audit/1",
+            "theorems": theorems,
+            "totals": counts,
+            "lines": lines,
+        }
+        print(json.dumps(data, indent=1))
+        return 0
+    for one in audits:
+        print(f"{one.theorem}: {one.title}")
+        for kind, things in one.trusted.items():
+            print("".join(f"  {kind}: {thing}\n" for thing in things), end="")
+    print("in all: " + ", ".join(f"{count} {kind}" for kind, count in counts.items()))
+    print("by hand: " + ", ".join(f"{count} lines beside {name}" for name, count in lines.items()))
     return 0

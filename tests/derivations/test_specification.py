@@ -5,12 +5,14 @@ import random
 
 import pytest
 from attacks import Attacker, changes, definitions
+from document_texts import rows
 from ledgers import written
 
 from rigidsym.cli import main
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text, specification_text
 from rigidsym.language.specification import Unproved, read, require, theorems
+from rigidsym.proof.audit import audit, handwritten, totals
 from rigidsym.proof.checker import Refused
 from rigidsym.proof.checker.records import Claim, Hypotheses, fill
 from rigidsym.proof.checker.specification import Catalogue, blocks
@@ -186,6 +188,30 @@ def test_a_changed_definition_is_noticed(attacker, name, text, changed):
 @pytest.mark.parametrize(("name", "text", "changed"), drawn(10_000))
 def test_every_changed_definition_is_noticed(attacker, name, text, changed):
     assert refused(attacker.redefine(name, text, changed))
+
+
+def test_what_is_trusted_does_not_grow():
+    """The counts of the page are those of `rigidsym audit`, or were larger."""
+    audits = audit(SPECIFICATION, data())
+    assert [one.theorem for one in audits] == [*theorems(SPECIFICATION)]
+    said = {row[0]: int(row[1]) for row in rows("trust.md") if len(row) == 2 and row[1].isdigit()}
+    found = {f"{kind}:": count for kind, count in totals(audits).items()}
+    lines = handwritten()
+    found |= {"generated NumPy": lines["numpy"], "generated C": lines["c"]}
+    for words, count in found.items():
+        (told,) = (number for text, number in said.items() if words in text)
+        assert count <= told, words
+
+
+def test_audit_is_a_command(capsys):
+    assert main(["audit", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["totals"] == totals(audit(SPECIFICATION, data()))
+    assert main(["audit"]) == 0
+    text = capsys.readouterr().out
+    assert "theta_form: nome of k_1^2" in text
+    assert "suppositions: W = T4_re**2" in text
+    assert text.splitlines()[-1].startswith("by hand: ")
 
 
 @pytest.mark.parametrize(
