@@ -110,7 +110,7 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
 
 def _check(options: Namespace) -> int:
     """Facts by grade; 1 where the ledger is refused, or a fact rests on a reference alone."""
-    grades = independent_grades if options.independent else _kernel_grades
+    grades = _independent_grades if options.independent else _kernel_grades
     found = grades(_ledger_text(options.ledger))
     if found is None:
         return 1
@@ -139,8 +139,7 @@ def _kernel_grades(text: str) -> dict[str, int] | None:
     return dict(Counter(str(fact.grade) for fact in ledger.facts.values()).most_common())
 
 
-def independent_grades(text: str) -> dict[str, int] | None:
-    """Facts by grade as the independent checker has them; None, and a line, where it refuses."""
+def _independent_grades(text: str) -> dict[str, int] | None:
     from rigidsym.io.ledger import specification_text
     from rigidsym.proof.checker import Refused, grades
 
@@ -149,6 +148,20 @@ def independent_grades(text: str) -> dict[str, int] | None:
     except Refused as error:
         say(f"rigidsym check: refused by the independent checker: {error}")
         return None
+
+
+def replayed() -> str:
+    """The sealed ledger, if the independent checker accepts it; LedgerError where it does not."""
+    from rigidsym.errors import LedgerError
+    from rigidsym.io.ledger import specification_text
+    from rigidsym.proof.checker import Refused, check
+
+    text = _ledger_text(None)
+    try:
+        check(text, specification_text())
+    except Refused as error:
+        raise LedgerError(f"ledger: refused by the independent checker: {error}") from None
+    return text
 
 
 def _ledger_text(path: Path | None) -> str:
@@ -164,9 +177,7 @@ def _errata(options: Namespace) -> int:
     from rigidsym.io.ledger import ledger_data
     from rigidsym.proof.paper import row, verdicts
 
-    if independent_grades(text := _ledger_text(None)) is None:
-        return 1
-    ruled = verdicts(ledger_data(text))
+    ruled = verdicts(ledger_data(replayed()))
     if options.json:
         listed = {"schema": "rigidsym.errata/1", "equations": [v.to_json() for v in ruled]}
         print(json.dumps(listed, indent=1))
@@ -183,9 +194,7 @@ def _audit(options: Namespace) -> int:
     from rigidsym.io.ledger import ledger_data, specification_text
     from rigidsym.proof.audit import audit, handwritten, totals
 
-    if independent_grades(text := _ledger_text(None)) is None:
-        return 1
-    audits = audit(specification_text(), ledger_data(text))
+    audits = audit(specification_text(), ledger_data(replayed()))
     counts, lines = totals(audits), handwritten()
     if options.json:
         theorems = [asdict(one) for one in audits]

@@ -187,7 +187,7 @@ class Proved:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
         facts = [fact for fact in ledger["facts"] if fact["grade"] == "PROVED"]
         self.facts = {fact["id"]: fact for fact in facts}
-        self.sequences = ledger["published"]["sequences"]
+        self.sequences = ledger["published"].get("sequences", {})
         self._models: dict[str, list[str]] = {}
         self._stated: dict[str, set[Statement]] = {}
         self._partitions: set[tuple[str, ...]] = set()

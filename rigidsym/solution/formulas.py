@@ -192,12 +192,12 @@ def load(text: str) -> Solution:
         }
     except (KeyError, TypeError, AttributeError) as error:
         raise LedgerError(f"ledger: not readable as rigidsym.ledger/3: {error!r}") from None
-    _check_specified(data)
     for name in INPUTS:
         if name not in sequences:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         _check_order(name, sequences[name])
         _check_together(name, sequences[name], facts)
+    _check_specified(data)
     evaluated = {
         name: FormulaSequence((f.name, f.expression) for f in formulas)
         for name, formulas in sequences.items()

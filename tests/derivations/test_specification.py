@@ -5,7 +5,7 @@ import random
 
 import pytest
 from attacks import Attacker, changes, definitions
-from document_texts import rows
+from document_texts import rows, words
 from ledgers import written
 
 from rigidsym.cli import main
@@ -163,8 +163,24 @@ def test_commands_replay_and_require(command, monkeypatch, capsys):
     text = TEXT.replace('"E_d/(c_a*c_ad)"', '"4*E_d/(c_a*c_ad)"')
     for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.ledger_text"):
         monkeypatch.setattr(place, lambda: text)
-    assert main(command) == 1
+    assert main(command) == (1 if command[0] == "check" else 2)
     assert "refused" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("checker", [[], ["--independent"]])
+def test_what_is_only_assumed_is_no_success(checker, tmp_path, capsys):
+    """0 = 1 with a reference is admitted as ASSUMED: `check` says so, and fails."""
+    ledger = data()
+    fact = part(ledger, "facts", "windings.rule")
+    claim = {**fact, "id": "windings.wrong", "lhs": ["0"], "rhs": ["1"], "grade": "ASSUMED"}
+    claim["certificate"] = {"reference": "hearsay"}
+    ledger["facts"].append(claim)
+    path = tmp_path / "ledger.json"
+    path.write_text(written(ledger))
+    assert main(["check", str(path), *checker]) == 1
+    told = capsys.readouterr()
+    assert "1 ASSUMED facts" in told.out
+    assert told.err == "rigidsym check: 1 ASSUMED: facts must be ENCLOSED at least\n"
 
 
 def drawn(count):
@@ -177,6 +193,14 @@ def drawn(count):
         for changed in changes(text).values()
     ]
     return random.Random(18).sample(every, min(count, len(every)))
+
+
+def test_the_page_counts_changed_definitions():
+    found = definitions(SPECIFICATION, data())
+    count = sum(len(changes(text)) for _, text in found)
+    text = words("trust.md")
+    assert f"Each of the {len(found)} definitions under the specification" in text
+    assert f"of {count} changed ledgers 0 go unnoticed" in text
 
 
 @pytest.mark.parametrize(("name", "text", "changed"), drawn(6))

@@ -175,10 +175,12 @@ class Catalogue:
         return found
 
     def _entries(self, sequence: str, wanted: list[str]) -> list[dict[str, Any]]:
-        entries = self.published["sequences"][sequence]
+        entries = self.published.get("sequences", {}).get(sequence, [])
         named = {self._name(entry): entry for entry in entries}
         if missing := {*wanted} - named.keys():
             raise Refused(f"the sequence {sequence} has no formula for {min(missing)}")
+        if not entries:
+            raise Refused(f"the sequence {sequence} is not published")
         return [named[name] for name in wanted] if wanted else entries
 
     def _name(self, entry: dict[str, Any]) -> str:
