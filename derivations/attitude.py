@@ -142,3 +142,17 @@ def derive(book: Book) -> None:
     for name, form in MOMENTUM.items():
         book.claim(f"attitude.{name}_of_attitude", {name: form}, ["24"])
     book.claim("attitude.solution", kinematics("q"), ["3", "37"])
+    _start(book, components("p", inverse))
+
+
+def _start(book: Book, inverse: dict[str, str]) -> None:
+    """With p by (37), q starts where it is told to, and p is a turn."""
+    units = {q: " + ".join(f"{x}**2" for x in quaternion(q)) for q in ("q", "qbar", "p")}
+    given = Part(
+        witness={f"{q}_{x}": str(int(x == "0")) for q in ("q", "qbar") for x in "0abd"},
+        definitions=inverse,
+        relations=(f"{units['q']} - 1", f"{units['qbar']} - 1"),
+    )
+    book.open(join("attitude_start", HANDEDNESS, given, static=True))
+    book.claim("attitude_start.attitude", PULL_BACK.definitions, ["37"])
+    book.claim("attitude_start.turn", {units["p"]: "1"}, ["37"])

@@ -115,6 +115,9 @@ FORMULAS = {
 }
 PARAMETERS = {"m": "E_a*c_bd/(E_d*c_ab)", "m_1": "c_ad*E_b/(c_ab*E_d)"}
 
+# At t = 0 these say where on the polhode the motion starts.
+START = {"sn": "chi*Omega_b/A_b", "cn": "chi*tau*Omega_d/A_d", "dn": "sigma*Omega_a/A_a"}
+
 
 def derive(book: Book) -> None:
     """Euler's equations hold; the amplitudes, lambda and m follow from inertia and invariants."""
@@ -136,11 +139,10 @@ def derive(book: Book) -> None:
         book.root(f"regular.{name}", name, radicand, ["10", "13", "14"])
     for name, form in PARAMETERS.items():
         book.claim(f"regular.{name}", {name: form}, ["10", "13", "14"])
-    # At t = 0 these say where on the polhode the motion starts.
-    book.claim("regular.sn", {"sn": "chi*Omega_b/A_b"}, ["12"])
-    book.claim("regular.cn", {"cn": "chi*tau*Omega_d/A_d"}, ["12"])
-    book.claim("regular.dn", {"dn": "sigma*Omega_a/A_a"}, ["12"])
+    for name, form in START.items():
+        book.claim(f"regular.{name}", {name: form}, ["12"])
     _every_motion(book)
+    _start(book)
 
 
 def _every_motion(book: Book) -> None:
@@ -184,3 +186,42 @@ def _every_motion(book: Book) -> None:
         },
         ["12"],
     )
+
+
+def _start(book: Book) -> None:
+    """At t = 0 the rates are those given, u_1 is the phase, and psi is 0.
+
+    That sn, cn and dn are on the curve of Jacobi's functions is `any_motion.start`.
+    """
+    witness = {"Omega_a": "1", "Omega_b": "0", "Omega_d": "4", "K": "5"}
+    amplitudes = {"A_a": "1", "A_b": "4", "A_d": "4"}
+    others = ("t", "phase", "mu", "psi_0", "kappa", "J", "J_0")
+    given = Part(
+        witness=witness | amplitudes | dict.fromkeys(others, "0"),
+        units=("c_ab", "c_ad", "E_d", *amplitudes),
+        definitions={
+            **DIFFERENCES,
+            **RATES.definitions,
+            **BY_RATES,
+            **PARAMETERS,
+            "tau": AMPLITUDES.definitions["tau"],
+            **START,
+            "u_1": "mu*t + phase",
+            "psi": "psi_0*t + kappa*(J - J_0)",
+        },
+        relations=(
+            "K**2 - M_a**2 - M_b**2 - M_d**2",
+            *(f"{name}**2 - {FORMULAS[name]}" for name in amplitudes),
+            "t",
+            "J - J_0",
+        ),
+        nonnegative=("K", *amplitudes),
+    )
+    signs = (HANDEDNESS, SENSE, CIRCULATION, HALF)
+    book.open(join("rates_start", *signs, INERTIA, given, static=True))
+    book.root("rates_start.K", "K", "M_a**2 + M_b**2 + M_d**2", ["6", "15"])
+    for name in amplitudes:
+        book.root(f"rates_start.{name}", name, FORMULAS[name], ["10", "13", "14"])
+    book.claim("rates_start.rates", ROTATING.definitions, ["10"])
+    book.claim("rates_start.time", {"u_1": "phase", "psi": "0"}, ["20", "21", "33", "34"])
+    book.claim("rates_start.parameters", {"m + m_1": "1"}, ["13", "14"])

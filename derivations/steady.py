@@ -27,6 +27,7 @@ AXIS = Part(
     relations=("p3**2 + p2**2 + p1**2 + p0**2 - 1",),
     reading={f"p{k}": f"component {k} of the attitude at t = 0" for k in range(4)},
 )
+START = Part(relations=("t", "cos_half_theta - 1", "sin_half_theta"))
 PULL_BACK = Part(
     definitions={
         "r1": "sin_half_theta*axis1",
@@ -42,10 +43,9 @@ PULL_BACK = Part(
 
 def derive(book: Book) -> None:
     """Euler's equations, and |q| = 1 and q' = (1/2) q (0, Omega) for q = p exp(t Omega)."""
-    turn = half_angle("theta", "omega")
+    turn = replace(half_angle("theta", "omega"), definitions={})
     body = book.found(Dynamics).body
-    constant = replace(CONSTANT, definitions=body.definitions, reading=body.reading)
-    book.open(join("steady", INERTIA, constant, SPIN, AXIS, turn, PULL_BACK))
+    book.open(join("steady", INERTIA, CONSTANT, SPIN, AXIS, turn, PULL_BACK))
     euler = {f"D(Omega{k})": body.rates[f"Omega{k}"] for k in (1, 2, 3)}
     book.claim("steady.euler", euler, ["5"])
     book.claim("steady.norm", {"q0**2 + q1**2 + q2**2 + q3**2": "1"}, ["1"])
@@ -53,3 +53,17 @@ def derive(book: Book) -> None:
     book.claim("steady.solution", turning, ["3"])
     book.claim("steady.theta_is_the_angle", {"D(theta)": "omega"}, ["3"])
     book.root("steady.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
+    _start(book)
+
+
+def _start(book: Book) -> None:
+    """At t = 0 it is at the attitude p, whatever that is."""
+    rates = Part(witness=CONSTANT.witness)
+    attitude = Part(witness=AXIS.witness, definitions=AXIS.definitions)
+    turn = half_angle("theta")
+    angle = Part(turn.witness, reading=turn.reading)
+    parts = (INERTIA, rates, SPIN, attitude, angle, PULL_BACK, START)
+    book.open(join("steady_start", *parts, static=True))
+    book.root("steady_start.omega", "omega", "Omega1**2 + Omega2**2 + Omega3**2", ["3"])
+    start = {"theta": "0"} | {f"q{k}": f"p{k}" for k in range(4)}
+    book.claim("steady_start.attitude", start, ["37"])

@@ -25,8 +25,9 @@ ALLOWED = {
     "rigidsym.proof.algebra": "proof.kernel",
     "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
     "rigidsym.proof.paper": "language view.html",
+    "rigidsym.proof.audit": "language",
     "rigidsym.proof.claims": "io.ledger language view.html",
-    "rigidsym.proof.derivation": "derivations errors proof view.html",
+    "rigidsym.proof.derivation": "derivations errors io.ledger language proof view.html",
     "rigidsym.proof": "",
     "derivations": "errors language proof.algebra proof.kernel proof.paper proof.steps",
     # What is computed from it.

@@ -24,10 +24,12 @@ def add(command: Command) -> None:
 
 
 def _codegen(options: Namespace) -> int:
+    from rigidsym.cli.proofs import replayed
     from rigidsym.codegen import generate
     from rigidsym.codegen.seal import seal, seal_text
     from rigidsym.solution import sealed
 
+    replayed()
     generated = generate(options.target)
     seal(sealed())
     seal_text(generated, sealed())

@@ -1,4 +1,4 @@
-"""The commands `derive`, `check` and `errata`."""
+"""The commands `derive`, `check`, `errata` and `audit`."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -30,6 +30,9 @@ def add(command: Command) -> None:
 
     errata = command("errata", _errata, "the verdict on each printed equation")
     errata.add_argument("--json", action="store_true", help="to stdout alone")
+
+    audit = command("audit", _audit, "what is trusted and not decided, theorem by theorem")
+    audit.add_argument("--json", action="store_true", help="to stdout alone")
 
 
 def _add_setting(derive: ArgumentParser) -> None:
@@ -110,34 +113,59 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
 
 
 def _check(options: Namespace) -> int:
-    if options.independent:
-        return _check_independently(options.ledger)
+    """Facts by grade; 1 where the ledger is refused, or a fact rests on a reference alone."""
+    grades = _independent_grades if options.independent else _kernel_grades
+    found = grades(_ledger_text(options.ledger))
+    if found is None:
+        return 1
+    counts = ", ".join(f"{count} {grade}" for grade, count in found.items())
+    print(f"{counts} facts: accepted, and they prove the specification")
+    if assumed := found.get("ASSUMED"):
+        say(f"rigidsym check: {assumed} ASSUMED: facts must be ENCLOSED at least")
+    return 1 if assumed else 0
+
+
+def _kernel_grades(text: str) -> dict[str, int] | None:
+    import json
     from collections import Counter
 
+    from rigidsym.io.ledger import specification_text
+    from rigidsym.language.specification import Unproved, require
     from rigidsym.proof.algebra.enclosures import encloses
     from rigidsym.proof.kernel import KernelError, replay
 
     try:
-        ledger = replay(_ledger_text(options.ledger), encloses)
-    except KernelError as error:
+        ledger = replay(text, encloses)
+        require(specification_text(), json.loads(text))
+    except (KernelError, Unproved) as error:
         say(f"rigidsym check: refused: {error}")
-        return 1
-    grades = Counter(fact.grade for fact in ledger.facts.values())
-    counts = ", ".join(f"{count} {grade}" for grade, count in grades.most_common())
-    print(f"{counts} facts in {len(ledger.contexts)} contexts: accepted")
-    return 0
+        return None
+    return dict(Counter(str(fact.grade) for fact in ledger.facts.values()).most_common())
 
 
-def _check_independently(path: Path | None) -> int:
-    from rigidsym.proof.checker import Refused, check
+def _independent_grades(text: str) -> dict[str, int] | None:
+    from rigidsym.io.ledger import specification_text
+    from rigidsym.proof.checker import Refused, grades
 
     try:
-        facts = check(_ledger_text(path))
+        return grades(text, specification_text())
     except Refused as error:
         say(f"rigidsym check: refused by the independent checker: {error}")
-        return 1
-    print(f"{facts} facts: accepted by the independent checker")
-    return 0
+        return None
+
+
+def replayed() -> str:
+    """The sealed ledger, if the independent checker accepts it; LedgerError where it does not."""
+    from rigidsym.errors import LedgerError
+    from rigidsym.io.ledger import specification_text
+    from rigidsym.proof.checker import Refused, check
+
+    text = _ledger_text(None)
+    try:
+        check(text, specification_text())
+    except Refused as error:
+        raise LedgerError(f"ledger: refused by the independent checker: {error}") from None
+    return text
 
 
 def _ledger_text(path: Path | None) -> str:
@@ -153,7 +181,7 @@ def _errata(options: Namespace) -> int:
     from rigidsym.io.ledger import ledger_data
     from rigidsym.proof.paper import judged, row, verdicts
 
-    ledger = ledger_data(_ledger_text(None))
+    ledger = ledger_data(replayed())
     ruled, prose = verdicts(ledger), judged(ledger)
     if options.json:
         data = {
@@ -173,3 +201,31 @@ def _errata(options: Namespace) -> int:
 def _prose(found: "Judged") -> tuple[str, str, str, str]:
     decided_by = (*found.facts, *(f"`{command}`" for command in found.prose.commands))
     return found.prose.claim, found.judgement, found.prose.reason, "\n".join(decided_by)
+
+
+def _audit(options: Namespace) -> int:
+    import json
+    from dataclasses import asdict
+
+    from rigidsym.io.ledger import ledger_data, specification_text
+    from rigidsym.proof.audit import audit, handwritten, totals
+
+    audits = audit(specification_text(), ledger_data(replayed()))
+    counts, lines = totals(audits), handwritten()
+    if options.json:
+        theorems = [asdict(one) for one in audits]
+        data = {
+            "schema": "rigidsym.audit/1",
+            "theorems": theorems,
+            "totals": counts,
+            "lines": lines,
+        }
+        print(json.dumps(data, indent=1))
+        return 0
+    for one in audits:
+        print(f"{one.theorem}: {one.title}")
+        for kind, things in one.trusted.items():
+            print("".join(f"  {kind}: {thing}\n" for thing in things), end="")
+    print("in all: " + ", ".join(f"{count} {kind}" for kind, count in counts.items()))
+    print("by hand: " + ", ".join(f"{count} lines beside {name}" for name, count in lines.items()))
+    return 0

@@ -9,10 +9,19 @@ from rigidsym.errors import LedgerError
 
 def ledger_text() -> str:
     """The sealed ledger that came with this installation."""
+    return _derived("ledger.json", "run `rigidsym derive` to write it")
+
+
+def specification_text() -> str:
+    """What a ledger has to prove, as `rigidsym.language.specification` reads it."""
+    return _derived("specification.txt", "it comes with this package")
+
+
+def _derived(name: str, advice: str) -> str:
     try:
-        return resources.files("derivations").joinpath("ledger.json").read_text("utf-8")
+        return resources.files("derivations").joinpath(name).read_text("utf-8")
     except (OSError, ModuleNotFoundError) as error:
-        raise LedgerError(f"ledger: {error}: run `rigidsym derive` to write it") from None
+        raise LedgerError(f"ledger: {error}: {advice}") from None
 
 
 def ledger_data(text: str) -> dict[str, Any]:

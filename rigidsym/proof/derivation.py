@@ -11,6 +11,8 @@ from time import perf_counter
 from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
 from rigidsym.errors import InputError
+from rigidsym.io.ledger import specification_text
+from rigidsym.language.specification import Unproved, require
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.claims import Claim, Claims
 from rigidsym.proof.kernel import Fact, KernelError
@@ -101,8 +103,18 @@ def derive(
             ran.append(_run(book, name))
     finally:
         progress(last + 1, last + 1)
+    if setting is None and last == len(known) - 1:
+        _require_specified(book)
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
     return Derivation(reported, book.ledger.to_text())
+
+
+def _require_specified(book: Book) -> None:
+    """All chapters together prove what the specification says."""
+    try:
+        require(specification_text(), json.loads(book.ledger.to_text()))
+    except Unproved as error:
+        raise DerivationError(str(error)) from None
 
 
 def _run(book: Book, name: str) -> Chapter:

@@ -9,10 +9,10 @@ import hashlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from typing import TypedDict
+from typing import Any, TypedDict
 
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_data, ledger_text
+from rigidsym.io.ledger import ledger_data, ledger_text, specification_text
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -24,6 +24,7 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.language.sequence import FormulaSequence
+from rigidsym.language.specification import Unproved, require
 from rigidsym.solution.partition import Partition, partition_of
 
 AXES = ("a", "b", "d")
@@ -201,12 +202,21 @@ def load(text: str) -> Solution:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         _check_order(name, sequences[name])
         _check_together(name, sequences[name], facts)
+    _check_specified(data)
     evaluated = {
         name: FormulaSequence((f.name, f.expression) for f in formulas)
         for name, formulas in sequences.items()
     }
     partition = partition_of(facts.values(), contexts)
     return Solution(sequences, _digest(sequences), evaluated, partition)
+
+
+def _check_specified(data: Mapping[str, Any]) -> None:
+    """The ledger states every theorem of the specification; that proofs hold, checkers decide."""
+    try:
+        require(specification_text(), data)
+    except Unproved as error:
+        raise LedgerError(f"ledger: {error}") from None
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:

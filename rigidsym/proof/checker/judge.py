@@ -6,15 +6,21 @@ from contextlib import contextmanager
 from rigidsym.proof.checker.language import is_name
 from rigidsym.proof.checker.records import Claim, Hypotheses, Refused, fill, load
 from rigidsym.proof.checker.rules import RULES, Accepted, check_news
+from rigidsym.proof.checker.specification import Catalogue
 from rigidsym.proof.checker.theory import Theory
 
 WORST_TO_BEST = ["ASSUMED", "ENCLOSED", "PROVED"]
 
 
-def check(text: str) -> int:
+def check(text: str, specification: str = "") -> int:
     """The number of facts of a ledger, all of them accepted; Refused if anything is amiss."""
+    return sum(grades(text, specification).values())
+
+
+def grades(text: str, specification: str = "") -> dict[str, int]:
+    """How many facts of a ledger have each grade; Refused if one is amiss, or a theorem missing."""
     with _blaming("ledger"):
-        contexts, claims = load(text)
+        contexts, claims, published = load(text)
     judge = Judge()
     for entry in contexts:
         with _blaming("context", entry, "name"):
@@ -22,7 +28,11 @@ def check(text: str) -> int:
     for entry in claims:
         with _blaming("fact", entry, "id"):
             judge.accept(fill(Claim, entry))
-    return len(judge.facts)
+    given = {name: theory.given for name, theory in judge.theories.items()}
+    with _blaming("specification"):
+        Catalogue(given, judge.facts, published).require(specification)
+    found = [fact.grade for fact in judge.facts.values()]
+    return {grade: found.count(grade) for grade in reversed(WORST_TO_BEST) if grade in found}
 
 
 class Judge(Accepted):
@@ -58,7 +68,7 @@ def _blaming(kind: str, entry: object = None, key: str = "") -> Generator[None]:
     """Whatever goes wrong inside is a refusal, told in one line that names the culprit."""
     try:
         yield
-    except (ValueError, ArithmeticError, RecursionError, MemoryError) as error:
+    except (ValueError, ArithmeticError, LookupError, RecursionError, MemoryError) as error:
         name = entry.get(key) if isinstance(entry, dict) else ""
         printable = name if str(name).isascii() and str(name).isprintable() else ascii(name)
         culprit = f"{kind} {printable}" if name != "" else kind

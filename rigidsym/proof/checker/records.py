@@ -66,8 +66,8 @@ def fill(kind: type[Record], entry: object) -> Record:
     return kind(**entry)
 
 
-def load(text: str) -> tuple[list[object], list[object]]:
-    """The entries of contexts and facts, still unread, of a file spelled as ledgers are."""
+def load(text: str) -> tuple[list[object], list[object], dict[str, Any]]:
+    """Contexts and facts, still unread, and what is published, of a file spelled as ledgers are."""
     data = json.loads(text, object_pairs_hook=_once)
     if not isinstance(data, dict) or [*data] != KEYS or data["schema"] != SCHEMA:
         raise Refused(f"not a ledger of schema {SCHEMA}")
@@ -78,7 +78,7 @@ def load(text: str) -> tuple[list[object], list[object]]:
         raise Refused("contexts and facts are not lists")
     if json.dumps(data, indent=1, ensure_ascii=False) + "\n" != text:
         raise Refused("not spelled as ledgers are")
-    return lists
+    return *lists, data["published"]
 
 
 def _once(pairs: list[tuple[str, object]]) -> dict[str, object]:

@@ -1,0 +1,307 @@
+"""What a ledger has to prove: theorems, each under exactly the hypotheses that it names.
+
+A specification is made of blocks.  A block is a line that names it and clauses below, one a line or
+with ``|`` between them; what a clause lists is separated by ``;`` and goes on in lines that are
+indented further than their clause.
+
+    hypotheses name                      what several theorems assume; `under` includes it
+    theorem name: what it says
+
+    under A B                            the hypotheses of other blocks
+    names x y                            real numbers
+    zero a; b                            a = 0, b = 0
+    nonzero a; b                         a != 0, b != 0
+    nonnegative a; b                     a >= 0, b >= 0
+    positive a                           a >= 0 and a != 0
+    moving x' = a; y' = ?                time derivatives, known or not; other names are constant
+    let x = a                            what names stand for
+    with x = a                           the same, of names that would be free otherwise
+    without a                            a = 0 is not assumed
+    formulas s t                         the published sequences s and t hold: names mean that, too
+    formulas s: x y                      of the sequence s the formulas for x and y hold
+    then a = b; a = sqrt(b); a >= 0      what is proved
+    cases A, B, C                        what is proved: exactly one of these theorems applies
+
+A theorem without `moving` is about one instant.  Texts are compared word for word, spaces aside.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any, TypeAlias
+
+CLAUSES = {
+    *("under", "names", "zero", "nonzero", "nonnegative", "positive", "moving", "let", "with"),
+    *("without", "formulas", "then", "cases"),
+}
+_NAME = re.compile(r"[A-Za-z_]\w*")
+# "=", "sqrt" or ">=" and both sides: what a proved equation, root or sign says.
+Statement: TypeAlias = tuple[str, str, str]
+Formula: TypeAlias = tuple[str, Statement]  # by what it is known, and what it says
+
+
+class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
+    """A theorem of the specification that a ledger does not prove, in the specification's words."""
+
+
+@dataclass(slots=True)
+class Theorem:
+    """One block, with all that it includes; texts have no spaces."""
+
+    name: str
+    title: str = ""
+    is_theorem: bool = False
+    names: set[str] = field(default_factory=set)
+    zero: set[str] = field(default_factory=set)
+    nonzero: set[str] = field(default_factory=set)
+    nonnegative: set[str] = field(default_factory=set)
+    moving: dict[str, str] | None = None
+    let: dict[str, str] = field(default_factory=dict)
+    formulas: list[tuple[str, tuple[str, ...]]] = field(default_factory=list)
+    then: list[Statement] = field(default_factory=list)
+    cases: list[str] = field(default_factory=list)
+
+    def hypotheses(self) -> dict[str, set[str]]:
+        """What is assumed, by clause, each as it is written."""
+        moving = {f"{name}' = {text}" for name, text in (self.moving or {}).items()}
+        parts = {"names": self.names, "zero": self.zero, "nonzero": self.nonzero}
+        return parts | {"nonnegative": self.nonnegative, "moving": moving}
+
+
+def read(text: str) -> dict[str, Theorem]:
+    """All blocks of a specification by name; ValueError where it is not in order."""
+    blocks: dict[str, Theorem] = {}
+    for head, clauses in _blocks(text):
+        kind, _, rest = head.partition(" ")
+        name, _, title = (part.strip() for part in rest.partition(":"))
+        if kind not in ("hypotheses", "theorem") or not _NAME.fullmatch(name) or name in blocks:
+            raise ValueError(f"specification: {head!r}: no block, or one of this name is there")
+        block = Theorem(name, title, kind == "theorem")
+        for clause, content in clauses:
+            _fill(block, clause, content, blocks)
+        blocks[name] = block
+    return blocks
+
+
+def _blocks(text: str) -> Iterator[tuple[str, list[tuple[str, str]]]]:
+    """Each block: its first line, and its clauses with what they list."""
+    lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
+    for paragraph in "\n".join(lines).strip().split("\n\n"):
+        for block in re.split(r"\n(?=\S)", paragraph.strip("\n")):
+            if block.strip():
+                head, *clauses = re.split(r" \| |\n {4}(?=\S)", block)
+                yield head.strip(), [_clause(clause) for clause in clauses]
+
+
+def _clause(text: str) -> tuple[str, str]:
+    clause, _, content = " ".join(text.split()).partition(" ")
+    if clause not in CLAUSES:
+        raise ValueError(f"specification: {clause!r} is no clause")
+    return clause, content
+
+
+def _fill(block: Theorem, clause: str, content: str, blocks: Mapping[str, Theorem]) -> None:
+    items = ["".join(item.split()) for item in content.split(";") if item.strip()]
+    match clause:
+        case "under":
+            for name in content.split():
+                _include(block, blocks[name])
+        case "names":
+            block.names |= {*content.split()}
+        case "zero" | "nonzero" | "nonnegative":
+            getattr(block, clause).update(items)
+        case "positive":
+            block.nonzero |= {*items}
+            block.nonnegative |= {*items}
+        case "moving":
+            block.moving = (block.moving or {}) | dict(item.split("'=") for item in items)
+        case "let" | "with":
+            block.let |= dict(item.split("=") for item in items)
+            block.names -= {*block.let}
+            _still(block)
+        case "without":
+            block.zero -= {*items}
+        case "formulas":
+            sequences, _, names = content.partition(":")
+            block.formulas += [(name, tuple(names.split())) for name in sequences.split()]
+        case "then":
+            block.then += map(_statement, items)
+        case "cases":
+            block.cases += [name.strip() for name in content.split(",")]
+
+
+def _include(block: Theorem, other: Theorem) -> None:
+    for clause in ("names", "zero", "nonzero", "nonnegative"):
+        getattr(block, clause).update(getattr(other, clause))
+    block.let |= other.let
+    if other.moving is not None:
+        block.moving = (block.moving or {}) | other.moving
+    block.formulas += other.formulas
+    block.then += other.then
+
+
+def _still(block: Theorem) -> None:
+    """Names that stand for something do not move by themselves."""
+    if block.moving is not None:
+        block.moving = {k: text for k, text in block.moving.items() if k not in block.let}
+
+
+def _statement(item: str) -> Statement:
+    if item.endswith(">=0"):
+        return ">=", item.removesuffix(">=0"), "0"
+    lhs, _, rhs = item.partition("=")
+    root = re.fullmatch(r"sqrt\((.*)\)", rhs)
+    return ("sqrt", lhs, root[1]) if root else ("=", lhs, rhs)
+
+
+def written(statement: Statement) -> str:
+    """A statement as it is read."""
+    relation, lhs, rhs = statement
+    if relation == ">=":
+        return f"{lhs} >= 0"
+    return f"{lhs} = {rhs}" if relation == "=" else f"{lhs} = sqrt({rhs})"
+
+
+@cache
+def theorems(specification: str) -> dict[str, Theorem]:
+    """The theorems of a specification by name."""
+    return {name: block for name, block in read(specification).items() if block.is_theorem}
+
+
+def require(specification: str, ledger: Mapping[str, Any]) -> None:
+    """Refuse a ledger that does not prove a theorem; raises Unproved for the first such."""
+    try:
+        proved = Proved(ledger)
+        for theorem in theorems(specification).values():
+            if lack := next(proved.lacks(theorem), ""):
+                raise Unproved(f"theorem {theorem.name} ({theorem.title}): {lack}")
+    except (LookupError, TypeError, AttributeError) as error:
+        raise Unproved(f"not a ledger that theorems can be read from: {error!r}") from None
+
+
+class Proved:
+    """What a ledger proves, by what its facts state; that their proofs hold is others' business."""
+
+    def __init__(self, ledger: Mapping[str, Any]) -> None:
+        self.contexts = {context["name"]: context for context in ledger["contexts"]}
+        facts = [fact for fact in ledger["facts"] if fact["grade"] == "PROVED"]
+        self.facts = {fact["id"]: fact for fact in facts}
+        self.sequences = ledger["published"].get("sequences", {})
+        self._models: dict[str, list[str]] = {}
+        self._stated: dict[str, set[Statement]] = {}
+        self._partitions: set[tuple[str, ...]] = set()
+        for fact in facts:
+            self._note(fact)
+
+    def _note(self, fact: Mapping[str, Any]) -> None:
+        place, kind = fact["context"], fact["kind"]
+        relation = {"equal": "=", "root": "sqrt", "nonnegative": ">="}.get(kind)
+        if kind == "model":
+            self._models.setdefault(place, []).extend(fact["rhs"])
+        elif kind == "partition":
+            self._partitions.add((place, *fact["rhs"]))
+        elif relation:
+            self._stated.setdefault(place, set()).update(
+                (relation, _spaceless(lhs), "0" if relation == ">=" else _spaceless(rhs))
+                for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True)
+            )
+
+    def lacks(self, theorem: Theorem) -> Iterator[str]:
+        """What is missing of a theorem, in words, one thing after the other."""
+        context = self.contexts.get(theorem.name)
+        if context is None:
+            yield "its hypotheses are not in the ledger"
+            return
+        yield from _unlike(theorem, context)
+        places = self._places(theorem.name)
+        facts = set().union(*(self._stated.get(place, set()) for place in places))
+        known = {
+            "fact": facts | self._said("definitions", places),
+            "reading": self._said("reading", places),
+        }
+        formulas = [f for part in theorem.formulas for f in self._formulas(*part)]
+        yield from _unsaid(theorem, context, {said[1] for how, said in formulas if how == "fact"})
+        for how, said in formulas:
+            if said not in known[how]:
+                yield f"its formula {written(said)} is not proved under its hypotheses"
+        for said in theorem.then:
+            if not _ways(said) & facts:
+                yield f"{written(said)} is not proved under its hypotheses"
+        if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
+            yield f"exactly one of {', '.join(theorem.cases)} is not proved"
+
+    def _places(self, name: str) -> list[str]:
+        """A context, and all that it is a model of, by one step or more."""
+        places = [name]
+        for place in places:
+            places += (other for other in self._models.get(place, ()) if other not in places)
+        return places
+
+    def _said(self, column: str, places: Iterable[str]) -> set[Statement]:
+        """What contexts have for names, as definitions or readings."""
+        return {
+            ("=", name, _spaceless(text))
+            for place in places
+            for name, text in self.contexts[place][column].items()
+        }
+
+    def _formulas(self, sequence: str, names: Iterable[str]) -> Iterator[Formula]:
+        """What a sequence publishes, of it what is named: how it is known, and what it says."""
+        wanted = {*names}
+        if sequence not in self.sequences:
+            raise Unproved(f"the formula sequence {sequence} is not published")
+        found = [self._formula(entry) for entry in self.sequences[sequence]]
+        if missing := wanted - {statement[1] for _, statement in found}:
+            raise Unproved(f"the formula sequence {sequence} has no formula for {min(missing)}")
+        yield from (f for f in found if not wanted or f[1][1] in wanted)
+
+    def _formula(self, entry: Mapping[str, str]) -> Formula:
+        for how, column in (("definition", "definitions"), ("reading", "reading")):
+            if how in entry:
+                text = self.contexts[entry["context"]][column][entry[how]]
+                return how if how == "reading" else "fact", ("=", entry[how], _spaceless(text))
+        fact = self.facts.get(entry["fact"])
+        if fact is None or len(fact["lhs"]) != 1 or fact["kind"] not in ("equal", "root"):
+            raise Unproved(f"{entry['fact']} is published but is not one proved formula")
+        relation = "sqrt" if fact["kind"] == "root" else "="
+        return "fact", (relation, _spaceless(fact["lhs"][0]), _spaceless(fact["rhs"][0]))
+
+
+def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
+    """Hypotheses that a theorem or a context has and the other has not."""
+    rates = context["rates"]
+    if (rates is None) != (theorem.moving is None):
+        yield "it is about one instant, or about a motion, where the ledger has the other"
+    there = {
+        "names": {*context["generators"]},
+        "zero": {*map(_spaceless, context["relations"])},
+        "nonzero": {*map(_spaceless, context["units"])},
+        "nonnegative": {*map(_spaceless, context["nonnegative"])},
+        "moving": {f"{name}' = {_spaceless(text)}" for name, text in (rates or {}).items()},
+    }
+    for clause, here in theorem.hypotheses().items():
+        for text in sorted(there[clause] - here):
+            yield f"{clause} {text}: the ledger assumes this beyond it"
+        for text in sorted(here - there[clause]):
+            yield f"{clause} {text}: this is not assumed in the ledger"
+
+
+def _unsaid(theorem: Theorem, context: Mapping[str, Any], published: set[str]) -> Iterator[str]:
+    """Definitions that differ, and those that a theorem rests on without saying them."""
+    definitions = {name: _spaceless(text) for name, text in context["definitions"].items()}
+    for name, text in theorem.let.items():
+        if definitions.get(name) != text:
+            yield f"let {name} = {text}: in the ledger it is {definitions.get(name, 'nothing')}"
+    for name in definitions.keys() - theorem.let.keys() - published:
+        yield f"{name} = {definitions[name]}: the ledger has this name beyond it"
+
+
+def _ways(statement: Statement) -> set[Statement]:
+    """An equation may be read from either side."""
+    relation, lhs, rhs = statement
+    return {statement, (relation, rhs, lhs)} if relation == "=" else {statement}
+
+
+def _spaceless(text: str) -> str:
+    return text.replace(" ", "")

@@ -1,0 +1,97 @@
+"""What is trusted and not decided under each theorem of the specification, listed and counted."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from importlib import resources
+from typing import Any
+
+from rigidsym.language.specification import Theorem, theorems
+
+# Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
+RUNTIMES = {
+    "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
+    "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Audit:
+    """One theorem: kinds of trusted things, each with what there is of it, as text."""
+
+    theorem: str
+    title: str
+    trusted: Mapping[str, tuple[str, ...]]
+
+
+def audit(specification: str, ledger: Mapping[str, Any]) -> list[Audit]:
+    """Everything that a reader of a proved ledger takes on trust, theorem by theorem."""
+    return [_audit(theorem, ledger) for theorem in theorems(specification).values()]
+
+
+def totals(audits: Iterable[Audit]) -> dict[str, int]:
+    """How many different things of each kind there are in all."""
+    found: dict[str, set[str]] = {}
+    for one in audits:
+        for kind, things in one.trusted.items():
+            found.setdefault(kind, set()).update(things)
+    return {kind: len(things) for kind, things in found.items()}
+
+
+def handwritten() -> dict[str, int]:
+    """Lines that are neither blank nor comments of what each target has beside generated code."""
+    return {
+        target: sum(_lines(name, "//" if target == "c" else "#") for name in names)
+        for target, names in RUNTIMES.items()
+    }
+
+
+def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
+    """Hypotheses, rates and definitions as the theorem has them; the rest as the ledger has it."""
+    contexts = {context["name"]: context for context in ledger["contexts"]}
+    rates = tuple(f"{name}' = {text}" for name, text in sorted((theorem.moving or {}).items()))
+    trusted = {
+        "hypotheses": (
+            *(f"{text} = 0" for text in sorted(theorem.zero)),
+            *(f"{text} != 0" for text in sorted(theorem.nonzero)),
+            *(f"{text} >= 0" for text in sorted(theorem.nonnegative)),
+        ),
+        "rates": rates,
+        "definitions": tuple(f"{name} = {text}" for name, text in sorted(theorem.let.items())),
+        "readings": tuple(_readings(theorem, ledger, contexts)),
+        "suppositions": tuple(_suppositions(theorem.name, ledger)),
+    }
+    return Audit(theorem.name, theorem.title, trusted)
+
+
+def _readings(
+    theorem: Theorem, ledger: Mapping[str, Any], contexts: Mapping[str, Any]
+) -> list[str]:
+    """The standard functions that numbers take published names for."""
+    found = []
+    for sequence, names in theorem.formulas:
+        for entry in ledger["published"]["sequences"][sequence]:
+            if (name := entry.get("reading")) and (not names or name in names):
+                found.append(f"{name} is {contexts[entry['context']]['reading'][name]}")
+    return list(dict.fromkeys(found))
+
+
+def _suppositions(name: str, ledger: Mapping[str, Any]) -> list[str]:
+    """Others' results by which functions, as they are read, meet a theorem's hypotheses."""
+    facts = ledger["facts"]
+    resting = {
+        fact["context"]
+        for fact in facts
+        if fact["kind"] == "model" and fact["rhs"] == [name] and fact["grade"] != "PROVED"
+    }
+    return [
+        f"{lhs} = {rhs} ({fact['certificate']['reference']})"
+        for fact in facts
+        if fact["rule"] == "assumption" and fact["context"] in resting
+        for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True)
+    ]
+
+
+def _lines(name: str, comment: str) -> int:
+    text = resources.files("rigidsym.codegen").joinpath(name).read_text("utf-8")
+    lines = (line.strip() for line in text.splitlines())
+    return sum(bool(line) and not line.startswith(comment) for line in lines)

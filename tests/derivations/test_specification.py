@@ -1,0 +1,312 @@
+"""What a ledger has to prove: read twice, and not to be had by a ledger that proves less."""
+
+import json
+import random
+
+import pytest
+from attacks import Attacker, changes, definitions
+from document_texts import rows, words
+from ledgers import written
+
+from rigidsym.cli import main
+from rigidsym.errors import LedgerError
+from rigidsym.io.ledger import ledger_text, specification_text
+from rigidsym.language.specification import Unproved, read, require, theorems
+from rigidsym.proof.algebra import Book
+from rigidsym.proof.audit import audit, handwritten, totals
+from rigidsym.proof.checker import Refused
+from rigidsym.proof.checker.records import Claim, Hypotheses, fill
+from rigidsym.proof.checker.specification import Catalogue, blocks
+from rigidsym.proof.derivation import DerivationError, _require_specified
+from rigidsym.solution import load
+from rigidsym.solution.formulas import INPUTS
+
+TEXT, SPECIFICATION = ledger_text(), specification_text()
+STEADY = {
+    "q0": "p0*cos_half_theta - p1*r1 - p2*r2 - p3*r3",
+    "q1": "p0*r1 + p1*cos_half_theta + p2*r3 - p3*r2",
+    "q2": "p0*r2 + p2*cos_half_theta + p3*r1 - p1*r3",
+    "q3": "p0*r3 + p3*cos_half_theta + p1*r2 - p2*r1",
+}
+
+
+def data():
+    return json.loads(TEXT)
+
+
+def read_again(ledger):
+    """The independent checker's own look at the theorems, its replay aside."""
+    contexts = {entry["name"]: fill(Hypotheses, entry) for entry in ledger["contexts"]}
+    facts = {entry["id"]: fill(Claim, entry) for entry in ledger["facts"]}
+    Catalogue(contexts, facts, ledger["published"]).require(SPECIFICATION)
+
+
+def refused(ledger):
+    """Why the one reader refuses a ledger, which the other does as well; "" where it does not."""
+    ledger = json.loads(written(ledger))
+    try:
+        require(SPECIFICATION, ledger)
+    except Unproved as error:
+        with pytest.raises((Refused, LookupError)):
+            read_again(ledger)
+        return str(error)
+    read_again(ledger)
+    return ""
+
+
+def part(ledger, kind, name):
+    return next(x for x in ledger[kind] if x["id" if kind == "facts" else "name"] == name)
+
+
+@pytest.fixture(scope="module")
+def attacker():
+    return Attacker(TEXT)
+
+
+def test_it_can_be_audited_by_eye():
+    lines = [line for line in SPECIFICATION.splitlines() if line and not line.startswith("#")]
+    assert len(lines) <= 150
+    assert max(map(len, SPECIFICATION.splitlines())) <= 150
+
+
+def test_the_sealed_ledger_proves_it():
+    assert refused(data()) == ""
+
+
+def test_both_readers_read_the_same():
+    first = {name: block.is_theorem for name, block in read(SPECIFICATION).items()}
+    again = blocks(SPECIFICATION)
+    assert first == {name: is_theorem for name, (is_theorem, _) in again.items()}
+    for name, block in read(SPECIFICATION).items():
+        other = again[name][1]
+        assert [len(block.then), len(block.cases)] == [len(other.stated), len(other.cases)]
+        assert {*block.let} == {*other.named}
+        for clause in ("names", "zero", "nonzero", "nonnegative"):
+            assert len(getattr(block, clause)) == len(other.assumed.get(clause, ()))
+        assert {*(block.moving or {})} == {*(other.rates or {})}
+
+
+def test_every_published_sequence_is_in_a_theorem():
+    named = {sequence for t in theorems(SPECIFICATION).values() for sequence, _ in t.formulas}
+    assert named == {*data()["published"]["sequences"]}
+
+
+@pytest.mark.parametrize("name", theorems(SPECIFICATION))
+def test_a_theorem_is_missed_with_its_context(name):
+    ledger = data()
+    ledger["facts"] = [f for f in ledger["facts"] if name not in (f["context"], *f["rhs"])]
+    ledger["contexts"] = [c for c in ledger["contexts"] if c["name"] != name]
+    assert refused(ledger).startswith("theorem ")
+
+
+def test_chapters_that_prove_less_seal_nothing():
+    with pytest.raises(DerivationError, match=r"theorem steady \(.*: its hypotheses are not in"):
+        _require_specified(Book())
+
+
+def test_a_theorem_has_to_be_proved():
+    ledger = data()
+    part(ledger, "facts", "steady.solution")["grade"] = "ENCLOSED"
+    assert refused(ledger) == (
+        "theorem steady (constant rates, |q| = 1, q' = q (0, Omega)/2, Euler's equations): "
+        "D(q0) = -Omega1*q1/2-Omega2*q2/2-Omega3*q3/2 is not proved under its hypotheses"
+    )
+
+
+@pytest.mark.parametrize("names", [["sigma"], ["chi"], ["sigma", "chi"]])
+@pytest.mark.parametrize("context", ["theta_form", "hyperbolic_form", "descended"])
+def test_a_theorem_for_less_is_another(context, names):
+    ledger = data()
+    part(ledger, "contexts", context)["relations"] += [f"{name} - 1" for name in names]
+    assert "the ledger assumes this beyond it" in refused(ledger)
+
+
+@pytest.mark.parametrize("field", ["units", "nonnegative", "relations"])
+@pytest.mark.parametrize("context", [*theorems(SPECIFICATION)])
+def test_hypotheses_are_exactly_those(context, field):
+    ledger = data()
+    given = part(ledger, "contexts", context)
+    given[field] += [f"{given['generators'][0]} + 7"]
+    assert f"theorem {context} (" in refused(ledger)
+    del given[field][-1]
+    if given[field]:
+        del given[field][0]
+        assert f"theorem {context} (" in refused(ledger)
+
+
+def test_rates_are_exactly_those():
+    ledger = data()
+    part(ledger, "contexts", "descended")["rates"]["s"] = "(mu)*c*d*2"
+    assert "theorem descended" in refused(ledger)
+    part(ledger, "contexts", "descended")["rates"] = None
+    assert "theorem descended" in refused(ledger)
+
+
+def test_a_sign_of_q0_is_noticed(attacker):
+    """The two characters of the definition, and wherever it is restated."""
+    changed = STEADY["q0"].replace("- p1*r1", "+ p1*r1")
+    ledger = attacker.redefine("q0", STEADY["q0"], changed)
+    assert "theorem steady (" in refused(ledger)
+    with pytest.raises(LedgerError, match=r"theorem steady \("):
+        load(written(ledger))
+
+
+@pytest.mark.parametrize("name", STEADY)
+def test_another_quaternion_is_noticed(attacker, name):
+    assert refused(attacker.redefine(name, STEADY[name], f"7 - ({STEADY[name]})"))
+
+
+def test_a_formula_is_one_that_is_proved():
+    """A_a doubled: as a fact it is no longer what the start of the motion rests on."""
+    ledger = data()
+    part(ledger, "facts", "regular.A_a")["rhs"] = ["4*E_d/(c_a*c_ad)"]
+    assert "its formula A_a = sqrt(4*E_d/(c_a*c_ad)) is not proved" in refused(ledger)
+
+
+@pytest.mark.parametrize(
+    "command", [["check"], ["check", "--independent"], ["errata"], ["codegen", "numpy", "--check"]]
+)
+def test_commands_replay_and_require(command, monkeypatch, capsys):
+    """A_a doubled wherever it is stated: no checker accepts it, and nothing is made of it."""
+    text = TEXT.replace('"E_d/(c_a*c_ad)"', '"4*E_d/(c_a*c_ad)"')
+    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.ledger_text"):
+        monkeypatch.setattr(place, lambda: text)
+    assert main(command) == (1 if command[0] == "check" else 2)
+    assert "refused" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("checker", [[], ["--independent"]])
+def test_what_is_only_assumed_is_no_success(checker, tmp_path, capsys):
+    """0 = 1 with a reference is admitted as ASSUMED: `check` says so, and fails."""
+    ledger = data()
+    fact = part(ledger, "facts", "windings.rule")
+    claim = {**fact, "id": "windings.wrong", "lhs": ["0"], "rhs": ["1"], "grade": "ASSUMED"}
+    claim["certificate"] = {"reference": "hearsay"}
+    ledger["facts"].append(claim)
+    path = tmp_path / "ledger.json"
+    path.write_text(written(ledger))
+    assert main(["check", str(path), *checker]) == 1
+    told = capsys.readouterr()
+    assert "1 ASSUMED facts" in told.out
+    assert told.err == "rigidsym check: 1 ASSUMED: facts must be ENCLOSED at least\n"
+
+
+def drawn(count):
+    """Changed definitions that no `let` of a theorem rules out at once."""
+    said = {pair for t in theorems(SPECIFICATION).values() for pair in t.let.items()}
+    every = [
+        (name, text, changed)
+        for name, text in definitions(SPECIFICATION, data())
+        if (name, text.replace(" ", "")) not in said
+        for changed in changes(text).values()
+    ]
+    return random.Random(18).sample(every, min(count, len(every)))
+
+
+def test_the_page_counts_changed_definitions():
+    found = definitions(SPECIFICATION, data())
+    count = sum(len(changes(text)) for _, text in found)
+    text = words("trust.md")
+    assert f"Each of the {len(found)} definitions under the specification" in text
+    assert f"of {count} changed ledgers 0 go unnoticed" in text
+
+
+@pytest.mark.parametrize(("name", "text", "changed"), drawn(6))
+def test_a_changed_definition_is_noticed(attacker, name, text, changed):
+    assert refused(attacker.redefine(name, text, changed))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "text", "changed"), drawn(10_000))
+def test_every_changed_definition_is_noticed(attacker, name, text, changed):
+    assert refused(attacker.redefine(name, text, changed))
+
+
+def edit(ledger, random):
+    """One random change of what theorems rest on: a context, a fact, or what is published."""
+    named = [*theorems(SPECIFICATION)]
+    kind = random.choice(["contexts", "facts", "published"])
+    if kind == "published":
+        entries = ledger["published"]["sequences"][random.choice([*INPUTS])]
+        return _edit_list(entries, random)
+    if kind == "facts":
+        facts = [f for f in ledger["facts"] if f["context"] in named and f["lhs"]]
+        fact = random.choice(facts)
+        if random.random() < 0.2:
+            fact["grade"] = "ENCLOSED"
+        side, k = fact[random.choice(["lhs", "rhs"])], random.randrange(len(fact["lhs"]))
+        side[k % len(side)] = f"2*({side[k % len(side)]})"
+        return None
+    context = part(ledger, "contexts", random.choice(named))
+    field = random.choice(["generators", "units", "relations", "nonnegative", "definitions"])
+    if field != "definitions":
+        return _edit_list(context[field], random)
+    name = random.choice([*context[field]] or [""])
+    context[field] |= {name: f"2*({context[field][name]})"} if name else {"more": "1"}
+    return None
+
+
+def _edit_list(items, random):
+    if items and random.random() < 0.5:
+        del items[random.randrange(len(items))]
+    elif items:
+        items.insert(0, items[-1]) if isinstance(items[0], dict) else items.append(f"{items[0]}7")
+
+
+def agree_on_edits(seeds):
+    """How many edited ledgers are refused; the two readers must not differ on any."""
+    return sum(_refused_edit(random.Random(seed)) for seed in seeds)
+
+
+def _refused_edit(drawn):
+    ledger = data()
+    edit(ledger, drawn)
+    return bool(refused(ledger))
+
+
+def test_both_readers_agree_on_random_edits():
+    assert agree_on_edits(range(40)) >= 15
+
+
+@pytest.mark.slow
+def test_both_readers_agree_on_many_random_edits():
+    assert agree_on_edits(range(2000)) >= 800
+
+
+def test_what_is_trusted_does_not_grow():
+    """The counts of the page are those of `rigidsym audit`, or were larger."""
+    audits = audit(SPECIFICATION, data())
+    assert [one.theorem for one in audits] == [*theorems(SPECIFICATION)]
+    said = {row[0]: int(row[1]) for row in rows("trust.md") if len(row) == 2 and row[1].isdigit()}
+    found = {f"{kind}:": count for kind, count in totals(audits).items()}
+    lines = handwritten()
+    found |= {"generated NumPy": lines["numpy"], "generated C": lines["c"]}
+    for label, count in found.items():
+        (told,) = (number for text, number in said.items() if label in text)
+        assert count <= told, label
+
+
+def test_audit_is_a_command(capsys):
+    assert main(["audit", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["totals"] == totals(audit(SPECIFICATION, data()))
+    assert main(["audit"]) == 0
+    text = capsys.readouterr().out
+    assert "theta_form: nome of k_1^2" in text
+    assert "suppositions: W = T4_re**2" in text
+    assert text.splitlines()[-1].startswith("by hand: ")
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        ("lemma a: b", "no block"),
+        ("theorem a: b\n\ntheorem a: c", "no block"),
+        ("theorem a: b\n    given x", "no clause"),
+    ],
+)
+def test_a_specification_out_of_order_is_refused(text, rule):
+    with pytest.raises(ValueError, match=rule):
+        read(text)
+    with pytest.raises(Refused, match="specification"):
+        blocks(text)
