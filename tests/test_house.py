@@ -23,6 +23,7 @@ ALLOWED = {
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
+    "rigidsym.proof.coq": "proof.kernel",
     "rigidsym.proof.paper": "language view.html",
     "rigidsym.proof.claims": "io.ledger language view.html",
     "rigidsym.proof.derivation": "derivations errors proof view.html",
