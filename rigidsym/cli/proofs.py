@@ -30,8 +30,7 @@ def add(command: Command) -> None:
 
     export = command("export", _export, "write a ledger for another prover")
     export.add_argument("prover", metavar="PROVER", choices=("coq",), help="coq")
-    directory = {"metavar": "DIR", "type": as_path, "required": True}
-    export.add_argument("-o", "--output", help="where to write it", **directory)
+    export.add_argument("-o", "--output", metavar="DIR", type=as_path, required=True)
     export.add_argument("--ledger", metavar="LEDGER", type=as_path, help="the sealed one")
     export.add_argument(
         "--check", action="store_true", help="let it decide: runs make, for minutes"

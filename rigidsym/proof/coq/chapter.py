@@ -126,7 +126,8 @@ class Chapter:
             yield "(* Abbreviations. *)\n" + "\n".join(map(self._definition, definitions))
         yield self._holds()
         atoms = "; ".join(map(self.say, self.theory.names))
-        yield f"(* All names, for the prelude. *)\nDefinition atoms (X : names) (t : R) : list R := [{atoms}]."
+        atoms = f"Definition atoms (X : names) (t : R) : list R := [{atoms}]."
+        yield f"(* All names, for the prelude. *)\n{atoms}"
         yield known(
             "",
             self.theory,
@@ -152,7 +153,8 @@ class Chapter:
     def _holds(self) -> str:
         fields = [f"  {key} : {claim}" for key, claim in self.hypotheses()]
         body = ";\n".join(fields) or "  nothing_supposed : True"
-        return f"(* What is supposed of them. *)\nRecord holds (X : names) : Prop := suppose {{\n{body}\n}}."
+        record = f"Record holds (X : names) : Prop := suppose {{\n{body}\n}}."
+        return f"(* What is supposed of them. *)\n{record}"
 
     def hypotheses(self) -> Iterable[tuple[str, str]]:
         """The fields of `holds` and what they say."""
@@ -211,7 +213,10 @@ def known(suffix: str, theory: Theory, start: str, binder: str, more: str, befor
             f"Proof. vm_cast_no_check (eq_refl (Some {result})). Qed.",
             f"Lemma known{suffix} : {binder},",
             f"  sound (fun t => atoms X t ++ {more}) {result}.",
-            f"Proof.\n  intros; apply (run_sound _ {steps} {start} {result} ({before}) runs{suffix}).\n  cbv [all_given given {steps}]; exact {given}.\nQed.",
+            "Proof.",
+            f"  intros; apply (run_sound _ {steps} {start} {result} ({before}) runs{suffix}).",
+            f"  cbv [all_given given {steps}]; exact {given}.",
+            "Qed.",
         )
     )
 

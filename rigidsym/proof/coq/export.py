@@ -1,4 +1,4 @@
-"""All files of the export: a fixed prelude, a file per context, theorems in plain words, a Makefile."""
+"""All files of the export: the prelude, a file per context, theorems in plain words, a Makefile."""
 
 import re
 from collections import Counter
@@ -64,9 +64,8 @@ def _fixed(files: Mapping[str, str]) -> dict[str, str]:
 
 def _requires(text: str) -> Iterable[str]:
     """The files of ours that a file needs."""
-    for folder, names in re.findall(
-        r"^From Rigidsym(\.contexts)? Require (?:Import )?(.*)\.$", text, re.M
-    ):
+    form = r"^From Rigidsym(\.contexts)? Require (?:Import )?(.*)\.$"
+    for folder, names in re.findall(form, text, re.MULTILINE):
         yield from (f"{'contexts/' if folder else ''}{name}.v" for name in names.split())
 
 

@@ -45,19 +45,18 @@ class Claim:
 
 def claims_of(fact: Fact) -> list[list[Claim]]:
     """What a fact says, for each of its components."""
-    return [
-        _component(fact.kind, parse(l), parse(r)) for l, r in zip(fact.lhs, fact.rhs, strict=True)
-    ]
+    return [_component(fact.kind, *sides) for sides in _sides(fact)]
+
+
+def _sides(fact: Fact) -> list[tuple[Tree, Tree]]:
+    return list(zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True))
 
 
 def _component(kind: str, left: Tree, right: Tree) -> list[Claim]:
-    if (
-        kind == "equal"
-        and _is_rate(left)
-        and not any(derivatives(right))
-        and not any(derivatives(left[2]))
-    ):
-        return [Claim("Derives", (left[2], right))]
+    if kind == "equal" and isinstance(left, tuple) and left[0] == "D":
+        plain = not any(derivatives(right)) and not any(derivatives(left[2]))
+        if plain:
+            return [Claim("Derives", (left[2], right))]
     inner = dict.fromkeys([*derivatives(left), *derivatives(right)])
     smooth = [Claim("Smooth", (tree,)) for tree in inner]
     if kind == "root":
@@ -66,8 +65,9 @@ def _component(kind: str, left: Tree, right: Tree) -> list[Claim]:
     return [*smooth, Claim("Equal", (left, right)), *signed]
 
 
-def _is_rate(tree: Tree) -> bool:
-    return isinstance(tree, tuple) and tree[0] == "D"
+def computed(term: str) -> str:
+    """A proof whose last step Coq computes."""
+    return f"Proof. refine ({term}); vm_cast_no_check (eq_refl true). Qed."
 
 
 class Printer:
@@ -111,8 +111,7 @@ class Printer:
             claims_list(f"claims_{name}", rows),
             f"Theorem fact_{name} (X : names) (H : holds X){_time(chapter)} :",
             f"  {_all(said)}.",
-            f"Proof. refine (decided _ theory (known X H (fun _ => [])) claims_{name} {_now(chapter)} _); "
-            "vm_cast_no_check (eq_refl true). Qed.",
+            computed(f"decided _ theory (known X H (fun _ => [])) claims_{name} {_now(chapter)} _"),
         )
         return ()
 
@@ -153,26 +152,27 @@ class Printer:
             f"{name}.{other.words[x]} ({here}){' t' if x in other.moving else ''}" for x in aliases
         ]
         binder, passed = _binder(hypotheses)
-        lemma = f"known_{name}"
+        who = f"(X : names) (H : holds X){binder}"
+        whole = f"fun t => atoms X t ++ more_{name} X t"
+        suppose = f"{name}.suppose ({here}){''.join(proofs)}"
         chapter.write(
             f"(* This is a model of {name}. *)",
-            f"Definition as_{name} (X : names){time} : {name}.names :=\n  {chapter.record(other, values)}.",
+            f"Definition as_{name} (X : names){time} : {name}.names :=",
+            f"  {chapter.record(other, values)}.",
             f"Definition more_{name} (X : names) (t : R) : list R := {listed(more)}.",
             lambda: known(
                 f"_{name}",
                 theory,
                 "theory",
-                f"forall (X : names) (H : holds X){binder}",
+                f"forall {who}",
                 f"more_{name} X t",
                 f"known X H (more_{name} X)",
             ),
             claims_list(f"claims_{name}", rows),
-            f"Lemma all_{name} (X : names) (H : holds X){binder} (t : R) : all_state (fun t => atoms X t ++ more_{name} X t) t claims_{name}.",
-            f"Proof. refine (decided _ theory_{name} ({lemma} X H{passed}) claims_{name} t _); vm_cast_no_check (eq_refl true). Qed.",
-            f"Theorem models_{name} (X : names) (H : holds X){binder}{time} : {name}.holds ({here}).",
-            f"Proof. exact ({name}.suppose ({here}){''.join(proofs)}). Qed.".replace(
-                "ALL", f"all_{name} X H{passed}"
-            ),
+            f"Lemma all_{name} {who} (t : R) : all_state ({whole}) t claims_{name}.",
+            computed(f"decided _ theory_{name} (known_{name} X H{passed}) claims_{name} t _"),
+            f"Theorem models_{name} {who}{time} : {name}.holds ({here}).",
+            f"Proof. exact ({suppose.replace('ALL', f'all_{name} X H{passed}')}). Qed.",
         )
         chapter.models[name] = Model(other, theory, aliases, hypotheses)
         return hypotheses
@@ -283,7 +283,8 @@ class Printer:
         if there.rule == "assumption":
             proof = f"{theirs.strip()}{other.t}"
         else:
-            proof = f"{other.name}.fact_{word(there)} {here} (models_{other.name} X H{mine}{held}){theirs}{other.t}"
+            models = f"(models_{other.name} X H{mine}{held})"
+            proof = f"{other.name}.fact_{word(there)} {here} {models}{theirs}{other.t}"
         name = word(fact)
         time = _time(chapter)
         chapter.uses.add(other.name)
@@ -293,8 +294,10 @@ class Printer:
             claims_list(f"claims_{name}", rows, "carriage"),
             f"Theorem fact_{name} (X : names) (H : holds X){binder}{time} :",
             f"  {_all(said)}.",
-            f"Proof. refine (carried _ theory_{other.name} claims_{name} {_now(chapter)} (known_{other.name} X H{mine}) _ ({proof})); "
-            "vm_cast_no_check (eq_refl true). Qed.",
+            computed(
+                f"carried _ theory_{other.name} claims_{name} {_now(chapter)}"
+                f" (known_{other.name} X H{mine}) _ ({proof})"
+            ),
         )
         return hypotheses
 
@@ -320,18 +323,20 @@ class Printer:
             number = theory.read(parse(text)).numerator.coeff(1)
             tree = (int(number.numerator), "/", int(number.denominator))
             rows.append(
-                f"({Claim('AtLeast', (parse(text), tree)).data(theory)}, {theory.gap(parse(text), tree)})"
+                f"({Claim('AtLeast', (parse(text), tree)).data(theory)},"
+                f" {theory.gap(parse(text), tree)})"
             )
-        sides = [(parse(l), parse(r)) for l, r in zip(fact.lhs, fact.rhs, strict=True)]
-        apart = next(k for k, (l, r) in enumerate(sides) if theory.read((l, "-", r)).numerator)
-        gap = (sides[apart][0], "-", sides[apart][1])
+        sides = _sides(fact)
+        gaps: list[Tree] = [(left, "-", right) for left, right in sides]
+        apart = next(k for k, gap in enumerate(gaps) if theory.read(gap).numerator)
+        gap = gaps[apart]
         theory.invert(gap)
         rows.append(f"({Claim('Nonzero', (gap,)).data(theory)}, [])")
         name = word(fact)
         record = "; ".join(
             f"{chapter.words[g]} := {real(parse(text), str)}" for g, text in point.items()
         )
-        said = " \\/\n    ".join(f"{chapter.real(l)} <> {chapter.real(r)}" for l, r in sides)
+        said = " \\/\n    ".join(" <> ".join(map(chapter.real, pair)) for pair in sides)
         proofs = [path(f"all_{name}", k, len(rows)) for k in range(len(rows))]
         differ = f"(Rminus_not_eq _ _ {proofs[-1]})"
         branch = differ if apart == len(sides) - 1 else f"(or_introl {differ})"
@@ -345,9 +350,10 @@ class Printer:
             known_at_point(name, theory),
             claims_list(f"claims_{name}", rows),
             f"Lemma all_{name} : all_state atoms_{name} 0 claims_{name}.",
-            f"Proof. refine (decided _ theory_{name} known_{name} claims_{name} 0 _); vm_cast_no_check (eq_refl true). Qed.",
+            computed(f"decided _ theory_{name} known_{name} claims_{name} 0 _"),
             f"Theorem fact_{name} : exists X : names, holds X /\\\n   ({said}).",
-            f"Proof. exact (ex_intro _ point_{name} (conj (suppose point_{name} {suppositions}) {branch})). Qed.",
+            f"Proof. exact (ex_intro _ point_{name}",
+            f"  (conj (suppose point_{name} {suppositions}) {branch})). Qed.",
         )
         return ()
 
@@ -359,12 +365,12 @@ class Printer:
         cases = [self.chapters[name] for name in fact.certificate["cases"]]
         for other in [*cases, *(self.chapters[name] for name in fact.rhs)]:
             self._case(chapter, other)
-        x, name = fact.lhs[0], chapter.name
+        x = fact.lhs[0]
         proof = self._by_sign(chapter, fact, cases, x)
         finer = {self.facts[p].context: self.facts[p] for p in fact.premises}
         left = [[self._holds(case)] for case in cases]
         before = f"cases_{word(fact)} X"
-        for k, case in enumerate(cases):
+        for case in cases:
             found = finer.get(case.name)
             inner = (
                 f"{case.name}.fact_{word(found)} (as_{case.name} X)" if found else "splits_itself _"
@@ -419,7 +425,7 @@ class Printer:
             else:
                 old["unit"].append("(proj1 (proj2 G))")
                 old["sign"].append("(proj2 (proj2 G))")
-            forth = " ".join(sum(old.values(), []))
+            forth = " ".join(proof for proofs in old.values() for proof in proofs)
             here = new[0] if k == 0 else f"conj ({new[0]}) ({new[1]})"
             iffs.append(
                 f"(conj (fun G => conj (suppose X{back}) ({here}))\n"
@@ -432,9 +438,10 @@ class Printer:
         chapter.write(
             claims_list(visible, [f"(Nonnegative {data(x, chapter.theory.index)}, [])"]),
             f"Lemma visible_{word(fact)} (X : names) (H : holds X) : 0 <= {chapter.say(x)}.",
-            f"Proof. refine (decided _ theory (known X H (fun _ => [])) {visible} 0 _); vm_cast_no_check (eq_refl true). Qed.",
+            computed(f"decided _ theory (known X H (fun _ => [])) {visible} 0 _"),
         )
-        return f"Proof. exact (splits_by_size _ _ _ ({chapter.say(x)}) (visible_{word(fact)} X)\n  {joined}). Qed."
+        start = f"splits_by_size _ _ _ ({chapter.say(x)}) (visible_{word(fact)} X)"
+        return f"Proof. exact ({start}\n  {joined}). Qed."
 
 
 def known_at_point(name: str, theory: Theory) -> str:

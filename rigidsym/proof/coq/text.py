@@ -9,107 +9,16 @@ from rigidsym.proof.kernel.ring import Number
 
 # Words of Coq, and what exported files call their own: names of quantities that are one of these,
 # or begin as theorems do, get a "_" behind them.
-RESERVED = frozenset(
-    [
-        "as",
-        "at",
-        "by",
-        "cofix",
-        "else",
-        "end",
-        "exists",
-        "exists2",
-        "fix",
-        "for",
-        "forall",
-        "fun",
-        "if",
-        "in",
-        "let",
-        "match",
-        "mod",
-        "return",
-        "then",
-        "using",
-        "where",
-        "with",
-        "Prop",
-        "Set",
-        "SProp",
-        "Type",
-        "R",
-        "X",
-        "H",
-        "t",
-        "names",
-        "holds",
-        "atoms",
-        "steps",
-        "theory",
-        "runs",
-        "known",
-        "sqrt",
-        "is_derive",
-        "Derive",
-        "ex_derive",
-        "Num",
-        "Var",
-        "Neg",
-        "Add",
-        "Sub",
-        "Mul",
-        "Div",
-        "Pow",
-        "Rate",
-        "Generator",
-        "Define",
-        "Unit",
-        "Relation",
-        "Sign",
-        "Moves",
-        "Invert",
-        "Differentiate",
-        "Equal",
-        "Derives",
-        "Smooth",
-        "Root",
-        "Nonnegative",
-        "AtLeast",
-        "Nonzero",
-        "mono",
-        "pw",
-        "check",
-        "decided",
-        "carried",
-        "carriage",
-        "certified",
-        "run",
-        "nothing",
-        "sound",
-        "conj",
-        "proj1",
-        "proj2",
-        "eq_refl",
-        "I",
-        "or_introl",
-        "or_intror",
-        "exactly_one",
-        "splits",
-        "value",
-        "states",
-        "all_state",
-        "claim",
-        "expr",
-        "list",
-        "nil",
-        "cons",
-        "app",
-        "step",
-        "bool",
-        "true",
-        "false",
-    ]
-)
+_WORDS = """
+as at by cofix else end exists exists2 fix for forall fun if in let match mod return
+then using where with Prop Set SProp Type R X H t names holds atoms steps theory runs
+known sqrt is_derive Derive ex_derive Num Var Neg Add Sub Mul Div Pow Rate Generator
+Define Unit Relation Sign Moves Invert Differentiate Equal Derives Smooth Root
+Nonnegative AtLeast Nonzero mono pw check decided carried carriage certified run nothing
+sound conj proj1 proj2 eq_refl I or_introl or_intror exactly_one splits value states
+all_state claim expr list nil cons app step bool true false
+"""
+RESERVED = frozenset(_WORDS.split())
 PREFIXES = ("fact_", "as_", "models_", "claims_", "steps_", "theory_", "runs_", "more_", "known_")
 _OPERATORS = {"+": ("Add", 1), "-": ("Sub", 1), "*": ("Mul", 2), "/": ("Div", 2)}
 
@@ -136,7 +45,7 @@ def names_in(tree: Tree) -> Iterator[str]:
             return
         case str():
             yield tree
-        case (_, "(", argument) | ("-", argument):
+        case ("D", "(", argument) | ("-", argument):
             yield from names_in(argument)
         case (base, "**", int()):
             yield from names_in(base)
@@ -148,18 +57,21 @@ def names_in(tree: Tree) -> Iterator[str]:
 def parts(tree: Tree) -> Iterator[Tree]:
     """All subtrees, each after its own; of a chain a + b - c those that end with an operand too."""
     match tree:
+        case int() | str():
+            operands: list[Tree] = []
         case ("-", argument) | ("D", "(", argument) | (argument, "**", int()):
-            yield from parts(argument)
-        case tuple():
-            for operand in tree[::2]:
-                yield from parts(operand)
+            operands = [argument]
+        case _:
+            operands = list(tree[::2])
+    for operand in operands:
+        yield from parts(operand)
     yield tree
 
 
 def divisors(tree: Tree) -> Iterator[Tree]:
     """What a text divides by, numbers aside, each after those in itself."""
     for part in parts(tree):
-        if is_chain(part):
+        if is_chain(part) and isinstance(part, tuple):
             pairs = zip(part[1::2], part[2::2], strict=True)
             yield from (y for operator, y in pairs if operator == "/" and not isinstance(y, int))
 
