@@ -368,19 +368,25 @@ class Printer:
         x = fact.lhs[0]
         proof = self._by_sign(chapter, fact, cases, x)
         finer = {self.facts[p].context: self.facts[p] for p in fact.premises}
-        left = [[self._holds(case)] for case in cases]
-        before = f"cases_{word(fact)} X"
-        for case in cases:
-            found = finer.get(case.name)
-            inner = (
-                f"{case.name}.fact_{word(found)} (as_{case.name} X)" if found else "splits_itself _"
-            )
-            before = f"splits_rotate _ _ _ (splits_first _ _ _ _ ({before}) ({inner}))"
+        whole = [self._holds(case) for case in cases]
         leaves = [self._holds(self.chapters[leaf]) for leaf in fact.rhs]
-        whole = "; ".join(text for texts in left for text in texts)
+        before, standing = f"cases_{word(fact)} X", list(whole)
+        for case in cases:
+            split = finer.get(case.name)
+            count = len(split.rhs) if split else 1
+            inner, leaves = leaves[:count], leaves[count:] + leaves[:count]
+            found = (
+                f"{case.name}.fact_{word(split)} (as_{case.name} X)" if split else "splits_itself _"
+            )
+            rest = standing[1:]
+            first = (
+                f"splits_first _ {standing[0]} {listed(inner)} {listed(rest)} ({before}) ({found})"
+            )
+            before = f"splits_rotate _ {listed(inner)} {listed(rest)} ({first})"
+            standing = [*rest, *inner]
         chapter.write(
             f"(* The cases of {x}. *)",
-            f"Lemma cases_{word(fact)} (X : names) : splits (holds X) [{whole}].",
+            f"Lemma cases_{word(fact)} (X : names) : splits (holds X) {listed(whole)}.",
             proof,
             f"Theorem fact_{word(fact)} (X : names) : splits (holds X)\n  {listed(leaves)}.",
             f"Proof. exact ({before}). Qed.",
@@ -388,7 +394,7 @@ class Printer:
         return ()
 
     def _holds(self, other: Chapter) -> str:
-        return f"{other.name}.holds (as_{other.name} X)"
+        return f"({other.name}.holds (as_{other.name} X))"
 
     def _case(self, chapter: Chapter, other: Chapter) -> None:
         """The same quantities, as those of a case."""
