@@ -380,7 +380,7 @@ class Printer:
             )
             rest = standing[1:]
             first = (
-                f"splits_first _ {standing[0]} {listed(inner)} {listed(rest)} ({before}) ({found})"
+                f"splits_first _ {standing[0]} {listed(inner)} {listed(rest)} ({found}) ({before})"
             )
             before = f"splits_rotate _ {listed(inner)} {listed(rest)} ({first})"
             standing = [*rest, *inner]

@@ -659,7 +659,7 @@ Definition carries (th : theory) (c : carriage) : bool :=
   | (Equal x y, Equal x' y') => equal x x' (fst ws) && equal y y' (snd ws)
   | (Derives x y, Derives x' y') => equal x x' (fst ws) && equal y y' (snd ws)
   | (Root x y, Root x' y') => equal x x' (fst ws) && equal y y' (snd ws)
-  | (Nonnegative x, Nonnegative x') => equal x x' (fst ws)
+  | (Nonnegative x, Nonnegative x') | (Smooth x, Smooth x') => equal x x' (fst ws)
   | _ => false
   end.
 
@@ -670,7 +670,8 @@ Proof.
   destruct c, d; try discriminate; cbn [states]; intros C;
     try (apply andb_prop in C as [C D]; pose proof (equal_sound a th S w _ _ t D));
     pose proof (fun s => equal_sound a th S v _ _ s C) as E; try pose proof (E t); try congruence.
-  replace (value a y0 t) with (value a y t) by assumption. apply is_derive_ext, E.
+  - replace (value a y0 t) with (value a y t) by assumption. apply is_derive_ext, E.
+  - apply ex_derive_ext, E.
 Qed.
 
 Theorem carried a th cs t : sound a th -> forallb (carries th) cs = true ->
