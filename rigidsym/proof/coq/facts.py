@@ -143,7 +143,8 @@ class Printer:
             if name in other.theory.texts
         }
         for name, alias in aliases.items():
-            theory.alias(alias, renamed(other.theory.texts[name], aliases), "fun t => eq_refl")
+            tree = renamed(other.theory.texts[name], aliases)
+            theory.alias(alias, name, tree, "fun t => eq_refl")
         rows, proofs = self._fields(chapter, other, theory, aliases)
         name = other.name
         values = {g: self._value(chapter, other, g, held) for g in other.context.generators}

@@ -375,6 +375,8 @@ End Sound.
 Inductive step :=
   | Generator (k : positive)
   | Define (k : positive) (x : expr)
+  (* k abbreviates x, which is y, but for what vanishes: it is known by the form of y. *)
+  | Rename (k : positive) (x y : expr) (cofactors : list (list term))
   | Unit (x : expr) | Relation (x : expr) | Sign (x : expr)
   | Moves (k : positive) (x : expr)
   (* x is c times a product of units, but for what vanishes. *)
@@ -384,7 +386,7 @@ Inductive step :=
 
 Definition given (a : R -> list R) (s : step) : Prop :=
   match s with
-  | Define k x => forall t, BinList.nth 0 k (a t) = value a x t
+  | Define k x | Rename k x _ _ => forall t, BinList.nth 0 k (a t) = value a x t
   | Unit x => forall t, value a x t <> 0
   | Relation x => forall t, value a x t = 0
   | Sign x => forall t, 0 <= value a x t
@@ -410,6 +412,10 @@ Definition take (th : theory) (s : step) : option theory :=
   match s with
   | Generator k => Some (Build_theory us rs ((k, (var k, nil)) :: fs) js ds ms ss)
   | Define k x => do e <- flat th x; Some (Build_theory us rs ((k, e) :: fs) js ds ((k, x) :: ms) ss)
+  | Rename k x y cofactors => do e <- flat th x; do f <- flat th y;
+      if agree (fst (esub us e f)) (combination cofactors rs)
+      then Some (Build_theory us rs ((k, f) :: fs) js ds ((k, x) :: ms) ss)
+      else None
   | Unit x => do e <- flat th x;
       if all_fit th then Some (Build_theory (us ++ fst e :: nil) rs fs js ds ms ss) else None
   | Relation x => do e <- flat th x; Some (Build_theory us (rs ++ fst e :: nil) fs js ds ms ss)
@@ -466,6 +472,11 @@ Proof.
   - injection T as <-; constructor; cbn; auto.
     + intros t j e [[= <- <-]|I]; [rewrite G; apply F | apply SF]; assumption.
     + intros t j e [[= <- <-]|I]; [apply G | apply SM]; assumption.
+  - destruct agree eqn:A in T; [injection T as <- | discriminate].
+    constructor; cbn; auto; intros t j e [[= <- <-]|I]; auto.
+    apply (agree_at (a t)) in A; rewrite combination_at in A by auto.
+    apply (element_zero _ us) in A; rewrite esub_at in A by auto.
+    rewrite G, (F _ _ t F0). cbn; lra.
   - destruct all_fit eqn:A in T; [injection T as <- | discriminate].
     unfold all_fit in A; cbn in A; apply andb_prop in A as [A A3]; apply andb_prop in A as [A1 A2].
     rewrite forallb_forall in A1, A2, A3; unfold fits in *.

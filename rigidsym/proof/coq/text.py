@@ -13,7 +13,7 @@ _WORDS = """
 as at by cofix else end exists exists2 fix for forall fun if in let match mod return
 then using where with Prop Set SProp Type R X H t names holds atoms steps theory runs
 known sqrt is_derive Derive ex_derive Num Var Neg Add Sub Mul Div Pow Rate Generator
-Define Unit Relation Sign Moves Invert Differentiate Equal Derives Smooth Root
+Define Rename Unit Relation Sign Moves Invert Differentiate Equal Derives Smooth Root
 Nonnegative AtLeast Nonzero mono pw check decided carried carriage certified run nothing
 sound conj proj1 proj2 eq_refl I or_introl or_intror exactly_one splits value states
 all_state claim expr list nil cons app step bool true false

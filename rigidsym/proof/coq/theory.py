@@ -93,11 +93,18 @@ class Theory:
         self.define(*names_in(parse(text)))
         self._step(f"Sign {self.data(text)}", proof)
 
-    def alias(self, name: str, tree: Tree, proof: str) -> None:
-        """One more name, for what a tree says."""
+    def alias(self, name: str, own: str, tree: Tree, proof: str) -> None:
+        """One more name, for what a tree says; known by the form of our own name for it, if any."""
         value = self.read(tree)
         self.index[name] = len(self.index) + 1
-        self._step(f"Define {self.index[name]} {data(tree, self.index)}", proof)
+        place, text = self.index[name], data(tree, self.index)
+        if own in self.index:
+            self._step(
+                f"Rename {place} {text} (Var {self.index[own]}) {self.gap(tree, own)}", proof
+            )
+            value = self.ring.name(own)
+        else:
+            self._step(f"Define {place} {text}", proof)
         self.ring.names[name] = value
         self.texts[name] = tree
         self._defined.add(name)
