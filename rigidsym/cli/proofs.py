@@ -1,4 +1,4 @@
-"""The commands `derive`, `check`, `errata` and `audit`."""
+"""The commands `derive`, `check`, `export`, `errata` and `audit`."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -9,6 +9,7 @@ from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import progress, say, table
 
 if TYPE_CHECKING:
+    from rigidsym.proof.coq import Export
     from rigidsym.proof.derivation import Derivation
     from rigidsym.proof.paper.prose import Judged
 
@@ -27,6 +28,14 @@ def add(command: Command) -> None:
     check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
     check.add_argument("ledger", metavar="LEDGER", nargs="?", type=as_path, help="the sealed one")
     check.add_argument("--independent", action="store_true", help="by the checker on python-flint")
+
+    export = command("export", _export, "write a ledger for another prover")
+    export.add_argument("prover", metavar="PROVER", choices=("coq",), help="coq")
+    export.add_argument("-o", "--output", metavar="DIR", type=as_path, required=True)
+    export.add_argument("--ledger", metavar="LEDGER", type=as_path, help="the sealed one")
+    export.add_argument(
+        "--check", action="store_true", help="let it decide: runs make, for minutes"
+    )
 
     errata = command("errata", _errata, "the verdict on each printed equation")
     errata.add_argument("--json", action="store_true", help="to stdout alone")
@@ -173,6 +182,53 @@ def _ledger_text(path: Path | None) -> str:
     from rigidsym.io.ledger import ledger_text
 
     return ledger_text() if path is None else read_text("ledger", path)
+
+
+def _export(options: Namespace) -> int:
+    from rigidsym.io.files import write_text
+    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.coq import export
+    from rigidsym.proof.kernel import KernelError, replay
+
+    try:
+        ledger = replay(_ledger_text(options.ledger), encloses)
+    except KernelError as error:
+        say(f"rigidsym export: refused by the kernel, nothing is written: {error}")
+        return 1
+    written = export(ledger)
+    for name, text in written.files.items():
+        write_text(options.output / name, text)
+    say(f"wrote {len(written.files)} files to {options.output}")
+    _exported(written)
+    return _make(options.output) if options.check else 0
+
+
+def _exported(written: "Export") -> None:
+    """How many facts of each rule are theorems there, and what is not."""
+    total = sum(written.exported.values())
+    counts = ", ".join(f"{count} {rule}" for rule, count in sorted(written.exported.items()))
+    print(f"{total} facts are stated in Coq: {counts}")
+    reasons: dict[str, list[str]] = {}
+    for fact, reason in written.left_out.items():
+        reasons.setdefault(reason, []).append(fact)
+    for reason, facts in reasons.items():
+        print(f"{len(facts)} are not: {reason}: {', '.join(facts)}")
+
+
+def _make(directory: Path) -> int:
+    """Let Coq decide all of it; 1 where it refuses, or is not here."""
+    from os import cpu_count
+    from shutil import which
+    from subprocess import run
+
+    missing = [tool for tool in ("make", "coqc", "coq_makefile") if which(tool) is None]
+    if missing:
+        package = "make" if missing == ["make"] else "coq libcoq-coquelicot"
+        say(f"rigidsym export: --check needs {missing[0]} (Debian: apt-get install {package})")
+        return 1
+    done = run(["make", "-C", str(directory), "-j", str(cpu_count() or 1)], check=False)
+    say("accepted by Coq" if done.returncode == 0 else "rigidsym export: refused by Coq")
+    return min(done.returncode, 1)
 
 
 def _errata(options: Namespace) -> int:

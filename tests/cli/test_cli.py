@@ -21,8 +21,8 @@ from rigidsym.cli import main
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
 
-COMMANDS = ("reproduce", "derive", "check", "errata", "codegen", "trace", "validate", "propagate",
-            "methods", "plan", "track", "figures")  # fmt: skip
+COMMANDS = ("reproduce", "derive", "check", "export", "errata", "codegen", "trace", "validate",
+            "propagate", "methods", "plan", "track", "figures")  # fmt: skip
 
 CASE = """
 inertia = ["0.0109", "0.04", "0.0506"]

@@ -1,0 +1,74 @@
+"""All files of the export: the prelude, a file per context, theorems in plain words, a Makefile."""
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from importlib import resources
+
+from rigidsym.proof.coq.chapter import Chapter
+from rigidsym.proof.coq.facts import Printer
+from rigidsym.proof.coq.theory import NotExportedError
+from rigidsym.proof.kernel import Ledger
+
+# Written by hand; each but the prelude is left out where the ledger has not all of its contexts.
+_FIXED = ("prelude.v", "theorems.v", "assumptions.v")
+_MAKEFILE = """\
+# make -j2: Coq decides every theorem.  It needs Coq 8.16 or later with Coquelicot 3.2 or later
+# (Debian: apt-get install coq libcoq-coquelicot).
+all: CoqMakefile
+\t$(MAKE) -f CoqMakefile
+
+CoqMakefile: _CoqProject
+\tcoq_makefile -f _CoqProject -o CoqMakefile
+
+.PHONY: all
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Export:
+    """Files by their names; how many facts of each rule they state, and why others are left out."""
+
+    files: Mapping[str, str]
+    exported: Mapping[str, int]
+    left_out: Mapping[str, str]
+
+
+def export(ledger: Ledger) -> Export:
+    """All of a ledger that the kernel has admitted, as files of Coq."""
+    chapters = {name: Chapter(context) for name, context in ledger.contexts.items()}
+    printer = Printer(chapters, ledger.facts)
+    exported: Counter[str] = Counter()
+    left_out: dict[str, str] = {}
+    for fact in ledger.facts.values():
+        try:
+            printer.export(fact)
+            exported[fact.rule] += 1
+        except NotExportedError as error:
+            left_out[fact.id] = str(error)
+    files = {f"contexts/{name}.v": chapter.text() for name, chapter in chapters.items()}
+    files |= _fixed(files)
+    return Export(files | _project(files), exported, left_out)
+
+
+def _fixed(files: Mapping[str, str]) -> dict[str, str]:
+    """What is written by hand, as far as it finds all that it names."""
+    found: dict[str, str] = {}
+    for name in _FIXED:
+        text = resources.files("rigidsym.proof.coq").joinpath(name).read_text("utf-8")
+        if all(needed in files or needed in found for needed in _requires(text)):
+            found[name] = text
+    return found
+
+
+def _requires(text: str) -> Iterable[str]:
+    """The files of ours that a file needs."""
+    form = r"^From Rigidsym(\.contexts)? Require (?:Import )?(.*)\.$"
+    for folder, names in re.findall(form, text, re.MULTILINE):
+        yield from (f"{'contexts/' if folder else ''}{name}.v" for name in names.split())
+
+
+def _project(files: Iterable[str]) -> dict[str, str]:
+    options = ["-Q . Rigidsym", "-arg -w -arg none"]
+    return {"_CoqProject": "\n".join([*options, *files]) + "\n", "Makefile": _MAKEFILE}

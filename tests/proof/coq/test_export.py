@@ -1,0 +1,192 @@
+"""The export to Coq: what it writes, and that Coq takes what is true and nothing else."""
+
+import shutil
+import subprocess
+from dataclasses import replace
+
+import pytest
+from ledgers import prove, unchecked
+
+from rigidsym.cli import main
+from rigidsym.proof.coq import export
+from rigidsym.proof.kernel import Context, Fact, Ledger
+
+PLANE = Context(
+    name="plane",
+    generators=("x", "y", "r"),
+    witness={"x": "3", "y": "4", "r": "5"},
+    units=("r", "x - y"),
+    definitions={"cosine": "x/r", "sine": "y/r", "t": "2*r"},
+    relations=("r**2 - x**2 - y**2",),
+    rates={"x": "-y", "y": "x"},
+    nonnegative=("r",),
+    reading={"r": "a length (*"},
+)
+CIRCLE = replace(
+    PLANE,
+    name="circle",
+    generators=("c", "s"),
+    witness={"c": "3/5", "s": "4/5"},
+    units=("c - s",),
+    definitions={"x": "c", "y": "s", "r": "1", "cosine": "c", "sine": "s/r", "t": "2"},
+    relations=("c**2 + s**2 - 1",),
+    rates={"c": "-s", "s": "c"},
+    nonnegative=(),
+    reading={},
+)
+NUMBERS = Context("numbers", ("a",), {"a": "1"}, definitions={"square": "a**2"})
+FACTS = (
+    Fact("plane.unit", "plane", "equal", ("cosine**2 + sine**2",), ("1",), "identity"),
+    Fact("plane.turns", "plane", "equal", ("D(cosine)", "D(x)*y"), ("-sine", "-y*y"), "identity"),
+    Fact("plane.radius", "plane", "root", ("r",), ("x**2 + y**2",), "identity"),
+    Fact("plane.sign", "plane", "nonnegative", ("t*r",), ("2*x**2 + 2*y**2",), "identity"),
+)
+DOES_COQ = shutil.which("coqc") is not None and shutil.which("coq_makefile") is not None
+WHY = "Coq is not here (Debian: apt-get install coq libcoq-coquelicot)"
+
+
+@pytest.fixture(scope="module")
+def ledger() -> Ledger:
+    """A ledger with a fact of every rule."""
+    admitted = Ledger()
+    for context in (PLANE, CIRCLE, NUMBERS, *cases()):
+        admitted.open(context)
+    for fact in FACTS:
+        prove(admitted, fact)
+    admitted.add(Fact("circle.model", "circle", "model", (), ("plane",), "model"))
+    carried = {"context": "circle", "rule": "transfer", "premises": ("plane.turns", "circle.model")}
+    turns = replace(FACTS[1], id="circle.turns", certificate={}, **carried)
+    admitted.add(turns)
+    sides = (("a", "a"), ("square", "1"))
+    wrong = Fact("numbers.wrong", "numbers", "unequal", *sides, "counterexample")
+    admitted.add(replace(wrong, certificate={"point": {"a": "-2/3"}}))
+    names = ("zero", "positive", "negative")
+    split = Fact("numbers.cases", "numbers", "partition", ("a",), names, "partition")
+    admitted.add(replace(split, certificate={"cases": list(names)}))
+    moves = Fact("plane.moves", "plane", "unequal", ("x",), ("y",), "counterexample")
+    admitted.add(replace(moves, certificate={"point": {**PLANE.witness}}))
+    return admitted
+
+
+def cases():
+    points = ({"a": "0"}, {"a": "1"}, {"a": "-1"})
+    named = zip(NUMBERS.cases("a"), ("zero", "positive", "negative"), points, strict=True)
+    return [replace(case, name=name, witness=point) for case, name, point in named]
+
+
+def theorem(text: str, name: str) -> str:
+    """What a theorem of a file states."""
+    return text.split(f"Theorem fact_{name} ")[1].split("Proof.")[0]
+
+
+def test_each_rule_has_its_theorem(ledger):
+    written = export(ledger)
+    assert written.exported == {
+        "identity": 4, "model": 1, "transfer": 1, "counterexample": 1, "partition": 1,
+    }  # fmt: skip
+    assert list(written.left_out) == ["plane.moves"]
+    plane = written.files["contexts/plane.v"]
+    assert "(cosine X t) ^ 2 + (sine X t) ^ 2 = 1" in theorem(plane, "unit")
+    assert "r X = sqrt ((x X t) ^ 2 + (y X t) ^ 2)" in theorem(plane, "radius")
+
+
+def test_derivatives_are_said_to_exist(ledger):
+    states = theorem(export(ledger).files["contexts/plane.v"], "turns")
+    assert "is_derive (fun t : R => cosine X t) t (- (sine X t))" in states
+    assert "ex_derive (fun t : R => x X t) t" in states
+
+
+def test_words_of_coq_are_no_names_and_readings_end_no_comment(ledger):
+    plane = export(ledger).files["contexts/plane.v"]
+    assert "Definition t_ (X : names)" in plane
+    assert "a length ( *" in plane
+
+
+def test_the_text_is_the_same_every_time(ledger):
+    first, second = export(ledger), export(ledger)
+    assert dict(first.files) == dict(second.files)
+
+
+def test_what_needs_other_contexts_is_left_out(ledger):
+    files = export(ledger).files
+    assert "prelude.v" in files["_CoqProject"].split()
+    assert all(name in files for name in files["_CoqProject"].split() if name.endswith(".v"))
+
+
+def test_a_ledger_that_the_kernel_refuses_is_not_exported(tmp_path, capsys):
+    certificate = {"cofactors": [["0"]]}
+    false = replace(FACTS[0], rhs=("2",), certificate=certificate)
+    path = tmp_path / "ledger.json"
+    path.write_text(unchecked([PLANE], [false]))
+    into = tmp_path / "coq"
+    assert main(["export", "coq", "-o", str(into), "--ledger", str(path)]) == 1
+    said = capsys.readouterr().err
+    assert said.startswith("rigidsym export: refused by the kernel")
+    assert said.count("\n") == 1
+    assert not into.exists()
+
+
+def test_without_coq_one_line_says_so(ledger, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("shutil.which", lambda tool: None if tool.startswith("coq") else tool)
+    path = tmp_path / "ledger.json"
+    path.write_text(ledger.to_text())
+    into = tmp_path / "coq"
+    arguments = ["export", "coq", "-o", str(into), "--ledger", str(path), "--check"]
+    assert main(arguments) == 1
+    shown = capsys.readouterr()
+    assert "8 facts are stated in Coq" in shown.out
+    assert "1 are not: a point of a context that moves is no motion: plane.moves" in shown.out
+    assert shown.err.splitlines()[-1] == (
+        "rigidsym export: --check needs coqc (Debian: apt-get install coq libcoq-coquelicot)"
+    )
+    assert (into / "contexts" / "plane.v").is_file()
+
+
+def compiled(directory, *names):
+    """Coq's word on files, in this order; the first that it refuses."""
+    for name in names:
+        done = subprocess.run(
+            ["coqc", "-w", "none", "-Q", ".", "Rigidsym", name],
+            cwd=directory, capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        if done.returncode:
+            return name
+    return None
+
+
+@pytest.fixture(scope="module")
+def exported(ledger, tmp_path_factory):
+    """The files, with the prelude compiled."""
+    directory = tmp_path_factory.mktemp("coq")
+    for name, text in export(ledger).files.items():
+        (directory / name).parent.mkdir(exist_ok=True)
+        (directory / name).write_text(text)
+    assert compiled(directory, "prelude.v") is None
+    return directory
+
+
+@pytest.mark.skipif(not DOES_COQ, reason=WHY)
+def test_coq_accepts_all_of_it(exported):
+    order = ("plane", "circle", "zero", "positive", "negative", "numbers")
+    assert compiled(exported, *(f"contexts/{name}.v" for name in order)) is None
+
+
+@pytest.mark.skipif(not DOES_COQ, reason=WHY)
+@pytest.mark.parametrize(
+    ("stated", "claimed"),
+    [
+        # A changed statement with its certificate kept, as readers see it and as the checker does.
+        (("(sine X t) ^ 2 = 1.", "(sine X t) ^ 2 = 2."), ("", "")),
+        (("(sine X t) ^ 2 = 1.", "(sine X t) ^ 2 = 2."), ("(Num 1), [", "(Num 2), [")),
+        (("t (- (sine X t))", "t (sine X t)"), ("", "")),
+        (("0 <= 2", "0 <= - 2"), ("", "")),
+        (("Define 4 (Div (Var 1) (Var 3))", "Define 4 (Div (Var 2) (Var 3))"), ("", "")),
+    ],
+)
+def test_coq_refuses_what_is_false(exported, stated, claimed):
+    text = (exported / "contexts" / "plane.v").read_text()
+    assert text.count(stated[0]) >= 1
+    false = text.replace(*stated)
+    false = false.replace(*claimed) if claimed[0] else false
+    (exported / "contexts" / "false.v").write_text(false)
+    assert compiled(exported, "contexts/false.v") == "contexts/false.v"
