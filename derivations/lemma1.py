@@ -76,7 +76,7 @@ def derive(book: Book) -> None:
     squares = [other**2 for other in OTHERS]
     why = "the square of a rate's rate, two rates eliminated by H and K"
     found = eliminate(
-        desk, "eliminated.square", rate**2, _invariants(moving), squares, why, ["14"], squared
+        desk, "eliminated.square", rate**2, _invariants(moving), squares, why, ["14", "17"], squared
     )
     names = ("alpha", "beta", "chi")
     texts = map(desk.text, coefficients(found.value, RATE**2))
@@ -161,7 +161,9 @@ def _matched(book: Book) -> None:
     quadratic = alpha * (s_i - zeta * v) * (s_j - zeta * v)
     why = "zeta sn(xi t + C) put in, coefficients compared: two choices"
     unknown = (zeta, xi, mu)
-    both = match(desk, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11"])
+    both = match(
+        desk, "matched.amplitude", speed, quadratic, v, unknown, why, ["10", "11", "Lemma 1"]
+    )
     first = both.value[0]
     scale = replace(SINE, relations=(f"xi**2 - ({desk.text(first[xi])})",))
     body = (scale, Part(definitions={"mu": desk.text(first[mu])}), SCALED)

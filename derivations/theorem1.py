@@ -24,7 +24,7 @@ def derive(book: Book) -> None:
     parts = turns(algebra.setting)
     desk = Desk.open(book, "theorem1", *parts, matrices=matrices, static=True)
     why = "the three turns as a quaternion"
-    coordinates(desk, "theorem1.quaternion", R, e, why, ["18"])
+    coordinates(desk, "theorem1.quaternion", R, e, why, ["18", "Theorem 1"])
     _outer_halves(desk, algebra)
     _inner_half(book)
     if ThirdKind in book:

@@ -84,13 +84,13 @@ def without_cases(data, facts, contexts):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (unproved, "does not prove the partition sorted_body.cases"),
+        (unproved, "theorem sorted_body .*exactly one of"),
         (missing, "its leaves are not .*off_1"),
-        (other_leaves, "its leaves are not .*spin_2"),
+        (other_leaves, "theorem sorted_body .*exactly one of"),
         (twice, "prolate_off_1.cases: splits lead to it twice"),
         (redefined, "oblate: its definitions are not those of sorted_body"),
         (other_inputs, "sorted_body is not about c_3"),
-        (used_early, "sorted_body: off_middle needs later"),
+        (used_early, "theorem sorted_body .*let off_middle = "),
         (without_cases, "its partition is not readable: KeyError"),
     ],
 )
