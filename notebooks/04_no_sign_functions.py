@@ -136,7 +136,7 @@ rewrite(desk, "half_tangent.roots", quadratic, factors, why, ["19"], "roots")
 # $c_3\Omega_3>0$ and `half_angle_left` the opposite; `half_angle_step` supposes neither.)
 
 # %%
-steps = ("half_angle_right.tangent", "half_angle_left.cotangent", "half_angle_step.everywhere")
+steps = ("half_angle_right.tangent", "half_angle_left.cotangent", "printed_star.print_theorem_1")
 show(ledger, *steps)
 
 # %% [markdown]
@@ -553,15 +553,19 @@ there = {name: fact for name, fact in book.ledger.facts.items() if fact.grade !=
 assert not there
 quoted = (
     *("attitude.nu", "attitude.solution", "both_forms.turn", "both_forms.quaternion"),
-    *("half_angle_step.everywhere", "half_angle_step.mended", "half_turn.denominator"),
+    *("printed_star.print_theorem_1", "half_angle_step.mended", "half_turn.denominator"),
     *("half_angle_right.tangent", "half_angle_left.cotangent"),
-    *("crossing.continuous", "crossing.turned"),
-    *("signed.any_S1_S2", "matched_signs.side", "matched_signs.momentum"),
+    *("crossing.print_theorem_1", "crossing.turned"),
+    *("printed_19_any_outer.print_19", "matched_signs.side", "matched_signs.momentum"),
     *(f"regular.{name}" for name in ("euler", "differences", *names)),
     *("largest.squares", "smallest.squares", "sorted_body.cases"),
 )
 assert grades(ledger, *quoted) == {Grade.PROVED}
-refuted = {"half_angle_step.everywhere", "crossing.continuous", "signed.any_S1_S2"}
+refuted = {
+    "printed_star.print_theorem_1",
+    "crossing.print_theorem_1",
+    "printed_19_any_outer.print_19",
+}
 assert {name for name in quoted if ledger.facts[name].kind == "unequal"} == refuted
 assert ledger.facts["both_forms.models_attitude"].kind == "model"
 assert len(ledger.facts["sorted_body.cases"].rhs) == 14, "leaves of the tree of regimes"

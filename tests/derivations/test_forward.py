@@ -228,7 +228,7 @@ DRAWN = [
     Setting((2, 3, 2), 3, order=(3, 1, 2)),
 ]
 WHEELS = [Setting(lagrangian=ONE), Setting((2, 1, 2), 1, lagrangian=TWO)]
-WHEELS += [Setting((3, 2, 3), lagrangian=THREE)]
+THREE_WHEELS = Setting((3, 2, 3), lagrangian=THREE)
 
 
 def follows(setting: Setting, fact: str) -> None:
@@ -245,7 +245,7 @@ def test_a_derivation_is_a_motion_by_numbers(setting, fact):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("setting", variants(), ids=str)
+@pytest.mark.parametrize("setting", [*variants(), THREE_WHEELS], ids=str)
 def test_every_derivation_is_a_motion_by_numbers(setting):
     follows(setting, "line32.by_invariants")
 
