@@ -37,14 +37,13 @@ from rigidsym.proof.steps import (
     vary,
 )
 from rigidsym.proof.steps.names import symbol, symbols
+from rigidsym.proof.steps.variation import MOMENTA, RATES
 
 INERTIA = Part(
     witness={"c1": "1", "c2": "2", "c3": "5/2"},
     units=("c1", "c2", "c3"),
     reading={f"c{k}": f"principal moment of inertia {k}, kg m^2" for k in (1, 2, 3)},
 )
-RATES = symbols("Omega1 Omega2 Omega3")
-MOMENTA = symbols("M1 M2 M3")
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ import sympy
 
 from derivations.conjugacy import PHI, Reduction, turns
 from derivations.lie_algebra import UNITS, Algebra, R, e
-from derivations.phi1_integral import DN, SN, XI, ThirdKind
+from derivations.phi1_integral import AMPLITUDE, DN, SN, XI, ThirdKind
 from rigidsym.proof.algebra import Book, Part
 from rigidsym.proof.steps import Desk, coordinates, eliminate, rate_of, rewrite
 from rigidsym.proof.steps.names import symbol, symbols
@@ -63,13 +63,7 @@ def _inner_half(book: Book) -> None:
 def _third_kind(book: Book) -> None:
     """(36): the integrand with the amplitude as variable."""
     third = book.found(ThirdKind)
-    amplitude = Part(
-        witness={"theta": "0"},
-        units=("dn",),
-        rates={"theta": "xi*dn"},
-        reading={"theta": "jacobi_am(xi*t + gamma, mu)"},
-    )
-    desk = Desk.open(book, "theorem1_amplitude", *third.parts, amplitude)
+    desk = Desk.open(book, "theorem1_amplitude", *third.parts, AMPLITUDE, Part(units=("dn",)))
     slope, theta = third.rate, rate_of(symbol("theta"))
     constant = slope.as_independent(SN)[0]
     changed = constant + (slope - constant) / (XI * DN) * theta
