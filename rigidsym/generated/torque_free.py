@@ -32,7 +32,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 55f2cc3018aa9f6670173f4e9488df8c7ea9b9f6ab48c0a1afa0214e7c7dc779
+digest 2fbd2d7b32d9cbb26d54cffe4558cd9884690da64a486574ff84b6ebddb88a73
 """
 
 # ruff: noqa
@@ -1452,7 +1452,10 @@ def _sides(apart, omega, axes, discriminant):
     """
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
-    return np.asarray(_circulation(*(np.sign(np.abs(x)) for x in asked), discriminant.hi))
+    given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]
+    if len(axes) == 1:
+        given = [float(x[0]) for x in given]
+    return np.reshape(_circulation(*given), -1)
 
 
 def _exact_discriminant(c, omega, axes):

@@ -509,7 +509,10 @@ def _sides(apart, omega, axes, discriminant):
     """
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
-    return np.asarray(_circulation(*(np.sign(np.abs(x)) for x in asked), discriminant.hi))
+    given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]
+    if len(axes) == 1:
+        given = [float(x[0]) for x in given]
+    return np.reshape(_circulation(*given), -1)
 
 
 def _exact_discriminant(c, omega, axes):
