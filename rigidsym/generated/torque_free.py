@@ -32,7 +32,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 2fbd2d7b32d9cbb26d54cffe4558cd9884690da64a486574ff84b6ebddb88a73
+digest 3606fd27e34c6157ae637baf74c81f4e3107c16113cb602d30b2fcaacc684ed1
 """
 
 # ruff: noqa
@@ -1446,9 +1446,8 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,).
-
-    axes are sorted by their moments.
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,);
+    axes (B, 3) are sorted by their moments.
     """
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]

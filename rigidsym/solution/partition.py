@@ -98,6 +98,14 @@ class Partition:
             name = split.cases[sign_of(split.quantity)]
         return self.leaves[name]
 
+    def path(self, case: str) -> tuple[tuple[str, int], ...]:
+        """The quantities that lead to a case, from the root on, and the sign of each."""
+        for name, split in self.splits.items():
+            if case in split.cases:
+                sign = (0, 1, -1)[split.cases.index(case)]
+                return (*self.path(name), (split.quantity, sign))
+        return ()
+
 
 def partition_of(
     facts: Collection[Fact], contexts: Mapping[str, Context], specified: Mapping[str, Theorem]

@@ -4,11 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
+from typing import Any, TypeVar
 
 from rigidsym.solution.formulas import sealed, sequence
 from rigidsym.solution.signs import SIGNS, handedness
 
 _DISCRIMINANT = frozenset({"E_b"})
+# Fractions, or floats and arrays of them.
+Moment = TypeVar("Moment", Fraction, float)
+Value = TypeVar("Value")
 
 
 class Regime(StrEnum):
@@ -33,7 +37,7 @@ class Regime(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Polhode:
-    """The regime, and the axes by what they do.
+    """The regime, with the leaf of the ledger's partition that it is, and the axes by what they do.
 
     `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
     `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
@@ -42,6 +46,7 @@ class Polhode:
     """
 
     regime: Regime
+    leaf: str
     axes: tuple[int, int, int]
     epsilon: int
     sigma: int
@@ -74,16 +79,16 @@ def classify(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Polhode:
     known = {"epsilon": handedness(a, b, d), "c_ad": inertia[a] - inertia[d]}
     known |= {"Omega_a": omega[a], "Omega_d": omega[d]}
     signs = solution.evaluated["signs"].evaluate(known, {"choose": _chosen})
-    return Polhode(_REGIMES[leaf.name], (a, b, d), *(int(signs[name]) for name in SIGNS))
+    return Polhode(_REGIMES[leaf.name], leaf.name, (a, b, d), *(int(signs[name]) for name in SIGNS))
 
 
 def _chosen(x: Fraction, y: Fraction, one: int, other: int) -> int:
     return one if x <= y else other
 
 
-def discriminant(inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Fraction:
+def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
     """E_b = K^2 - 2 H c_b, b being the middle axis: its sign tells the circulations apart."""
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
-    values = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
+    values: dict[str, Any] = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
     return sequence("constants").up_to(_DISCRIMINANT).evaluate(values, {"power": pow})["E_b"]

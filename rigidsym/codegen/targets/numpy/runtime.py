@@ -503,9 +503,8 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,).
-
-    axes are sorted by their moments.
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,);
+    axes (B, 3) are sorted by their moments.
     """
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
