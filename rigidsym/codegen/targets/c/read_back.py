@@ -20,6 +20,7 @@ from rigidsym.codegen.targets.c.expressions import Reader
 from rigidsym.codegen.targets.c.frames import Frame, frames, struct
 from rigidsym.codegen.targets.c.statements import Statement, statements
 from rigidsym.errors import InputError
+from rigidsym.solution.signs import SIGNS
 
 # The types of extended numbers by what begins the names of their operations.
 _PAIRS = {"dd": "double_double", "exact": "exact"}
@@ -82,7 +83,8 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
     by_name = {function.name: function for function in functions}
     start = by_name["_initial_state"]
     marks = {
-        "initial": ", ".join(start.results),
+        "initial": ", ".join(x for x in start.results if x not in SIGNS),
+        "signs": ", ".join(SIGNS),
         "initial given": ", ".join(start.parameters),
         "initial out": ", ".join(f"&{name}" for name in start.results),
         "circular given": ", ".join(by_name["_circular_constants"].parameters),
