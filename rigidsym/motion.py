@@ -131,9 +131,9 @@ class TorqueFreeMotion:
         return self
 
     def __repr__(self) -> str:
-        fields = ("inertia", "omega0", "attitude0")
-        inside = ", ".join(f"{name}={inputs.shown(getattr(self, name))}" for name in fields)
-        return f"TorqueFreeMotion({inside})"
+        from rigidsym.view.text import motion_text
+
+        return motion_text(self)
 
     def _repr_html_(self) -> str:
         from rigidsym.view.html.motions import motion_html
@@ -240,6 +240,7 @@ class TorqueFreeMotion:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
+        They print these digits, and what is computed from them has mpmath's precision at the time.
         A number whose ball has shrunk around zero to less than 2^-4000 is given as zero.
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
@@ -248,8 +249,10 @@ class TorqueFreeMotion:
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        from rigidsym.precise.certain import certain
+
         states = self._by(method, **self.exact).states(times, *limits)
-        return _objects(states, single)
+        return _objects(((certain(q, digits), certain(w, digits)) for q, w in states), single)
 
     def enclose(
         self,

@@ -24,6 +24,11 @@ class Case:
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
 
+    def __repr__(self) -> str:
+        from rigidsym.view.text import case_text
+
+        return case_text(self)
+
     def _repr_html_(self) -> str:
         return case_html(self)
 

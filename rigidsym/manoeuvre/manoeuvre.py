@@ -58,6 +58,11 @@ class Manoeuvre:
     target_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
     limits: Limits = Limits()
 
+    def __repr__(self) -> str:
+        from rigidsym.view.text import manoeuvre_text
+
+        return manoeuvre_text(self)
+
     @property
     def trivial(self) -> bool:
         """Whether start equals target, of either sign and any length, at rest: nothing to do."""

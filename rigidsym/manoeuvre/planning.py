@@ -105,6 +105,11 @@ class Plan:
         }
         return json.dumps(data, indent=1) + "\n"
 
+    def __repr__(self) -> str:
+        from rigidsym.view.text import plan_text
+
+        return plan_text(self)
+
     def _repr_html_(self) -> str:
         from rigidsym.view.html.plans import plan_html
 
