@@ -18,7 +18,7 @@ ALLOWED = {
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",
     "rigidsym.principal": "errors inputs quaternions",
-    "rigidsym.motion": f"{NUMBERS} engines view",
+    "rigidsym.motion": f"{NUMBERS} engines io.frames view",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",

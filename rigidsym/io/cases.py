@@ -14,7 +14,7 @@ from rigidsym.motion import IDENTITY, TorqueFreeMotion
 from rigidsym.view.html.motions import case_html
 
 PAPER = "paper.toml"
-_KEYS = {"inertia", "omega0", "attitude0", "times"}
+_KEYS = {"inertia", "omega0", "attitude0", "times", "degrees"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +52,7 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
         data["omega0"],
         data.get("attitude0", IDENTITY),
         allow_nonphysical=allow_nonphysical,
+        degrees=data.get("degrees", False),
     )
     return Case(motion, _times(data["times"]))
 
