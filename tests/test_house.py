@@ -50,6 +50,7 @@ ALLOWED = {
     "rigidsym.view.html": f"{FOUNDATION} inputs view.palette view.report_data",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
+    "rigidsym.view.reproduction": "view",
     "rigidsym.view.text": f"{FOUNDATION} inputs view.html",
     "rigidsym.view.validation": "validate.bounds view",
     "rigidsym.io": "errors io",

@@ -1,11 +1,10 @@
 """States as labelled tables: a DataFrame of pandas, a Dataset of xarray.  Neither is needed."""
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from rigidsym.errors import require
+from rigidsym.errors import package
 
 if TYPE_CHECKING:
     from pandas import DataFrame
@@ -20,8 +19,7 @@ def dataframe(t: np.ndarray, q: np.ndarray, omega: np.ndarray) -> "DataFrame":
 
     Raises ImportError where pandas is not installed.
     """
-    require("to_dataframe", "pandas", extra="frames")
-    pandas: Any = import_module("pandas")
+    pandas: Any = package("pandas", "to_dataframe", "frames")
     index = pandas.Index(t, name="t")
     return pandas.DataFrame(np.hstack([q, omega]), index, [*ATTITUDE, *RATES])
 
@@ -31,8 +29,7 @@ def dataset(t: np.ndarray, q: np.ndarray, omega: np.ndarray, rate_unit: str) -> 
 
     Raises ImportError where xarray is not installed.
     """
-    require("to_xarray", "xarray", extra="frames")
-    xarray: Any = import_module("xarray")
+    xarray: Any = package("xarray", "to_xarray", "frames")
     said = {"long_name": "attitude, body to inertial, scalar first", "units": "1"}
     rates = {"long_name": "rates in body axes", "units": rate_unit}
     return xarray.Dataset(
