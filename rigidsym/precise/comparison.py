@@ -70,6 +70,17 @@ class Comparison:
     by_digits: tuple[Measurement, ...]
     by_distance: tuple[Measurement, ...]
 
+    @property
+    def conclusion(self) -> str:
+        """What was found, in a sentence: who is quickest at each number of digits."""
+        found: dict[int, Measurement] = {}
+        for one in self.by_digits:
+            before = found.get(one.digits)
+            if one.seconds is not None and (not before or _cost(one) < _cost(before)):
+                found[one.digits] = one
+        each = (f"{m.method} at {n} ({_milliseconds(_cost(m))})" for n, m in found.items())
+        return f"The cheapest for one more state, by digits: {', '.join(each)}."
+
     def to_json(self) -> str:
         """The schema rigidsym.methods/1."""
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
@@ -223,6 +234,10 @@ def _milliseconds(seconds: float) -> str:
 
 def _seconds(measurement: Measurement) -> float | None:
     return measurement.seconds_more or measurement.seconds
+
+
+def _cost(measurement: Measurement) -> float:
+    return _seconds(measurement) or 0.0
 
 
 def _units(measurement: Measurement) -> float | None:

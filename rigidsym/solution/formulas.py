@@ -154,6 +154,11 @@ class Solution:
     evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
     partition: Partition = field(repr=False, compare=False)
 
+    def __repr__(self) -> str:
+        count = sum(map(len, self.sequences.values()))
+        sequences = f"{count} formulas in {len(self.sequences)} sequences"
+        return f"<Solution: {sequences}, digest {self.digest[:12]}>"
+
 
 @cache
 def sealed() -> Solution:
