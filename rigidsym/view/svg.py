@@ -17,6 +17,7 @@ class Panel:
     """Lines over common abscissae, with a title and axis labels in units.
 
     With `log`, both axes are logarithmic, and a line leaves out what it has no number for (None).
+    With `marked`, what was measured is a dot, and lines only lead from one to the next.
     """
 
     title: str
@@ -25,6 +26,7 @@ class Panel:
     x: Sequence[float]
     lines: Mapping[str, Sequence[float | None]]
     log: bool = False
+    marked: bool = False
 
 
 def svg(panels: Sequence[Panel]) -> str:
@@ -69,6 +71,11 @@ def _panel(panel: Panel, offset: int) -> str:
         parts.append(
             f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
         )
+        if panel.marked:
+            parts += [
+                f'<circle cx="{x_of(x):.2f}" cy="{y_of(y):.2f}" r="3" fill="{colour}"/>'
+                for x, y in line
+            ]
         legend = _text(WIDTH - RIGHT + 10, offset + TOP + 16 + 18 * k, name, "start")
         parts.append(legend.replace("<text", f'<text fill="{colour}"'))
     return "\n".join(parts)

@@ -93,9 +93,9 @@ def _thrusters(count: int, summary: Summary) -> str:
 The natural motion as flown costs {_times(spent["natural"])} the least fuel, the motion of least
 fuel {_times(spent["optimum"])}.  By feedback alone the natural motion costs
 {_times(spent["natural, feedback alone"])}: a controller that knows attitudes and rates, not
-torques, falls behind and catches up; that is the controller, not the motion.  What else is above 1
-holds against the disturbances, the 60 s at the target included.  Where a wheel saturates, the
-torque that counts may be above its limit."""
+torques, falls behind and catches up; that is the controller, not the motion.  Most of what else is
+above 1 holds against the disturbances, the 60 s at the target included.  Where a wheel saturates,
+the torque that counts may be above its limit."""
 
 
 def _against(method: str, methods: Mapping[str, FlownSpread], count: int) -> str:

@@ -43,6 +43,8 @@ Setting = (
 Plain = dict[str, "Plain"] | list["Plain"] | float | str | None
 _PICTURES = {
     "attitude": pictures.attitude,
+    "error": pictures.error,
+    "rates": pictures.rates,
     "torques": pictures.torques,
     "disturbances": pictures.disturbances,
 }
@@ -209,8 +211,10 @@ class Tracked:
         found = {"run.npz": self.to_npz()}
         if self.flight.orbit.epoch.year >= _UTC_BEGINS:
             found[_MESSAGE] = self.to_aem().encode()
-        for name, draw in _PICTURES.items():
-            for suffix, data in drawing.rendered(draw(self.run)).items():
+        drawn = {name: draw(self.run) for name, draw in _PICTURES.items()}
+        drawn["wheels"] = pictures.wheels(self.run, self.flight.wheels.rotor_inertia)
+        for name, figure in drawn.items():
+            for suffix, data in drawing.rendered(figure).items():
                 found[f"{name}.{suffix}"] = data
         return found | {"summary.json": self.to_json().encode()}
 

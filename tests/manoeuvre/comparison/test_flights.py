@@ -117,7 +117,7 @@ def test_fed_forward_a_natural_motion_costs_its_bursts():
         run = fly(CASE.manoeuvre, still, track)
         costs[method] = measured(run, still, Model.THRUSTERS).torque_integral
     bursts = np.abs(solve(CASE.manoeuvre).best.bursts).sum()
-    assert costs["natural"] == pytest.approx(bursts, rel=0.03)
+    assert costs["natural"] == pytest.approx(bursts, rel=0.05)
     assert costs["natural, feedback alone"] > 1.15 * bursts
 
 

@@ -33,7 +33,8 @@ def found():
 
 def test_the_files(found, tmp_path):
     names = {path.name for path in found.write(tmp_path)}
-    pictures = {f"{p}.{s}" for p in ("attitude", "torques", "disturbances") for s in ("svg", "png")}
+    drawn = ("attitude", "error", "rates", "torques", "wheels", "disturbances")
+    pictures = {f"{picture}.{suffix}" for picture in drawn for suffix in ("svg", "png")}
     assert names == pictures | {"run.npz", "summary.json", "attitude.aem"}
     assert all((tmp_path / name).stat().st_size > 500 for name in names)
 
