@@ -88,11 +88,18 @@ class Comparison:
     def to_svg(self) -> str:
         """Seconds and errors against digits, and against the distance where that is not zero."""
         near = [m for m in self.by_distance if m.distance != "0"]
-        halves = [("digits", self.by_digits), ("distance from the separatrix", near)]
+        halves = [
+            ("by digits", "digits", self.by_digits),
+            (
+                f"near the separatrix, {DISTANCE_DIGITS} digits",
+                "distance from the separatrix",
+                near,
+            ),
+        ]
         drawn = [("Cost of one more state", "seconds", _seconds), ("Error", UNITS, _units)]
         panels = [
-            _panel(title, x_label, y_label, measured, value)
-            for x_label, measured in halves
+            _panel(f"{title}, {where}", x_label, y_label, measured, value)
+            for where, x_label, measured in halves
             for title, y_label, value in drawn
         ]
         return svg([panel for panel in panels if any(map(any, panel.lines.values()))])
@@ -225,7 +232,7 @@ def _panel(
     found = {(m.method, float(m.distance or m.digits)): value(m) for m in measured}
     xs = sorted({x for _, x in found})
     lines = {name: [found[name, x] for x in xs] for name in NAMES}
-    return Panel(title, x_label, y_label, xs, lines, log=True)
+    return Panel(title, x_label, y_label, xs, lines, log=True, marked=True)
 
 
 def _milliseconds(seconds: float) -> str:
