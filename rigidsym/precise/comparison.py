@@ -12,19 +12,19 @@ from fractions import Fraction
 from statistics import median
 from time import perf_counter
 
-from flint import arb, fmpz
-from mpmath import mp, mpf
+from flint import arb
+from mpmath import mp
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.io.cases import Case
-from rigidsym.precise.balls import bits_of, to_mpf, working
-from rigidsym.precise.motion import METHODS, Inputs, PreciseMotion
+from rigidsym.precise.balls import bits_of, of_mpf, to_mpf, working
+from rigidsym.precise.motion import ESTIMATED, METHODS, Inputs, PreciseMotion
 from rigidsym.precise.taylor import integrate
 from rigidsym.view.svg import Panel, svg
 
 SCHEMA = "rigidsym.methods/1"
-NAMES = (*METHODS, "taylor")
+NAMES = (*METHODS, *ESTIMATED, "taylor")
 DIGITS = (15, 50, 200, 1000)
 DISTANCES = ("1e-1", "1e-3", "1e-6", "1e-9", "1e-12", "1e-30", "0")
 DISTANCE_DIGITS = 50
@@ -128,28 +128,28 @@ def _measure(
         seconds, more, found = _timed(lambda m=method: _states(m, motion, times, digits))
         with working(2 * bits_of(digits + MORE_DIGITS)):
             error = max(abs(x.mid() - y).upper() for x, y in zip(found, reference, strict=True))
-            radius = None if method == "taylor" else _short(max(x.rad() for x in found))
+            radius = _short(max(x.rad() for x in found)) if method in METHODS else None
             yield Measurement(method, digits, distance, seconds, more, _short(error), radius)
 
 
 def _states(
     method: str, motion: Inputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
-    """Seven numbers for each time, as balls; those of the series have no radius.
+    """Seven numbers for each time, as balls; those of mpmath and of the series have no radius.
 
     The series are summed for the first time only: they have no set-up.
     """
     if method == "taylor":
         numbers = [x for part in integrate(*motion, times[0], digits) for x in part]
-        yield [arb(_mantissa_and_exponent(x)) for x in numbers]
+        yield [of_mpf(x) for x in numbers]
         return
-    for q, omega in PreciseMotion(*motion, method).enclosures(times, digits):
+    precise = PreciseMotion(*motion, method)
+    if method in ESTIMATED:
+        for q, omega in precise.states(times, digits):
+            yield [of_mpf(x) for x in (*q, *omega)]
+        return
+    for q, omega in precise.enclosures(times, digits):
         yield [*q, *omega]
-
-
-def _mantissa_and_exponent(value: mpf) -> tuple[fmpz, fmpz]:
-    sign, mantissa, exponent, _ = value._mpf_
-    return fmpz(-mantissa if sign else mantissa), fmpz(exponent)
 
 
 def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
