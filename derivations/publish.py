@@ -146,6 +146,10 @@ SEQUENCES: dict[str, list[Entry]] = {
         *definitions("steady", "r1 r2 r3 q0 q1 q2 q3", "37"),
     ],
     "momentum": MOMENTUM,
+    "turned": QUATERNION,
+}
+# Forms for readers, and for oracles that have no other use of them: no flown number rests on these.
+FORMS: dict[str, list[Entry]] = {
     "periods": [
         *readings("period_functions", "K_1 J_c", "36"),
         *definitions("period_functions", "period psi_mean", "10", "34"),
@@ -178,11 +182,11 @@ SEQUENCES: dict[str, list[Entry]] = {
         *facts("theorem1_motion", "root_star F3 F4"),
         *definitions("theorem1_motion", "qbar_0 qbar_1 qbar_2 qbar_3", "18"),
     ],
-    "turned": QUATERNION,
 }
 
 
 def derive(book: Book) -> None:
     """Publish the sequences; an entry that is neither proved nor said by a context is refused."""
-    for sequence, entries in SEQUENCES.items():
-        book.publish(sequence, entries)
+    for group, sequences in {"sequences": SEQUENCES, "forms": FORMS}.items():
+        for name, entries in sequences.items():
+            book.publish(name, entries, group)

@@ -1,9 +1,10 @@
 """Theorem 1 as one motion: rates by Lemma 1, angles by (19) as mended, the quaternion by (18).
 
 Each rate is zeta sn(xi t + C | mu), whichever root of (13) is zeta^2: its rate squared is the
-quadratic that `sine.solves` is about.  `half` is Remark 1's sign.  With them, phi1 by the integral of the third kind, the mended step to y* and every S_i = 1, (18)
-solves (3).  It divides by sin(phi2), which only a spin about axis 1 makes zero; by Omega3; and by
-cos(phi3/2), where the quaternion changes its sign and the motion does not.
+quadratic that `sine.solves` is about.  `half` is Remark 1's sign.  With them, phi1 by the integral
+of the third kind, the mended step to y* and every S_i = 1, (18) solves (3).  It divides by
+sin(phi2), which only a spin about axis 1 makes zero; by Omega3; and by cos(phi3/2), where the
+quaternion changes its sign and the motion does not.
 """
 
 from derivations.lemma1 import INERTIA, Lemma1

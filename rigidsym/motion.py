@@ -281,7 +281,7 @@ class TorqueFreeMotion:
     ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
         from rigidsym.precise import ESTIMATED, METHODS
 
-        if method in ESTIMATED:
+        if isinstance(method, str) and method in ESTIMATED:
             rule = f"has no error bounds; enclose takes {', '.join(METHODS)}"
             raise InputError("method", repr(method), rule)
         uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)

@@ -122,7 +122,7 @@ def _measure(
     reference = next(_states(REFERENCE, motion, [time], digits + MORE_DIGITS))
     times = [time, time * SECOND_TIME]
     for method in NAMES:
-        if not _is_quick(method, motion, time, digits):
+        if not (_is_quick(method, motion, time, digits) and _serves(method, motion)):
             yield Measurement(method, digits, distance)
             continue
         seconds, more, found = _timed(lambda m=method: _states(m, motion, times, digits))
@@ -145,11 +145,9 @@ def _states(
         return
     precise = PreciseMotion(*motion, method)
     if method in ESTIMATED:
-        for q, omega in precise.states(times, digits):
-            yield [of_mpf(x) for x in (*q, *omega)]
+        yield from ([of_mpf(x) for x in (*q, *w)] for q, w in precise.states(times, digits))
         return
-    for q, omega in precise.enclosures(times, digits):
-        yield [*q, *omega]
+    yield from ([*q, *w] for q, w in precise.enclosures(times, digits))
 
 
 def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
@@ -157,6 +155,16 @@ def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
         radians = abs(time) * max(map(abs, motion[1]))
         return digits**2 * radians <= TAYLOR_WORK
     return method != "quadrature" or digits <= QUADRATURE_DIGITS
+
+
+def _serves(method: str, motion: Inputs) -> bool:
+    """Whether the motion is one that the method is for."""
+    try:
+        if method in ESTIMATED:
+            PreciseMotion(*motion, method).start(1)
+    except InputError:
+        return False
+    return True
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:

@@ -6,6 +6,7 @@ edges the second is the first at a higher precision.  A number and its error tra
 is an estimate here: nothing proves it.
 """
 
+from abc import ABC, abstractmethod
 from typing import Any
 
 from flint import arb
@@ -15,12 +16,13 @@ from rigidsym.precise.apart import Asked
 from rigidsym.precise.balls import of_mpf
 from rigidsym.precise.evaluation import Evaluation, Given
 from rigidsym.precise.floating import CTX, Floating
+from rigidsym.precise.theorem1 import Theorem1
 
 # By how much the second precision is above the first.
 MORE_BITS = 64
 
 
-class Estimates:
+class Estimates(ABC):
     """One motion at the working precision, by mpmath's functions."""
 
     quick_bits = 2**12
@@ -28,10 +30,19 @@ class Estimates:
     def __init__(self, given: Given, bits: int) -> None:
         self.bits = bits
         with CTX.workprec(bits):
-            self._first: Evaluation[Any] = Evaluation(given, Floating().table(), CTX.convert)
+            self._first = self.first(given)
         with CTX.workprec(bits + MORE_BITS):
-            functions = Floating().theta_table()
-            self._second: Evaluation[Any] = Evaluation(given, functions, CTX.convert)
+            self._second = self.second(given)
+
+    @staticmethod
+    @abstractmethod
+    def first(given: Given) -> "Evaluation[Any] | Theorem1":
+        """What computes states at the lower precision."""
+
+    @staticmethod
+    @abstractmethod
+    def second(given: Given) -> "Evaluation[Any] | Theorem1":
+        """What computes them at the higher one."""
 
     @property
     def start(self) -> tuple[list[mpf], list[mpf]]:
@@ -55,3 +66,28 @@ class Estimates:
             return arb.nan()
         value, other = of_mpf(second), of_mpf(first)
         return value + arb(0, (2 * (value - other)).abs_upper() + abs(value) * arb(2) ** -self.bits)
+
+
+class ByMpmath(Estimates):
+    """The method `mpmath`."""
+
+    @staticmethod
+    def first(given: Given) -> Evaluation[Any]:
+        """By the integral of the third kind."""
+        return Evaluation(given, Floating().table(), CTX.convert)
+
+    @staticmethod
+    def second(given: Given) -> Evaluation[Any]:
+        """By theta functions, between the edges."""
+        return Evaluation(given, Floating().theta_table(), CTX.convert)
+
+
+class ByTheorem1(Estimates):
+    """The method `theorem1`, at two precisions."""
+
+    @staticmethod
+    def first(given: Given) -> Theorem1:
+        """By the paper's Theorem 1."""
+        return Theorem1(given)
+
+    second = first

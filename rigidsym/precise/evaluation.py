@@ -12,7 +12,7 @@ from typing import Any, Generic, Protocol, TypeVar
 from flint import arb
 
 from rigidsym.inputs import Number
-from rigidsym.language.sequence import FormulaSequence, Functions
+from rigidsym.language.sequence import FormulaSequence
 from rigidsym.precise.apart import Asked
 from rigidsym.solution.formulas import AXES, sequence
 from rigidsym.solution.polhode import Polhode, Regime
@@ -50,6 +50,25 @@ class Given(Protocol):
         ...
 
 
+def exactly(
+    formulas: FormulaSequence,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Any],
+    number: Callable[[Any], Any],
+) -> dict[str, Any]:
+    """Every formula; exactly, as long as all it uses is rational."""
+
+    def of(function: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda *arguments: function(*map(number, arguments))
+
+    def power(x: Any, exponent: int) -> Any:
+        exact = isinstance(x, int | Fraction)
+        return x**exponent if exact else functions["power"](number(x), exponent)
+
+    converting = {name: of(known) for name, known in functions.items() if callable(known)}
+    return formulas.evaluate_exactly(values, {**converting, "power": power}, number)
+
+
 class Evaluation(Generic[Value]):
     """One motion at the working precision, by the table of functions of a method.
 
@@ -57,19 +76,15 @@ class Evaluation(Generic[Value]):
     neither the separatrix nor symmetric bodies.  `number` makes one of theirs of any number.
     """
 
-    def __init__(self, given: Given, functions: Functions, number: Callable[[Any], Value]) -> None:
+    def __init__(
+        self, given: Given, functions: Mapping[str, Any], number: Callable[[Any], Value]
+    ) -> None:
         self.given, self.functions, self.number = given, functions, number
         regime = given.polhode.regime
         self.by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
         quaternion: list[Any] = list(map(number, given.attitude0))
-        norm = self._function("sqrt")(sum(x * x for x in quaternion))
+        norm = functions["sqrt"](sum(x * x for x in quaternion))
         self.start = [x / norm for x in quaternion], list(map(number, given.omega0))
-
-    def _function(self, name: str) -> Callable[..., Any]:
-        function = self.functions[name]
-        if not callable(function):
-            raise TypeError(f"{name} is no function")
-        return function
 
     def numbers(self, asked: Asked) -> list[Value]:
         """The seven numbers of the state at a time, or constants by their names."""
@@ -87,22 +102,6 @@ class Evaluation(Generic[Value]):
     def constant(self, name: str) -> Value:
         """One constant of the motion."""
         return self.number(self._computed(frozenset([name]))[name])
-
-    @cached_property
-    def _converting(self) -> Functions:
-        """The functions, of exact numbers too."""
-
-        def of(function: Callable[..., Any]) -> Callable[..., Any]:
-            return lambda *arguments: function(*map(self.number, arguments))
-
-        power = self._function("power")
-
-        def of_power(x: Any, exponent: int) -> Any:
-            exact = isinstance(x, int | Fraction)
-            return x**exponent if exact else power(self.number(x), exponent)
-
-        functions = {name: of(known) for name, known in self.functions.items() if callable(known)}
-        return {**functions, "power": of_power}
 
     @cached_property
     def _exact(self) -> dict[str, Any]:
@@ -142,7 +141,7 @@ class Evaluation(Generic[Value]):
 
     def _exactly(self, formulas: FormulaSequence, values: Mapping[str, Any]) -> dict[str, Any]:
         """Every formula; exactly, as long as all it uses is rational."""
-        return formulas.evaluate_exactly(values, self._converting, self.number)
+        return exactly(formulas, values, self.functions, self.number)
 
     def _moving(self, time: Value) -> tuple[list[Value], list[Value]]:
         formulas = sequence("theta_state" if self.by_theta else "state")

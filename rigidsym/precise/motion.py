@@ -22,7 +22,7 @@ from rigidsym.precise.adaptive import GUARD_BITS, AdaptivePrecision
 from rigidsym.precise.apart import Asked
 from rigidsym.precise.balls import ball, bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
-from rigidsym.precise.estimates import Estimates
+from rigidsym.precise.estimates import ByMpmath, ByTheorem1, Estimates
 from rigidsym.precise.evaluation import Evaluation, State
 from rigidsym.precise.landen import Landen
 from rigidsym.precise.quadrature import Quadrature
@@ -34,7 +34,7 @@ from rigidsym.solution.polhode import Polhode
 KEPT = 4
 # By balls, which contain the true values, and by numbers whose errors are estimated.
 METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
-ESTIMATED = {"mpmath": Estimates}
+ESTIMATED = {"mpmath": ByMpmath, "theorem1": ByTheorem1}
 # Inertia, omega0 and attitude0.
 Inputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, ...]]
 # (q, omega) as mpf numbers.

@@ -213,7 +213,7 @@ def load(text: str) -> Solution:
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
-        published = data["published"]["sequences"]
+        published = {**data["published"]["sequences"], **data["published"].get("forms", {})}
         sequences = {
             name: tuple(_formula(entry, facts, contexts) for entry in published[name])
             for name in INPUTS

@@ -49,6 +49,9 @@ def test_every_method_at_every_setting_once(found):
 
 def test_errors_are_as_small_as_asked_for_and_within_the_radii(found):
     for m in (*found.by_digits, *found.by_distance):
+        if (m.method, m.distance) == ("theorem1", "0"):
+            assert m.seconds is None  # on the separatrix Lemma 1 has no sines
+            continue
         assert 0 < mp.mpf(m.error) < mp.mpf(10) ** -m.digits
         if m.method not in METHODS:
             assert m.radius is None

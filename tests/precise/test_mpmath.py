@@ -55,7 +55,7 @@ def test_a_wrong_function_is_seen_by_the_two_forms(monkeypatch):
         lambda self, u, n, mc: exact(self, u, n, mc) + u * floating.CTX.mpf(10) ** -30,
     )
     with pytest.raises(PrecisionError, match="of 50 digits were reached"):
-        PAPER.replace().precise(180, 50, method="mpmath")
+        PAPER.replace().precise(180, 50, method="mpmath", max_seconds=0.5)
 
 
 def test_no_precision_is_changed_and_the_start_is_that_given():
