@@ -24,6 +24,18 @@ def check_target(target: str) -> None:
         raise InputError("target", target, error.rule) from None
 
 
+def missing() -> dict[str, str]:
+    """Every target, with the reason why it cannot be measured on this machine; "" where it can."""
+    found = {}
+    for target in engines.ENGINES:
+        try:
+            check_target(target)
+            found[target] = ""
+        except InputError as error:
+            found[target] = error.rule
+    return found
+
+
 def implementation(name: str) -> Implementation:
     """The engine of a target, or "peer NAME"; InputError where it cannot be had."""
     if name.startswith(PEER):

@@ -39,7 +39,8 @@ def record(report: ValidationReport) -> Path:
     for target, ran in zip(campaign.targets, campaign.digests, strict=True):
         digest = generate(target).manifest["digest"]
         if ran != digest:
-            rule = f"is not the module that `rigidsym codegen {target}` writes now: run that first"
+            command = f"rigidsym codegen {target} --in-place"
+            rule = f"is not the module that `{command}` writes now: run that first"
             raise InputError("record", ran[:12], rule)
         views = [report.tally.view(target, measure, "stratum") for measure in DRAWN]
         worst = [

@@ -149,8 +149,8 @@ class Book:
             here = replace(there, id=name, context=context, rule="transfer", certificate={})
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
-    def publish(self, sequence: str, entries: Iterable[Entry]) -> None:
-        """Offer formulas to the number wing, in order of evaluation.
+    def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
+        """Offer formulas to the number wing, in order of evaluation, in a group of them.
 
         Each is a proved fact, or what a context defines or reads a name as.
         """
@@ -160,7 +160,7 @@ class Book:
                 raise KernelError(
                     f"{sequence}: {entry} is no proved fact, definition or reading of a name"
                 )
-        self.ledger.published.setdefault("sequences", {})[sequence] = listed
+        self.ledger.published.setdefault(group, {})[sequence] = listed
 
     def _is_said(self, entry: Entry) -> bool:
         context = self.ledger.contexts.get(str(entry["context"]))
