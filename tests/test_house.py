@@ -24,7 +24,7 @@ ALLOWED = {
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
     "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
-    "rigidsym.proof.coq": "proof.kernel",
+    "rigidsym.proof.coq": "proof.algebra proof.kernel",
     "rigidsym.proof.paper": "language view.html",
     "rigidsym.proof.audit": "language",
     "rigidsym.proof.claims": "io.ledger language view.html",

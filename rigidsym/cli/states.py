@@ -12,16 +12,16 @@ if TYPE_CHECKING:
     from rigidsym.io.cases import Case
     from rigidsym.io.tables import Table
 
-# The arguments of `rigidsym.io.attitude_ephemeris` that are text.
 _FORMATS = ("csv", "json", "npz", "aem")
 _ANY_BODY = "bodies that cannot exist, too"
+# The arguments of `rigidsym.io.attitude_ephemeris` that are text.
 _MESSAGE = {
-    "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed"),
+    "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed here or there"),
     "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),
     "object-name": ("NAME", "UNKNOWN by default"),
     "object-id": ("ID", "such as 2000-052A; UNKNOWN by default"),
     "originator": ("NAME", "who makes the message; RIGIDSYM by default"),
-    "creation-date": ("DATE", "UTC; the epoch by default"),
+    "creation-date": ("DATE", "UTC; the time of writing by default"),
     "ref-frame-a": ("FRAME", "the inertial one, EME2000 by default"),
     "ref-frame-b": ("FRAME", "the axes of the body, SC_BODY_1 by default"),
 }
@@ -45,7 +45,8 @@ def add(command: Command) -> None:
     propagate.add_argument(
         "--method",
         metavar="M",
-        help="theta by default, carlson, landen or quadrature; flow, for uncertain inputs",
+        help="theta by default, carlson, landen, quadrature, or mpmath (no balls); flow for "
+        "uncertain inputs",
     )
     propagate.add_argument(
         "--max-seconds",
@@ -61,7 +62,7 @@ def add(command: Command) -> None:
     )
     propagate.add_argument("-o", "--output", metavar="FILE", type=as_path, help="instead of stdout")
     propagate.add_argument("--allow-nonphysical", action="store_true", help=_ANY_BODY)
-    message = propagate.add_argument_group("of --format aem")
+    message = propagate.add_argument_group("of --format aem, over what the case's [message] says")
     for name, (metavar, summary) in _MESSAGE.items():
         message.add_argument(f"--{name}", metavar=metavar, help=summary)
     message.add_argument(
@@ -132,19 +133,19 @@ def _heading(options: Namespace) -> dict[str, Any]:
     elif options.digits or options.enclose:
         rule = "has 16 digits by its standard: no --digits and no --enclose"
         raise InputError("format", "aem", rule)
-    elif "epoch" not in given:
-        rule = "--format aem needs --epoch YYYY-MM-DDThh:mm:ss[.d...]"
-        raise InputError("epoch", "missing", rule)
     return given
 
 
 def _message(case: "Case", heading: dict[str, Any]) -> bytes:
     from rigidsym import inputs
     from rigidsym.io import aem, sampled
+    from rigidsym.io.messages import UNNAMED
 
+    whole: dict[str, Any] = {**UNNAMED, **case.message, **heading}
+    if "epoch" not in whole:
+        rule = "--format aem needs --epoch YYYY-MM-DDThh:mm:ss[.d...], or the case's [message] one"
+        raise InputError("epoch", "missing", rule)
     track = sampled(case.motion, inputs.doubles("times", case.times))
-    names = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
-    whole: dict[str, Any] = {**names, **heading}
     return aem(track, **whole).encode()
 
 

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from rigidsym import engines, inputs
 from rigidsym.errors import InputError, PrecisionError
 from rigidsym.inputs import ExactNumber, Quaternion, Vector3
-from rigidsym.io.files import remove, write_text
+from rigidsym.io.files import remove, write_bytes, write_text
 from rigidsym.manoeuvre.bursts import Bursts
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
@@ -84,16 +85,26 @@ class Plan:
         return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
 
     def write(self, directory: Path) -> list[Path]:
-        """Write plan.json, and each transfer as a case file for `rigidsym propagate`.
+        """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
 
-        Case files of a plan that was there before go.
+        Case files of a plan that was there before go.  Without matplotlib there is no picture.
         """
         texts = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
         paths = [write_text(directory / name, text) for name, text in texts.items()]
         for path in directory.glob("transfer-*.toml"):
             if path.name not in texts:
                 remove(path)
-        return [write_text(directory / "plan.json", self.to_json()), *paths]
+        return [write_text(directory / "plan.json", self.to_json()), *paths, *self._draw(directory)]
+
+    def _draw(self, directory: Path) -> list[Path]:
+        """transfers.svg and transfers.png."""
+        if find_spec("matplotlib") is None:
+            return []
+        from rigidsym.view.plots.histories import rendered
+        from rigidsym.view.plots.transfers import transfers
+
+        files = rendered(transfers(self.transfers)).items()
+        return [write_bytes(directory / f"transfers.{suffix}", data) for suffix, data in files]
 
     def to_json(self) -> str:
         """The plan as JSON, schema rigidsym.plan/1."""

@@ -18,6 +18,7 @@ class Panel:
 
     With `log`, both axes are logarithmic, and a line leaves out what it has no number for (None).
     colours: of the lines, in their order, begun anew where they are too few.
+    With `marked`, what was measured is a dot, and lines only lead from one to the next.
     """
 
     title: str
@@ -27,6 +28,7 @@ class Panel:
     lines: Mapping[str, Sequence[float | None]]
     log: bool = False
     colours: Sequence[str] = SERIES
+    marked: bool = False
 
 
 def svg(panels: Sequence[Panel]) -> str:
@@ -71,6 +73,11 @@ def _panel(panel: Panel, offset: int) -> str:
         parts.append(
             f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
         )
+        if panel.marked:
+            parts += [
+                f'<circle cx="{x_of(x):.2f}" cy="{y_of(y):.2f}" r="3" fill="{colour}"/>'
+                for x, y in line
+            ]
         legend = _text(WIDTH - RIGHT + 10, offset + TOP + 16 + 18 * k, name, "start")
         parts.append(legend.replace("<text", f'<text fill="{colour}"'))
     return "\n".join(parts)

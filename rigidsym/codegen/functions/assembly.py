@@ -13,7 +13,7 @@ import mpmath
 
 from rigidsym.codegen.functions.circular import circular
 from rigidsym.codegen.functions.hyperbolic import hyperbolic
-from rigidsym.codegen.functions.initial_state import discriminant, start
+from rigidsym.codegen.functions.initial_state import circulation, discriminant, start
 from rigidsym.codegen.functions.steady import steady
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.passes import live, products, share
@@ -31,6 +31,7 @@ def stated(solution: Solution) -> tuple[Function, ...]:
     return (
         exponential.function(),
         discriminant(solution),
+        circulation(solution),
         start(solution),
         landen.step(solution),
         landen.ladder(),

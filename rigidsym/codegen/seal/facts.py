@@ -21,6 +21,12 @@ _MEANINGS = {
         **{"s": "sn", "c": "cn", "d": "dn"},
         **{"s_next": "s", "c_next": "c", "d_next": "d"},
     },
+    # Of moments only whether they are zero counts.
+    ("_circulation", "sorted_body"): {"c_3": "1"},
+    # Signs are those of doubles.
+    ("_initial_state", "start_signs"): {
+        name: f"rounded({name})" for name in ("c_ad", "Omega_a", "Omega_d")
+    },
     # At t = 0 the phase has not turned.
     ("_circular_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
     ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
@@ -34,7 +40,8 @@ _PARTS_OF_FACTS = {
 # The formula sequences that a function is made from: what they prove is named with its fact there.
 _MADE_FROM = {
     "_discriminant": ("constants",),
-    "_initial_state": ("constants", "theta", "landen"),
+    "_circulation": ("decisions",),
+    "_initial_state": ("signs", "constants", "theta", "landen"),
     "_landen": ("landen",),
     "_circular_constants": ("constants", "scaling", "pull_back", "circular", "circular_state"),
     "_circular_state": ("circular_state", "rates"),

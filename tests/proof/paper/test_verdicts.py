@@ -238,7 +238,7 @@ def _repair(equation, left, place):
 
 def _same(ring, left, right):
     try:
-        return not ring.reduce((ring.read(left) - ring.read(right)).numerator)[1]
+        return not ring.remainder((ring.read(left) - ring.read(right)).numerator)
     except ValueError:
         return False
 

@@ -113,7 +113,7 @@ def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
         return [_valued(every, number, f"discriminant_{number}") for number in ("dd", "exact")]
     if function.rounds:
         return [_constants(function)]
-    if len(function.parameters) == 1 and not function.extended:
+    if len(function.results) == 1 and not function.extended:
         return [_valued(function, "double", function.name[1:], "inline double")]
     if function.extended:
         return [_extended_function(function)]
@@ -166,7 +166,9 @@ def _extended_function(function: Function) -> Lines:
     if len(results) == 1:
         head = _head(_TYPES["dd"], name, _parameters(function), function.summary)
         return function_lines(function, "dd", head, [f"    return {results[0]};", "}", ""])
-    outputs = [f"double_double *{result}_out" for result in results]
+    extended = function.all_extended()
+    kinds = {True: "double_double", False: "double"}
+    outputs = [f"{kinds[result in extended]} *{result}_out" for result in results]
     head = _head("void", name, _parameters(function) + outputs, function.summary)
     ends = [f"    *{result}_out = {result};" for result in results]
     return function_lines(function, "dd", head, [*ends, "}", ""])

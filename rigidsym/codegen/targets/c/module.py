@@ -117,8 +117,10 @@ def _limited(text: str) -> str:
 
 def _filled(text: str, by_name: dict[str, Function]) -> str:
     start = by_name["_initial_state"]
+    extended = start.all_extended()
     places = {
-        "@initial@": ", ".join(start.results),
+        "@initial@": ", ".join(name for name in start.results if name in extended),
+        "@signs@": ", ".join(name for name in start.results if name not in extended),
         "@initial given@": ", ".join(start.parameters),
         "@initial out@": ", ".join(f"&{name}" for name in start.results),
     }

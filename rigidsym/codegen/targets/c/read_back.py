@@ -11,6 +11,7 @@ from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import comment
+from rigidsym.codegen.names import SIGNS
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
@@ -82,7 +83,8 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
     by_name = {function.name: function for function in functions}
     start = by_name["_initial_state"]
     marks = {
-        "initial": ", ".join(start.results),
+        "initial": ", ".join(x for x in start.results if x not in SIGNS),
+        "signs": ", ".join(SIGNS),
         "initial given": ", ".join(start.parameters),
         "initial out": ", ".join(f"&{name}" for name in start.results),
         "circular given": ", ".join(by_name["_circular_constants"].parameters),

@@ -28,15 +28,6 @@ static double_double difference(const double_double apart[3], int j, int k)
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* True where momentum and rates are parallel. */
-static int is_steady(const double_double apart[3], const double_double omega[3])
-{
-    for (int j = 0; j < 3; j++)
-        if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
-            return 0;
-    return 1;
-}
-
 /* The axes by their moments, largest first; equal ones stay in their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
@@ -49,6 +40,16 @@ static void sorted(const double_double apart[3], int axis[3])
                 axis[k] = axis[k + 1];
                 axis[k + 1] = first;
             }
+}
+
+/* 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant; the axes are
+   sorted by their moments. */
+static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3], double E_2)
+{
+    const int j = axis[0], k = axis[1], l = axis[2];
+    return circulation(!is_zero(difference(apart, j, k)), !is_zero(difference(apart, j, l)),
+                       !is_zero(difference(apart, k, l)), !is_zero(omega[j]), !is_zero(omega[k]),
+                       !is_zero(omega[l]), E_2);
 }
 
 /* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
@@ -111,15 +112,13 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
     const double_double c_bd = difference(apart, axis[1], axis[2]);
     const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
     const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
-    const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
-    const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
-    const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
     const double unit = motion->unit, *constants;
     size_t n;
     double_double @initial@;
+    double @signs@;
     initial_state(@initial given@, @initial out@);
-    if (k_1.hi * k_1.hi <= 0.5) {
+    if (k_1.hi * k_1.hi <= max_circular) {
         motion->branch = 1;
         circular_constants(@circular given@, &motion->of.circular);
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
@@ -220,19 +219,19 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
-    if (discriminant.hi < 0.0) {
+    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+    if (side < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    const int steady = is_steady(apart, omega);
     int code = TORQUE_FREE_OK;
     if (!is_rounded_once())
         return TORQUE_FREE_ARITHMETIC;
-    if (steady)
-        steady_init(&made, omega, unit_q);
-    else
+    if (side < 0.0 || side > 0.0)
         code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    else
+        steady_init(&made, omega, unit_q);
     if (code == TORQUE_FREE_OK)
         *motion = made;
     return code;
