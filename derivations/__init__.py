@@ -37,6 +37,7 @@ CHAPTERS = (
     "theta_form",
     "hyperbolic_form",
     "theta_edges",
+    "pi_form",
     "periods",
     "edges",
     "steady",

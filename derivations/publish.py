@@ -6,7 +6,8 @@ them and a time into rates and attitude, `steady` serves the motions with consta
 the constant unit quaternion in front from one attitude.  `circular` and `circular_state` do the
 same with every theta as a function of its own, `hyperbolic` and `hyperbolic_state` in the
 complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lead to all of them
-without cancellation.
+without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral of the third kind,
+far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
 standard function of known quantities.  The last two say which equations they are used in.
 """
@@ -133,6 +134,17 @@ SEQUENCES: dict[str, list[Entry]] = {
         *LAMBDA,
     ],
     "hyperbolic_state": _by_functions("hyperbolic_form"),
+    "ascent": definitions("landen", "s c d inside x", "DLMF 22.7.2"),
+    "pi_circular": [
+        *definitions("pi_form", "Lambda", "33", "34"),
+        *definitions("pi_form", "rest", "36"),
+    ],
+    "pi_hyperbolic": [
+        *definitions("pi_near", "delta n_2 Lambda g g_1 g_2 h_2 slope alpha", "36"),
+        *facts("pi_near", "T_size"),
+        *definitions("arctangent", "T_re T_im", "36"),
+        *definitions("pi_near", "cos_half_psi sin_half_psi", "18"),
+    ],
     "steady": [
         *facts("steady", "omega"),
         *definitions("steady", "axis1 axis2 axis3 theta", "3"),
