@@ -2,9 +2,9 @@
 
 J of the descended form grows without end.  Its mean slope j = J_c/K_1 goes into the rate,
 
-    psi/2 = Lambda t + rest - rest_0,    Lambda = (psi_0 + kappa mu j)/2,    rest = kappa (J - j u_1)/2
+    psi/2 = Lambda t + rest - rest_0,    Lambda = (psi_0 + kappa mu j)/2
 
-and the rest has the period 2 K_1 (period_functions.integral), so that a state needs J for
+and rest = kappa (J - j u_1)/2 has the period 2 K_1 (period_functions.integral), so that a state needs J for
 |u_1| <= K_1.  That is for moduli that are not near one.
 
 On the separatrix K_1 is infinite, and near it the rest is a small difference.  So psi/2 is measured
@@ -13,9 +13,9 @@ from what it is on the saddle, H t/K: with x, y, z of the theta form
     psi/2 = (H/K) t - rho (arctan(k_1^2 (x y/z) s c/d) + g_1 u_1 + g_2 L) + constant        (near)
     psi/2 = (H/K) t + rho (g_1 v + h_2 L(v)) + constant,    v = K_1 - u_1                   (far)
 
-where L is the integral of s^2/(1 - n_2 s^2), that is of s^2/(c^2 + delta s^2).  The first is J after
-a change of its parameter (DLMF 19.21.12), the second the same from the other end of the quarter
-period.  g_1, g_2 and h_2 vanish on the separatrix, and no term is the difference of others.
+where L is the integral of s^2/(1 - n_2 s^2), that is of s^2/(c^2 + delta s^2).  The first is J
+after a change of its parameter (DLMF 19.21.12), the second the same from the other end of the
+quarter period.  g_1, g_2 and h_2 vanish on the separatrix, and no term is the difference of others.
 """
 
 from derivations.descended_form import MOTION

@@ -137,7 +137,7 @@ SEQUENCES: dict[str, list[Entry]] = {
     "ascent": definitions("landen", "s c d inside x", "DLMF 22.7.2"),
     "pi_circular": [
         *definitions("pi_form", "Lambda", "33", "34"),
-        *definitions("pi_form", "rest", "36"),
+        *definitions("pi_form", "rest rest_0", "36"),
     ],
     "pi_hyperbolic": [
         *definitions("pi_near", "delta n_2 Lambda g g_1 g_2 h_2 slope alpha", "36"),

@@ -13,6 +13,9 @@ def add(command: Command) -> None:
     """Give the command line its commands about generated code."""
     codegen = command("codegen", _codegen, "write a numeric module")
     codegen.add_argument("target", metavar="TARGET", help="numpy or c")
+    codegen.add_argument(
+        "--form", metavar="FORM", default="theta", help="theta, or the paper's: pi"
+    )
     codegen.add_argument("-o", "--output", metavar="DIR", type=as_path, help="the package itself")
     instead = codegen.add_mutually_exclusive_group()
     instead.add_argument("--check", action="store_true", help="compare with what is there")
@@ -30,8 +33,8 @@ def _codegen(options: Namespace) -> int:
     from rigidsym.solution import sealed
 
     replayed()
-    generated = generate(options.target)
-    seal(sealed())
+    generated = generate(options.target, form=options.form)
+    seal(sealed(), options.form)
     seal_text(generated, sealed())
     if options.stdout:
         print("".join(generated.files.values()), end="")

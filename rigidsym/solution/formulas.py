@@ -66,7 +66,7 @@ INPUTS = {
     "hyperbolic": ("k_1", "beta", "rho", "mu", "psi_0"),
     "hyperbolic_state": (*_BY_FUNCTIONS, "gc", "nome_c"),
     "ascent": ("k_next", "s_next", "c_next", "d_next", "x_next"),
-    "pi_circular": ("psi_0", "kappa", "mu", "j", "J", "u_1"),
+    "pi_circular": ("psi_0", "kappa", "mu", "j", "J", "u_1", "J_0", "phase"),
     "pi_hyperbolic": (
         *("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j"),
         *("s", "c", "d", "X_re", "X_im"),

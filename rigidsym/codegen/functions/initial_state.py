@@ -16,11 +16,11 @@ def discriminant(solution: Solution) -> Function:
     return Function("_discriminant", "K^2 - 2 H c_b over any numbers.", parameters, lets, ("E_b",))
 
 
-def start(solution: Solution) -> Function:
+def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
     """From inertia and rates to what both plans are made of."""
     numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS)
-    names = ("k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0")
+    names = {"k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0", *results}
     lets = select(solution.sequences["constants"], names, given)
     lets += select(solution.sequences["theta"], ("B_a", "B_d"), (*given, "A_a", "A_d"))
     first = {"kc": "k_c", "k_next": "k_1", "kc_next": "kc_1", "s": "sn", "c": "cn", "d": "dn"}
@@ -29,4 +29,4 @@ def start(solution: Solution) -> Function:
     step = select(solution.sequences["landen"], wanted, ("k_next", "kc", "s", "c", "d"))
     lets = (*lets, *renamed(step, first))
     summary = "Invariants, amplitudes, descended functions at t = 0; E_b is of `_discriminant`."
-    return Function("_initial_state", summary, given, lets, INITIAL, frozenset(numbers))
+    return Function("_initial_state", summary, given, lets, results, frozenset(numbers))

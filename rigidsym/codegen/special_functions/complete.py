@@ -8,6 +8,8 @@ its logarithm falls by half, before means agree.
 from rigidsym.codegen.ir import Function, Let, let
 
 STEPS = 16
+# Relative error of both, from k' = 2^-230 up, times K: measured, not proved.
+MEASURED = 1e-29
 _SOURCE = "DLMF 19.8.6"
 
 
