@@ -31,6 +31,11 @@ class Generated:
     map: Mapping[str, list[Place]]
     manifest: Manifest
 
+    def __repr__(self) -> str:
+        sizes = (f"{name} ({text.count(chr(10))} lines)" for name, text in self.files.items())
+        target, digest = self.manifest["target"], self.manifest["digest"]
+        return f"<Generated for {target}: {', '.join(sizes)}, digest {digest[:12]}>"
+
     def texts(self) -> dict[str, str]:
         """Every file to write, the map among them."""
         stem = str(self.manifest["target"])

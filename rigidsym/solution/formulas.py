@@ -24,7 +24,10 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.language.sequence import FormulaSequence
-from rigidsym.language.specification import Unproved, require
+from rigidsym.language.specification import Unproved, read, require
+from rigidsym.solution import signs
+from rigidsym.solution.decisions import decisions
+from rigidsym.solution.formula import Formula
 from rigidsym.solution.partition import Partition, partition_of
 
 AXES = ("a", "b", "d")
@@ -145,37 +148,22 @@ class Entry(TypedDict, total=False):
 
 
 @dataclass(frozen=True, slots=True)
-class Formula:
-    """name = expression, by what the ledger has it from; `source` lists equations of the paper.
-
-    `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
-    that context says so; `context` has its hypotheses.  Functions of a parameter m take its
-    complement 1 - m as their last argument.
-    """
-
-    name: str
-    expression: Expression
-    fact: str
-    context: str
-    source: tuple[str, ...]
-
-    @property
-    def is_reading(self) -> bool:
-        """Whether the expression is the standard function that a name stands for."""
-        return self.fact.startswith("reading ")
-
-
-@dataclass(frozen=True, slots=True)
 class Solution:
     """The sequences by name, a digest of all their statements, and what evaluates them.
 
-    partition: by which signs the kinds of motions are told apart.
+    partition: by which signs the kinds of motions are told apart.  Two sequences are not published:
+    `decisions` is the partition as formulas, and `signs` what the theorem about them says of each.
     """
 
     sequences: Mapping[str, tuple[Formula, ...]]
     digest: str
     evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
     partition: Partition = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        count = sum(map(len, self.sequences.values()))
+        sequences = f"{count} formulas in {len(self.sequences)} sequences"
+        return f"<Solution: {sequences}, digest {self.digest[:12]}>"
 
 
 @cache
@@ -209,11 +197,14 @@ def load(text: str) -> Solution:
         _check_order(name, sequences[name])
         _check_together(name, sequences[name], facts)
     _check_specified(data)
+    specified = read(specification_text())
+    partition = partition_of(facts.values(), contexts, specified)
+    sequences["decisions"] = decisions(partition)
+    sequences["signs"] = _signs(specified[signs.THEOREM].nonnegative, sequences["constants"], facts)
     evaluated = {
         name: FormulaSequence((f.name, f.expression) for f in formulas)
         for name, formulas in sequences.items()
     }
-    partition = partition_of(facts.values(), contexts)
     return Solution(sequences, _digest(sequences), evaluated, partition)
 
 
@@ -223,6 +214,20 @@ def _check_specified(data: Mapping[str, Any]) -> None:
         require(specification_text(), data)
     except Unproved as error:
         raise LedgerError(f"ledger: {error}") from None
+
+
+def _signs(
+    nonnegative: Iterable[str], constants: Iterable[Formula], facts: Mapping[str, Fact]
+) -> tuple[Formula, ...]:
+    """The signs in their order; tau, which chi is by, is the published one."""
+    place = signs.THEOREM
+    (source,) = (x["source"] for x in facts.values() if x["context"] == place)
+    *first, last = (
+        Formula(name, expression, f"choice {place}.{name}", place, tuple(source))
+        for name, expression in signs.rules(nonnegative).items()
+    )
+    (tau,) = (formula for formula in constants if formula.name == "tau")
+    return (*first, tau, last)
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:

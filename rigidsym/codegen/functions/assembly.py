@@ -11,10 +11,10 @@ from functools import cache
 
 import mpmath
 
+from rigidsym.codegen.forms import PI, THETA
 from rigidsym.codegen.functions.circular import circular
 from rigidsym.codegen.functions.hyperbolic import hyperbolic
-from rigidsym.codegen.forms import PI, THETA
-from rigidsym.codegen.functions.initial_state import discriminant, start
+from rigidsym.codegen.functions.initial_state import circulation, discriminant, start
 from rigidsym.codegen.functions.pi import circular as pi_circular
 from rigidsym.codegen.functions.pi import common
 from rigidsym.codegen.functions.pi import hyperbolic as pi_hyperbolic
@@ -45,6 +45,7 @@ def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
     return (
         exponential.function(),
         discriminant(solution),
+        circulation(solution),
         start(solution, common.GIVEN if form == PI else INITIAL),
         landen.step(solution),
         landen.ladder(),

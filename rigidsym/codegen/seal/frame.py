@@ -13,15 +13,17 @@ from rigidsym.errors import InputError
 
 _MOTION = (
     *("c_a", "c_b", "c_d", "c_ab", "c_ad", "c_bd", "Omega_a", "Omega_b", "Omega_d", "E_b"),
-    *("epsilon", "sigma", "rho", "chi", "q_0", "q_a", "q_b", "q_d", "unit"),
+    *("axis_a", "axis_b", "axis_d", "q_0", "q_a", "q_b", "q_d", "unit"),
 )
 _PARAMETERS = {
     "_discriminant": ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d"),
+    "_circulation": ("c_12", "c_13", "c_23", "Omega_1", "Omega_2", "Omega_3", "E_2"),
     "_steady_constants": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3"),
 }
 _STATE = ("q_0", "q_a", "q_b", "q_d", "Omega_a", "Omega_b", "Omega_d")
 _RESULTS = {
     "_discriminant": ("E_b",),
+    "_circulation": ("sorted_body",),
     "_steady_angles": ("X_im", "X_re"),
     "_circular_state": _STATE,
     "_hyperbolic_state": _STATE,

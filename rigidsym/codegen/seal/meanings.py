@@ -28,8 +28,14 @@ class Meanings:
     letters: Mapping[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
 
 
-# The first step down: from k_c and the functions at t = 0.
 _FIRST = {
+    # Of moments only whether they are zero counts.
+    ("_circulation", "sorted_body"): {"c_3": "1"},
+    # Signs are those of doubles.
+    ("_initial_state", "start_signs"): {
+        name: f"rounded({name})" for name in ("c_ad", "Omega_a", "Omega_d")
+    },
+    # The first step down: from k_c and the functions at t = 0.
     ("_initial_state", "landen"): {
         **{"k_next": "k_1", "kc": "k_c", "kc_next": "kc_1"},
         **{"s": "sn", "c": "cn", "d": "dn"},
@@ -38,7 +44,8 @@ _FIRST = {
 }
 _COMMON = {
     "_discriminant": ("constants",),
-    "_initial_state": ("constants", "theta", "landen"),
+    "_circulation": ("decisions",),
+    "_initial_state": ("signs", "constants", "theta", "landen"),
     "_landen": ("landen",),
     "_steady_constants": ("steady",),
     "_steady_state": ("steady",),

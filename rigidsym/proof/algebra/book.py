@@ -219,16 +219,10 @@ def text(side: Side) -> str:
     """What the kernel reads back as this: a text or a number itself, an expression, an element."""
     if not isinstance(side, Element):
         return str(side)
-    factors = zip(side.ring.units, side.powers, strict=True)
-    below = "*".join(f"({unit})**{power}" for unit, power in factors if power)
+    below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
     return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
 
 
 def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
     """Componentwise equations between two vectors or matrices, without those that say nothing."""
     return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]
-
-
-def names(ring: Ring, text: str) -> list[Element]:
-    """Several quantities of a ring at once: `c1, K = names(ring, "c1 K")`."""
-    return [ring.read(name) for name in text.split()]

@@ -1,12 +1,22 @@
 """Normal forms, and the cofactors that prove them: found here, multiplied out by the kernel."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 from operator import mul
+from typing import TypeAlias
 
 from sympy.polys.rings import PolyElement
 
 from rigidsym.proof.kernel import Ring
-from rigidsym.proof.kernel.ring import Divided
+
+Divided: TypeAlias = tuple[list[PolyElement], PolyElement]
+
+
+def quotients(polynomial: PolyElement, divisors: Sequence[PolyElement]) -> Divided:
+    """Cofactors of the divisors, and the remainder of plain division by them in turn."""
+    if not divisors or not polynomial:
+        return [polynomial.ring.zero] * len(divisors), polynomial
+    return polynomial.div(list(divisors))
 
 
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
@@ -16,12 +26,12 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
     that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
     a remainder is no proof of anything.
     """
-    quotients, remainder = ring.reduce(polynomial)
+    cofactors, remainder = quotients(polynomial, ring.relations)
     basis, origins = _reduced(ring)
     if not remainder or basis == ring.relations:
-        return quotients, remainder
+        return cofactors, remainder
     parts, remainder = polynomial.div(list(basis))
-    return _combined(parts, origins, quotients), remainder
+    return _combined(parts, origins, cofactors), remainder
 
 
 @lru_cache(maxsize=128)
@@ -30,7 +40,7 @@ def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement
     basis: list[PolyElement] = []
     origins: list[list[PolyElement]] = []
     for k, relation in enumerate(ring.relations):
-        parts, reduced = relation.div(basis) if basis else ([], relation)
+        parts, reduced = quotients(relation, basis)
         itself = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
         known = _combined(parts, origins, itself)
         if reduced:

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from plotly.graph_objects import Figure, Mesh3d, Scatter3d, Surface
     from plotly.graph_objs.layout import Scene
 
-SIZE, DPI = (6.6, 5.4), 90
+SIZE, DPI = (6.6, 5.8), 90
 # plotly's widths are in pixels, matplotlib's in points; on a smaller picture lines are thinner.
 _THINNER = 0.4
 
@@ -31,7 +31,9 @@ def still(picture: "Figure") -> bytes:
     _dress(axes, picture.layout.scene)
     axes.set_title(picture.layout.title.text or "", color=GREY, size=11)
     if axes.get_legend_handles_labels()[1]:
-        axes.legend(loc="upper left", frameon=False, labelcolor=GREY, fontsize=8)
+        figure.legend(
+            loc="outside lower center", ncols=3, frameon=False, labelcolor=GREY, fontsize=8
+        )
     buffer = io.BytesIO()
     figure.savefig(buffer, format="jpeg", dpi=DPI, pil_kwargs={"quality": 80})
     return buffer.getvalue()

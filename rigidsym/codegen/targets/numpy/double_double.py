@@ -146,12 +146,18 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if type(x) is float and type(y) is float:
-        return one if x <= y else other
-    if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
-        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
-        return _DoubleDouble(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
-    return np.where(x <= y, one, other)
+    if not (isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble)):
+        return _either(x <= y, one, other)
+    one, other = (
+        v if isinstance(v, _DoubleDouble) else _DoubleDouble(1.0 * v) for v in (one, other)
+    )
+    return _DoubleDouble(_either(x <= y, one.hi, other.hi), _either(x <= y, one.lo, other.lo))
+
+
+def _either(first, one, other):
+    if type(first) is bool:
+        return one if first else other
+    return np.where(first, one, other)
 
 
 def _rounded(x):
