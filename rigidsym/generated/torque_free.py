@@ -32,7 +32,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 3606fd27e34c6157ae637baf74c81f4e3107c16113cb602d30b2fcaacc684ed1
+digest 9293802aeec3a17a75a9dda47765ff459dafd8645cc20ab0ce5335e0b4b4efb6
 """
 
 # ruff: noqa
@@ -1135,7 +1135,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value, float) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 

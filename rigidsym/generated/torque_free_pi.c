@@ -894,10 +894,13 @@ static void circular_angles(const torque_free_circular *motion, size_t n, const 
         const double v_whole = nearest(v); /* DLMF 4.16 */
         const double v_rest = v - v_whole; /* DLMF 4.16, Sterbenz 1974 */
         const double v_turns = v_rest + (p_error + v_error); /* DLMF 4.16 */
-        const double v_square = v_turns * v_turns; /* DLMF 4.19.1, DLMF 4.19.2 */
-        const double v_sign = alternating(v_whole); /* DLMF 4.16 */
-        const double s_5 = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
-        const double c_5 = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        const double w_whole = nearest(v_turns); /* DLMF 4.16 */
+        const double w_rest = v_turns - w_whole; /* DLMF 4.16, Sterbenz 1974 */
+        const double half_periods = v_whole + w_whole; /* DLMF 4.16 */
+        const double w_square = w_rest * w_rest; /* DLMF 4.19.1, DLMF 4.19.2 */
+        const double w_sign = alternating(half_periods); /* DLMF 4.16 */
+        const double s_5 = w_sign * fused(w_rest, pi_hi, w_rest * fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
+        const double c_5 = w_sign * fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, fused(w_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
         const double common_1 = k_5 * (s_5 * s_5); /* DLMF 22.7.2; definition landen.s definition landen.c definition landen.d */
         const double common_2 = 1.0 + common_1; /* DLMF 22.7.2; definition landen.s definition landen.c definition landen.d */
         const double s_4 = (1.0 + k_5) * s_5 / common_2; /* DLMF 22.7.2; definition landen.s */
@@ -919,8 +922,8 @@ static void circular_angles(const torque_free_circular *motion, size_t n, const 
         const double c = c_2 * d_2 / common_8; /* DLMF 22.7.2; definition landen.c */
         const double d = (1.0 - common_7) / common_8; /* DLMF 22.7.2; definition landen.d */
         const double path = fused(-characteristic, s * s, 1.0); /* (36), DLMF 19.25.14 */
-        const double J = v_sign * third_kind(s, fabs(c), d, path, spread); /* (36), DLMF 19.25.14 */
-        const double u_1 = two_K * v_turns; /* (36), DLMF 19.2.7 */
+        const double J = w_sign * third_kind(s, fabs(c), d, path, spread); /* (36), DLMF 19.25.14 */
+        const double u_1 = two_K * w_rest; /* (36), DLMF 19.2.7 */
         const double rest = kappa * fused(-j, u_1, J) / 2.0; /* (36); definition pi_form.rest */
         const double L = Lambda_rate_hi * t; /* Dekker 1971 */
         const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* Dekker 1971 */
@@ -2160,7 +2163,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "ac6dbcc4b12fb8912bc415107c28dad90e2ee3e39f0079bc8eb61a82c67159e4"; }
+const char *torque_free_digest(void) { return "d9fbea4f8b3fea88a87fa68fe0daa06ed9a58bd6bd5f6452bb1a0db82cea28f0"; }
 
 const char *torque_free_message(int code)
 {

@@ -34,7 +34,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest ac6dbcc4b12fb8912bc415107c28dad90e2ee3e39f0079bc8eb61a82c67159e4
+digest d9fbea4f8b3fea88a87fa68fe0daa06ed9a58bd6bd5f6452bb1a0db82cea28f0
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -33,7 +33,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest ce254ffe0ffc09d8f0e3998785958c0819d09b6642415ee6446f3b60118d8661
+digest e030831f7542dac20a797e17ff3035c4d1c46f4aa0938d1243abe1ddd0648495
 """
 
 # ruff: noqa
@@ -680,10 +680,13 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
     v_whole = _nearest(v)  # DLMF 4.16
     v_rest = v - v_whole  # DLMF 4.16, Sterbenz 1974
     v_turns = v_rest + (p_error + v_error)  # DLMF 4.16
-    v_square = v_turns * v_turns  # DLMF 4.19.1, DLMF 4.19.2
-    v_sign = _alternating(v_whole)  # DLMF 4.16
-    s_5 = v_sign * (v_turns * pi_hi + v_turns * _horner(v_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
-    c_5 = v_sign * _horner(v_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
+    w_whole = _nearest(v_turns)  # DLMF 4.16
+    w_rest = v_turns - w_whole  # DLMF 4.16, Sterbenz 1974
+    half_periods = v_whole + w_whole  # DLMF 4.16
+    w_square = w_rest * w_rest  # DLMF 4.19.1, DLMF 4.19.2
+    w_sign = _alternating(half_periods)  # DLMF 4.16
+    s_5 = w_sign * (w_rest * pi_hi + w_rest * _horner(w_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
+    c_5 = w_sign * _horner(w_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
     common_1 = k_5 * (s_5 * s_5)  # DLMF 22.7.2; definition landen.s definition landen.c definition landen.d
     common_2 = 1 + common_1  # DLMF 22.7.2; definition landen.s definition landen.c definition landen.d
     s_4 = (1 + k_5) * s_5 / common_2  # DLMF 22.7.2; definition landen.s
@@ -705,8 +708,8 @@ def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda
     c = c_2 * d_2 / common_8  # DLMF 22.7.2; definition landen.c
     d = (1 - common_7) / common_8  # DLMF 22.7.2; definition landen.d
     path = 1 - characteristic * (s * s)  # (36), DLMF 19.25.14
-    J = v_sign * _third_kind(s, abs(c), d, path, spread)  # (36), DLMF 19.25.14
-    u_1 = two_K * v_turns  # (36), DLMF 19.2.7
+    J = w_sign * _third_kind(s, abs(c), d, path, spread)  # (36), DLMF 19.25.14
+    u_1 = two_K * w_rest  # (36), DLMF 19.2.7
     rest = kappa * (J - j * u_1) / 2  # (36); definition pi_form.rest
     L = Lambda_rate_hi * t  # Dekker 1971
     L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # Dekker 1971
@@ -1234,7 +1237,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value, float) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 

@@ -49,11 +49,14 @@ def _angles(solution: Solution) -> list[Let]:
     bottom = f"s_{LEVELS}", f"c_{LEVELS}"
     return [
         *circular_time(),
-        *reduction.sine_and_cosine("v", "v_turns", "v_whole", *bottom),
+        # What rounding has left may be past a quarter period, where J is another.
+        *reduction.whole("w", "v_turns"),
+        let("half_periods = v_whole + w_whole", reduction.TURNS),
+        *reduction.sine_and_cosine("w", "w_rest", "half_periods", *bottom),
         *ascent(solution, "k", ("s", "c", "d")),
         let("path = 1 - characteristic*(s*s)", *_THIRD),
-        let("J = v_sign*_third_kind(s, size(c), d, path, spread)", *_THIRD),
-        let("u_1 = two_K*v_turns", *_WINDING),
+        let("J = w_sign*_third_kind(s, size(c), d, path, spread)", *_THIRD),
+        let("u_1 = two_K*w_rest", *_WINDING),
         *select(solution.sequences["pi_circular"], ("rest",), ("kappa", "J", "j", "u_1")),
         *reduction.product("L", "Lambda_rate"),
         *reduction.whole("L", "L"),
