@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # Validation
+# # 9. Validation
 #
 # A test at one random point accepts $\sqrt{x^2} = x$. Closed forms of rigid body motion go wrong in
 # narrow places: near the separatrix, at nearly equal moments, where a rate changes its sign, after

@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # Fifty digits and a proof
+# # 7. Fifty digits and a proof
 #
 # A flight computer needs sixteen digits. Whoever wants to *know* whether those sixteen are right
 # needs more, and needs to be certain of them. This notebook asks for the same state in three ways:

@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # Code you can fly
+# # 8. Code you can fly
 #
 # The derivation is exact, the flight computer is not. Between them stands a generator: it takes the
 # proved formulas from the ledger and prints them as C99, with libm alone, without allocation or

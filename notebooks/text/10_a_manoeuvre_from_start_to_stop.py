@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # A manoeuvre, from start to stop
+# # 10. A manoeuvre, from start to stop
 #
 # This is what the paper is for (section V). A spacecraft rests in one attitude and is wanted in
 # another. Fire once, let it turn by itself, fire once more:
