@@ -96,6 +96,8 @@ _CASE = {
     "omega0": "three body rates at t = 0, rad/s",
     "attitude0": "quaternion, scalar first, body to inertial, normalised; the identity if absent",
     "times": "seconds: a list, or a table of `start`, `stop` and `count`, both ends included",
+    "degrees": "optional: true where `omega0` is in deg/s",
+    "message": "optional table: what `--format aem` says of itself, by the names of its options",
 }
 
 

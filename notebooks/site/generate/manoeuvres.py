@@ -21,12 +21,15 @@ _KEYS = {
     "spin": "optional: body rates before (`start`) and after (`target`), rad/s",
     "limits": "optional: `max_rate` of |omega| on the way, rad/s, and `max_burst` of either "
     "burst, N m s",
+    "degrees": "optional: true where spins and `max_rate` are in deg/s",
     "orbit": "circular: altitude, angles, and the instant of t = 0",
     "wheels": "three, along the principal axes: what each can do, and what it stores at t = 0",
+    "thrusters": "optional: whose bursts begin and end the motion, with their thrust and least bit",
     "controller": "gains, and whether to cancel the wheels' gyroscopic torque",
     "spacecraft": "what the environment acts upon",
     "disturbances": "which of them act",
     "run": "how long, how often, how exactly; what counts as settled",
+    "message": "optional: what the message of the flight says of itself",
 }
 
 
