@@ -248,7 +248,7 @@ assert apart < 1e-15
 # ## All that it needs
 #
 # 1. The folder in `rigidsym/codegen/targets`, with `module.py` and `read_back.py`, and its name in
-#    `TARGETS` there. Then `rigidsym codegen floats` writes the files into `rigidsym/generated`,
+#    `TARGETS` there. Then `rigidsym codegen floats --in-place` writes the files into `rigidsym/generated`,
 #    `--check` compares them, and `rigidsym trace` knows their lines.
 # 2. If it computes whole states, prepared motions included: an engine, a class in `rigidsym/engines` with the
 #    methods of `Engine` in its `protocol.py`, and its name in `ENGINES` of `choice.py`. Then

@@ -139,7 +139,7 @@ mine
 #    chapter goes into `CHAPTERS` in `derivations/__init__.py`).
 # 2. If the paper prints the equation, put its LaTeX into the names of the context in its section of
 #    `rigidsym/proof/paper`, by a `Sense`: the kernel then decides the print itself.
-# 3. `rigidsym derive` proves everything again and seals the ledger; `rigidsym check` and
+# 3. `rigidsym derive --in-place` proves everything again and seals the ledger; `rigidsym check` and
 #    `rigidsym check --independent` replay it.
 # 4. If numbers shall be computed by it, list it in `derivations/publish.py`.
 

@@ -15,7 +15,7 @@ from rigidsym.motion import IDENTITY, TorqueFreeMotion
 from rigidsym.view.html.motions import case_html
 
 PAPER = "paper.toml"
-_KEYS = {"inertia", "omega0", "attitude0", "times", "message"}
+_KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +25,11 @@ class Case:
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
     message: messages.Message = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        from rigidsym.view.text import case_text
+
+        return case_text(self)
 
     def _repr_html_(self) -> str:
         return case_html(self)
@@ -49,6 +54,7 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
         data["omega0"],
         data.get("attitude0", IDENTITY),
         allow_nonphysical=allow_nonphysical,
+        degrees=data.get("degrees", False),
     )
     return Case(motion, _times(data["times"]), messages.read(data.get("message", {})))
 

@@ -116,6 +116,11 @@ class Plan:
         }
         return json.dumps(data, indent=1) + "\n"
 
+    def __repr__(self) -> str:
+        from rigidsym.view.text import plan_text
+
+        return plan_text(self)
+
     def _repr_html_(self) -> str:
         from rigidsym.view.html.plans import plan_html
 
@@ -132,6 +137,7 @@ def plan(
     target_spin: Vector3 = REST,
     max_rate: ExactNumber | None = None,
     max_burst: ExactNumber | None = None,
+    degrees: bool = False,
     families: int = 1,
     engine: str = "c",
 ) -> Plan:
@@ -140,9 +146,9 @@ def plan(
     inertia (3,): principal moments, kg m^2.  start, target (4,): quaternions, scalar first, body
     to inertial; either sign of the target is reached.  duration: s; None for the shortest that the
     limits allow.  start_spin, target_spin (3,): body rates before and after, rad/s.  max_rate:
-    of |omega| on the way, rad/s.  max_burst: of either burst, N m s.  families: how many
-    transfers to give, the cheapest first; there are infinitely many.  engine: as for
-    `TorqueFreeMotion`.
+    of |omega| on the way, rad/s.  max_burst: of either burst, N m s.  degrees: spins and max_rate
+    are in deg/s.  families: how many transfers to give, the cheapest first; there are infinitely
+    many.  engine: as for `TorqueFreeMotion`.
 
     Every transfer misses the target by at most 1e-12 rad, by the derived solution at thirty
     digits.  Raises InputError for bad input, for limits that cannot be kept, with the limit that
@@ -163,6 +169,7 @@ def plan(
         target_spin=target_spin,
         max_rate=max_rate,
         max_burst=max_burst,
+        degrees=degrees,
     )
     return solve(asked, families, engine)
 

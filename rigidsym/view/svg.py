@@ -17,6 +17,7 @@ class Panel:
     """Lines over common abscissae, with a title and axis labels in units.
 
     With `log`, both axes are logarithmic, and a line leaves out what it has no number for (None).
+    colours: of the lines, in their order, begun anew where they are too few.
     With `marked`, what was measured is a dot, and lines only lead from one to the next.
     """
 
@@ -26,6 +27,7 @@ class Panel:
     x: Sequence[float]
     lines: Mapping[str, Sequence[float | None]]
     log: bool = False
+    colours: Sequence[str] = SERIES
     marked: bool = False
 
 
@@ -67,7 +69,7 @@ def _panel(panel: Panel, offset: int) -> str:
     parts.append(_text(16, middle, panel.y_label, "middle", turned))
     for k, (name, line) in enumerate(lines.items()):
         points = " ".join(f"{x_of(x):.2f},{y_of(y):.2f}" for x, y in line)
-        colour = SERIES[k % len(SERIES)]
+        colour = panel.colours[k % len(panel.colours)]
         parts.append(
             f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
         )

@@ -33,6 +33,23 @@ def brief(summary: Summary) -> list[Table]:
     return [*parts, ideal(summary["ideal"]), optimal(summary["optimal"])]
 
 
+def conclusion(summary: Summary, manoeuvres: int) -> str:
+    """Whom the natural motion costs less than, and what it costs over the least fuel."""
+    parts = []
+    for model, methods in summary["flown"].items():
+        others = {name: one for name, one in methods.items() if name != "natural"}
+        beaten = (
+            f"{one['dearer_than_natural']} of {manoeuvres} times less than {name}"
+            for name, one in others.items()
+        )
+        over = methods["natural"]["over_least_fuel"]["median"]
+        parts.append(
+            f"With {model} a natural motion, flown, costs {over:.3g} times the least fuel "
+            f"(median), {', '.join(beaten)}."
+        )
+    return "  ".join(parts)
+
+
 def flown(model: str, methods: Mapping[str, FlownSpread], told: Callable[..., str]) -> Table:
     """Ways flown with the same actuators; `told` shows spreads of peaks and errors."""
     rows = [

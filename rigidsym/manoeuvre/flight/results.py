@@ -23,6 +23,7 @@ from rigidsym.manoeuvre.manoeuvre import Manoeuvre, ManoeuvreTables
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.view.plots import flights as pictures
 from rigidsym.view.plots import histories as drawing
+from rigidsym.view.text import columns
 
 SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972
@@ -162,6 +163,9 @@ class Tracked:
         told += saturation.rows(self.run, self.flight.wheels, self.missed)
         nothing = ("start equals target", "nothing to do: the target is held")
         return [nothing, *told] if self.manoeuvre.trivial else told
+
+    def __repr__(self) -> str:
+        return columns("Flight: missed" if self.missed else "Flight", ("", ""), self.rows())
 
     def _repr_html_(self) -> str:
         from rigidsym.view.html.flights import tracked_html

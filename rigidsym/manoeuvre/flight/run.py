@@ -9,6 +9,7 @@ from rigidsym.manoeuvre.flight.control import Reference
 from rigidsym.manoeuvre.flight.rotation import angle, matrix, relative, size
 from rigidsym.manoeuvre.flight.summary import Arrival, Effort, Holding, Tracking, rows
 from rigidsym.view.html.flights import run_html
+from rigidsym.view.text import columns
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,6 +113,10 @@ class Run:
             name: float(np.max(np.linalg.norm(torque, axis=1)))
             for name, torque in self.disturbances.items()
         }
+
+    def __repr__(self) -> str:
+        title = f"Flight: {self.t[-1]:g} s, {len(self.t)} samples"
+        return columns(title, ("", ""), rows(self))
 
     def _repr_html_(self) -> str:
         return run_html(self, rows(self))

@@ -4,6 +4,7 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
+import extra_optimal  # noqa: F401
 import numpy as np
 import pytest
 from manoeuvre_flights import NOTHING
