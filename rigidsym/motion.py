@@ -47,8 +47,8 @@ class TorqueFreeMotion:
     strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
     ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
     source compiled once on this machine (NumPy with a warning where there is no compiler).
-    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.
-     A motion is a value: equal to others with the same numbers and engine, hashable,
+    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.  A
+    motion is a value: equal to others with the same numbers and engine, hashable,
     and never changed.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
