@@ -18,13 +18,17 @@ from rigidsym.errors import InputError
 from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
     from scipy.spatial.transform import Rotation
+    from xarray import Dataset
 
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.precise.evaluation import State
     from rigidsym.precise.motion import DecimalState
+    from rigidsym.solution.mode import Mode
     from rigidsym.solution.polhode import Regime
+    from rigidsym.solution.symbolic import Symbolic
     from rigidsym.view.plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
@@ -43,8 +47,9 @@ class TorqueFreeMotion:
     first, body to inertial, normalised here.  Numbers may be floats (exact binary64 values) or
     strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
     ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
-    source compiled once on this machine (NumPy with a warning where there is no compiler).  Raises
-    InputError.  A motion is a value: equal to others with the same numbers and engine, hashable,
+    source compiled once on this machine (NumPy with a warning where there is no compiler).
+    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.  A
+    motion is a value: equal to others with the same numbers and engine, hashable,
     and never changed.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
@@ -67,15 +72,17 @@ class TorqueFreeMotion:
         *,
         engine: str = "numpy",
         allow_nonphysical: bool = False,
+        degrees: bool = False,
     ) -> None:
-        floats = _floats(inertia, omega0, attitude0)
+        turned = inputs.is_true("degrees", degrees)
+        floats = {} if turned else _floats(inertia, omega0, attitude0)
         # Past __setattr__, which refuses.
         fields = vars(self)
         fields["_floats"], fields["allow_nonphysical"] = floats, allow_nonphysical
         fields["engine"] = engines.checked(engine)
         if not floats:
             fields["inertia"] = inputs.inertia(inertia, allow_nonphysical)
-            fields["omega0"] = inputs.vector("omega0", omega0, 3)
+            fields["omega0"] = inputs.in_radians(inputs.vector("omega0", omega0, 3), turned)
             fields["attitude0"] = inputs.attitude(attitude0)
 
     # Engines need no fractions of floats, which take longer to make than a motion is prepared.
@@ -95,7 +102,12 @@ class TorqueFreeMotion:
         return tuple(map(Fraction, self._floats["attitude0"]))
 
     def replace(self, **changes: Unpack[MotionInputs]) -> "TorqueFreeMotion":
-        """Another motion, with some of the arguments changed; raises as the class does."""
+        """Another motion, with some of the arguments changed; raises as the class does.
+
+        `degrees` is about the omega0 that is given with it.
+        """
+        if changes.get("degrees") and "omega0" not in changes:
+            raise InputError("degrees", True, "is about omega0, which is not given")
         own: MotionInputs = {
             "inertia": self.inertia,
             "omega0": self.omega0,
@@ -131,9 +143,9 @@ class TorqueFreeMotion:
         return self
 
     def __repr__(self) -> str:
-        fields = ("inertia", "omega0", "attitude0")
-        inside = ", ".join(f"{name}={inputs.shown(getattr(self, name))}" for name in fields)
-        return f"TorqueFreeMotion({inside})"
+        from rigidsym.view.text import motion_text
+
+        return motion_text(self)
 
     def _repr_html_(self) -> str:
         from rigidsym.view.html.motions import motion_html
@@ -219,11 +231,35 @@ class TorqueFreeMotion:
         """The kind of motion, decided exactly from the numbers given."""
         return self._by("theta", **self._given).polhode.regime
 
-    def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
-        from rigidsym.precise import METHODS, PreciseMotion
+    @property
+    def mode(self) -> "Mode | None":
+        """Which axis keeps to the momentum, the long one or the short one, decided exactly.
 
-        if not isinstance(method, str) or method not in METHODS:
-            raise InputError("method", repr(method), f"must be one of: {', '.join(METHODS)}")
+        None where there is none that does: on the separatrix, in spin about the middle axis, for
+        spheres, and at rest.
+        """
+        from rigidsym.solution.mode import mode
+
+        polhode = self._by("theta", **self._given).polhode
+        return mode(polhode, self.exact["inertia"], self.exact["omega0"])
+
+    @property
+    def nutation(self) -> tuple[float, float]:
+        """The least and the largest angle of the circulation axis from the momentum, rad.
+
+        The axis of the largest or the smallest moment, at its end that is nearer to the momentum;
+        both are equal for symmetric bodies, and zero where the rates are constant.
+        """
+        from rigidsym.precise.nutation import nutation
+
+        return nutation(self._by("theta", **self.exact))
+
+    def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
+        from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
+
+        known = (*METHODS, *ESTIMATED)
+        if not isinstance(method, str) or method not in known:
+            raise InputError("method", repr(method), f"must be one of: {', '.join(known)}")
         # Kept, because it keeps its constants from one call to the next.
         return self._precise.setdefault(method, PreciseMotion(*given.values(), method))
 
@@ -240,16 +276,21 @@ class TorqueFreeMotion:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
+        They print these digits, and what is computed from them has mpmath's precision at the time.
         A number whose ball has shrunk around zero to less than 2^-4000 is given as zero.
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
-        quadrature.  Raises PrecisionError where `max_seconds` are over before the digits are
-        reached, saying how many were, and InputError for bad input.
+        quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
+        twice, and gives the digits on which two of the ledger's forms agree.  Raises
+        PrecisionError where `max_seconds` are over before the digits are reached, saying how many
+        were, and InputError for bad input.
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        from rigidsym.precise.certain import certain
+
         states = self._by(method, **self.exact).states(times, *limits)
-        return _objects(states, single)
+        return _objects(((certain(q, digits), certain(w, digits)) for q, w in states), single)
 
     def enclose(
         self,
@@ -276,6 +317,11 @@ class TorqueFreeMotion:
     def _enclosing(
         self, method: str | None
     ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
+        from rigidsym.precise import ESTIMATED, METHODS
+
+        if isinstance(method, str) and method in ESTIMATED:
+            rule = f"has no error bounds; enclose takes {', '.join(METHODS)}"
+            raise InputError("method", repr(method), rule)
         uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
         if method == "flow" and not uncertain:
             raise InputError("method", method, "is for uncertain inputs, and these are exact")
@@ -289,6 +335,21 @@ class TorqueFreeMotion:
 
         return BoxedMotion(*self._given.values())
 
+    def symbolic(self, form: str | None = None) -> "Symbolic":
+        """The motion as SymPy's expressions of the time, with its exact numbers put in.
+
+        form: "pi" or "theta", between the edges; "separatrix", "symmetric", "sphere" or "spin";
+        "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
+        other forms, for one that the regime has not, and for uncertain inputs.
+
+        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
+        >>> motion.symbolic().omega().T
+        Matrix([[cos(t), sin(t), 1]])
+        """
+        from rigidsym.solution.symbolic import of_motion
+
+        return of_motion(form, *self.exact.values())
+
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
         try:
@@ -296,6 +357,30 @@ class TorqueFreeMotion:
         except ImportError:
             raise ImportError("rotation needs SciPy: pip install 'rigidsym[app]'") from None
         return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
+
+    def to_dataframe(self, t: ArrayLike, *, degrees: bool = False) -> "DataFrame":
+        """States at times (N,), s: index t, columns q0 ... q3, omega1 ... omega3 (needs pandas).
+
+        Rates are in rad/s, or in deg/s with `degrees`.  Raises as a call does.
+        """
+        from rigidsym.io.frames import dataframe
+
+        return dataframe(*self._sampled(t, degrees))
+
+    def to_xarray(self, t: ArrayLike, *, degrees: bool = False) -> "Dataset":
+        """States at times (N,), s: variables q (t, component), omega (t, axis) (needs xarray).
+
+        Rates are in rad/s, or in deg/s with `degrees`, as their attribute `units` says.  Raises as
+        a call does.
+        """
+        from rigidsym.io.frames import dataset
+
+        return dataset(*self._sampled(t, degrees), "deg/s" if degrees else "rad/s")
+
+    def _sampled(self, t: ArrayLike, degrees: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        times = np.atleast_1d(_times(t))
+        q, omega = self(times)
+        return times, q, np.rad2deg(omega) if inputs.is_true("degrees", degrees) else omega
 
     def plot(self, times: Times | None = None) -> "Figure":
         """Rates and attitude against time, and the momentum sphere (needs matplotlib).
@@ -319,18 +404,21 @@ def propagate(
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
     errors: str = "raise",
+    degrees: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
     Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  `out` is a
     pair of arrays of the shapes returned, to fill, which share no memory with each other or an
     input.  errors: "raise" InputError for the first body or time that is refused, named by its
-    index, or "nan" for their states.  Units, conventions and engines are those of
-    `TorqueFreeMotion`.
+    index, or "nan" for their states.  degrees: omega0 is in deg/s.  Units, conventions and engines
+    are those of `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     lenient = _is_lenient(errors)
     given = {name: batches.array(name, value, lenient) for name, value in arrays.items()}
+    if inputs.is_true("degrees", degrees):
+        given["omega0"] = np.deg2rad(given["omega0"])
     bodies = {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
     run, times = engines.engine(engine).propagate, _times(t, errors)
     return _refusing(

@@ -9,7 +9,7 @@ GRAPH = imports()
 FOUNDATION = "errors language quaternions"
 NUMBERS = f"{FOUNDATION} inputs solution precise"
 ALLOWED = {
-    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode",
+    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode solution.symbolic",
     "rigidsym.__main__": "cli",
     "rigidsym._version": "",
     "rigidsym.errors": "",
@@ -18,13 +18,13 @@ ALLOWED = {
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",
     "rigidsym.principal": "errors inputs quaternions",
-    "rigidsym.motion": f"{NUMBERS} engines view",
+    "rigidsym.motion": f"{NUMBERS} engines io.frames view",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
     "rigidsym.proof.algebra": "proof.kernel",
     "rigidsym.proof.steps": "language proof.algebra proof.kernel view.article",
-    "rigidsym.proof.coq": "proof.kernel",
+    "rigidsym.proof.coq": "proof.algebra proof.kernel",
     "rigidsym.proof.paper": "language view.html",
     "rigidsym.proof.audit": "language",
     "rigidsym.proof.claims": "io.ledger language view.html",
@@ -32,7 +32,7 @@ ALLOWED = {
     "rigidsym.proof": "",
     "derivations": "errors language proof.algebra proof.kernel proof.paper proof.steps",
     # What is computed from it.
-    "rigidsym.solution": "errors io.ledger language",
+    "rigidsym.solution": "errors inputs io.ledger language",
     "rigidsym.precise": f"{FOUNDATION} inputs solution",
     "rigidsym.precise.comparison": f"{NUMBERS} io.cases view.svg",
     "rigidsym.codegen": f"{FOUNDATION} codegen io.files solution",
@@ -50,10 +50,12 @@ ALLOWED = {
     "rigidsym.view.html": f"{FOUNDATION} inputs view.palette view.report_data",
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
+    "rigidsym.view.reproduction": "view",
+    "rigidsym.view.text": f"{FOUNDATION} inputs view.html",
     "rigidsym.view.validation": "validate.bounds view",
     "rigidsym.io": "errors io",
     "rigidsym.io.attitude_ephemeris": "errors io motion",
-    "rigidsym.io.cases": "errors inputs io motion view.html",
+    "rigidsym.io.cases": "errors inputs io motion view",
     "rigidsym.io.splines": "errors io motion",
     "rigidsym.io.tables": "inputs io precise",
     "rigidsym.io.tracks": "errors io motion",
@@ -66,7 +68,10 @@ ALLOWED = {
 OTHERS = {
     "matplotlib": ("rigidsym.view",),
     "plotly": ("rigidsym.view",),
-    "sympy": ("rigidsym.proof", "rigidsym.view.article", "derivations"),
+    "sympy": (
+        *("rigidsym.proof", "rigidsym.view.article", "derivations"),
+        *("rigidsym.language.functions", "rigidsym.solution.symbolic"),
+    ),
     "casadi": ("rigidsym.manoeuvre.comparison",),
 }
 

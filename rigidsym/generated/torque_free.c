@@ -348,16 +348,64 @@ static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, ex
     return E_b;
 }
 
-/* Invariants, amplitudes, descended functions at t = 0; E_b is of `_discriminant`. */
+/* 1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1. */
+static inline double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
+    double Omega_3, double E_2)
+{
+    const double c_1 = 1.0 + c_13; /* definition sorted_body.c_1 */
+    const double c_2 = 1.0 + c_23; /* definition sorted_body.c_2 */
+    const double common_1 = Omega_2 * Omega_2; /* definition sorted_body.E_1 definition sorted_body.E_3 definition sorted_body.turning */
+    const double common_2 = Omega_3 * Omega_3; /* definition sorted_body.E_1 definition sorted_body.turning definition sorted_body.off_middle */
+    const double E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* definition sorted_body.E_1 */
+    const double common_3 = Omega_1 * Omega_1; /* definition sorted_body.E_3 definition sorted_body.turning definition sorted_body.off_middle */
+    const double E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* definition sorted_body.E_3 */
+    const double turning = common_3 + common_1 + common_2; /* definition sorted_body.turning */
+    const double off_middle = common_3 + common_2; /* definition sorted_body.off_middle */
+    const double rest = 0.0; /* rest.rates */
+    const double spherical = 0.0; /* spherical.moments */
+    const double prolate_equatorial = 0.0; /* prolate_equatorial.parallel */
+    const double prolate_polar = 0.0; /* prolate_polar.parallel */
+    const double prolate_motion = -1.0; /* (10), (13), (14); prolate_motion.squares */
+    const double oblate_polar = 0.0; /* oblate_polar.parallel */
+    const double oblate_equatorial = 0.0; /* oblate_equatorial.parallel */
+    const double oblate_motion = 1.0; /* (10), (13), (14); oblate_motion.squares */
+    const double spin_1 = 0.0; /* spin_1.parallel */
+    const double spin_3 = 0.0; /* spin_3.parallel */
+    const double spin_2 = 0.0; /* spin_2.parallel */
+    const double separatrix_motion = 1.0; /* (10), (13), (14); separatrix_motion.squares */
+    const double largest = 1.0; /* (10), (13), (14); largest.squares */
+    const double smallest = -1.0; /* (10), (13), (14); smallest.squares */
+    const double on_separatrix = choose(off_middle, 0.0, spin_2, separatrix_motion); /* on_separatrix.cases */
+    const double off_1_and_3 = choose(E_2, 0.0, choose(0.0, E_2, on_separatrix, smallest), largest); /* off_1_and_3.cases */
+    const double off_1 = choose(E_3, 0.0, spin_3, off_1_and_3); /* off_1.cases */
+    const double oblate_off_1 = choose(E_3, 0.0, oblate_equatorial, oblate_motion); /* oblate_off_1.cases */
+    const double asymmetric = choose(E_1, 0.0, spin_1, off_1); /* asymmetric.cases */
+    const double oblate = choose(E_1, 0.0, oblate_polar, oblate_off_1); /* oblate.cases */
+    const double prolate_off_1 = choose(E_3, 0.0, prolate_polar, prolate_motion); /* prolate_off_1.cases */
+    const double unequal_large = choose(c_23, 0.0, oblate, asymmetric); /* unequal_large.cases */
+    const double prolate = choose(E_1, 0.0, prolate_equatorial, prolate_off_1); /* prolate.cases */
+    const double nonspherical = choose(c_12, 0.0, prolate, unequal_large); /* nonspherical.cases */
+    const double motion = choose(c_13, 0.0, spherical, nonspherical); /* motion.cases */
+    const double sorted_body = choose(turning, 0.0, rest, motion); /* sorted_body.cases */
+    return sorted_body;
+}
+
+/* Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`. */
 static void initial_state(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a, double_double Omega_b,
-    double_double Omega_d, double_double E_b, double epsilon, double sigma, double rho,
-    double chi, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
+    double_double Omega_d, double_double E_b, double axis_a, double axis_b,
+    double axis_d, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
     double_double *A_d_out, double_double *B_a_out, double_double *B_d_out,
     double_double *k_1_out, double_double *kc_1_out, double_double *mu_out,
     double_double *psi_0_out, double_double *s_out, double_double *c_out,
-    double_double *d_out)
+    double_double *d_out, double *epsilon_out, double *sigma_out, double *rho_out,
+    double *chi_out)
 {
+    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* Levi-Civita */
+    const double sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0); /* (12); choice start_signs.sigma */
+    const double rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0); /* (12); choice start_signs.rho */
+    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
+    const double chi = choose(0.0, tau * dd_rounded(Omega_d), 1.0, -1.0); /* (12); choice start_signs.chi */
     const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* (6), (15); regular.H regular.E_d */
     const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* (6), (15); regular.H regular.E_a regular.E_d */
     const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* (6), (15); regular.H regular.E_a */
@@ -378,7 +426,6 @@ static void initial_state(double_double c_a, double_double c_b, double_double c_
     const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
     const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* (10), (13), (14); regular.m */
     const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* (10), (13), (14); regular.m_1 */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
     const double_double k_c = dd_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
     const double_double common_8 = dd_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu definition landen.kc_next */
     const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* DLMF 22.7.1; descended.k_1 */
@@ -411,6 +458,10 @@ static void initial_state(double_double c_a, double_double c_b, double_double c_
     *s_out = s;
     *c_out = c;
     *d_out = d;
+    *epsilon_out = epsilon;
+    *sigma_out = sigma;
+    *rho_out = rho;
+    *chi_out = chi;
 }
 
 /* One step of Landen's descending transformation. */
@@ -1372,7 +1423,9 @@ static int angles_hold(void)
     static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
     enum { TIMES = 8 };
     const volatile double from = 35184372088829.0;
-    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
+    enum { COSINE = TIMES, TURNED = 3 * TIMES };
+    const size_t s = TIMES;
+    double t[TIMES], t_lo[TIMES], to[6 * TIMES];
     torque_free_circular motion;
     int holds = 1;
     memset(&motion, 0, sizeof motion);
@@ -1382,10 +1435,10 @@ static int angles_hold(void)
         t[i] = from + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&motion, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    circular_angles(&motion, TIMES, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     for (int i = 0; i < TIMES; i++) {
-        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
-        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
+        holds &= fabs(to[COSINE + i] - cosines[i % 6]) <= 1e-15;
+        holds &= fabs(to[TURNED + i] - cosines[(i + 5) % 6]) <= 1e-15;
     }
     return holds;
 }
@@ -1400,6 +1453,7 @@ static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share
 static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
+static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
 static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
@@ -1431,15 +1485,6 @@ static double_double difference(const double_double apart[3], int j, int k)
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* True where momentum and rates are parallel. */
-static int is_steady(const double_double apart[3], const double_double omega[3])
-{
-    for (int j = 0; j < 3; j++)
-        if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
-            return 0;
-    return 1;
-}
-
 /* The axes by their moments, largest first; equal ones stay in their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
@@ -1452,6 +1497,16 @@ static void sorted(const double_double apart[3], int axis[3])
                 axis[k] = axis[k + 1];
                 axis[k + 1] = first;
             }
+}
+
+/* 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant; the axes are
+   sorted by their moments. */
+static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3], double E_2)
+{
+    const int j = axis[0], k = axis[1], l = axis[2];
+    return circulation(!is_zero(difference(apart, j, k)), !is_zero(difference(apart, j, l)),
+                       !is_zero(difference(apart, k, l)), !is_zero(omega[j]), !is_zero(omega[k]),
+                       !is_zero(omega[l]), E_2);
 }
 
 /* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
@@ -1514,29 +1569,27 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
     const double_double c_bd = difference(apart, axis[1], axis[2]);
     const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
     const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
-    const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
-    const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
-    const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
     const double unit = motion->unit, *constants;
-    size_t n;
+    size_t held;
     double_double K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
-    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
-    if (k_1.hi * k_1.hi <= 0.5) {
+    double epsilon, sigma, rho, chi;
+    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d, &epsilon, &sigma, &rho, &chi);
+    if (k_1.hi * k_1.hi <= max_circular) {
         motion->branch = 1;
         circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.circular);
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
         constants = (const double *)&motion->of.circular;
-        n = sizeof motion->of.circular / sizeof *constants;
+        held = sizeof motion->of.circular / sizeof *constants;
     } else {
         motion->branch = 2;
         hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.hyperbolic);
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
         constants = (const double *)&motion->of.hyperbolic;
-        n = sizeof motion->of.hyperbolic / sizeof *constants;
+        held = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -1623,19 +1676,19 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
-    if (discriminant.hi < 0.0) {
+    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+    if (side < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    const int steady = is_steady(apart, omega);
     int code = TORQUE_FREE_OK;
     if (!is_rounded_once())
         return TORQUE_FREE_ARITHMETIC;
-    if (steady)
-        steady_init(&made, omega, unit_q);
-    else
+    if (side < 0.0 || side > 0.0)
         code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    else
+        steady_init(&made, omega, unit_q);
     if (code == TORQUE_FREE_OK)
         *motion = made;
     return code;
@@ -1749,8 +1802,8 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
-   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
+/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+   others; `out` has room for seven. */
 static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
@@ -1770,12 +1823,11 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
         row[4 + axis[k]] = out + (4 + k) * s;
     }
     if (motion->branch == 1)
-        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
-                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
+        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s,
+                       out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
-                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
-                         out + 6 * s);
+        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s, in + 5 * s,
+                         out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
@@ -1789,8 +1841,7 @@ static void block_angles(const torque_free_motion *motion, size_t n, size_t s, c
     else if (motion->branch == 1)
         circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
-                          to + 4 * s, to + 5 * s);
+        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -1940,7 +1991,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
     }
 }
 
-/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
+/* The same where what changes with time is more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
@@ -1975,7 +2026,7 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     const size_t most = BLOCK * BLOCK;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
         return too_late(motion);
-    if (motion->branch == 2) {
+    if (motion->branch >= 2) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
         grid_table(motion, inner_step, table);
@@ -2017,7 +2068,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "3f36757143cef3f544e0ac5535a39ea84ffbf62a1847a7d88ac4f7dd4a880abe"; }
+const char *torque_free_digest(void) { return "f0fbfe791b4352e1fe3f1b22cb895ca78f24959edc9212daa01d2e48af439167"; }
 
 const char *torque_free_message(int code)
 {

@@ -29,47 +29,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.5e-16  3.3e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.6e-16  4.2e-16
-  sphere                 8.1e-16  1.9e-40
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  1.2e-51
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest f00f7223e01ceeef7e32f497fa137b70702ff7e38ced98dbbf2a068eb2e16cbd
+digest 5df46466d2360c580565265978f0bf328cfb3e870c252b641cd59aa544371e8d
 """
 
 # ruff: noqa
@@ -215,12 +178,11 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if type(x) is float and type(y) is float:
-        return one if x <= y else other
+    first = x <= y
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
-        return _DoubleDouble(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
-    return np.where(x <= y, one, other)
+        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+    return (one if first else other) if type(first) is bool else np.where(first, one, other)
 
 
 def _rounded(x):
@@ -288,8 +250,53 @@ def _discriminant(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d):
     return E_b
 
 
-def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi):
-    """Invariants, amplitudes, descended functions at t = 0; E_b is of `_discriminant`."""
+def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
+    """1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1."""
+    c_1 = 1 + c_13  # definition sorted_body.c_1
+    c_2 = 1 + c_23  # definition sorted_body.c_2
+    common_1 = Omega_2 * Omega_2  # definition sorted_body.E_1 definition sorted_body.E_3 definition sorted_body.turning
+    common_2 = Omega_3 * Omega_3  # definition sorted_body.E_1 definition sorted_body.turning definition sorted_body.off_middle
+    E_1 = c_2 * c_12 * common_1 + c_13 * common_2  # definition sorted_body.E_1
+    common_3 = Omega_1 * Omega_1  # definition sorted_body.E_3 definition sorted_body.turning definition sorted_body.off_middle
+    E_3 = c_1 * c_13 * common_3 + c_2 * c_23 * common_1  # definition sorted_body.E_3
+    turning = common_3 + common_1 + common_2  # definition sorted_body.turning
+    off_middle = common_3 + common_2  # definition sorted_body.off_middle
+    rest = 0  # rest.rates
+    spherical = 0  # spherical.moments
+    prolate_equatorial = 0  # prolate_equatorial.parallel
+    prolate_polar = 0  # prolate_polar.parallel
+    prolate_motion = -1  # (10), (13), (14); prolate_motion.squares
+    oblate_polar = 0  # oblate_polar.parallel
+    oblate_equatorial = 0  # oblate_equatorial.parallel
+    oblate_motion = 1  # (10), (13), (14); oblate_motion.squares
+    spin_1 = 0  # spin_1.parallel
+    spin_3 = 0  # spin_3.parallel
+    spin_2 = 0  # spin_2.parallel
+    separatrix_motion = 1  # (10), (13), (14); separatrix_motion.squares
+    largest = 1  # (10), (13), (14); largest.squares
+    smallest = -1  # (10), (13), (14); smallest.squares
+    on_separatrix = _choose(off_middle, 0, spin_2, separatrix_motion)  # on_separatrix.cases
+    off_1_and_3 = _choose(E_2, 0, _choose(0, E_2, on_separatrix, smallest), largest)  # off_1_and_3.cases
+    off_1 = _choose(E_3, 0, spin_3, off_1_and_3)  # off_1.cases
+    oblate_off_1 = _choose(E_3, 0, oblate_equatorial, oblate_motion)  # oblate_off_1.cases
+    asymmetric = _choose(E_1, 0, spin_1, off_1)  # asymmetric.cases
+    oblate = _choose(E_1, 0, oblate_polar, oblate_off_1)  # oblate.cases
+    prolate_off_1 = _choose(E_3, 0, prolate_polar, prolate_motion)  # prolate_off_1.cases
+    unequal_large = _choose(c_23, 0, oblate, asymmetric)  # unequal_large.cases
+    prolate = _choose(E_1, 0, prolate_equatorial, prolate_off_1)  # prolate.cases
+    nonspherical = _choose(c_12, 0, prolate, unequal_large)  # nonspherical.cases
+    motion = _choose(c_13, 0, spherical, nonspherical)  # motion.cases
+    sorted_body = _choose(turning, 0, rest, motion)  # sorted_body.cases
+    return sorted_body
+
+
+def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d):
+    """Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`."""
+    epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # Levi-Civita
+    sigma = _choose(0, _rounded(Omega_a), 1, -1)  # (12); choice start_signs.sigma
+    rho = _choose(0, _rounded(c_ad), 1, -1)  # (12); choice start_signs.rho
+    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
+    chi = _choose(0, tau * _rounded(Omega_d), 1, -1)  # (12); choice start_signs.chi
     common_1 = Omega_a * Omega_a  # (6), (15); regular.H regular.E_d
     common_2 = Omega_b * Omega_b  # (6), (15); regular.H regular.E_a regular.E_d
     common_3 = Omega_d * Omega_d  # (6), (15); regular.H regular.E_a
@@ -310,7 +317,6 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     lambda_ = _sqrt(common_7 / (c_a * c_b * c_d))  # (10), (13), (14); regular.lambda_
     m = E_a * c_bd / (E_d * c_ab)  # (10), (13), (14); regular.m
     m_1 = c_ad * E_b / common_7  # (10), (13), (14); regular.m_1
-    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
     k_c = _sqrt(m_1)  # DLMF 22.7.1; descended.k_c
     common_8 = 1 + k_c  # DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu definition landen.kc_next
     k_1 = m / (common_8 * common_8)  # DLMF 22.7.1; descended.k_1
@@ -330,7 +336,7 @@ def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E
     v = _sqrt(common_11 * (dn + k_c))  # DLMF 22.7.4; landen.v
     c = 2 * cn / v  # DLMF 22.7.2 to 22.7.4; landen.c_next
     d = v / common_10  # DLMF 22.7.2 to 22.7.4; landen.d_next
-    return K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d
+    return K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi
 
 
 def _landen(k, kc, s, c, d, r, Y):
@@ -907,8 +913,8 @@ def _steady_state(X_im, X_re, axis1, axis2, axis3, p0, p1, p2, p3):
 
 INITIAL_STATE = {
     'constants': _initial_state,
-    'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a', 'Omega_b', 'Omega_d', 'E_b', 'epsilon', 'sigma', 'rho', 'chi'),
-    'names': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'd'),
+    'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a', 'Omega_b', 'Omega_d', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
+    'names': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'd', 'epsilon', 'sigma', 'rho', 'chi'),
 }
 BRANCHES = {
     'circular': {
@@ -952,6 +958,7 @@ DECISIVE = 2.0**-70  # of others' share in a tilt, below which those may be take
 MIN_DISCRIMINANT = 2.0**-900  # of E_b in inner units; nearer to the separatrix is taken for it
 TOLERATED = 2.0**-60  # of the momentum, by which that, or middle-axis spin, may be wrong
 MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
+MAX_CIRCULAR = 2.0**-1  # of k_1^2 on the circular branch; above it, the hyperbolic one
 MAX_ANGLE = 2.0**46  # of |omega0 t|, rad
 MAX_RATE = 2.0**990  # of a rate, rad/s: exact products with it are still held
 # States computed at a time: their intermediate arrays fit the cache.
@@ -1028,9 +1035,13 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
     omega = _DoubleDouble(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
-    axes, discriminant = _axes(c, apart, omega, discriminant)
-    axes, omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
-    steady = _is_steady(apart, omega)
+    axes = _sorted(apart)
+    if discriminant is None:
+        discriminant = _exact_discriminant(c.hi, omega.hi, axes)
+    omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
+    side = _sides(apart, omega, axes, discriminant)
+    axes = np.where(side[:, None] < 0, axes[:, ::-1], axes)
+    steady = side == 0
     made = {
         "shape": shape,
         # Nothing turns at rest, however long it takes.
@@ -1058,20 +1069,16 @@ def _add_moving(made, index, c, apart, omega, q, discriminant, refused):
     rates = [omega[index, axes[:, k]] for k in range(3)]
     parts = np.stack([x.hi for x in q], -1), np.stack([x.lo for x in q], -1)
     vector = [_DoubleDouble(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
-    epsilon = np.where((axes[:, 1] - axes[:, 0]) % 3 == 1, 1.0, -1.0)
-    sigma = np.where(rates[0].hi < 0, -1.0, 1.0)
-    rho = np.where(differences[1].hi < 0, -1.0, 1.0)
-    chi = np.where(-rho * epsilon * sigma * rates[2].hi < 0, -1.0, 1.0)
-    signs = {"epsilon": epsilon, "sigma": sigma, "rho": rho, "chi": chi}
     known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
     known |= dict(zip(("c_ab", "c_ad", "c_bd"), differences, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= signs | {"E_b": discriminant[index], "unit": made["unit"][index]}
+    known |= dict(zip(("axis_a", "axis_b", "axis_d"), axes.T, strict=True))
+    known |= {"E_b": discriminant[index], "unit": made["unit"][index]}
     if len(index) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(INITIAL_STATE, known)
-    small = known["k_1"].hi ** 2 <= 0.5
+    small = known["k_1"].hi ** 2 <= MAX_CIRCULAR
     for name, chosen in (("circular", small), ("hyperbolic", np.logical_not(small))):
         if np.any(chosen):
             some = np.flatnonzero(chosen)
@@ -1121,7 +1128,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 
@@ -1340,7 +1347,7 @@ def _refuse(field, rule, bodies, refused):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Axes, rates and E_b of the motions that are followed, and up to which inner times (B,).
+    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -1352,7 +1359,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
     faint = (discriminant.hi != 0) & (np.abs(discriminant.hi) < MIN_DISCRIMINANT)
     at = np.flatnonzero(distinct & (lost | faint))
     if not at.size:
-        return axes, omega, discriminant, reach
+        return omega, discriminant, reach
     inertia = np.take_along_axis(c.hi[at], axes[at], -1)
     between = _differences(apart[at], axes[at])
     rates = np.take_along_axis(given.hi[at], axes[at], -1)
@@ -1367,11 +1374,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
         part[at] = np.where(zero, 0.0, part[at])
     for part in (discriminant.hi, discriminant.lo):
         part[at] = np.where(turns, 0.0, part[at])
-    # On the separatrix, a is the axis of largest inertia.
-    upside_down = turns & (between[1].hi < 0)
-    axes = axes.copy()
-    axes[at] = np.where(upside_down[:, None], axes[at, ::-1], axes[at])
-    return axes, omega, discriminant, reach
+    return omega, discriminant, reach
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
@@ -1427,19 +1430,21 @@ def _differences(apart, axes):
     return found
 
 
-def _is_steady(apart, omega):
-    """True where M and Omega are parallel, decided without rounding."""
-    still = (apart.hi == 0) | (omega.hi == 0) | (np.roll(omega.hi, -1, -1) == 0)
-    return np.all(still, -1)
-
-
-def _axes(c, apart, omega, discriminant):
-    """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
+def _sorted(apart):
+    """The indices of the axes by their moments, largest first."""
     # By how many moments are below each, less those above.
     order = np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")
-    if discriminant is None:
-        discriminant = _exact_discriminant(c.hi, omega.hi, order[:, ::-1])
-    return np.where(discriminant.hi[:, None] >= 0, order[:, ::-1], order), discriminant
+    return order[:, ::-1]
+
+
+def _sides(apart, omega, axes, discriminant):
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
+    rates = np.take_along_axis(omega.hi, axes, -1)
+    asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
+    given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]
+    if len(axes) == 1:
+        given = [float(x[0]) for x in given]
+    return np.reshape(_circulation(*given), -1)
 
 
 def _exact_discriminant(c, omega, axes):

@@ -9,7 +9,7 @@ from rigidsym.errors import LedgerError
 
 def ledger_text() -> str:
     """The sealed ledger that came with this installation."""
-    return _derived("ledger.json", "run `rigidsym derive` to write it")
+    return _derived("ledger.json", "run `rigidsym derive --in-place` to write it")
 
 
 def specification_text() -> str:

@@ -12,19 +12,19 @@ from fractions import Fraction
 from statistics import median
 from time import perf_counter
 
-from flint import arb, fmpz
-from mpmath import mp, mpf
+from flint import arb
+from mpmath import mp
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.io.cases import Case
-from rigidsym.precise.balls import bits_of, to_mpf, working
-from rigidsym.precise.motion import METHODS, Inputs, PreciseMotion
+from rigidsym.precise.balls import bits_of, of_mpf, to_mpf, working
+from rigidsym.precise.motion import ESTIMATED, METHODS, Inputs, PreciseMotion
 from rigidsym.precise.taylor import integrate
 from rigidsym.view.svg import Panel, svg
 
 SCHEMA = "rigidsym.methods/1"
-NAMES = (*METHODS, "taylor")
+NAMES = (*METHODS, *ESTIMATED, "taylor")
 DIGITS = (15, 50, 200, 1000)
 DISTANCES = ("1e-1", "1e-3", "1e-6", "1e-9", "1e-12", "1e-30", "0")
 DISTANCE_DIGITS = 50
@@ -70,6 +70,17 @@ class Comparison:
     by_digits: tuple[Measurement, ...]
     by_distance: tuple[Measurement, ...]
 
+    @property
+    def conclusion(self) -> str:
+        """What was found, in a sentence: who is quickest at each number of digits."""
+        found: dict[int, Measurement] = {}
+        for one in self.by_digits:
+            before = found.get(one.digits)
+            if one.seconds is not None and (not before or _cost(one) < _cost(before)):
+                found[one.digits] = one
+        each = (f"{m.method} at {n} ({_milliseconds(_cost(m))})" for n, m in found.items())
+        return f"The cheapest for one more state, by digits: {', '.join(each)}."
+
     def to_json(self) -> str:
         """The schema rigidsym.methods/1."""
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
@@ -77,11 +88,18 @@ class Comparison:
     def to_svg(self) -> str:
         """Seconds and errors against digits, and against the distance where that is not zero."""
         near = [m for m in self.by_distance if m.distance != "0"]
-        halves = [("digits", self.by_digits), ("distance from the separatrix", near)]
+        halves = [
+            ("by digits", "digits", self.by_digits),
+            (
+                f"near the separatrix, {DISTANCE_DIGITS} digits",
+                "distance from the separatrix",
+                near,
+            ),
+        ]
         drawn = [("Cost of one more state", "seconds", _seconds), ("Error", UNITS, _units)]
         panels = [
-            _panel(title, x_label, y_label, measured, value)
-            for x_label, measured in halves
+            _panel(f"{title}, {where}", x_label, y_label, measured, value)
+            for where, x_label, measured in halves
             for title, y_label, value in drawn
         ]
         return svg([panel for panel in panels if any(map(any, panel.lines.values()))])
@@ -122,34 +140,32 @@ def _measure(
     reference = next(_states(REFERENCE, motion, [time], digits + MORE_DIGITS))
     times = [time, time * SECOND_TIME]
     for method in NAMES:
-        if not _is_quick(method, motion, time, digits):
+        if not (_is_quick(method, motion, time, digits) and _serves(method, motion)):
             yield Measurement(method, digits, distance)
             continue
         seconds, more, found = _timed(lambda m=method: _states(m, motion, times, digits))
         with working(2 * bits_of(digits + MORE_DIGITS)):
             error = max(abs(x.mid() - y).upper() for x, y in zip(found, reference, strict=True))
-            radius = None if method == "taylor" else _short(max(x.rad() for x in found))
+            radius = _short(max(x.rad() for x in found)) if method in METHODS else None
             yield Measurement(method, digits, distance, seconds, more, _short(error), radius)
 
 
 def _states(
     method: str, motion: Inputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
-    """Seven numbers for each time, as balls; those of the series have no radius.
+    """Seven numbers for each time, as balls; those of mpmath and of the series have no radius.
 
     The series are summed for the first time only: they have no set-up.
     """
     if method == "taylor":
         numbers = [x for part in integrate(*motion, times[0], digits) for x in part]
-        yield [arb(_mantissa_and_exponent(x)) for x in numbers]
+        yield [of_mpf(x) for x in numbers]
         return
-    for q, omega in PreciseMotion(*motion, method).enclosures(times, digits):
-        yield [*q, *omega]
-
-
-def _mantissa_and_exponent(value: mpf) -> tuple[fmpz, fmpz]:
-    sign, mantissa, exponent, _ = value._mpf_
-    return fmpz(-mantissa if sign else mantissa), fmpz(exponent)
+    precise = PreciseMotion(*motion, method)
+    if method in ESTIMATED:
+        yield from ([of_mpf(x) for x in (*q, *w)] for q, w in precise.states(times, digits))
+        return
+    yield from ([*q, *w] for q, w in precise.enclosures(times, digits))
 
 
 def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
@@ -157,6 +173,16 @@ def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
         radians = abs(time) * max(map(abs, motion[1]))
         return digits**2 * radians <= TAYLOR_WORK
     return method != "quadrature" or digits <= QUADRATURE_DIGITS
+
+
+def _serves(method: str, motion: Inputs) -> bool:
+    """Whether the motion is one that the method is for."""
+    try:
+        if method in ESTIMATED:
+            PreciseMotion(*motion, method).start(1)
+    except InputError:
+        return False
+    return True
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:
@@ -214,7 +240,7 @@ def _panel(
     found = {(m.method, float(m.distance or m.digits)): value(m) for m in measured}
     xs = sorted({x for _, x in found})
     lines = {name: [found[name, x] for x in xs] for name in NAMES}
-    return Panel(title, x_label, y_label, xs, lines, log=True)
+    return Panel(title, x_label, y_label, xs, lines, log=True, marked=True)
 
 
 def _milliseconds(seconds: float) -> str:
@@ -223,6 +249,10 @@ def _milliseconds(seconds: float) -> str:
 
 def _seconds(measurement: Measurement) -> float | None:
     return measurement.seconds_more or measurement.seconds
+
+
+def _cost(measurement: Measurement) -> float:
+    return _seconds(measurement) or 0.0
 
 
 def _units(measurement: Measurement) -> float | None:

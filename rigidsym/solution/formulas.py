@@ -24,7 +24,10 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.language.sequence import FormulaSequence
-from rigidsym.language.specification import Unproved, require
+from rigidsym.language.specification import Unproved, read, require
+from rigidsym.solution import signs
+from rigidsym.solution.decisions import decisions
+from rigidsym.solution.formula import Formula
 from rigidsym.solution.partition import Partition, partition_of
 
 AXES = ("a", "b", "d")
@@ -65,7 +68,26 @@ INPUTS = {
     "circular_state": (*_BY_FUNCTIONS, "g", "nome_1", "nome_m"),
     "hyperbolic": ("k_1", "beta", "rho", "mu", "psi_0"),
     "hyperbolic_state": (*_BY_FUNCTIONS, "gc", "nome_c"),
+    "ascent": ("k_next", "s_next", "c_next", "d_next", "x_next"),
+    "pi_circular": ("psi_0", "kappa", "mu", "j", "J", "u_1", "J_0", "phase"),
+    "pi_hyperbolic": (
+        *("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j"),
+        *("s", "c", "d", "X_re", "X_im"),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
+    "momentum": (
+        *(f"c_{x}" for x in AXES),
+        *("epsilon", "sigma", "K", *(f"qbar_{x}" for x in ("0", *AXES))),
+    ),
+    "periods": ("n", "m_c", "mu", "psi_0", "kappa"),
+    "sine": (*(f"c_{i}" for i in "ijk"), *(f"Omega_{i}" for i in "ijk"), "half"),
+    "sine_state": ("zeta", "xi", "C_i", "mu", "t"),
+    "theorem1": ("c1", "c2", "c3", "Omega1", "Omega2", "Omega3", "zeta", "xi", "C_1", "mu"),
+    "theorem1_state": (
+        *("c1", "c2", "c3", "Omega1", "Omega2", "Omega3", "side", "K", "xi", "C_1", "mu", "n"),
+        *("kappa", "Pi_0", "t"),
+    ),
+    "turned": ("epsilon", *(f"{q}_{x}" for q in ("p", "qbar") for x in ("0", *AXES))),
 }
 CONSTANTS = ("pi", "I")
 # The standard functions that numbers may use, and the quantities they stand for; where a name is
@@ -102,9 +124,20 @@ READINGS = {
     "sin_half_psi": "sin(psi/2)",
     "cos_half_theta": "cos(theta/2)",
     "sin_half_theta": "sin(theta/2)",
+    "K_1": "elliptic_k(1 - m_c)",
+    "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
+    "one_rate:zeta": "sqrt(root_j)",
+    "one_rate:xi": "half*sqrt(alpha*root_k)",
+    "one_rate:C_i": "arcsn(Omega_i/zeta, mu)",
+    "one_rate:sn": "jacobi_sn(xi*t + C_i, mu)",
+    "Pi": "elliptic_pi(n, jacobi_am(xi*t + C_1, mu), mu) - Pi_0",
+    "Pi_0": "elliptic_pi(n, jacobi_am(C_1, mu), mu)",
+    "cos_half_phi1": "cos(phi1/2)",
+    "sin_half_phi1": "sin(phi1/2)",
 }
 _OF_PARAMETER = {
-    *("jacobi_sn", "jacobi_cn", "jacobi_dn", "elliptic_j", "elliptic_k", "nome", "arcsc"),
+    *("jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_am", "elliptic_j", "elliptic_k"),
+    *("elliptic_pi", "nome", "arcsc", "arcsn"),
 }
 
 
@@ -139,37 +172,22 @@ class Entry(TypedDict, total=False):
 
 
 @dataclass(frozen=True, slots=True)
-class Formula:
-    """name = expression, by what the ledger has it from; `source` lists equations of the paper.
-
-    `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
-    that context says so; `context` has its hypotheses.  Functions of a parameter m take its
-    complement 1 - m as their last argument.
-    """
-
-    name: str
-    expression: Expression
-    fact: str
-    context: str
-    source: tuple[str, ...]
-
-    @property
-    def is_reading(self) -> bool:
-        """Whether the expression is the standard function that a name stands for."""
-        return self.fact.startswith("reading ")
-
-
-@dataclass(frozen=True, slots=True)
 class Solution:
     """The sequences by name, a digest of all their statements, and what evaluates them.
 
-    partition: by which signs the kinds of motions are told apart.
+    partition: by which signs the kinds of motions are told apart.  Two sequences are not published:
+    `decisions` is the partition as formulas, and `signs` what the theorem about them says of each.
     """
 
     sequences: Mapping[str, tuple[Formula, ...]]
     digest: str
     evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
     partition: Partition = field(repr=False, compare=False)
+
+    def __repr__(self) -> str:
+        count = sum(map(len, self.sequences.values()))
+        sequences = f"{count} formulas in {len(self.sequences)} sequences"
+        return f"<Solution: {sequences}, digest {self.digest[:12]}>"
 
 
 @cache
@@ -189,7 +207,7 @@ def load(text: str) -> Solution:
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
-        published = data["published"]["sequences"]
+        published = {**data["published"]["sequences"], **data["published"].get("forms", {})}
         sequences = {
             name: tuple(_formula(entry, facts, contexts) for entry in published[name])
             for name in INPUTS
@@ -203,11 +221,14 @@ def load(text: str) -> Solution:
         _check_order(name, sequences[name])
         _check_together(name, sequences[name], facts)
     _check_specified(data)
+    specified = read(specification_text())
+    partition = partition_of(facts.values(), contexts, specified)
+    sequences["decisions"] = decisions(partition)
+    sequences["signs"] = _signs(specified[signs.THEOREM].nonnegative, sequences["constants"], facts)
     evaluated = {
         name: FormulaSequence((f.name, f.expression) for f in formulas)
         for name, formulas in sequences.items()
     }
-    partition = partition_of(facts.values(), contexts)
     return Solution(sequences, _digest(sequences), evaluated, partition)
 
 
@@ -217,6 +238,20 @@ def _check_specified(data: Mapping[str, Any]) -> None:
         require(specification_text(), data)
     except Unproved as error:
         raise LedgerError(f"ledger: {error}") from None
+
+
+def _signs(
+    nonnegative: Iterable[str], constants: Iterable[Formula], facts: Mapping[str, Fact]
+) -> tuple[Formula, ...]:
+    """The signs in their order; tau, which chi is by, is the published one."""
+    place = signs.THEOREM
+    (source,) = (x["source"] for x in facts.values() if x["context"] == place)
+    *first, last = (
+        Formula(name, expression, f"choice {place}.{name}", place, tuple(source))
+        for name, expression in signs.rules(nonnegative).items()
+    )
+    (tau,) = (formula for formula in constants if formula.name == "tau")
+    return (*first, tau, last)
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:

@@ -10,6 +10,7 @@ import sys
 import time
 import xml.etree.ElementTree as ET
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -72,7 +73,8 @@ def test_reproduce_leaves_what_is_sealed_and_committed(reproduced):
     others = {name: package / "generated" / name for name in generated}
     others["ledger.json"] = package.parent / "derivations" / "ledger.json"
     names = {path.name for path in files.iterdir()}
-    assert names == {*others, "motion.svg", "report.md", "validation.json", "validation.md"}
+    figures = {f"validation.{x}" for x in ("json", "md", "html")}
+    assert names == {*others, "motion.svg", "report.md", "report.html", "errata.html", *figures}
     for name, other in others.items():
         assert (files / name).read_bytes() == other.read_bytes(), name
     assert not [name for name in names if str(files) in (files / name).read_text()]
@@ -407,10 +409,12 @@ def test_propagate_in_three_formats_agrees(case, tmp_path, capsys):
 
 def test_propagate_as_an_attitude_ephemeris_message(case, tmp_path, capsys):
     epoch = ["--format", "aem", "--epoch", "2026-01-01T00:00:00"]
+    epoch += ["--creation-date", "2026-01-02T00:00:00"]
     assert main(["propagate", str(case), *epoch]) == 0
     text = capsys.readouterr().out
     motion, times = load_case(case).motion, [0.0, 0.5, 180.0]
     unknown = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
+    unknown["creation_date"] = "2026-01-02T00:00:00"
     assert text == aem(sampled(motion, times), "2026-01-01T00:00:00", **unknown)
     out = tmp_path / "states.aem"
     more = ["--object-name", "MY SAT", "--time-system", "TAI", "--ref-frame-a", "ICRF"]
@@ -418,6 +422,24 @@ def test_propagate_as_an_attitude_ephemeris_message(case, tmp_path, capsys):
     for line in ("OBJECT_NAME = MY SAT", "TIME_SYSTEM = TAI", "REF_FRAME_A = ICRF",
                  "ATTITUDE_TYPE = QUATERNION"):  # fmt: skip
         assert line in out.read_text("ascii").splitlines()
+
+
+MESSAGE = """
+[message]
+epoch = 2026-01-01T00:00:00Z
+object_name = "NANO"
+object_id = "2026-001A"
+creation_date = 2026-01-02T03:04:05Z
+"""
+
+
+def test_a_case_names_its_message_and_options_come_first(case, capsys):
+    case.write_text(case.read_text("utf-8") + MESSAGE, "utf-8")
+    assert main(["propagate", str(case), "--format", "aem", "--object-name", "OTHER"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    for line in ("CREATION_DATE = 2026-01-02T03:04:05", "OBJECT_NAME = OTHER",
+                 "OBJECT_ID = 2026-001A", "START_TIME = 2026-01-01T00:00:00.000"):  # fmt: skip
+        assert line in lines
 
 
 def test_propagate_to_fifty_digits(case, capsys):
@@ -573,9 +595,12 @@ def test_a_chapter_alone_proves_no_theorem(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(
-    "command", ["errata", "check", "propagate paper", "codegen numpy --stdout"]
+    ("command", "output"),
+    [
+        *product(["propagate paper"], ["| true", ">&-", "> /dev/null"]),
+        *product(["errata", "check", "codegen numpy --stdout"], ["| true"]),
+    ],
 )
-@pytest.mark.parametrize("output", ["| true", ">&-", "> /dev/null"])
 def test_readers_that_do_not_listen(command, output):
     rigidsym = f"{sys.executable} -m rigidsym {command}"
     shell = f"set -o pipefail; {rigidsym} {output}"
@@ -734,7 +759,7 @@ def test_usage_errors_exit_2_with_one_line(arguments, message, capsys):
 def test_an_output_that_cannot_be_written_is_one_line(command, tmp_path, capsys):
     blocker = tmp_path / "file"
     blocker.write_text("here first")
-    assert main([*command, "-o", str(blocker / "inside")]) == 2
+    assert main([*command, "-o", str(blocker / "inside.csv")]) == 2
     error = capsys.readouterr().err
     assert "output = " in error
     assert "cannot be written" in error

@@ -151,6 +151,7 @@ def test_links_into_the_repository_lead_to_pages_that_show_it(html):
     assert re.search(r"<img[^>]*_images/\w+\.svg", every["index.html"])
 
 
+@pytest.mark.slow
 def test_building_again_gives_the_same(html, tmp_path):
     assert build(tmp_path, html.parents[1], seed="2").returncode == 0
     again = tmp_path / "html"

@@ -151,16 +151,14 @@ class Printer:
         for name, alias in aliases.items():
             tree = renamed(other.theory.texts[name], aliases)
             theory.alias(alias, name, tree, "fun t => eq_refl")
-        rows, proofs = self._fields(chapter, other, theory, aliases)
         name = other.name
-        values = {g: self._value(chapter, other, g, held) for g in other.context.generators}
         here = f"as_{name} X{at}"
-        more = [
-            f"{name}.{other.words[x]} ({here}){' t' if x in other.moving else ''}" for x in aliases
-        ]
+        rows, proofs = self._fields(chapter, other, theory, aliases)
+        said = [claim for _, _, claim in other.hypotheses(f"({here})", f"{name}.")] or ["True"]
+        values = {g: self._value(chapter, other, g, held) for g in other.context.generators}
+        more = [other.say(x, f"({here})", f"{name}.") for x in aliases]
         binder, passed = _binder(hypotheses)
         who = f"(X : names) (H : holds X){binder}"
-        whole = f"fun t => atoms X t ++ more_{name} X t"
         suppose = f"{name}.suppose ({here}){''.join(proofs)}"
         chapter.write(
             f"(* This is a model of {name}. *)",
@@ -176,7 +174,8 @@ class Printer:
                 f"known X H (more_{name} X)",
             ),
             claims_list(f"claims_{name}", rows),
-            f"Lemma all_{name} {who} (t : R) : all_state ({whole}) t claims_{name}.",
+            f"Lemma all_{name} {who} (t : R) :",
+            f"  {_all(said)}.",
             computed(f"decided _ theory_{name} (known_{name} X H{passed}) claims_{name} t _"),
             f"Theorem models_{name} {who}{time} : {name}.holds ({here}).",
             f"Proof. exact ({suppose.replace('ALL', f'all_{name} X H{passed}')}). Qed.",

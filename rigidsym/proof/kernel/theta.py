@@ -174,7 +174,7 @@ class Thetas:
             if rates.get(name) != "?":
                 speed = self.ring.rate(argument[0]), self.ring.rate(argument[1])
                 slope = self._times(of._replace(order=of.order + 1), speed)[part == "im"]
-                if self.ring.reduce((self.ring.read(f"D({name})") - slope).numerator)[1]:
+                if self.ring.remainder((self.ring.read(f"D({name})") - slope).numerator):
                     raise KernelError(f"D({name}) is not that of a theta function")
 
     def at(self, identity: str, forms: Mapping[str, str]) -> Complex:

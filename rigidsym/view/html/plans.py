@@ -130,6 +130,11 @@ class Plan(Protocol):
         """The cheapest first."""
         ...
 
+    @property
+    def title(self) -> str:
+        """What is planned, behind a colon."""
+        ...
+
     def table(self) -> tuple[Sequence[str], Sequence[Sequence[str]]]:
         """Columns and rows."""
         ...

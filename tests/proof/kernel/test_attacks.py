@@ -363,6 +363,17 @@ def test_an_id_is_made_of_names(prefix, fact_id):
     assert str(refusal.value).isprintable()
 
 
+@pytest.mark.parametrize("cofactor", ["1/w", "w/w", "0/w", "1 + w/w**2"])
+def test_a_cofactor_is_a_polynomial(cofactor):
+    """Denominators of cofactors are nowhere in the sum that has to give the difference."""
+    ledger = Ledger()
+    ledger.open(CIRCLE)
+    sides = "(c**2 + s**2)*w", "w"
+    ledger.add(equation("honest", "circle", *sides, certificate={"cofactors": [["w"]]}))
+    with pytest.raises(KernelError, match="a cofactor is no polynomial"):
+        ledger.add(equation("e", "circle", *sides, certificate={"cofactors": [[cofactor]]}))
+
+
 @pytest.mark.parametrize("premises", [("first",), ("first", "first")])
 def test_an_identity_rests_on_no_premise(premises):
     ledger = Ledger()
