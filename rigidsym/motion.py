@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from rigidsym.precise.motion import DecimalState
     from rigidsym.solution.mode import Mode
     from rigidsym.solution.polhode import Regime
+    from rigidsym.solution.symbolic import Symbolic
     from rigidsym.view.plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
@@ -333,6 +334,21 @@ class TorqueFreeMotion:
         from rigidsym.precise.boxed import BoxedMotion
 
         return BoxedMotion(*self._given.values())
+
+    def symbolic(self, form: str | None = None) -> "Symbolic":
+        """The motion as SymPy's expressions of the time, with its exact numbers put in.
+
+        form: "pi" or "theta", between the edges; "separatrix", "symmetric", "sphere" or "spin";
+        "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
+        other forms, for one that the regime has not, and for uncertain inputs.
+
+        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
+        >>> motion.symbolic().omega().T
+        Matrix([[cos(t), sin(t), 1]])
+        """
+        from rigidsym.solution.symbolic import of_motion
+
+        return of_motion(form, *self.exact.values())
 
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""

@@ -32,7 +32,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest b93c67c67fea6baf065c3c1bb792561b46fcadbef7da580e081646fc99293673
+digest 5df46466d2360c580565265978f0bf328cfb3e870c252b641cd59aa544371e8d
 """
 
 # ruff: noqa
@@ -1128,7 +1128,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value, float) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 

@@ -97,7 +97,9 @@ _CASE = {
     "attitude0": "quaternion, scalar first, body to inertial, normalised; the identity if absent",
     "times": "seconds: a list, or a table of `start`, `stop` and `count`, both ends included",
     "degrees": "optional: true where `omega0` is in deg/s",
-    "message": "optional table: what `--format aem` says of itself, by the names of its options",
+    "message": "optional, for `--format aem`, under options of the command line: `epoch`, "
+    "`time_system`, `object_name`, `object_id`, `originator`, `creation_date`, `ref_frame_a`, "
+    "`ref_frame_b`",
 }
 
 
