@@ -14,7 +14,18 @@ from pathlib import Path
 
 from sphinx.cmd.build import main as sphinx
 
-from generate import api, command, errata, formats, gallery, kernel, links, notebook, project
+from generate import (
+    api,
+    command,
+    displays,
+    errata,
+    formats,
+    gallery,
+    kernel,
+    links,
+    notebook,
+    project,
+)
 
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parents[1]
@@ -72,6 +83,7 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
     _write(source / "reference" / "command.md", command.page())
     _write(source / "reference" / "formats.md", formats.page())
     _write(source / "errata.md", errata.page())
+    _write(source / "displays.md", displays.page())
     _write(source / "reference" / "kernel.md", kernel.page())
     contents = source / "reference" / "api.md"
     _write(contents, contents.read_text("utf-8").replace("PACKAGES", api.contents()))

@@ -29,10 +29,16 @@
 # tumbling body, all of it, is two of Jacobi's theta functions on a horizontal line in the complex
 # plane.
 #
-# Jacobi knew that the nine entries of the *rotation matrix* are quotients of thetas. For the
-# quaternion, each of the two complex components is a theta by itself; and these thetas have the
-# *square* of the usual nome, so that four terms of a series are enough for a double, whatever the
-# motion.
+# That the nine entries of the *rotation matrix* are quotients of thetas is due to
+# [Jacobi](site/pages/bibliography.md#jacobi); [Whittaker](site/pages/bibliography.md#whittaker), section 69, has
+# them by Euler's angles. [Klein and Sommerfeld](site/pages/bibliography.md#klein-and-sommerfeld) write the motion
+# of tops by the parameters of a rotation that are our two complex components, and
+# [Kosenko](site/pages/bibliography.md#kosenko) this motion by quaternions;
+# [van Zon and Schofield](site/pages/bibliography.md#van-zon-and-schofield) and
+# [Celledoni and others](site/pages/bibliography.md#celledoni-et-al) compute with such forms. Here each of the two
+# components is a theta by itself, and these thetas have the *square* of the usual nome, so that four terms of a
+# series are enough for a double, whatever the motion. Identities of thetas are cited by their numbers in the
+# [DLMF](site/pages/bibliography.md#dlmf), chapters 20 and 22.
 #
 # | | |
 # |---|---|
@@ -321,7 +327,7 @@ tilt = float(tumbling.inertia[a]) * tumbling(long)[1][:, a] / its["K"]
 # After $T=4K(m)/\lambda$ the rates are back. The attitude is not: it has turned about the momentum
 # by $2\Lambda T$. `solid_angle.rate` says what this angle is made of: $\dot\psi$ is $2H/K$ less
 # the rate at which the momentum, seen from the body, sweeps solid angle around $\sigma e_a$.
-# Integrated over a period, that is Montgomery's formula, $2\Lambda T=2HT/K-\text{(solid angle)}$.
+# Integrated over a period, that is [Montgomery's](site/pages/bibliography.md#montgomery) formula, $2\Lambda T=2HT/K-\text{(solid angle)}$.
 # (A solid angle has the sign of its sense: the spacecraft's is negative, so that it adds.)
 
 # %%

@@ -21,6 +21,7 @@ _KEYS = {
     "spin": "optional: body rates before (`start`) and after (`target`), rad/s",
     "limits": "optional: `max_rate` of |omega| on the way, rad/s, and `max_burst` of either "
     "burst, N m s",
+    "degrees": "optional: true where spins and `max_rate` are in deg/s",
     "orbit": "circular: altitude, angles, and the instant of t = 0",
     "wheels": "three, along the principal axes: what each can do, and what it stores at t = 0",
     "thrusters": "optional: pairs along the principal axes that burn the bursts; without "
