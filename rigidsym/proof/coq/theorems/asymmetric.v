@@ -234,7 +234,7 @@ Theorem asymmetric_motion (h rho sigma chi c_a c_b c_d v_a v_b v_d : R) (p : qua
   let K := sqrt ((c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2) in
   let rate t := (2 * energy c_a c_b c_d v_a v_b v_d + K * sigma * w_a t)
     / (K + sigma * (c_a * w_a t)) in
-  (forall t, ex_derive rate t) /\
+  (forall t, is_derive (RInt rate 0) t (rate t)) /\
   forall psi, (forall t, is_derive psi t (rate t)) ->
   the_motion h c_a c_b c_d v_a v_b v_d p w_a w_b w_d (from_start h p (fun t =>
     pulled_back h sigma K (c_a * w_a t) (c_b * w_b t) (c_d * w_d t) (psi t))).
@@ -257,7 +257,7 @@ Proof.
     rewrite (momentum_kept h c_a c_b c_d Ca Cb Cd w_a w_b w_d E t), Wa, Wb, Wd.
     apply pow2_sqrt; lra. }
   split.
-  - intros x; destruct (E x) as (Da & _ & _); pose proof (Side x).
+  - apply derive_integral; intros x; destruct (E x) as (Da & _ & _); pose proof (Side x).
     unfold rate; auto_derive; repeat split; try (eexists; exact Da); lra.
   - intros psi D; apply pulled_back_motion; try assumption; now apply sqrt_lt_R0.
 Qed.
