@@ -254,10 +254,11 @@ class TorqueFreeMotion:
         return nutation(self._by("theta", **self.exact))
 
     def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
-        from rigidsym.precise import METHODS, PreciseMotion
+        from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
 
-        if not isinstance(method, str) or method not in METHODS:
-            raise InputError("method", repr(method), f"must be one of: {', '.join(METHODS)}")
+        known = (*METHODS, *ESTIMATED)
+        if not isinstance(method, str) or method not in known:
+            raise InputError("method", repr(method), f"must be one of: {', '.join(known)}")
         # Kept, because it keeps its constants from one call to the next.
         return self._precise.setdefault(method, PreciseMotion(*given.values(), method))
 
@@ -278,8 +279,10 @@ class TorqueFreeMotion:
         A number whose ball has shrunk around zero to less than 2^-4000 is given as zero.
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
-        quadrature.  Raises PrecisionError where `max_seconds` are over before the digits are
-        reached, saying how many were, and InputError for bad input.
+        quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
+        twice, and gives the digits on which two of the ledger's forms agree.  Raises
+        PrecisionError where `max_seconds` are over before the digits are reached, saying how many
+        were, and InputError for bad input.
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
@@ -313,6 +316,11 @@ class TorqueFreeMotion:
     def _enclosing(
         self, method: str | None
     ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
+        from rigidsym.precise import ESTIMATED, METHODS
+
+        if isinstance(method, str) and method in ESTIMATED:
+            rule = f"has no error bounds; enclose takes {', '.join(METHODS)}"
+            raise InputError("method", repr(method), rule)
         uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
         if method == "flow" and not uncertain:
             raise InputError("method", method, "is for uncertain inputs, and these are exact")

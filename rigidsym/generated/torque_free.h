@@ -33,7 +33,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest c7da28283db8e80b18ec58865db74decb89b3597a1cf0b65b260639f4d5c2067
+digest f0fbfe791b4352e1fe3f1b22cb895ca78f24959edc9212daa01d2e48af439167
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

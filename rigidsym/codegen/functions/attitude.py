@@ -7,13 +7,12 @@ linear in the parts P4 and P1 over N, and every rate is a constant times a quoti
 from collections.abc import Iterable
 
 from rigidsym.codegen.ir import Function, Let, let
-from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, INITIAL, PARTS, RATES, STATE
+from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, INITIAL, PARTS, RATES, SIGNS, STATE
 from rigidsym.codegen.passes import coefficient, inlined, live, select, specialise
 from rigidsym.codegen.special_functions import reduction
 from rigidsym.language.expression import Name, Operation, names, parse
 from rigidsym.solution import Solution
 from rigidsym.solution.formulas import AXES
-from rigidsym.solution.signs import SIGNS
 
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
 
@@ -130,11 +129,16 @@ def flat(split: Iterable[str]) -> tuple[str, ...]:
 
 
 def constants_function(
-    name: str, lets: list[Let], results: tuple[str, ...], split: tuple[str, ...]
+    name: str,
+    lets: list[Let],
+    results: tuple[str, ...],
+    split: tuple[str, ...],
+    given: tuple[str, ...] = (*INITIAL, *ATTITUDE),
 ) -> Function:
     """The constants of a branch, from what the start hands over."""
     used = {name for formula in live(lets, results) for name in names(formula.expression)}
-    extended = [name for name in (*INITIAL, *ATTITUDE) if name in used]
+    used |= {*results}
+    extended = [name for name in given if name in used]
     return Function(
         f"_{name}_constants",
         f"The constants of a motion on the {name} branch, from `_initial_state`.",

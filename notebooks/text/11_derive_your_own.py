@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # Derive your own
+# # 11. Derive your own
 #
 # The paper's body is rigid and free. Yours may have a flywheel in it that spins at a constant rate: a
 # **gyrostat**, as most spacecraft are that carry momentum wheels. Is there a Lax pair for it? Is the
@@ -40,7 +40,6 @@ from derivations.euler_lax import MOMENTA, RATES, Dynamics, parameters
 from derivations.kinematics import UNKNOWN, Phi1
 from derivations.lie_algebra import A, Algebra, M, Omega, combination, commutator
 from derivations.setting import KINETIC, Setting
-from figures import curve, unit_sphere
 from rigidsym.errors import InputError
 from rigidsym.proof.algebra import Part
 from rigidsym.proof.kernel import Grade
@@ -63,6 +62,7 @@ from rigidsym.proof.steps import (
 )
 from rigidsym.proof.steps.names import symbol, symbols
 from support import begun, equation, grades, step
+from support.figures import curve, unit_sphere
 
 # %% [markdown]
 # ## Another Lagrangian

@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # From the Lax pair to $KA_1$
+# # 2. From the Lax pair to $KA_1$
 #
 # The attitude of a free body has three degrees of freedom, and one would expect three integrations.
 # The paper needs one. The reason is the conservation of angular momentum *as a vector in space*: turn
@@ -63,7 +63,6 @@ from derivations.lie_algebra import (
     from_quaternion,
 )
 from derivations.setting import Setting
-from figures import curve, label, momentum_sphere
 from rigidsym.io.cases import paper_case
 from rigidsym.proof.algebra import Book, Part, circle
 from rigidsym.proof.kernel import Grade
@@ -83,6 +82,7 @@ from rigidsym.proof.steps import (
 )
 from rigidsym.proof.steps.names import symbol, symbols
 from support import equation, grades, printed
+from support.figures import curve, label, momentum_sphere
 
 # %% [markdown]
 # ## What is chosen

@@ -1,8 +1,8 @@
 """Which notebooks are as a fresh execution left them: `executed.json` says of what, by a digest.
 
 The digest of a notebook is over all that its outputs depend on: its text and .ipynb, the modules
-of this folder, every file of the package and of the derivations, and the versions of Python and of
-the packages that the extras `lab` and `app` bring.  A C compiler is not in it.
+of this package and `build.py`, every file of the package and of the derivations, and the versions
+of Python and of the packages that the extras `lab` and `app` bring.  A C compiler is not in it.
 """
 
 import json
@@ -16,10 +16,13 @@ from pathlib import Path
 
 from rigidsym.io.files import write_text
 
-FOLDER = Path(__file__).resolve().parent
-RECORD = FOLDER / "executed.json"
+FOLDER = Path(__file__).resolve().parents[1]
+RECORD = Path(__file__).with_name("executed.json")
 # What every notebook may import, and what runs and writes them.
-TOGETHER = ("build.py", "executed.py", "figures.py", "support.py")
+TOGETHER = (
+    "build.py",
+    *(f"support/{name}.py" for name in ("__init__", "executed", "figures", "play")),
+)
 PACKAGES = ("derivations", "rigidsym")
 _CORE_LAB_APP = re.compile(r"(?!rigidsym)([\w.-]+)[^;]*(; extra == ['\"](lab|app)['\"])?")
 
@@ -32,14 +35,18 @@ def is_current(name: str, record: Path = RECORD) -> bool:
 def note(name: str, record: Path = RECORD) -> None:
     """Record that a notebook has just been written by an execution."""
     digests = {**_digests(record), name: digest(name)}
-    there = {stem: digests[stem] for stem in sorted(digests) if (FOLDER / f"{stem}.py").is_file()}
+    there = {
+        stem: digests[stem]
+        for stem in sorted(digests)
+        if (FOLDER / "text" / f"{stem}.py").is_file()
+    }
     write_text(record, json.dumps(there, indent=1) + "\n")
 
 
 def digest(name: str) -> str:
     """One number for all that the outputs of a notebook depend on, and for these."""
     own = sha256("\n".join(common()).encode())
-    for path in (FOLDER / f"{name}.py", FOLDER / f"{name}.ipynb"):
+    for path in (FOLDER / "text" / f"{name}.py", FOLDER / f"{name}.ipynb"):
         own.update(path.read_bytes() if path.is_file() else b"")
     return own.hexdigest()
 

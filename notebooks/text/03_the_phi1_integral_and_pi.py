@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # The $\phi_1$ integral and $\Pi$
+# # 3. The $\phi_1$ integral and $\Pi$
 #
 # [Notebook 2](02_from_lax_pair_to_k_a1.ipynb) turned the momentum onto the axis $A_1$ and read two of
 # the three angles of $\bar R=\exp(\phi_1A_1)\exp(\phi_2A_2)\exp(\phi_3A_1)$ off the momentum in the

@@ -2,7 +2,7 @@
 # jupyter:
 #   jupytext:
 #     cell_metadata_filter: tags,-all
-#     formats: ipynb,py:percent
+#     formats: ipynb,text//py:percent
 #     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
 #     text_representation:
 #       extension: .py
@@ -15,7 +15,7 @@
 # ---
 
 # %% [markdown]
-# # The paper, line by line
+# # 1. The paper, line by line
 #
 # A free rigid body turns in space: no torque acts on it, and yet a tennis racket thrown with a
 # spin about the wrong axis flips over again and again. The paper behind this project writes that
