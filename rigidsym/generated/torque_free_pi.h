@@ -25,7 +25,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
   complete integrals, 16 means   relative, 1.0e-29 measured
   of it in a state, 4 steps      modulus left, squared, below 2.0e-19
-  R_J, 4 duplications           in psi/2, 2.0e-18 measured
+  R_J, 4 duplications           in psi/2, 3.0e-19 measured
   arctangent and logarithm       relative, below 2.1e-36
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
@@ -34,7 +34,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest d9fbea4f8b3fea88a87fa68fe0daa06ed9a58bd6bd5f6452bb1a0db82cea28f0
+digest eb7a1cedaae1011640e79566c7be8eaf2563a7e59b72abd5f29851b67a0e0fd8
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
