@@ -31,6 +31,7 @@ CHAPTERS = (
     "theorem1",
     "conditions",
     "theorem1_signs",
+    "theorem1_motion",
     "printed",
     "descended_form",
     "landen_step",

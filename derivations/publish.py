@@ -8,6 +8,9 @@ same with every theta as a function of its own, `hyperbolic` and `hyperbolic_sta
 complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lead to all of them
 without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral of the third kind,
 far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
+`periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
+an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
+the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
 standard function of known quantities.  The last two say which equations they are used in.
 """
@@ -33,6 +36,10 @@ LANDEN_RATES = readings("descended", "s c d", "10")
 SHIFT = definitions("theta_form", "x", "28")
 NUMERATORS = definitions("theta_form", "P4_re P4_im P1_re P1_im", "18")
 BY_THETAS = facts("theta_form", "qbar_0 qbar_a qbar_b qbar_d")
+MOMENTUM = [
+    *facts("attitude", "M_a_of_attitude M_b_of_attitude M_d_of_attitude"),
+    *facts("attitude", "Omega_a Omega_b Omega_d"),
+]
 LAMBDA = definitions("theta_form", "Lambda", "33", "34")
 
 
@@ -100,8 +107,7 @@ SEQUENCES: dict[str, list[Entry]] = {
         *NUMERATORS,
         *facts("theta_form", "N"),
         *BY_THETAS,
-        *facts("attitude", "M_a_of_attitude M_b_of_attitude M_d_of_attitude"),
-        *facts("attitude", "Omega_a Omega_b Omega_d"),
+        *MOMENTUM,
         *QUATERNION,
     ],
     "shift": [
@@ -151,10 +157,48 @@ SEQUENCES: dict[str, list[Entry]] = {
         *readings("steady", "cos_half_theta sin_half_theta", "3"),
         *definitions("steady", "r1 r2 r3 q0 q1 q2 q3", "37"),
     ],
+    "momentum": MOMENTUM,
+    "turned": QUATERNION,
+}
+# Forms for readers, and for oracles that have no other use of them: no flown number rests on these.
+FORMS: dict[str, list[Entry]] = {
+    "periods": [
+        *readings("period_functions", "K_1 J_c", "36"),
+        *definitions("period_functions", "period psi_mean", "10", "34"),
+    ],
+    "sine": [
+        *definitions("one_rate", "H K_squared", "6", "15"),
+        *definitions("one_rate", "alpha root_j root_k", "13", "14"),
+        *readings("one_rate", "zeta xi", "10", "Remark 1"),
+        *definitions("one_rate", "mu", "10"),
+        *readings("one_rate", "C_i", "12"),
+    ],
+    "sine_state": [
+        *readings("one_rate", "sn", "10"),
+        *facts("one_rate", "Omega_i"),
+    ],
+    "theorem1": [
+        *definitions("theorem1_motion", "M1 M2 M3", "8"),
+        *facts("theorem1_motion", "K"),
+        *definitions("theorem1_motion", "H", "6"),
+        *definitions("theorem1_motion", "n kappa", "19", "36"),
+        *readings("theorem1_motion", "Pi_0", "36"),
+    ],
+    "theorem1_state": [
+        *readings("theorem1_motion", "Pi", "36"),
+        *definitions("theorem1_motion", "phi1", "19"),
+        *readings("theorem1_motion", "cos_half_phi1 sin_half_phi1", "18"),
+        *definitions("theorem1_motion", "x y", "27", "29"),
+        *facts("theorem1_motion", "F1 F2 root_y"),
+        *definitions("theorem1_motion", "y_star", "19", "Remark 2"),
+        *facts("theorem1_motion", "root_star F3 F4"),
+        *definitions("theorem1_motion", "qbar_0 qbar_1 qbar_2 qbar_3", "18"),
+    ],
 }
 
 
 def derive(book: Book) -> None:
     """Publish the sequences; an entry that is neither proved nor said by a context is refused."""
-    for sequence, entries in SEQUENCES.items():
-        book.publish(sequence, entries)
+    for group, sequences in {"sequences": SEQUENCES, "forms": FORMS}.items():
+        for name, entries in sequences.items():
+            book.publish(name, entries, group)

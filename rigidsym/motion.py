@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from rigidsym.precise.motion import DecimalState
     from rigidsym.solution.mode import Mode
     from rigidsym.solution.polhode import Regime
+    from rigidsym.solution.symbolic import Symbolic
     from rigidsym.view.plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
@@ -47,8 +48,8 @@ class TorqueFreeMotion:
     strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
     ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
     source compiled once on this machine (NumPy with a warning where there is no compiler).
-    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.
-     A motion is a value: equal to others with the same numbers and engine, hashable,
+    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.  A
+    motion is a value: equal to others with the same numbers and engine, hashable,
     and never changed.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
@@ -254,10 +255,11 @@ class TorqueFreeMotion:
         return nutation(self._by("theta", **self.exact))
 
     def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
-        from rigidsym.precise import METHODS, PreciseMotion
+        from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
 
-        if not isinstance(method, str) or method not in METHODS:
-            raise InputError("method", repr(method), f"must be one of: {', '.join(METHODS)}")
+        known = (*METHODS, *ESTIMATED)
+        if not isinstance(method, str) or method not in known:
+            raise InputError("method", repr(method), f"must be one of: {', '.join(known)}")
         # Kept, because it keeps its constants from one call to the next.
         return self._precise.setdefault(method, PreciseMotion(*given.values(), method))
 
@@ -278,8 +280,10 @@ class TorqueFreeMotion:
         A number whose ball has shrunk around zero to less than 2^-4000 is given as zero.
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
-        quadrature.  Raises PrecisionError where `max_seconds` are over before the digits are
-        reached, saying how many were, and InputError for bad input.
+        quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
+        twice, and gives the digits on which two of the ledger's forms agree.  Raises
+        PrecisionError where `max_seconds` are over before the digits are reached, saying how many
+        were, and InputError for bad input.
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
@@ -313,6 +317,11 @@ class TorqueFreeMotion:
     def _enclosing(
         self, method: str | None
     ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
+        from rigidsym.precise import ESTIMATED, METHODS
+
+        if isinstance(method, str) and method in ESTIMATED:
+            rule = f"has no error bounds; enclose takes {', '.join(METHODS)}"
+            raise InputError("method", repr(method), rule)
         uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
         if method == "flow" and not uncertain:
             raise InputError("method", method, "is for uncertain inputs, and these are exact")
@@ -325,6 +334,21 @@ class TorqueFreeMotion:
         from rigidsym.precise.boxed import BoxedMotion
 
         return BoxedMotion(*self._given.values())
+
+    def symbolic(self, form: str | None = None) -> "Symbolic":
+        """The motion as SymPy's expressions of the time, with its exact numbers put in.
+
+        form: "pi" or "theta", between the edges; "separatrix", "symmetric", "sphere" or "spin";
+        "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
+        other forms, for one that the regime has not, and for uncertain inputs.
+
+        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
+        >>> motion.symbolic().omega().T
+        Matrix([[cos(t), sin(t), 1]])
+        """
+        from rigidsym.solution.symbolic import of_motion
+
+        return of_motion(form, *self.exact.values())
 
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""

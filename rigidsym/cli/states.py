@@ -12,9 +12,9 @@ if TYPE_CHECKING:
     from rigidsym.io.cases import Case
     from rigidsym.io.tables import Table
 
-# The arguments of `rigidsym.io.attitude_ephemeris` that are text.
 _FORMATS = ("csv", "json", "npz", "aem")
 _ANY_BODY = "bodies that cannot exist, too"
+# The arguments of `rigidsym.io.attitude_ephemeris` that are text.
 _MESSAGE = {
     "epoch": ("EPOCH", "when t is 0, YYYY-MM-DDThh:mm:ss[.d…]; needed here or there"),
     "time-system": ("T", "UTC, TAI, TT or GPS; UTC by default"),
@@ -45,7 +45,8 @@ def add(command: Command) -> None:
     propagate.add_argument(
         "--method",
         metavar="M",
-        help="theta by default, carlson, landen or quadrature; flow, for uncertain inputs",
+        help="theta by default, carlson, landen, quadrature, or mpmath (no balls); flow for "
+        "uncertain inputs",
     )
     propagate.add_argument(
         "--max-seconds",

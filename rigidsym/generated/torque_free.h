@@ -33,7 +33,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 0ed57ab35649211103eeb64f5f5ebacf8c55180685887053b7c8f6b76c03bc17
+digest f0fbfe791b4352e1fe3f1b22cb895ca78f24959edc9212daa01d2e48af439167
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -32,7 +32,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 9293802aeec3a17a75a9dda47765ff459dafd8645cc20ab0ce5335e0b4b4efb6
+digest 5df46466d2360c580565265978f0bf328cfb3e870c252b641cd59aa544371e8d
 """
 
 # ruff: noqa
@@ -178,18 +178,11 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if not (isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble)):
-        return _either(x <= y, one, other)
-    one, other = (
-        v if isinstance(v, _DoubleDouble) else _DoubleDouble(1.0 * v) for v in (one, other)
-    )
-    return _DoubleDouble(_either(x <= y, one.hi, other.hi), _either(x <= y, one.lo, other.lo))
-
-
-def _either(first, one, other):
-    if type(first) is bool:
-        return one if first else other
-    return np.where(first, one, other)
+    first = x <= y
+    if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
+        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
+        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+    return (one if first else other) if type(first) is bool else np.where(first, one, other)
 
 
 def _rounded(x):
@@ -1354,8 +1347,7 @@ def _refuse(field, rule, bodies, refused):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Rates and E_b of the motions that are followed, and up to which inner times (B,); axes (B, 3)
-    are sorted by their moments.
+    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -1446,9 +1438,7 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,);
-    axes (B, 3) are sorted by their moments.
-    """
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
     given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]

@@ -34,7 +34,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest eb7a1cedaae1011640e79566c7be8eaf2563a7e59b72abd5f29851b67a0e0fd8
+digest 6ddc03ef3487590d24883db1b5fa4aa05c6972063203c875472aae03ceebf858
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -33,7 +33,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 7f8066071b434e36d7615bcbc88ee33d90f7dc6a3a261353dce5dec5ed96f640
+digest bdd316f08c74094cc31000e23554dd9e132d2ecc09ead7c4dd87048caab7942b
 """
 
 # ruff: noqa
@@ -179,18 +179,11 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if not (isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble)):
-        return _either(x <= y, one, other)
-    one, other = (
-        v if isinstance(v, _DoubleDouble) else _DoubleDouble(1.0 * v) for v in (one, other)
-    )
-    return _DoubleDouble(_either(x <= y, one.hi, other.hi), _either(x <= y, one.lo, other.lo))
-
-
-def _either(first, one, other):
-    if type(first) is bool:
-        return one if first else other
-    return np.where(first, one, other)
+    first = x <= y
+    if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
+        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
+        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+    return (one if first else other) if type(first) is bool else np.where(first, one, other)
 
 
 def _rounded(x):
@@ -1458,8 +1451,7 @@ def _refuse(field, rule, bodies, refused):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Rates and E_b of the motions that are followed, and up to which inner times (B,); axes (B, 3)
-    are sorted by their moments.
+    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -1550,9 +1542,7 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,);
-    axes (B, 3) are sorted by their moments.
-    """
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
     given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]

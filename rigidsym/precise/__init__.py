@@ -1,5 +1,5 @@
-"""Any number of digits: the derived solution in Arb's balls."""
+"""Any number of digits: the derived solution in Arb's balls, and by mpmath's numbers."""
 
-from rigidsym.precise.motion import METHODS, PreciseMotion
+from rigidsym.precise.motion import ESTIMATED, METHODS, PreciseMotion
 
-__all__ = ["METHODS", "PreciseMotion"]
+__all__ = ["ESTIMATED", "METHODS", "PreciseMotion"]

@@ -11,7 +11,7 @@ from fractions import Fraction
 from math import ceil, log2
 from threading import RLock
 
-from flint import arb, ctx, fmpq
+from flint import arb, ctx, fmpq, fmpz
 from mpmath import mp, mpf
 
 from rigidsym.inputs import Number, Uncertain
@@ -99,3 +99,9 @@ def has_digits(value: arb, digits: int) -> bool:
 def to_mpf(value: arb) -> mpf:
     """The midpoint as an mpf, not rounded."""
     return mp.make_mpf(value.mid()._mpf_)
+
+
+def of_mpf(value: mpf) -> arb:
+    """The ball of radius 0 around an mpf, not rounded."""
+    sign, mantissa, exponent, _ = value._mpf_
+    return arb((fmpz(-mantissa if sign else mantissa), fmpz(exponent)))

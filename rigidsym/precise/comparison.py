@@ -12,19 +12,19 @@ from fractions import Fraction
 from statistics import median
 from time import perf_counter
 
-from flint import arb, fmpz
-from mpmath import mp, mpf
+from flint import arb
+from mpmath import mp
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.io.cases import Case
-from rigidsym.precise.balls import bits_of, to_mpf, working
-from rigidsym.precise.motion import METHODS, Inputs, PreciseMotion
+from rigidsym.precise.balls import bits_of, of_mpf, to_mpf, working
+from rigidsym.precise.motion import ESTIMATED, METHODS, Inputs, PreciseMotion
 from rigidsym.precise.taylor import integrate
 from rigidsym.view.svg import Panel, svg
 
 SCHEMA = "rigidsym.methods/1"
-NAMES = (*METHODS, "taylor")
+NAMES = (*METHODS, *ESTIMATED, "taylor")
 DIGITS = (15, 50, 200, 1000)
 DISTANCES = ("1e-1", "1e-3", "1e-6", "1e-9", "1e-12", "1e-30", "0")
 DISTANCE_DIGITS = 50
@@ -140,34 +140,32 @@ def _measure(
     reference = next(_states(REFERENCE, motion, [time], digits + MORE_DIGITS))
     times = [time, time * SECOND_TIME]
     for method in NAMES:
-        if not _is_quick(method, motion, time, digits):
+        if not (_is_quick(method, motion, time, digits) and _serves(method, motion)):
             yield Measurement(method, digits, distance)
             continue
         seconds, more, found = _timed(lambda m=method: _states(m, motion, times, digits))
         with working(2 * bits_of(digits + MORE_DIGITS)):
             error = max(abs(x.mid() - y).upper() for x, y in zip(found, reference, strict=True))
-            radius = None if method == "taylor" else _short(max(x.rad() for x in found))
+            radius = _short(max(x.rad() for x in found)) if method in METHODS else None
             yield Measurement(method, digits, distance, seconds, more, _short(error), radius)
 
 
 def _states(
     method: str, motion: Inputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
-    """Seven numbers for each time, as balls; those of the series have no radius.
+    """Seven numbers for each time, as balls; those of mpmath and of the series have no radius.
 
     The series are summed for the first time only: they have no set-up.
     """
     if method == "taylor":
         numbers = [x for part in integrate(*motion, times[0], digits) for x in part]
-        yield [arb(_mantissa_and_exponent(x)) for x in numbers]
+        yield [of_mpf(x) for x in numbers]
         return
-    for q, omega in PreciseMotion(*motion, method).enclosures(times, digits):
-        yield [*q, *omega]
-
-
-def _mantissa_and_exponent(value: mpf) -> tuple[fmpz, fmpz]:
-    sign, mantissa, exponent, _ = value._mpf_
-    return fmpz(-mantissa if sign else mantissa), fmpz(exponent)
+    precise = PreciseMotion(*motion, method)
+    if method in ESTIMATED:
+        yield from ([of_mpf(x) for x in (*q, *w)] for q, w in precise.states(times, digits))
+        return
+    yield from ([*q, *w] for q, w in precise.enclosures(times, digits))
 
 
 def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
@@ -175,6 +173,16 @@ def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
         radians = abs(time) * max(map(abs, motion[1]))
         return digits**2 * radians <= TAYLOR_WORK
     return method != "quadrature" or digits <= QUADRATURE_DIGITS
+
+
+def _serves(method: str, motion: Inputs) -> bool:
+    """Whether the motion is one that the method is for."""
+    try:
+        if method in ESTIMATED:
+            PreciseMotion(*motion, method).start(1)
+    except InputError:
+        return False
+    return True
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:

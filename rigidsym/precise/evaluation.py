@@ -1,20 +1,25 @@
-"""The formulas of the solution over balls, with the constants of one motion at one precision."""
+"""The formulas of the solution with the constants of one motion at one precision.
 
-from collections.abc import Mapping
+Numbers are balls, or whatever else the functions and `number` make of exact ones.
+"""
+
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import cached_property
-from typing import Protocol
+from itertools import chain
+from typing import Any, Generic, Protocol, TypeVar
 
-from flint import acb, arb
+from flint import arb
 
 from rigidsym.inputs import Number
-from rigidsym.language.sequence import FormulaSequence, Functions
-from rigidsym.precise.amplitude import Function, Table
-from rigidsym.precise.balls import Quantity, ball, power
+from rigidsym.language.sequence import FormulaSequence
+from rigidsym.precise.apart import Asked
 from rigidsym.solution.formulas import AXES, sequence
 from rigidsym.solution.polhode import Polhode, Regime
 
 State = tuple[list[arb], list[arb]]
+# The numbers of an evaluation, and what formulas have of them: exact ones too.
+Value = TypeVar("Value")
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
@@ -45,62 +50,70 @@ class Given(Protocol):
         ...
 
 
-def _power(x: Quantity, exponent: int) -> Quantity:
-    """Of balls, or exactly."""
-    return x**exponent if isinstance(x, int | Fraction) else power(ball(x), exponent)
+def exactly(
+    formulas: FormulaSequence,
+    values: Mapping[str, Any],
+    functions: Mapping[str, Any],
+    number: Callable[[Any], Any],
+) -> dict[str, Any]:
+    """Every formula; exactly, as long as all it uses is rational."""
+
+    def of(function: Callable[..., Any]) -> Callable[..., Any]:
+        return lambda *arguments: function(*map(number, arguments))
+
+    def power(x: Any, exponent: int) -> Any:
+        exact = isinstance(x, int | Fraction)
+        return x**exponent if exact else functions["power"](number(x), exponent)
+
+    converting = {name: of(known) for name, known in functions.items() if callable(known)}
+    return formulas.evaluate_exactly(values, {**converting, "power": power}, number)
 
 
-class Evaluation:
+class Evaluation(Generic[Value]):
     """One motion at the working precision, by the table of functions of a method.
 
     `functions` that include theta_4 make it the theta form, wherever that exists: it knows
-    neither the separatrix nor symmetric bodies.
+    neither the separatrix nor symmetric bodies.  `number` makes one of theirs of any number.
     """
 
-    def __init__(self, given: Given, functions: Table) -> None:
-        self.given, self.functions = given, functions
+    def __init__(
+        self, given: Given, functions: Mapping[str, Any], number: Callable[[Any], Value]
+    ) -> None:
+        self.given, self.functions, self.number = given, functions, number
         regime = given.polhode.regime
-        self._by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
-        quaternion = list(map(ball, given.attitude0))
-        norm = sum((x * x for x in quaternion), arb(0)).sqrt()
-        self.start: State = ([x / norm for x in quaternion], list(map(ball, given.omega0)))
+        self.by_theta = "theta4" in functions and regime in (Regime.LARGEST, Regime.SMALLEST)
+        quaternion: list[Any] = list(map(number, given.attitude0))
+        norm = functions["sqrt"](sum(x * x for x in quaternion))
+        self.start = [x / norm for x in quaternion], list(map(number, given.omega0))
 
-    def state(self, time: Fraction) -> State:
+    def numbers(self, asked: Asked) -> list[Value]:
+        """The seven numbers of the state at a time, or constants by their names."""
+        if isinstance(asked, tuple):
+            return [self.constant(name) for name in asked]
+        return [*chain(*self.state(asked))]
+
+    def state(self, time: Fraction) -> tuple[list[Value], list[Value]]:
         """(q, omega) at one time; the given state itself at t = 0."""
         regime = self.given.polhode.regime
         if time == 0 or regime == Regime.REST:
             return self.start
-        return self._steady(time) if regime.steady else self._moving(ball(time))
+        return self._steady(time) if regime.steady else self._moving(self.number(time))
 
-    def constant(self, name: str) -> arb:
+    def constant(self, name: str) -> Value:
         """One constant of the motion."""
-        return ball(self._computed(frozenset([name]))[name])
+        return self.number(self._computed(frozenset([name]))[name])
 
     @cached_property
-    def _converting(self) -> Functions:
-        """The functions, of exact numbers too."""
-
-        def of(function: Function) -> Function:
-            return lambda *arguments: function(*map(ball, arguments))
-
-        functions = {
-            name: of(known)
-            for name, known in self.functions.items()
-            if not isinstance(known, arb | acb)
-        }
-        return {**functions, "power": _power}
-
-    @cached_property
-    def _exact(self) -> dict[str, Quantity]:
+    def _exact(self) -> dict[str, Any]:
         """What the formula sequences of a state need of it."""
-        wanted = [sequence(n).used for n in (_BY_THETA if self._by_theta else ("state",))]
+        wanted = [sequence(n).used for n in (_BY_THETA if self.by_theta else ("state",))]
         return self._computed(frozenset().union(*wanted))
 
-    def _computed(self, wanted: frozenset[str]) -> dict[str, Quantity]:
+    def _computed(self, wanted: frozenset[str]) -> dict[str, Any]:
         polhode, given = self.given.polhode, self.given
         q0, *vector = self.start[0]
         signs = {name: getattr(polhode, name) for name in ("epsilon", "sigma", "rho", "chi")}
-        begin: dict[str, Quantity] = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
+        begin: dict[str, Any] = {"t": 0, "cos_half_psi": 1, "sin_half_psi": 0, "q_0": q0}
         for x, k in zip(AXES, polhode.axes, strict=True):
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
@@ -108,40 +121,39 @@ class Evaluation:
         return self._exactly(sequence("constants").up_to(wanted), known)
 
     @cached_property
-    def _constants(self) -> dict[str, arb | int]:
+    def _constants(self) -> dict[str, Any]:
         """The constants as numbers of this kind, with what the theta form adds to it."""
         constants = {
-            name: value if isinstance(value, int) else ball(value)
+            name: value if isinstance(value, int) else self.number(value)
             for name, value in self._exact.items()
         }
-        if not self._by_theta:
+        if not self.by_theta:
             return constants
         constants |= sequence("theta").evaluate(constants, self.functions)
         # psi of the theta form does not start at zero: the quaternion in front has to make up.
         identity = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
         begin = sequence("theta_state").evaluate(
-            {**constants, **identity, "t": ball(0)}, self.functions
+            {**constants, **identity, "t": self.number(0)}, self.functions
         )
         start = {f"q_{x}": constants[f"q_{x}"] for x in ("0", *AXES)}
         front = sequence("pull_back").evaluate({**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
 
-    def _exactly(
-        self, formulas: FormulaSequence, values: Mapping[str, Quantity]
-    ) -> dict[str, Quantity]:
+    def _exactly(self, formulas: FormulaSequence, values: Mapping[str, Any]) -> dict[str, Any]:
         """Every formula; exactly, as long as all it uses is rational."""
-        return formulas.evaluate_exactly(values, self._converting, ball)
+        return exactly(formulas, values, self.functions, self.number)
 
-    def _moving(self, time: arb) -> State:
-        formulas = sequence("theta_state" if self._by_theta else "state")
+    def _moving(self, time: Value) -> tuple[list[Value], list[Value]]:
+        formulas = sequence("theta_state" if self.by_theta else "state")
         known = formulas.evaluate({**self._constants, "t": time}, self.functions)
-        q, omega = [ball(known["q_0"]), *[arb(0)] * 3], [arb(0)] * 3
+        zero = self.number(0)
+        q, omega = [self.number(known["q_0"]), *[zero] * 3], [zero] * 3
         for x, k in zip(AXES, self.given.polhode.axes, strict=True):
-            q[k + 1], omega[k] = ball(known[f"q_{x}"]), ball(known[f"Omega_{x}"])
+            q[k + 1], omega[k] = self.number(known[f"q_{x}"]), self.number(known[f"Omega_{x}"])
         return q, omega
 
-    def _steady(self, time: Fraction) -> State:
+    def _steady(self, time: Fraction) -> tuple[list[Value], list[Value]]:
         rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
         begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
         known = self._exactly(sequence("steady"), {**rates, **begin, "t": time})
-        return [ball(known[f"q{k}"]) for k in range(4)], self.start[1]
+        return [self.number(known[f"q{k}"]) for k in range(4)], self.start[1]

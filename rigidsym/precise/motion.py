@@ -20,8 +20,9 @@ from rigidsym.inputs import Number
 from rigidsym.precise import apart
 from rigidsym.precise.adaptive import GUARD_BITS, AdaptivePrecision
 from rigidsym.precise.apart import Asked
-from rigidsym.precise.balls import bits_of, has_digits, is_within, to_mpf, working
+from rigidsym.precise.balls import ball, bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
+from rigidsym.precise.estimates import ByMpmath, ByTheorem1, Estimates
 from rigidsym.precise.evaluation import Evaluation, State
 from rigidsym.precise.landen import Landen
 from rigidsym.precise.quadrature import Quadrature
@@ -31,7 +32,9 @@ from rigidsym.solution.polhode import Polhode
 
 # How many precisions a motion keeps its constants for.
 KEPT = 4
+# By balls, which contain the true values, and by numbers whose errors are estimated.
 METHODS = {"theta": Theta, "carlson": Carlson, "landen": Landen, "quadrature": Quadrature}
+ESTIMATED = {"mpmath": ByMpmath, "theorem1": ByTheorem1}
 # Inertia, omega0 and attitude0.
 Inputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, ...]]
 # (q, omega) as mpf numbers.
@@ -105,29 +108,31 @@ class PreciseMotion:
 
         What may take long is computed by a process that can be ended.
         """
-        if bits <= METHODS[self.method].quick_bits:
+        if bits <= {**METHODS, **ESTIMATED}[self.method].quick_bits:
             return self.numbers_here(asked, bits)
         return apart.numbers(self, asked, bits, end)
 
     def numbers_here(self, asked: Asked, bits: int) -> list[arb]:
         """The seven numbers of the state at a time, or constants by their names."""
         with working(bits):
-            evaluation = self._at(bits)
-            if isinstance(asked, tuple):
-                return [evaluation.constant(name) for name in asked]
-            return [*chain(*evaluation.state(asked))]
+            return self._at(bits).numbers(asked)
 
-    def _at(self, bits: int) -> Evaluation:
+    def _at(self, bits: int) -> Evaluation[arb] | Estimates:
         """The formulas at the working precision, whose bits these are; the last few are kept."""
         kept = self._kept
         if bits not in kept:
             while len(kept) >= KEPT:
                 del kept[next(iter(kept))]
-            kept[bits] = Evaluation(self, METHODS[self.method]().table())
+            kept[bits] = self._evaluation(bits)
         return kept[bits]
 
+    def _evaluation(self, bits: int) -> Evaluation[arb] | Estimates:
+        if self.method in ESTIMATED:
+            return ESTIMATED[self.method](self, bits)
+        return Evaluation(self, METHODS[self.method]().table(), ball)
+
     @cached_property
-    def _kept(self) -> dict[int, Evaluation]:
+    def _kept(self) -> dict[int, Evaluation[arb] | Estimates]:
         return {}
 
     def __reduce__(self) -> tuple[type["PreciseMotion"], tuple[tuple[Number, ...] | str, ...]]:

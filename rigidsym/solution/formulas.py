@@ -75,6 +75,19 @@ INPUTS = {
         *("s", "c", "d", "X_re", "X_im"),
     ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
+    "momentum": (
+        *(f"c_{x}" for x in AXES),
+        *("epsilon", "sigma", "K", *(f"qbar_{x}" for x in ("0", *AXES))),
+    ),
+    "periods": ("n", "m_c", "mu", "psi_0", "kappa"),
+    "sine": (*(f"c_{i}" for i in "ijk"), *(f"Omega_{i}" for i in "ijk"), "half"),
+    "sine_state": ("zeta", "xi", "C_i", "mu", "t"),
+    "theorem1": ("c1", "c2", "c3", "Omega1", "Omega2", "Omega3", "zeta", "xi", "C_1", "mu"),
+    "theorem1_state": (
+        *("c1", "c2", "c3", "Omega1", "Omega2", "Omega3", "side", "K", "xi", "C_1", "mu", "n"),
+        *("kappa", "Pi_0", "t"),
+    ),
+    "turned": ("epsilon", *(f"{q}_{x}" for q in ("p", "qbar") for x in ("0", *AXES))),
 }
 CONSTANTS = ("pi", "I")
 # The standard functions that numbers may use, and the quantities they stand for; where a name is
@@ -111,9 +124,20 @@ READINGS = {
     "sin_half_psi": "sin(psi/2)",
     "cos_half_theta": "cos(theta/2)",
     "sin_half_theta": "sin(theta/2)",
+    "K_1": "elliptic_k(1 - m_c)",
+    "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
+    "one_rate:zeta": "sqrt(root_j)",
+    "one_rate:xi": "half*sqrt(alpha*root_k)",
+    "one_rate:C_i": "arcsn(Omega_i/zeta, mu)",
+    "one_rate:sn": "jacobi_sn(xi*t + C_i, mu)",
+    "Pi": "elliptic_pi(n, jacobi_am(xi*t + C_1, mu), mu) - Pi_0",
+    "Pi_0": "elliptic_pi(n, jacobi_am(C_1, mu), mu)",
+    "cos_half_phi1": "cos(phi1/2)",
+    "sin_half_phi1": "sin(phi1/2)",
 }
 _OF_PARAMETER = {
-    *("jacobi_sn", "jacobi_cn", "jacobi_dn", "elliptic_j", "elliptic_k", "nome", "arcsc"),
+    *("jacobi_sn", "jacobi_cn", "jacobi_dn", "jacobi_am", "elliptic_j", "elliptic_k"),
+    *("elliptic_pi", "nome", "arcsc", "arcsn"),
 }
 
 
@@ -183,7 +207,7 @@ def load(text: str) -> Solution:
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
-        published = data["published"]["sequences"]
+        published = {**data["published"]["sequences"], **data["published"].get("forms", {})}
         sequences = {
             name: tuple(_formula(entry, facts, contexts) for entry in published[name])
             for name in INPUTS

@@ -19,7 +19,6 @@ from rigidsym.proof.checker.records import Claim, Hypotheses, fill
 from rigidsym.proof.checker.specification import Catalogue, blocks
 from rigidsym.proof.derivation import DerivationError, _require_specified
 from rigidsym.solution import load
-from rigidsym.solution.formulas import INPUTS
 
 TEXT, SPECIFICATION = ledger_text(), specification_text()
 STEADY = {
@@ -228,8 +227,8 @@ def edit(ledger, random):
     named = [*theorems(SPECIFICATION)]
     kind = random.choice(["contexts", "facts", "published"])
     if kind == "published":
-        entries = ledger["published"]["sequences"][random.choice([*INPUTS])]
-        return _edit_list(entries, random)
+        sequences = ledger["published"]["sequences"]
+        return _edit_list(sequences[random.choice([*sequences])], random)
     if kind == "facts":
         facts = [f for f in ledger["facts"] if f["context"] in named and f["lhs"]]
         fact = random.choice(facts)

@@ -7,13 +7,12 @@ linear in the parts P4 and P1 over N, and every rate is a constant times a quoti
 from collections.abc import Iterable
 
 from rigidsym.codegen.ir import Function, Let, let
-from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, INITIAL, PARTS, RATES, STATE
+from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, INITIAL, PARTS, RATES, SIGNS, STATE
 from rigidsym.codegen.passes import coefficient, inlined, live, select, specialise
 from rigidsym.codegen.special_functions import reduction
 from rigidsym.language.expression import Name, Operation, names, parse
 from rigidsym.solution import Solution
 from rigidsym.solution.formulas import AXES
-from rigidsym.solution.signs import SIGNS
 
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
 

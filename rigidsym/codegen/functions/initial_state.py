@@ -7,13 +7,13 @@ Axes are told by their numbers, 0, 1 and 2.
 from dataclasses import replace
 
 from rigidsym.codegen.ir import Function, Let, let
-from rigidsym.codegen.names import AMPLITUDES, DIFFERENCES, INERTIA, INITIAL, NUMBERS, RATES
+from rigidsym.codegen.names import AMPLITUDES, DIFFERENCES, INERTIA, INITIAL, NUMBERS, RATES, SIGNS
 from rigidsym.codegen.passes import renamed, select, specialise
 from rigidsym.language.expression import parse, put
 from rigidsym.solution import Solution
 from rigidsym.solution.decisions import GIVEN, ONES
 from rigidsym.solution.partition import ROOT
-from rigidsym.solution.signs import HANDEDNESS, SIGNS
+from rigidsym.solution.signs import HANDEDNESS
 
 
 def discriminant(solution: Solution) -> Function:

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias, TypeVar
 from sympy import Expr
 
 from rigidsym.proof.algebra.enclosures import encloses
-from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.algebra.normal_form import divide, nested
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
@@ -149,8 +149,8 @@ class Book:
             here = replace(there, id=name, context=context, rule="transfer", certificate={})
             self._conclude(here, fact_id, f"{context}.models_{there.context}")
 
-    def publish(self, sequence: str, entries: Iterable[Entry]) -> None:
-        """Offer formulas to the number wing, in order of evaluation.
+    def publish(self, sequence: str, entries: Iterable[Entry], group: str = "sequences") -> None:
+        """Offer formulas to the number wing, in order of evaluation, in a group of them.
 
         Each is a proved fact, or what a context defines or reads a name as.
         """
@@ -160,7 +160,7 @@ class Book:
                 raise KernelError(
                     f"{sequence}: {entry} is no proved fact, definition or reading of a name"
                 )
-        self.ledger.published.setdefault("sequences", {})[sequence] = listed
+        self.ledger.published.setdefault(group, {})[sequence] = listed
 
     def _is_said(self, entry: Entry) -> bool:
         context = self.ledger.contexts.get(str(entry["context"]))
@@ -180,7 +180,7 @@ class Book:
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
         if any(remainder for _, remainder in divided):
             raise KernelError(f"fact {fact.id}: undecided: the normal form of lhs - rhs is not 0")
-        cofactors = [[str(quotient) for quotient in quotients] for quotients, _ in divided]
+        cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
     def _conclude(self, fact: Fact, *premises: str) -> Fact:

@@ -12,6 +12,7 @@ from rigidsym.codegen.forms import THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import comment
+from rigidsym.codegen.names import SIGNS
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
@@ -21,7 +22,6 @@ from rigidsym.codegen.targets.c.expressions import Reader
 from rigidsym.codegen.targets.c.frames import Frame, frames, struct
 from rigidsym.codegen.targets.c.statements import Statement, statements
 from rigidsym.errors import InputError
-from rigidsym.solution.signs import SIGNS
 
 # The types of extended numbers by what begins the names of their operations.
 _PAIRS = {"dd": "double_double", "exact": "exact"}

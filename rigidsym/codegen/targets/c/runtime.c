@@ -44,16 +44,12 @@ static void sorted(const double_double apart[3], int axis[3])
 
 /* 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant; the axes are
    sorted by their moments. */
-static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3],
-                      double_double discriminant)
+static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3], double E_2)
 {
-    double asked[6];
-    for (int k = 0; k < 3; k++)
-        asked[3 + k] = !is_zero(omega[axis[k]]);
-    asked[0] = !is_zero(difference(apart, axis[0], axis[1]));
-    asked[1] = !is_zero(difference(apart, axis[0], axis[2]));
-    asked[2] = !is_zero(difference(apart, axis[1], axis[2]));
-    return circulation(asked[0], asked[1], asked[2], asked[3], asked[4], asked[5], discriminant.hi);
+    const int j = axis[0], k = axis[1], l = axis[2];
+    return circulation(!is_zero(difference(apart, j, k)), !is_zero(difference(apart, j, l)),
+                       !is_zero(difference(apart, k, l)), !is_zero(omega[j]), !is_zero(omega[k]),
+                       !is_zero(omega[l]), E_2);
 }
 
 /* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
@@ -223,7 +219,7 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
-    const double side = side_of(apart, omega, made.axis, discriminant);
+    const double side = side_of(apart, omega, made.axis, discriminant.hi);
     if (side < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];

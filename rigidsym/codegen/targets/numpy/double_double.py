@@ -146,18 +146,11 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if not (isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble)):
-        return _either(x <= y, one, other)
-    one, other = (
-        v if isinstance(v, _DoubleDouble) else _DoubleDouble(1.0 * v) for v in (one, other)
-    )
-    return _DoubleDouble(_either(x <= y, one.hi, other.hi), _either(x <= y, one.lo, other.lo))
-
-
-def _either(first, one, other):
-    if type(first) is bool:
-        return one if first else other
-    return np.where(first, one, other)
+    first = x <= y
+    if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
+        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
+        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+    return (one if first else other) if type(first) is bool else np.where(first, one, other)
 
 
 def _rounded(x):

@@ -411,8 +411,7 @@ def _refuse(field, rule, bodies, refused):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Rates and E_b of the motions that are followed, and up to which inner times (B,); axes (B, 3)
-    are sorted by their moments.
+    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -503,9 +502,7 @@ def _sorted(apart):
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant: (B,);
-    axes (B, 3) are sorted by their moments.
-    """
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
     rates = np.take_along_axis(omega.hi, axes, -1)
     asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
     given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]

@@ -161,8 +161,8 @@ _DECISIONS = (
         "branch",
         "the largest moments taken for equal",
         "static double side_of(",
-        "asked[0] = !is_zero(difference(apart, axis[0], axis[1]))",
-        "asked[0] = 0.0",
+        "!is_zero(difference(apart, j, k))",
+        "0.0",
     ),
     _fault(
         "branch",
