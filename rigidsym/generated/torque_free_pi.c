@@ -9,6 +9,13 @@
 #define restrict __restrict
 #endif
 
+/* What loops call has to be in them, or they are not vectorised. */
+#ifdef __GNUC__
+#define INLINED inline __attribute__((always_inline))
+#else
+#define INLINED inline
+#endif
+
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
@@ -324,7 +331,7 @@ static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
 static const double deepest = 100.0; /* beyond it tanh is 1 and sech is nothing */
 static const double least_c = 1e-45; /* sech where it is nothing */
 /* e^x for x <= 0. */
-static inline double exponential(double x)
+static INLINED double exponential(double x)
 {
     const double bounded = choose(least, x, x, least); /* DLMF 4.8 */
     const double n = nearest(bounded * log_2_inverse); /* DLMF 4.8 */
@@ -351,7 +358,7 @@ static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, ex
 }
 
 /* 1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1. */
-static inline double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
+static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
     double Omega_3, double E_2)
 {
     const double c_1 = 1.0 + c_13; /* definition sorted_body.c_1 */
@@ -685,7 +692,7 @@ static void complete(double_double kc, double_double path, double_double *K_out,
 }
 
 /* (s^3/3) R_J(c^2, d^2, 1, p); spread s^6 is (p - c^2)(p - d^2)(p - 1). */
-static inline double third_kind(double s, double c, double d, double p_0, double spread)
+static INLINED double third_kind(double s, double c, double d, double p_0, double spread)
 {
     const double square = s * s; /* DLMF 19.25.14 */
     const double e_0 = spread * (square * (square * square)); /* DLMF 19.36.1 */
@@ -2161,7 +2168,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "6ddc03ef3487590d24883db1b5fa4aa05c6972063203c875472aae03ceebf858"; }
+const char *torque_free_digest(void) { return "46f2c9d491fa9d2d39aeb8c9723498a193e76c93190f02cbdf11f136ad0a5c98"; }
 
 const char *torque_free_message(int code)
 {

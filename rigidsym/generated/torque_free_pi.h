@@ -34,7 +34,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 6ddc03ef3487590d24883db1b5fa4aa05c6972063203c875472aae03ceebf858
+digest 46f2c9d491fa9d2d39aeb8c9723498a193e76c93190f02cbdf11f136ad0a5c98
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
