@@ -6,6 +6,7 @@ the rest.  States are doubles, in two functions for each branch: `_<branch>_angl
 changes with time, and `_<branch>_state` the state from that.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
@@ -15,7 +16,7 @@ from rigidsym.codegen.functions.circular import circular
 from rigidsym.codegen.functions.hyperbolic import hyperbolic
 from rigidsym.codegen.functions.initial_state import circulation, discriminant, start
 from rigidsym.codegen.functions.steady import steady
-from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.passes import live, products, share
 from rigidsym.codegen.special_functions import angles, exponential, landen, nome, reduction
 from rigidsym.solution import Solution
@@ -28,6 +29,21 @@ def functions(solution: Solution) -> tuple[Function, ...]:
 
 def stated(solution: Solution) -> tuple[Function, ...]:
     """All functions as they are stated, before anything is left out or shared."""
+    carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
+    return tuple(_cited(function, carried) for function in _stated(solution))
+
+
+def _cited(function: Function, carried: Mapping[str, tuple[str, ...]]) -> Function:
+    """The function whose lines name the equations that their facts carry, before references."""
+    return replace(function, lets=tuple(_with_equations(let, carried) for let in function.lets))
+
+
+def _with_equations(let: Let, carried: Mapping[str, tuple[str, ...]]) -> Let:
+    equations = [equation for fact in let.facts for equation in carried[fact]]
+    return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
+
+
+def _stated(solution: Solution) -> tuple[Function, ...]:
     return (
         exponential.function(),
         discriminant(solution),

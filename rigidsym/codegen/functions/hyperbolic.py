@@ -44,7 +44,7 @@ def _constants(solution: Solution) -> list[Let]:
         let("root_nome = kc_1/r", "DLMF 20.9.1"),
         let("nome = root_nome*root_nome", "DLMF 20.9.1"),
         *_descended(),
-        let("gc = pi/(2*K_c)", "10"),
+        let("gc = pi/(2*K_c)", facts=("reading hyperbolic_form.gc",)),
         *theta_hyperbolic.powers(),
         *theta_hyperbolic.multiples(),
         *theta_hyperbolic.zeta(),
@@ -53,7 +53,7 @@ def _constants(solution: Solution) -> list[Let]:
         *secular(solution),
         *_phase_at_initial_state(),
         *theta_hyperbolic.values(),
-        *front(solution, "2*theta2_y*watson", "1/sqrt(2*watson)"),
+        *front(solution, "hyperbolic_form", "2*theta2_y*watson", "1/sqrt(2*watson)"),
         *gains(solution, {"sn": "three/four", "cn": "two/four", "dn": "two/three"}),
     ]
 
@@ -87,14 +87,14 @@ def _phase_at_initial_state() -> list[Let]:
         let("cosh_y = sqrt(1 + Y_b*Y_b)", "DLMF 4.35.11"),
         let("y_b = _logarithm(Y_b + cosh_y)", "DLMF 4.37.16"),
         let("y_size = choose(far, near, y_b, period/2 - y_b)", "DLMF 22.4.3"),
-        let("side = choose(0, rounded(s), 1, -1)", "12"),
-        let("y0 = side*y_size", "12"),
-        let("y_rate = mu*gc", "10", "20"),
+        let("side = choose(0, rounded(s), 1, -1)", "DLMF 20.2.1", "DLMF 20.2.2"),
+        let("y0 = side*y_size"),
+        let("y_rate = mu*gc"),
         let("e_near = 1/((Y_b + cosh_y)*(Y_b + cosh_y))", "DLMF 4.37.16"),
         let("e_far = nome/e_near", "DLMF 20.2.2"),
         let("w = choose(far, near, e_near, e_far)", "DLMF 20.2.2"),
         let("p = choose(far, near, e_far, e_near)", "DLMF 20.2.2"),
-        let("alpha = _half_turns(sin_a, cos_a)", "28"),
+        let("alpha = _half_turns(sin_a, cos_a)", "DLMF 4.24.3"),
         let("jump = -2*rho*alpha", _PERIOD),
     ]
 
@@ -128,7 +128,7 @@ def _state(solution: Solution) -> list[Let]:
     return [
         *theta_hyperbolic.values(),
         *parts(solution),
-        let("over = 1/theta2_y", "10"),
-        let("scale = sqrt(over)", "1"),
+        let("over = 1/theta2_y"),
+        let("scale = sqrt(over)"),
         *state_lets(("theta3_y", "flip*theta1_y", "flip*theta4_y"), "flip"),
     ]

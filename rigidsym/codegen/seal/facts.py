@@ -10,7 +10,7 @@ from rigidsym.codegen.names import GAINS, ROWS, STATE
 from rigidsym.codegen.seal.claims import DIFFERS, Claim
 from rigidsym.codegen.special_functions import landen
 from rigidsym.errors import InputError
-from rigidsym.language.expression import Expression, Name, parse, put
+from rigidsym.language.expression import Expression, Name, children, parse, put, rebuild
 from rigidsym.solution import Formula, Solution
 
 # By function and the context of the fact: what the fact's names are there.
@@ -30,6 +30,20 @@ _MEANINGS = {
     # At t = 0 the phase has not turned.
     ("_circular_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
     ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
+}
+# By function and context: what standard functions, called in a fact, are there.  That they are, the
+# bounds of the special functions say.
+_VALUES = {
+    ("_circular_constants", "theta_form"): {
+        "elliptic_k(m_c)": "K_1",
+        "theta4(g*u_1, nome_m)": "theta4_v",
+        "re(theta3(g*I*beta, nome_m))": "watson",
+    },
+    ("_hyperbolic_constants", "hyperbolic_form"): {
+        "elliptic_k(k_1**2)": "K_c",
+        "re(theta2(2*gc*I*u_1, nome_c**2))": "theta2_y",
+        "theta3(2*gc*beta, nome_c**2)": "watson",
+    },
 }
 # Formulas that are a part of their fact; `states` puts the parts together and decides the whole.
 _PARTS_OF_FACTS = {
@@ -59,11 +73,10 @@ def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]
         parts = _PARTS_OF_FACTS.get(function.name, ())
         proved = _proved(solution, function.name) | {*parts}
         for let in function.formulas:
-            if not let.facts and (not let.source or let.targets[0] in proved):
+            _check_equations(function.name, let, ledger)
+            if not let.facts and let.targets[0] in proved:
                 raise InputError(function.name, let, "does not say what it comes from")
             for fact in let.facts:
-                if fact not in ledger:
-                    raise InputError(function.name, let, f"{fact}: the ledger has no such formula")
                 if let.targets[0] not in parts:
                     yield _claim(function.name, let, ledger[fact])
 
@@ -86,11 +99,31 @@ def _proved(solution: Solution, place: str) -> set[str]:
     return found
 
 
+def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
+    """A line names equations of the paper by facts alone that carry them."""
+    for fact in let.facts:
+        if fact not in ledger:
+            raise InputError(place, let, f"{fact}: the ledger has no such formula")
+    carried = {equation for fact in let.facts for equation in ledger[fact].source}
+    for source in let.source:
+        if source[0].isdigit() and source not in carried:
+            raise InputError(place, let, f"({source}): no fact of this line carries it")
+
+
 def _claim(place: str, let: Let, formula: Formula) -> Claim:
     meaning = _meaning(place, let, formula.context)
+    values = {parse(k): parse(v) for k, v in _VALUES.get((place, formula.context), {}).items()}
     if (put(Name(formula.name), meaning),) != tuple(map(Name, let.targets)):
         raise InputError(place, let, f"{formula.fact}: {DIFFERS}")
-    return Claim(place, f"{formula.fact}: {let}", put(formula.expression, meaning), let.expression)
+    derived = _valued(put(formula.expression, meaning), values)
+    return Claim(place, f"{formula.fact}: {let}", derived, let.expression)
+
+
+def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """The expression with what calls of standard functions are in place of them."""
+    if expression in values:
+        return values[expression]
+    return rebuild(expression, tuple(_valued(part, values) for part in children(expression)))
 
 
 def _meaning(place: str, let: Let, context: str) -> Mapping[str, Expression]:

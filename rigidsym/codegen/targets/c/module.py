@@ -6,6 +6,7 @@ from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
+from rigidsym.codegen.shares import shares, text
 from rigidsym.codegen.targets.c import emit
 
 HEADER, SOURCE = "torque_free.h", "torque_free.c"
@@ -78,13 +79,14 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
     )
     structs = "\n\n".join(map(emit.branch_struct, constants_of))
     header_text = f"{header_first()}{structs}\n{_header_last(constants_of)}"
+    header_text = header_text.replace(header.SHARES, text(shares(whole.kinds(), "c")))
     files = {HEADER: header_text, SOURCE: "\n".join(whole.text) + "\n"}
     files, digest = header.sealed(files, "c")
     return Module(files, {SOURCE: whole.lets}, digest)
 
 
 def header_first() -> str:
-    """What is written by hand before the structs, with places for digest and errors."""
+    """What is written by hand before the structs, with places for shares, digest and errors."""
     return f"{_HEAD.format(text=header.text('c'))}\n{_FIRST}\n"
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import astuple
 
-from rigidsym.codegen import header
+from rigidsym.codegen import header, shares
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import comment
@@ -48,7 +48,9 @@ def check(
 
 
 def _check_header(text: str, functions: tuple[Function, ...]) -> None:
-    first = header.filled(module.header_first(), "c", header.digest_in(module.HEADER, text))
+    kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
+    said = module.header_first().replace(header.SHARES, shares.text(shares.shares(kinds, "c")))
+    first = header.filled(said, "c", header.digest_in(module.HEADER, text))
     last = _filled(module.header_last(), functions)
     structs = statements(module.HEADER, between(module.HEADER, text, first, last))
     given = iter(_without_rows(structs))

@@ -6,6 +6,7 @@ from rigidsym.codegen import header
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
+from rigidsym.codegen.shares import shares, text
 from rigidsym.codegen.targets.numpy import emit
 
 FILE = "torque_free.py"
@@ -36,14 +37,16 @@ def build(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> M
         Lines.plain(last()),
     ]
     whole = joined(pieces)
-    files, digest = header.sealed({FILE: "\n".join(whole.text) + "\n"}, "numpy")
+    counts = shares(whole.kinds(), "numpy")
+    source = "\n".join(whole.text).replace(header.SHARES, text(counts)) + "\n"
+    files, digest = header.sealed({FILE: source}, "numpy")
     grown = files[FILE].count("\n") - len(whole.text)
     lets = {number + grown: let for number, let in whole.lets.items()}
     return Module(files, {FILE: lets}, digest)
 
 
 def first() -> str:
-    """What is written by hand before the numbers, with places for digest and errors."""
+    """What is written by hand before the numbers, with places for shares, digest and errors."""
     head = _HEAD.format(text=header.text("numpy"))
     return f"{head}\n{_part('double_double.py', '# --- double-doubles ---')}\n\n\n"
 

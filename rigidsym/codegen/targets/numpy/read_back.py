@@ -4,7 +4,7 @@ import ast
 from collections.abc import Collection, Iterator, Mapping
 from copy import copy
 
-from rigidsym.codegen import header
+from rigidsym.codegen import header, shares
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import comment, flat_results
@@ -24,7 +24,8 @@ def check(
     files: Mapping[str, str], functions: tuple[Function, ...], constants: tuple[Constant, ...]
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    derived, functions = _derived(files[module.FILE]), emit.own(functions)
+    functions = emit.own(functions)
+    derived = _derived(files[module.FILE], functions)
     statements = iter(_statements(derived))
     for expected in _numbers(functions, constants):
         _check_statement(_next(statements, expected), expected)
@@ -39,10 +40,12 @@ def check(
     return sum(len(function.lets) for function in functions)
 
 
-def _derived(text: str) -> Between:
+def _derived(text: str, functions: tuple[Function, ...]) -> Between:
     """What stands between the parts written by hand."""
     digest = header.digest_in(module.FILE, text)
-    first = header.filled(module.first(), "numpy", digest)
+    kinds = (let.kind for function in functions for let in function.lets)
+    said = module.first().replace(header.SHARES, shares.text(shares.shares(kinds, "numpy")))
+    first = header.filled(said, "numpy", digest)
     return between(module.FILE, text, first, module.last())
 
 
