@@ -39,7 +39,7 @@ def _cited(function: Function, carried: Mapping[str, tuple[str, ...]]) -> Functi
 
 
 def _with_equations(let: Let, carried: Mapping[str, tuple[str, ...]]) -> Let:
-    equations = [equation for fact in let.facts for equation in carried[fact]]
+    equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
     return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
 
 
