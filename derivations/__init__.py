@@ -38,6 +38,7 @@ CHAPTERS = (
     "theta_form",
     "hyperbolic_form",
     "theta_edges",
+    "pi_form",
     "periods",
     "edges",
     "addition_form",

@@ -13,6 +13,9 @@ def add(command: Command) -> None:
     """Give the command line its commands about generated code."""
     codegen = command("codegen", _codegen, "write a numeric module", "codegen c -o attitude")
     codegen.add_argument("target", metavar="TARGET", help="numpy or c")
+    codegen.add_argument(
+        "--form", metavar="FORM", default="theta", help="theta, or the paper's: pi"
+    )
     where = codegen.add_mutually_exclusive_group()
     where.add_argument("-o", "--output", metavar="DIR", type=as_path, help="for the files")
     where.add_argument(
@@ -48,8 +51,8 @@ def _codegen(options: Namespace) -> int:
         rule = "give -o DIR (. for here), --stdout, --check, or --in-place for the package itself"
         raise InputError("output", "missing", rule)
     replayed()
-    generated = generate(options.target)
-    seal(sealed())
+    generated = generate(options.target, form=options.form)
+    seal(sealed(), options.form)
     seal_text(generated, sealed())
     if options.stdout:
         print("".join(generated.files.values()), end="")

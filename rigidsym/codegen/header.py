@@ -6,10 +6,13 @@ import re
 from pathlib import Path
 
 from rigidsym._version import __version__
+from rigidsym.codegen.forms import PI, THETA
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.special_functions import (
     angles,
+    carlson,
     circle,
+    complete,
     exponential,
     landen,
     nome,
@@ -41,27 +44,68 @@ products, quotients, roots and reductions; exact ones of doubles are Knuth's (Th
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 {shares}
 
+{grades}"""
+_GRADES = {
+    THETA: """\
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
 and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
 bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
-mpmath:"""
+mpmath:""",
+    PI: """\
+Grades: facts are PROVED by normal form; that the integral gains as much in each half period is
+ENCLOSED.  Special functions (Landen's ladder, the arithmetic-geometric mean, Carlson's R_J, angles
+and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
+bounds in exact or ball arithmetic, but for those said to be measured, and
+`pytest tests/codegen/special_functions` holds all against mpmath:""",
+}
 
 
-def special_functions() -> list[str]:
+def special_functions(form: str) -> list[str]:
     """The error bounds of the special functions, a line each."""
+    return [*_LADDERS[form](), *_everywhere()]
+
+
+def _everywhere() -> list[str]:
+    """What every form has."""
     sine = circle.sine_bound(circle.sine_coefficients(reduction.TERMS))
     cosine = circle.cosine_bound(circle.cosine_coefficients(reduction.TERMS))
     return [
-        f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
-        f"{_up(float(landen.modulus_left()))}",
-        f"  nome                           relative, below {_up(float(nome.series_tail()))}",
-        "  theta series in a state        what is left out below "
-        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(_hyperbolic())}",
         f"  arctangent and logarithm       relative, below {_up(float(angles.series_tail()))}",
         f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
         "  reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46",
     ]
+
+
+def _landen() -> str:
+    return (
+        f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
+        f"{_up(float(landen.modulus_left()))}"
+    )
+
+
+def _theta() -> list[str]:
+    """What the theta form alone has."""
+    return [
+        _landen(),
+        f"  nome                           relative, below {_up(float(nome.series_tail()))}",
+        "  theta series in a state        what is left out below "
+        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(_hyperbolic())}",
+    ]
+
+
+def _pi() -> list[str]:
+    """What the Pi form alone has."""
+    return [
+        _landen(),
+        f"  complete integrals, {complete.STEPS} means   relative, {_up(complete.MEASURED)} measured",
+        f"  of it in a state, {landen.STATE_STEPS} steps      modulus left, squared, below "
+        f"{_up(float(landen.modulus_left(landen.STATE_STEPS)))}",
+        f"  R_J, {carlson.STEPS} duplications           in psi/2, {_up(carlson.MEASURED)} measured",
+    ]
+
+
+_LADDERS = {THETA: _theta, PI: _pi}
 
 
 def _hyperbolic() -> float:
@@ -80,11 +124,13 @@ def _up(value: float) -> str:
     return text if float(text) >= value else f"{value * 1.05:.1e}"
 
 
-def text(target: str) -> str:
+def text(target: str, form: str) -> str:
     """The whole paragraph, with places for shares of lines, the digest and what was measured."""
-    bounds = [*special_functions(), *([_exponential()] if target == "c" else [])]
+    bounds = [*special_functions(form), *([_exponential()] if target == "c" else [])]
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
-    domain = _DOMAIN.format(shares=SHARES, **{limit.name: limit.exponent for limit in LIMITS})
+    domain = _DOMAIN.format(
+        shares=SHARES, grades=_GRADES[form], **{limit.name: limit.exponent for limit in LIMITS}
+    )
     return "\n".join([domain, *bounds, "", MEASURED, "", *ends])
 
 

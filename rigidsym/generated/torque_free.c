@@ -1423,7 +1423,9 @@ static int angles_hold(void)
     static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
     enum { TIMES = 8 };
     const volatile double from = 35184372088829.0;
-    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
+    enum { COSINE = TIMES, TURNED = 3 * TIMES };
+    const size_t s = TIMES;
+    double t[TIMES], t_lo[TIMES], to[6 * TIMES];
     torque_free_circular motion;
     int holds = 1;
     memset(&motion, 0, sizeof motion);
@@ -1433,10 +1435,10 @@ static int angles_hold(void)
         t[i] = from + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&motion, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    circular_angles(&motion, TIMES, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     for (int i = 0; i < TIMES; i++) {
-        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
-        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
+        holds &= fabs(to[COSINE + i] - cosines[i % 6]) <= 1e-15;
+        holds &= fabs(to[TURNED + i] - cosines[(i + 5) % 6]) <= 1e-15;
     }
     return holds;
 }
@@ -1569,7 +1571,7 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
     const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
     const double unit = motion->unit, *constants;
-    size_t n;
+    size_t held;
     double_double K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
     double epsilon, sigma, rho, chi;
     initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d, &epsilon, &sigma, &rho, &chi);
@@ -1578,16 +1580,16 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
         circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.circular);
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
         constants = (const double *)&motion->of.circular;
-        n = sizeof motion->of.circular / sizeof *constants;
+        held = sizeof motion->of.circular / sizeof *constants;
     } else {
         motion->branch = 2;
         hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.hyperbolic);
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
         constants = (const double *)&motion->of.hyperbolic;
-        n = sizeof motion->of.hyperbolic / sizeof *constants;
+        held = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -1800,8 +1802,8 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
-   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
+/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+   others; `out` has room for seven. */
 static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
@@ -1821,12 +1823,11 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
         row[4 + axis[k]] = out + (4 + k) * s;
     }
     if (motion->branch == 1)
-        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
-                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
+        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s,
+                       out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
-                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
-                         out + 6 * s);
+        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s, in + 5 * s,
+                         out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
@@ -1840,8 +1841,7 @@ static void block_angles(const torque_free_motion *motion, size_t n, size_t s, c
     else if (motion->branch == 1)
         circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
-                          to + 4 * s, to + 5 * s);
+        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -1991,7 +1991,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
     }
 }
 
-/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
+/* The same where what changes with time is more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
@@ -2026,7 +2026,7 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     const size_t most = BLOCK * BLOCK;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
         return too_late(motion);
-    if (motion->branch == 2) {
+    if (motion->branch >= 2) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
         grid_table(motion, inner_step, table);
@@ -2068,7 +2068,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "5500abf9228c08ec7f15bd038e5eb317bb0ad15d640db777aaeeff36562aec5e"; }
+const char *torque_free_digest(void) { return "b95e7551343b8320ace6875df95bfdb2e3ac6520a4deeb107c4800b733703cd3"; }
 
 const char *torque_free_message(int code)
 {

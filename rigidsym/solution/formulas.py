@@ -68,6 +68,12 @@ INPUTS = {
     "circular_state": (*_BY_FUNCTIONS, "g", "nome_1", "nome_m"),
     "hyperbolic": ("k_1", "beta", "rho", "mu", "psi_0"),
     "hyperbolic_state": (*_BY_FUNCTIONS, "gc", "nome_c"),
+    "ascent": ("k_next", "s_next", "c_next", "d_next", "x_next"),
+    "pi_circular": ("psi_0", "kappa", "mu", "j", "J", "u_1", "J_0", "phase"),
+    "pi_hyperbolic": (
+        *("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j"),
+        *("s", "c", "d", "X_re", "X_im"),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
     "momentum": (
         *(f"c_{x}" for x in AXES),

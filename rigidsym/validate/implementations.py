@@ -16,8 +16,8 @@ Implementation = Engine | Peer
 
 def check_target(target: str) -> None:
     """Raise InputError for a target there is no module of, or that does not compile here."""
-    if target not in engines.ENGINES:
-        raise InputError("target", target, f"must be one of: {', '.join(engines.ENGINES)}")
+    if target not in engines.EVERY:
+        raise InputError("target", target, f"must be one of: {', '.join(engines.EVERY)}")
     try:
         engines.exactly(target)
     except InputError as error:

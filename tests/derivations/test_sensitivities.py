@@ -2,6 +2,7 @@
 
 import json
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -42,6 +43,7 @@ def defined(values, *contexts):
     return values
 
 
+@cache
 def functions(p, r, t):
     """S_t, C_t, D_t by mpmath's functions, and the integral of S_t^2 by its quadrature."""
     if p == r == 0:

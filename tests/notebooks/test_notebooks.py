@@ -58,24 +58,26 @@ def test_a_notebook_is_current_until_something_it_depends_on_changes(monkeypatch
 @pytest.mark.parametrize("suffix", [".py", ".ipynb"])
 def test_a_notebook_that_is_edited_is_not_current(suffix, monkeypatch, tmp_path):
     name = NAMES[0]
-    for ending in (".py", ".ipynb"):
-        shutil.copy(executed.FOLDER / f"{name}{ending}", tmp_path)
+    files = {".py": f"text/{name}.py", ".ipynb": f"{name}.ipynb"}
+    (tmp_path / "text").mkdir()
+    for file in files.values():
+        shutil.copy(executed.FOLDER / file, tmp_path / file)
     before = executed.digest(name)
     monkeypatch.setattr(executed, "FOLDER", tmp_path)
     assert executed.digest(name) == before
-    with (tmp_path / f"{name}{suffix}").open("a") as file:
+    with (tmp_path / files[suffix]).open("a") as file:
         file.write(" ")
     assert executed.digest(name) != before
 
 
 def test_notebooks_depend_on_the_code_its_data_and_the_versions():
     lines = executed.common()
-    for start in ("python 3.", "numpy 2.", "jupyterlab ", "notebooks/support.py ",
+    for start in ("python 3.", "numpy 2.", "jupyterlab ", "notebooks/support/__init__.py ",
                   "rigidsym/motion.py ", "rigidsym/generated/torque_free.c ",
                   "derivations/ledger.json "):  # fmt: skip
         assert sum(line.startswith(start) for line in lines) == 1
-    modules = {path.name for path in executed.FOLDER.glob("*.py")} - {f"{x}.py" for x in NAMES}
-    assert modules == {*executed.TOGETHER}
+    modules = [*executed.FOLDER.glob("*.py"), *executed.FOLDER.glob("support/*.py")]
+    assert {x.relative_to(executed.FOLDER).as_posix() for x in modules} == {*executed.TOGETHER}
     assert not any("ruff " in line or "pycache" in line for line in lines)
 
 

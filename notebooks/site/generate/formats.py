@@ -96,6 +96,10 @@ _CASE = {
     "omega0": "three body rates at t = 0, rad/s",
     "attitude0": "quaternion, scalar first, body to inertial, normalised; the identity if absent",
     "times": "seconds: a list, or a table of `start`, `stop` and `count`, both ends included",
+    "degrees": "optional: true where `omega0` is in deg/s",
+    "message": "optional, for `--format aem`, under options of the command line: `epoch`, "
+    "`time_system`, `object_name`, `object_id`, `originator`, `creation_date`, `ref_frame_a`, "
+    "`ref_frame_b`",
 }
 
 

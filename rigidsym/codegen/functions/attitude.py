@@ -126,11 +126,16 @@ def flat(split: Iterable[str]) -> tuple[str, ...]:
 
 
 def constants_function(
-    name: str, lets: list[Let], results: tuple[str, ...], split: tuple[str, ...]
+    name: str,
+    lets: list[Let],
+    results: tuple[str, ...],
+    split: tuple[str, ...],
+    given: tuple[str, ...] = (*INITIAL, *ATTITUDE),
 ) -> Function:
     """The constants of a branch, from what the start hands over."""
     used = {name for formula in live(lets, results) for name in names(formula.expression)}
-    extended = [name for name in (*INITIAL, *ATTITUDE) if name in used]
+    used |= {*results}
+    extended = [name for name in given if name in used]
     return Function(
         f"_{name}_constants",
         f"The constants of a motion on the {name} branch, from `_initial_state`.",

@@ -12,6 +12,7 @@ from rigidsym.codegen.functions.attitude import (
     secular,
     state_lets,
 )
+from rigidsym.codegen.functions.reduced_time import circular_time
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.names import GAINS, ROWS
 from rigidsym.codegen.passes import select
@@ -62,10 +63,7 @@ def _constants(solution: Solution) -> list[Let]:
 
 def _angles() -> list[Let]:
     return [
-        *reduction.product("p", "v_rate", extra="v_lo"),
-        *reduction.total("v", "p", "v_hi"),
-        *reduction.whole("v", "v"),
-        let("v_turns = v_rest + (p_error + v_error)", reduction.TURNS),
+        *circular_time(),
         *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
         *phase(),
     ]

@@ -30,11 +30,11 @@ def circulation(solution: Solution) -> Function:
     return Function("_circulation", summary, GIVEN, specialise(lets, ONES), (ROOT,))
 
 
-def start(solution: Solution) -> Function:
+def start(solution: Solution, results: tuple[str, ...] = INITIAL) -> Function:
     """From inertia and rates to what both plans are made of."""
     numbers = (*INERTIA, *DIFFERENCES, *RATES, "E_b")
     given = (*numbers, *SIGNS, "tau")
-    names = ("k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0")
+    names = {"k_c", "sn", "cn", "dn", "K", *AMPLITUDES, "k_1", "mu", "psi_0", *results}
     lets = select(solution.sequences["constants"], names, given)
     lets += select(solution.sequences["theta"], ("B_a", "B_d"), (*given, "A_a", "A_d"))
     first = {"kc": "k_c", "k_next": "k_1", "kc_next": "kc_1", "s": "sn", "c": "cn", "d": "dn"}
@@ -43,10 +43,9 @@ def start(solution: Solution) -> Function:
     step = select(solution.sequences["landen"], wanted, ("k_next", "kc", "s", "c", "d"))
     lets = (*_signs(solution), *lets, *renamed(step, first))
     summary = "Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`."
-    results = (*INITIAL, *SIGNS)
-    return Function(
-        "_initial_state", summary, (*numbers, *NUMBERS), lets, results, frozenset(numbers)
-    )
+    parameters = (*numbers, *NUMBERS)
+    results = (*results, *SIGNS)
+    return Function("_initial_state", summary, parameters, lets, results, frozenset(numbers))
 
 
 def _signs(solution: Solution) -> list[Let]:

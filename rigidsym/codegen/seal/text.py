@@ -1,5 +1,6 @@
 """`seal_text(generated, solution)`: printed files read back, all of their text."""
 
+from rigidsym.codegen.forms import split
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.generate import Generated
 from rigidsym.codegen.seal import digests, places
@@ -14,8 +15,8 @@ def seal_text(generated: Generated, solution: Solution) -> int:
     where what is written by hand is not what the package brings, and where a digest is that of
     other files.
     """
-    check = reader(str(generated.manifest["target"]))
-    decided = check(generated.files, functions(solution), constants())
+    target, form = split(generated.manifest["target"])
+    decided = reader(target)(generated.files, functions(solution, form), constants(), form)
     digests.check(generated)
     places.check(generated)
     return decided

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias, TypeVar
 from sympy import Expr
 
 from rigidsym.proof.algebra.enclosures import encloses
-from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.algebra.normal_form import divide, nested
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
@@ -180,7 +180,7 @@ class Book:
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
         if any(remainder for _, remainder in divided):
             raise KernelError(f"fact {fact.id}: undecided: the normal form of lhs - rhs is not 0")
-        cofactors = [[str(quotient) for quotient in quotients] for quotients, _ in divided]
+        cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
     def _conclude(self, fact: Fact, *premises: str) -> Fact:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from functools import lru_cache
+from itertools import groupby
 from operator import mul
 from typing import TypeAlias
 
@@ -32,6 +33,26 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
         return cofactors, remainder
     parts, remainder = polynomial.div(list(basis))
     return _combined(parts, origins, cofactors), remainder
+
+
+def nested(polynomial: PolyElement) -> str:
+    """A polynomial by powers of one generator after the other: half as long as all its terms.
+
+    >>> from sympy import QQ, ring
+    >>> _, x, y = ring("x, y", QQ)
+    >>> nested(x**2*y + x**2/2 - 3*x*y**2 - 3*x*y + y)
+    'x**2*(y + 1/2) + x*y*(-3*y - 3) + y'
+    """
+    if len(polynomial) < 2:
+        return str(polynomial)
+    ring, monomials = polynomial.ring, polynomial.monoms()
+    common = tuple(map(min, *monomials))
+    if any(common):
+        factor = ring.from_dict({common: ring.domain.one})
+        return f"{factor}*({nested(polynomial.exquo(factor))})"
+    first = next(k for k, powers in enumerate(zip(*monomials, strict=True)) if any(powers))
+    parts = groupby(polynomial.terms(), key=lambda term: term[0][first])
+    return " + ".join(nested(ring.from_dict(dict(part))) for _, part in parts).replace("+ -", "- ")
 
 
 @lru_cache(maxsize=128)

@@ -40,8 +40,8 @@ def lowered(expression: Expression, extended: frozenset[str], number: str) -> Ex
             lifted = tuple(_lifted(value, extended, number) for value in values)
             return Call(f"{number}_choose", condition + lifted)
         case Call(function, arguments) if function.startswith("_"):
-            given = tuple(_lifted(argument, extended, number) for argument in arguments)
-            return Call(function[1:], given)
+            lift = _lifted if is_extended(expression, extended) else lowered
+            return Call(function[1:], tuple(lift(each, extended, number) for each in arguments))
         case Call(function, arguments) if function in CALLS:
             given = tuple(lowered(argument, extended, number) for argument in arguments)
             if any(is_extended(argument, extended) for argument in arguments):

@@ -192,7 +192,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value, float) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 
