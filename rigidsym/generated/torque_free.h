@@ -33,7 +33,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest f0fbfe791b4352e1fe3f1b22cb895ca78f24959edc9212daa01d2e48af439167
+digest c14399b8e7d5dcd6ed9443855e013297a0f496242c5bc553110280a52ba194e9
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -25,7 +25,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
   complete integrals, 16 means   relative, 1.0e-29 measured
   of it in a state, 4 steps      modulus left, squared, below 2.0e-19
-  R_J, 4 duplications           in psi/2, 2.0e-18 measured
+  R_J, 4 duplications           in psi/2, 3.0e-19 measured
   arctangent and logarithm       relative, below 2.1e-36
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
@@ -34,7 +34,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest d816c099242e2618244f5929a9bca6208cd045ccb0f3dad8d994c03d19779a95
+digest 46f2c9d491fa9d2d39aeb8c9723498a193e76c93190f02cbdf11f136ad0a5c98
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

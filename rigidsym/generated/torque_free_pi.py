@@ -25,7 +25,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
   Landen's ladder, 5 steps       modulus left, squared, below 2.5e-39
   complete integrals, 16 means   relative, 1.0e-29 measured
   of it in a state, 4 steps      modulus left, squared, below 2.0e-19
-  R_J, 4 duplications           in psi/2, 2.0e-18 measured
+  R_J, 4 duplications           in psi/2, 3.0e-19 measured
   arctangent and logarithm       relative, below 2.1e-36
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
@@ -33,7 +33,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 9bb0aec2d1f0879a8e36b0112084b1ce1e76235f1c3655819d8c602ddd334311
+digest bdd316f08c74094cc31000e23554dd9e132d2ecc09ead7c4dd87048caab7942b
 """
 
 # ruff: noqa
@@ -544,7 +544,9 @@ def _third_kind(s, c, d, p_0, spread):
     common_2 = -1 / 3  # DLMF 19.2.17
     common_3 = -1 / 7  # DLMF 19.2.17
     common_4 = 1 / 9  # DLMF 19.2.17
-    added_0 = inverse_0 * _horner(ratio_0, 1, common_2, common_1, common_3, common_4, -1 / 11, 1 / 13, -1 / 15, 1 / 17, -1 / 19 + ratio_0 * 1 / 21)  # DLMF 19.2.17
+    common_5 = -1 / 11  # DLMF 19.2.17
+    common_6 = 1 / 13  # DLMF 19.2.17
+    added_0 = inverse_0 * _horner(ratio_0, 1, common_2, common_1, common_3, common_4, common_5, common_6, -1 / 15, 1 / 17, -1 / 19, 1 / 21 + ratio_0 * -1 / 23)  # DLMF 19.2.17
     x_1 = (x_0 + step_0) / 4  # DLMF 19.36.1
     y_1 = (y_0 + step_0) / 4  # DLMF 19.36.1
     z_1 = (1 + step_0) / 4  # DLMF 19.36.1
@@ -558,7 +560,7 @@ def _third_kind(s, c, d, p_0, spread):
     step_1 = root_x_1 * (root_y_1 + root_z_1) + root_y_1 * root_z_1  # DLMF 19.36.1
     inverse_1 = 1 / ((root_p_1 + root_x_1) * (root_p_1 + root_y_1) * (root_p_1 + root_z_1))  # DLMF 19.36.1
     ratio_1 = e_1 * (inverse_1 * inverse_1)  # DLMF 19.36.1
-    added_1 = inverse_1 * _horner(ratio_1, 1, common_2, common_1, common_3, common_4 + ratio_1 * -1 / 11)  # DLMF 19.2.17
+    added_1 = inverse_1 * _horner(ratio_1, 1, common_2, common_1, common_3, common_4, common_5, common_6 + ratio_1 * -1 / 15)  # DLMF 19.2.17
     x_2 = (x_1 + step_1) / 4  # DLMF 19.36.1
     y_2 = (y_1 + step_1) / 4  # DLMF 19.36.1
     z_2 = (z_1 + step_1) / 4  # DLMF 19.36.1
@@ -594,12 +596,12 @@ def _third_kind(s, c, d, p_0, spread):
     Z = (mean_0 - 1) * scale  # DLMF 19.36.2
     P = -(X + Y + Z) / 2  # DLMF 19.36.2
     P2 = P * P  # DLMF 19.36.2
-    common_5 = X * Y  # DLMF 19.36.2
-    XYZ = common_5 * Z  # DLMF 19.36.2
-    common_6 = 3 * P2  # DLMF 19.36.2
-    E2 = common_5 + X * Z + Y * Z - common_6  # DLMF 19.36.2
+    common_7 = X * Y  # DLMF 19.36.2
+    XYZ = common_7 * Z  # DLMF 19.36.2
+    common_8 = 3 * P2  # DLMF 19.36.2
+    E2 = common_7 + X * Z + Y * Z - common_8  # DLMF 19.36.2
     E3 = XYZ + 2 * E2 * P + 4 * P2 * P  # DLMF 19.36.2
-    E4 = (2 * XYZ + E2 * P + common_6 * P) * P  # DLMF 19.36.2
+    E4 = (2 * XYZ + E2 * P + common_8 * P) * P  # DLMF 19.36.2
     E5 = XYZ * P2  # DLMF 19.36.2
     low = 1 / 6 * E3 - 3 / 22 * E4 + 3 / 26 * E5 - E2 * (3 / 14 - 9 / 88 * E2 + 9 / 52 * E3)  # DLMF 19.36.2
     high = 3 / 40 * (E3 * E3) + 3 / 20 * (E2 * E4) - E2 * E2 * (E2 / 16 - 45 / 272 * E3) - 9 / 68 * (E3 * E4 + E2 * E5)  # DLMF 19.36.2
