@@ -61,4 +61,4 @@ def derive(book: Book) -> None:
     form = sympy.collect(sympy.expand(path - 1 + cosine**2 + sine**2), sine**2)
     nonnegative(desk, "windings.path", path, form, "the integral meets no pole", ["19"])
     reference = "DLMF 19.2.7, whose integrand has the period pi"
-    book.assume("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)
+    book.assume("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS, ["k"])
