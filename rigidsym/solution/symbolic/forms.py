@@ -92,7 +92,7 @@ def _regular(form: str, given: Given | None) -> Symbolic:
     if given is not None:
         order = tuple(given.polhode.axes.index(k) for k in range(3))
     known = sheet.known
-    holds = (*conditions.of_context("rates_start", known), *conditions.choices(known))
+    holds = (*conditions.of_context("rates_start", known, _SIGNS), *conditions.choices(known))
     holds += () if form in _EDGES else conditions.between(known)
     return Symbolic(
         form=form,
@@ -174,15 +174,15 @@ def _steady(form: str, given: Given | None) -> Symbolic:
         numbers = (*given.inertia, *given.omega0, *given.attitude0)
         for name, value in zip(names, numbers, strict=True):
             sheet.name(name, value)
+    holds = conditions.of_context("steady", sheet.known, names)
     known = sheet.known
     rates = [known[f"Omega{k}"] for k in (1, 2, 3)]
     sheet.compute("steady", ("omega",))
     if known["omega"] == 0:
         attitude = [known[f"p{k}"] for k in range(4)]
     else:
-        at = sheet.work_out("steady", {"t": TIME, "omega": known["omega"]})
+        at = sheet.work_out("steady", {"t": TIME}, ("omega",))
         attitude = [at[f"q{k}"] for k in range(4)]
-    holds = conditions.of_context("steady", known)
     if form == "sphere":
         holds = conditions.told((*conditions.spheres(known), *holds))
     sheet.compute("theorem1", ("H", "K"))

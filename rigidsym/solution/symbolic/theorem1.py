@@ -35,9 +35,9 @@ def theorem1(form: str, given: Given | None) -> Symbolic:
     sheet.known["side"] = side
     moving = {f"Omega{k}": rate for k, rate in enumerate(rates, 1)}
     at = _turned(sheet, _by_angles(sheet, {**moving, "t": TIME}))
-    holds = [*conditions.of_context("theorem1_motion", {**sheet.known, "side": side})]
+    holds = [*conditions.of_context("theorem1_motion", sheet.known, ("side",))]
     for part in parts:
-        holds += conditions.of_context("one_rate", part.known)
+        holds += conditions.of_context("one_rate", part.known, ("half",))
     holds.append(Gt(side * rates[2], 0))
     if side == -1:
         holds.append(Ne(rates[1], 0))
