@@ -3,14 +3,14 @@
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Gt, ImmutableMatrix, Integer, N, Ne, S, im
+from sympy import Gt, Integer, N, Ne, S, im
 
 from rigidsym.solution import sines
 from rigidsym.solution.symbolic import conditions
 from rigidsym.solution.symbolic.given import Given
 from rigidsym.solution.symbolic.sheet import Sheet
 from rigidsym.solution.symbolic.symbols import TIME, named
-from rigidsym.solution.symbolic.value import Symbolic
+from rigidsym.solution.symbolic.value import Symbolic, column
 
 _ABD = ("0", "a", "b", "d")
 _CYCLIC = ((1, 2), (2, 0), (0, 1))
@@ -52,8 +52,8 @@ def theorem1(form: str, given: Given | None) -> Symbolic:
         choices=MappingProxyType({named(name): text for name, text in _CHOICES.items()}),
         facts=tuple(sheet.facts),
         quantities=MappingProxyType({"energy": known["H"], "momentum": known["K"]}),
-        attitude=ImmutableMatrix([at[f"q_{x}"] for x in _ABD]),
-        rates=ImmutableMatrix(rates),
+        attitude=column([at[f"q_{x}"] for x in _ABD]),
+        rates=column(rates),
     )
 
 
