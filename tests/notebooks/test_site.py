@@ -28,12 +28,15 @@ FIGURE = {
 }
 
 
+STILL = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+
+
 def executed():
     """The sample, with outputs as an execution leaves them."""
     sample = notebook()
     outputs = {
         2: {"text/latex": "$\\displaystyle \\dot q$", "text/plain": "q"},
-        3: {"application/vnd.plotly.v1+json": FIGURE},
+        3: {"application/vnd.plotly.v1+json": FIGURE, "image/png": STILL},
     }
     for number, data in outputs.items():
         output = nbformat.v4.new_output("execute_result", data, execution_count=number)
@@ -179,3 +182,43 @@ def test_a_formula_that_is_not_understood_is_an_error(tmp_path):
     assert found.returncode != 0
     (line,) = found.stderr.splitlines()
     assert "nosuchthing" in line
+
+
+def test_the_landing_page_has_a_picture_of_each_chapter_that_has_one(html):
+    tile = r'<a class="tile" href="([^"]+)"><img src="([^"]+)"[^>]*><span>([^<]+)</span>'
+    ((link, picture, title),) = re.findall(tile, pages(html)["index.html"])
+    assert (link, title) == ("guide/01_sample.html", "A sample")
+    assert (html / picture).read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_project_is_on_the_site(html):
+    every = pages(html)
+    assert "MIT License" in every["licence.html"]
+    assert "cff-version" in every["citation.html"]
+    assert "0.1.0" in every["changes.html"]
+
+
+def test_titles_of_pages_differ(html):
+    # Both notebooks are the sample.
+    every = {name: text for name, text in pages(html).items() if name != "guide/satellite.html"}
+    found = [re.search(r"<title>(.*?)</title>", text)[1] for text in every.values()]
+    assert len(found) == len(set(found))
+
+
+EXPORT = f"""
+import sys
+sys.path[:0] = [{str(SITE)!r}]
+import nbformat
+from export import exported
+print(exported(nbformat.read(sys.argv[1], as_version=4)))
+"""
+
+
+def test_an_exported_notebook_is_one_file_with_its_mathematics(html):
+    pytest.importorskip("nbconvert", reason="needs nbconvert (extra lab)")
+    done = run("-c", EXPORT, html.parents[1] / "01_sample.ipynb")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("<math") == 5
+    assert not re.search(r"<(?:script|link|img)[^>]*(?:src|href)=\"https?:", done.stdout)
+    words = re.sub(r"<(script|style).*?</\1>|<[^>]*>", "", done.stdout, flags=re.DOTALL)
+    assert "$$" not in words
