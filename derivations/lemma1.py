@@ -15,8 +15,8 @@ import sympy
 from derivations.euler_lax import Dynamics
 from derivations.gyrostat import gyrostat
 from derivations.lie_algebra import Algebra
+from rigidsym.language.functions.jacobi import jacobi_sn
 from rigidsym.proof.algebra import Book, Part, jacobi
-from rigidsym.proof.algebra.jacobi_functions import jacobi_sn
 from rigidsym.proof.steps import (
     Desk,
     coefficients,

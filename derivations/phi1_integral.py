@@ -13,8 +13,8 @@ import sympy
 from derivations.euler_lax import RATES
 from derivations.kinematics import Phi1
 from derivations.lie_algebra import Algebra
+from rigidsym.language.functions.jacobi import jacobi_dn, jacobi_sn
 from rigidsym.proof.algebra import Book, Part, jacobi
-from rigidsym.proof.algebra.jacobi_functions import jacobi_dn, jacobi_sn
 from rigidsym.proof.steps import Desk, apart, integrate, rate_of, rewrite
 from rigidsym.proof.steps.names import symbol, symbols
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
+    from rigidsym.solution.symbolic import Symbolic, symbolic
 
 __all__ = [
     "Generated",
@@ -23,12 +24,14 @@ __all__ = [
     "PrecisionError",
     "PrincipalAxes",
     "Regime",
+    "Symbolic",
     "TorqueFreeMotion",
     "__version__",
     "generate",
     "plan",
     "principal_axes",
     "propagate",
+    "symbolic",
 ]
 
 # Imported at first use, so that `import rigidsym` and the command line's help cost nothing.
@@ -38,11 +41,13 @@ _HOMES = {
     "PrecisionError": "rigidsym.errors",
     "PrincipalAxes": "rigidsym.principal",
     "Regime": "rigidsym.solution.polhode",
+    "Symbolic": "rigidsym.solution.symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
     "generate": "rigidsym.codegen",
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
+    "symbolic": "rigidsym.solution.symbolic",
 }
 
 

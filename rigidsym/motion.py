@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from rigidsym.precise.motion import DecimalState
     from rigidsym.solution.mode import Mode
     from rigidsym.solution.polhode import Regime
+    from rigidsym.solution.symbolic import Symbolic
     from rigidsym.view.plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
@@ -47,8 +48,8 @@ class TorqueFreeMotion:
     strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
     ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
     source compiled once on this machine (NumPy with a warning where there is no compiler).
-    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.
-     A motion is a value: equal to others with the same numbers and engine, hashable,
+    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.  A
+    motion is a value: equal to others with the same numbers and engine, hashable,
     and never changed.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
@@ -333,6 +334,21 @@ class TorqueFreeMotion:
         from rigidsym.precise.boxed import BoxedMotion
 
         return BoxedMotion(*self._given.values())
+
+    def symbolic(self, form: str | None = None) -> "Symbolic":
+        """The motion as SymPy's expressions of the time, with its exact numbers put in.
+
+        form: "pi" or "theta", between the edges; "separatrix", "symmetric", "sphere" or "spin";
+        "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
+        other forms, for one that the regime has not, and for uncertain inputs.
+
+        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
+        >>> motion.symbolic().omega().T
+        Matrix([[cos(t), sin(t), 1]])
+        """
+        from rigidsym.solution.symbolic import of_motion
+
+        return of_motion(form, *self.exact.values())
 
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""

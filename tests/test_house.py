@@ -9,7 +9,7 @@ GRAPH = imports()
 FOUNDATION = "errors language quaternions"
 NUMBERS = f"{FOUNDATION} inputs solution precise"
 ALLOWED = {
-    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode",
+    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode solution.symbolic",
     "rigidsym.__main__": "cli",
     "rigidsym._version": "",
     "rigidsym.errors": "",
@@ -32,7 +32,7 @@ ALLOWED = {
     "rigidsym.proof": "",
     "derivations": "errors language proof.algebra proof.kernel proof.paper proof.steps",
     # What is computed from it.
-    "rigidsym.solution": "errors io.ledger language",
+    "rigidsym.solution": "errors inputs io.ledger language",
     "rigidsym.precise": f"{FOUNDATION} inputs solution",
     "rigidsym.precise.comparison": f"{NUMBERS} io.cases view.svg",
     "rigidsym.codegen": f"{FOUNDATION} codegen io.files solution",
@@ -68,7 +68,10 @@ ALLOWED = {
 OTHERS = {
     "matplotlib": ("rigidsym.view",),
     "plotly": ("rigidsym.view",),
-    "sympy": ("rigidsym.proof", "rigidsym.view.article", "derivations"),
+    "sympy": (
+        *("rigidsym.proof", "rigidsym.view.article", "derivations"),
+        *("rigidsym.language.functions", "rigidsym.solution.symbolic"),
+    ),
     "casadi": ("rigidsym.manoeuvre.comparison",),
 }
 

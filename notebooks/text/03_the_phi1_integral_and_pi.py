@@ -59,8 +59,8 @@ from derivations.winding import TURNING as HALF_TURNS
 from rigidsym import TorqueFreeMotion
 from rigidsym.io.cases import paper_case
 from rigidsym.io.ledger import ledger_data, ledger_text
+from rigidsym.language.functions.jacobi import NUMPY
 from rigidsym.proof.algebra import Part
-from rigidsym.proof.algebra.jacobi_functions import NUMPY
 from rigidsym.proof.kernel import Grade
 from rigidsym.proof.paper import verdicts
 from rigidsym.proof.steps import (

@@ -11,7 +11,6 @@ itself no choice is real: u = xi t + C runs up and down beside K(mu), where
 Omega2 = 0 > Omega3, and those times are counted.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -19,12 +18,12 @@ from itertools import chain
 from typing import Any
 
 from rigidsym.errors import InputError
-from rigidsym.inputs import certain, shown
+from rigidsym.inputs import certain
 from rigidsym.precise.apart import Asked
 from rigidsym.precise.evaluation import Given, exactly
 from rigidsym.precise.floating import CTX, Floating, Point, quarter_period
+from rigidsym.solution import sines
 from rigidsym.solution.formulas import sequence
-from rigidsym.solution.polhode import Regime
 
 # Axes 1, 2, 3 by the names of the pull-back, which is for axes of either handedness.
 _ABD = ("0", "a", "b", "d")
@@ -103,8 +102,8 @@ class Theorem1:
     def __init__(self, given: Given) -> None:
         self.inertia = certain("inertia", given.inertia)
         self.omega0 = certain("omega0", given.omega0)
-        self.axes, self.functions = given.polhode.axes, _Lines().table()
-        _check(given.polhode.regime, self.omega0)
+        self.polhode, self.functions = given.polhode, _Lines().table()
+        sines.check("method", "'theorem1'", self.polhode.regime, self.omega0)
         quaternion = [CTX.convert(x) for x in given.attitude0]
         norm = CTX.norm(quaternion)
         self.start = [x / norm for x in quaternion], [CTX.convert(x) for x in self.omega0]
@@ -134,13 +133,9 @@ class Theorem1:
         return [self._sine(i) for i in range(3)]
 
     def _sine(self, i: int) -> dict[str, Any]:
-        (a, b, _), c, w = self.axes, self.inertia, self.omega0
-        j = b if i == a else a
-        # Remark 1: at C_i the rate grows with xi, or across the real line with xi/i.
-        torque = (c[i - 2] - c[i - 1]) * w[i - 2] * w[i - 1]
-        known: dict[str, Any] = {"half": -1 if torque < 0 else 1}
-        for x, n in zip("ijk", (i, j, 3 - i - j), strict=True):
-            known |= {f"c_{x}": c[n], f"Omega_{x}": w[n]}
+        known: dict[str, Any] = {"half": sines.half(self.inertia, self.omega0, i)}
+        for x, n in zip("ijk", (i, *sines.others(self.polhode, i)), strict=True):
+            known |= {f"c_{x}": self.inertia[n], f"Omega_{x}": self.omega0[n]}
         found = exactly(sequence("sine"), known, self.functions, _number)
         return {name: _number(found[name]) for name in ("zeta", "xi", "mu", "C_i")}
 
@@ -172,7 +167,7 @@ class Theorem1:
 
     def _flips(self, t: Point) -> int:
         """How often Omega2 passes zero, which it does at arguments 2 n K, while Omega3 < 0."""
-        (a, *_), c, w, sine = self.axes, self.inertia, self.omega0, self._sines[1]
+        (a, *_), c, w, sine = self.polhode.axes, self.inertia, self.omega0, self._sines[1]
         if a == 1:
             return 0
         period = 2 * quarter_period(1 - sine["mu"])
@@ -183,13 +178,3 @@ class Theorem1:
         # Omega2' = zeta xi (-1)^n has the sign of (c3 - c1) Omega3 Omega1.
         rising = sine["xi"] * CTX.convert((c[2] - c[0]) * w[0])
         return len(range(low + 1 + (low + 1 + (rising > 0)) % 2, high + 1, 2))
-
-
-def _check(regime: Regime, omega0: Sequence[Fraction]) -> None:
-    if regime not in (Regime.LARGEST, Regime.SMALLEST):
-        rule = f"has no sines for this motion ({regime}); theta and mpmath serve"
-        raise InputError("method", "'theorem1'", rule)
-    _, second, third = omega0
-    if third == 0 or (second == 0 and third < 0):
-        rule = "Theorem 1 divides by it and by cos(phi3/2) at the start; theta and mpmath serve"
-        raise InputError("omega0", shown(omega0), rule)

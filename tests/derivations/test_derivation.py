@@ -29,7 +29,7 @@ def decide(ledger):
 
     def attempt(context: str, equation: str) -> Fact:
         lhs, rhs = equation.split(" = ")
-        scratch = Ledger(None, ledger.contexts, {}, ledger.rings, ledger.said)
+        scratch = Ledger(None, ledger.contexts, {}, ledger.rings)
         return prove(scratch, Fact("attempt", context, "equal", (lhs,), (rhs,), "identity"))
 
     return attempt
@@ -100,7 +100,7 @@ def test_a_published_definition_made_wrong_breaks_what_is_proved_of_it(ledger, c
     there = ledger.contexts[context]
     doubled = {**there.definitions, name: f"2*({there.definitions[name]})"}
     others = {other: value for other, value in ledger.contexts.items() if other != context}
-    scratch = Ledger(None, others, {}, dict(ledger.rings), dict(ledger.said))
+    scratch = Ledger(None, others, {}, dict(ledger.rings))
     facts = [f for f in ledger.facts.values() if f.context == context and not f.premises]
     with pytest.raises(KernelError):
         admit(scratch, replace(there, definitions=doubled), facts)

@@ -4,7 +4,7 @@
 """
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from rigidsym.proof.kernel.language import KernelError, is_name
@@ -82,7 +82,7 @@ def replay(text: str, encloses: Encloses | None = None) -> Ledger:
 
 
 def _fields(record: Context | Fact) -> dict[str, Any]:
-    return {name: getattr(record, name) for name in record.__slots__}
+    return {each.name: getattr(record, each.name) for each in fields(record)}
 
 
 def _frozen(fields: dict[str, Any]) -> dict[str, Any]:

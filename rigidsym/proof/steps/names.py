@@ -13,7 +13,7 @@ from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
 from rigidsym.language.expression import Call, Expression, Name, Number, Operation, parse
-from rigidsym.proof.algebra.jacobi_functions import jacobi_am, jacobi_cn, jacobi_dn, jacobi_sn
+from rigidsym.language.functions.jacobi import jacobi_am, jacobi_cn, jacobi_dn, jacobi_sn
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.steps.record import StepError
 

@@ -7,8 +7,8 @@ import sympy
 from sympy import I, Identity, ImmutableMatrix, MatAdd, MatMul, ZeroMatrix
 
 from rigidsym.language.expression import parse
+from rigidsym.language.functions.jacobi import jacobi_sn
 from rigidsym.proof.algebra import Book, Part, circle, half_angle, jacobi
-from rigidsym.proof.algebra.jacobi_functions import jacobi_sn
 from rigidsym.proof.steps import Desk, Rate, StepError, matrix
 from rigidsym.proof.steps.collected import collected, positive
 from rigidsym.proof.steps.matrices import part_name, split

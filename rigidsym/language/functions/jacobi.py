@@ -34,7 +34,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from mpmath import mp
 from sympy import Expr, S, atan, cos, sech, sin, tanh
-from sympy.core.function import ArgumentIndexError, DefinedFunction
+from sympy.core.function import ArgumentIndexError
+
+from rigidsym.language.functions.base import Coded
 
 __all__ = [
     "MPMATH",
@@ -58,7 +60,7 @@ class _Rule(NamedTuple):
     sign: int  # of f(-u) / f(u)
 
 
-class _Jacobi(DefinedFunction):
+class _Jacobi(Coded):
     """A function of (u, m) that follows its rule in `_RULES`.
 
     SymPy counts the arguments of `eval`, which is why they are named there.
@@ -87,15 +89,12 @@ class _Jacobi(DefinedFunction):
             raise ArgumentIndexError(self, argindex)
         return (rule.du if argindex == 1 else rule.dm)(*self.args)
 
-    def _pair(self) -> Any:
-        return self.args
-
     def _eval_is_real(self) -> bool | None:
-        u, m = self._pair()
+        u, m = self._values()
         return True if u.is_real and m.is_real else None
 
-    def _eval_evalf(self, prec: int) -> Any:
-        u, m = self._pair()
+    def _number(self, prec: int) -> Any:
+        u, m = self._values()
         wide = 2 * prec + 64  # 1 - m keeps enough digits when m is close to 1
         try:
             wide += _guard(u._to_mpmath(prec), m._to_mpmath(prec))
@@ -113,19 +112,6 @@ class _Jacobi(DefinedFunction):
     def _symbol(self) -> str:
         return rf"\operatorname{{{type(self).__name__.removeprefix('jacobi_')}}}"
 
-    def _code(self, printer: Any, table: str) -> str:
-        name = type(self).__name__
-        if name in printer.known_functions:  # the caller's own implementation
-            return printer._print_Function(self)
-        arguments = ", ".join(printer._print(argument) for argument in self.args)
-        return f"{printer._module_format(f'{__name__}.{table}')}['{name}']({arguments})"
-
-    def _numpycode(self, printer: Any) -> str:
-        return self._code(printer, "NUMPY")
-
-    def _mpmathcode(self, printer: Any) -> str:
-        return self._code(printer, "MPMATH")
-
 
 class jacobi_sn(_Jacobi):  # noqa: N801 - SymPy's functions are lower case
     """Jacobi's sn(u, m), odd in u: the sine of `jacobi_am`."""
@@ -139,7 +125,7 @@ class jacobi_dn(_Jacobi):  # noqa: N801
     """Jacobi's dn(u, m), even in u: sqrt(1 - m sn^2), continued from 1 at u = 0."""
 
     def _eval_is_positive(self) -> bool | None:
-        u, m = self._pair()
+        u, m = self._values()
         return True if u.is_real and (1 - m).is_nonnegative else None
 
 

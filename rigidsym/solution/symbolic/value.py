@@ -1,0 +1,62 @@
+"""A solution as a value: what SymPy is given, and what it may ask of it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from sympy import Expr, ImmutableMatrix, Symbol, latex
+from sympy.logic.boolalg import Boolean
+
+from rigidsym.solution.polhode import Regime
+from rigidsym.solution.symbolic.constant import Constant
+from rigidsym.solution.symbolic.symbols import TIME
+
+
+@dataclass(frozen=True, slots=True)
+class Symbolic:
+    """Attitude and rates as SymPy's expressions of the time, in one form.
+
+    form: its name.  regime: of the motion whose numbers are in it, or None.  constants: each by
+    those before it, or exact numbers.  conditions: what has to hold of them; those that numbers
+    make true are left out.  choices: what signs and roots are to be chosen as.  facts: the ids of
+    the ledger's facts, definitions and readings that it was put together from.  quantities: the
+    energy (J), the momentum (kg m^2 rad/s) and what else the regime has, by the constants.
+    Quaternions are scalar first, body to inertial; rates are in body axes, rad/s; t is in s.
+    """
+
+    form: str
+    regime: Regime | None
+    constants: Mapping[Symbol, Expr]
+    conditions: tuple[Boolean, ...]
+    choices: Mapping[Symbol, str]
+    facts: tuple[str, ...]
+    quantities: Mapping[str, Expr]
+    attitude: ImmutableMatrix = field(repr=False)
+    rates: ImmutableMatrix = field(repr=False)
+
+    @property
+    def t(self) -> Symbol:
+        """The time, s."""
+        return TIME
+
+    def q(self, t: Any = TIME) -> ImmutableMatrix:
+        """The attitude at t, a column of 4, by the constants' symbols or numbers."""
+        return self.attitude if t == TIME else self.attitude.subs(TIME, t)
+
+    def omega(self, t: Any = TIME) -> ImmutableMatrix:
+        """The body rates at t, rad/s, a column of 3."""
+        return self.rates if t == TIME else self.rates.subs(TIME, t)
+
+    def explicit(self, expression: Any) -> Any:
+        """The expression with every constant put in, down to what is given."""
+        while found := expression.atoms(Constant) if self.regime else set():
+            expression = expression.xreplace({one: one.value for one in found})
+        for symbol, value in reversed([*self.constants.items()]):
+            expression = expression.subs(symbol, value)
+        return expression
+
+    def _repr_latex_(self) -> str:
+        names = (r"q(t)", r"\Omega(t)")
+        pairs = zip(names, (self.attitude, self.rates), strict=True)
+        rows = r" \\ ".join(f"{name} &= {latex(value)}" for name, value in pairs)
+        return rf"$\begin{{aligned}} {rows} \end{{aligned}}$"
