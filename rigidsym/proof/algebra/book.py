@@ -9,8 +9,8 @@ from typing import Any, TypeAlias, TypeVar
 
 from sympy import Expr
 
-from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide, nested
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
@@ -112,17 +112,44 @@ class Book:
         for value in ("2", "1/2", "-1", "3"):
             yield from ({name: value} for name in witness)
 
+    def theta(
+        self,
+        fact_id: str,
+        equations: Equations,
+        identity: str,
+        forms: Mapping[str, str],
+        source: Iterable[str] = (),
+    ) -> Fact:
+        """Prove equations by an identity of theta functions, with forms in place of its names."""
+        fact = _fact(fact_id, "equal", equations, "theta", source)
+        certificate = {"identity": identity, "forms": dict(forms)}
+        return self.ledger.add(replace(fact, certificate=certificate))
+
+    def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove equations that hold where the context starts, and so always."""
+        return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
+
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Show that one context is, by the premises, a model of another."""
         name = f"{context}.models_{source}"
         return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
 
     def assume(
-        self, fact_id: str, equations: Equations, reference: str, points: Iterable[Point]
+        self,
+        fact_id: str,
+        equations: Equations,
+        reference: str,
+        points: Iterable[Point],
+        whole: Iterable[str] = (),
     ) -> Fact:
-        """State somebody else's result, graded ENCLOSED where balls agree with it at the points."""
+        """State somebody else's result, graded ENCLOSED where balls agree with it at the points.
+
+        They also look at points drawn by a hash, where names are `whole` numbers, or any.
+        """
         fact = _fact(fact_id, "equal", equations, "assumption", [reference])
-        certificate = {"reference": reference, "points": list(points)}
+        certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
+        if names := list(whole):
+            certificate["whole"] = names
         grade = Grade.ENCLOSED if certificate["points"] else Grade.ASSUMED
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 
