@@ -184,7 +184,7 @@ def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
     from collections import Counter
 
     from rigidsym.language.specification import Unproved, require
-    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.kernel import KernelError, replay
 
     try:
@@ -228,7 +228,7 @@ def _ledger_text(path: Path | None) -> str:
 
 def _export(options: Namespace) -> int:
     from rigidsym.io.files import write_text
-    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.coq import export
     from rigidsym.proof.kernel import KernelError, replay
 
@@ -277,11 +277,12 @@ def _audit(options: Namespace) -> int:
     import json
     from dataclasses import asdict
 
+    from rigidsym.codegen.shares import RUNTIMES, handwritten
     from rigidsym.io.ledger import ledger_data, specification_text
-    from rigidsym.proof.audit import audit, handwritten, totals
+    from rigidsym.proof.audit import audit, totals
 
     audits = audit(specification_text(), ledger_data(replayed()))
-    counts, lines = totals(audits), handwritten()
+    counts, lines = totals(audits), {target: handwritten(target) for target in RUNTIMES}
     if options.json:
         theorems = [asdict(one) for one in audits]
         data = {

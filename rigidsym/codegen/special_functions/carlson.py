@@ -16,9 +16,9 @@ from rigidsym.codegen.special_functions.text import horner
 
 STEPS = 4
 # What the kernel, in exact arithmetic, is off by at most, on the grids of the tests.
-MEASURED = 2e-18
+MEASURED = 3e-19
 # Terms of R_C's series: e falls by 64 and more with each step.
-_TERMS = (11, 6, 5, 4)
+_TERMS = (12, 8, 5, 4)
 _DOUBLING, _TAYLOR, _ELEMENTARY = "DLMF 19.36.1", "DLMF 19.36.2", "DLMF 19.2.17"
 
 
@@ -39,7 +39,7 @@ def third_kind() -> Function:
         elementary = f"added_{step} + ({elementary})/4"
     lets.append(let(f"elementary = {elementary}", _DOUBLING))
     lets.append(
-        let("J = s*square*(2*elementary + rest)", "36", "DLMF 19.25.14"),
+        let("J = s*square*(2*elementary + rest)", "DLMF 19.25.14"),
     )
     summary = "(s^3/3) R_J(c^2, d^2, 1, p); spread s^6 is (p - c^2)(p - d^2)(p - 1)."
     return Function("_third_kind", summary, ("s", "c", "d", "p_0", "spread"), tuple(lets), ("J",))

@@ -7,6 +7,7 @@ from rigidsym.codegen.forms import PI, THETA, key, option
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
+from rigidsym.codegen.shares import shares, text
 from rigidsym.codegen.targets.c import emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h"}
@@ -46,6 +47,13 @@ _INCLUDES = """\
 #define restrict __restrict
 #endif
 
+/* What loops call has to be in them, or they are not vectorised. */
+#ifdef __GNUC__
+#define INLINED inline __attribute__((always_inline))
+#else
+#define INLINED inline
+#endif
+
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
@@ -83,7 +91,9 @@ def build(
         ]
     )
     structs = "\n\n".join(map(emit.branch_struct, constants_of))
+    counts = shares(whole.kinds(), "c")
     header_text = f"{header_first(form)}{structs}\n{_header_last(constants_of)}"
+    header_text = header_text.replace(header.SHARES, text(counts))
     source = SOURCES[form]
     files = {HEADERS[form]: header_text, source: "\n".join(whole.text) + "\n"}
     files, digest = header.sealed(files, key("c", form))
@@ -91,7 +101,7 @@ def build(
 
 
 def header_first(form: str) -> str:
-    """What is written by hand before the structs, with places for digest and errors."""
+    """What is written by hand before the structs, with places for shares, digest and errors."""
     head = _HEAD.format(text=header.text("c", form), option=option(form))
     return f"{head}\n{_FIRST}\n"
 
