@@ -8,8 +8,9 @@ d before it is a derivative in z.  Arguments are linear in real names, I being t
 import re
 from collections.abc import Iterator
 from functools import lru_cache
-from itertools import product
+from itertools import product, repeat
 from math import lcm, prod
+from operator import add, mod, mul
 from typing import NamedTuple, TypeAlias
 
 from flint import fmpq, fmpq_mat, fmpq_mpoly, fmpq_mpoly_ctx, fmpz_mat
@@ -136,10 +137,11 @@ def zero(text: str) -> list[tuple[list[Theta], fmpq]]:
     if any(exponent != exponents[0] for exponent in exponents):
         raise Refused("powers of the nome differ")
     period = 2 * lcm(*(int(x.q) for _, below in matrices for x in below.entries()))
+    unit = 2 * lcm(*(int(x.q) for above, _ in matrices for x in above.entries()))
     found: dict[tuple[object, ...], fmpq_mpoly] = {}
     for (leaves, factor), (above, below) in zip(terms, matrices, strict=True):
         weight, imaginary = _weight(leaves, below, names)
-        for place, sign in _classes(leaves, above, below, period):
+        for place, sign in _classes(leaves, above, below, period, unit):
             value = weight * (factor * sign)
             key = place, imaginary
             found[key] = found[key] + value if key in found else value
@@ -183,32 +185,30 @@ def _weight(leaves: list[Theta], below: fmpq_mat, names: list[str]) -> tuple[fmp
 
 
 def _classes(
-    leaves: list[Theta], above: fmpq_mat, below: fmpq_mat, period: int
+    leaves: list[Theta], above: fmpq_mat, below: fmpq_mat, period: int, unit: int
 ) -> Iterator[tuple[tuple[object, ...], int]]:
-    """Each class of the a of a product modulo the period, once, and its sign.
+    """Each class of the a of a product modulo the period, once, by a*unit, and its sign.
 
     The a, but for a first one, are the lattice of the rows of F.  In a triangular basis of it (the
     Hermite normal form) the diagonal h divides the period, and the coefficients from 0 to period/h
     are one for each class.
     """
-    size, unit = len(leaves), lcm(*(int(x.q) for x in above.entries()))
-    whole = fmpz_mat(size, size, [int((x * unit).p) for x in above.entries()])
-    rows = [[fmpq(int(x), unit) for x in row] for row in whole.hnf().tolist()]
-    basis = [fmpq_mat(1, size, row) for row in rows]
-    halves = [fmpq(int(theta.index < 3), 2) for theta in leaves]
-    counts = [int((period / row[k]).p) for k, row in enumerate(rows)]
+    size = len(leaves)
+    scaled = fmpz_mat(size, size, [int((x * unit).p) for x in above.entries()])
+    basis = [[int(x) for x in row] for row in scaled.hnf().tolist()]
+    counts = [period * unit // row[k] for k, row in enumerate(basis)]
     if prod(counts) > _MOST:
         raise Refused("too many classes of exponents")
+    halves = [int(theta.index < 3) for theta in leaves]
+    first = [int(x) // 2 for x in (fmpz_mat(1, size, halves) * scaled).entries()]
     flips = [k for k, theta in enumerate(leaves) if theta.index in (1, 4)]
-    first = fmpq_mat(1, size, halves) * above
-    flipped = [sum(((row * below)[0, k] for k in flips), fmpq(0)) for row in basis]
+    turns = [
+        sum(int(((fmpq_mat(1, size, row) * below)[0, k] / unit).p) for k in flips) for row in basis
+    ]
     for numbers in product(*map(range, counts)):
-        a = first
-        for number, row in zip(numbers, basis, strict=True):
-            a = a + number * row
-        turns = sum((n * x for n, x in zip(numbers, flipped, strict=True)), fmpq(0))
-        places = tuple(x - period * (x / fmpq(period)).floor() for x in a.entries())
-        yield places, -1 if int(turns.p) % 2 else 1
+        odd = sum(map(mul, numbers, turns)) % 2
+        steps = [sum(map(mul, numbers, column)) for column in zip(*basis, strict=True)]
+        yield tuple(map(mod, map(add, first, steps), repeat(period * unit))), -1 if odd else 1
 
 
 class Functions:
