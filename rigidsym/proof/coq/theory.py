@@ -222,8 +222,9 @@ class Theory:
         return listed(terms(polynomial, self.index) for polynomial in kept)
 
     def powers(self, below: Counter[PolyElement]) -> str:
-        """How often each unit is a factor of a denominator."""
-        return f"{listed(below[unit] for unit in self.ring.units)}%nat"
+        """How often each unit is a factor of a denominator; one declared twice counts once."""
+        left = Counter(below)
+        return f"{listed(left.pop(unit, 0) for unit in self.ring.units)}%nat"
 
     def gap(self, left: Tree, right: Tree) -> str:
         """Cofactors that show two texts to be equal, found by division."""

@@ -4,7 +4,7 @@
 """
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from rigidsym.proof.kernel.language import KernelError, is_name
@@ -12,8 +12,9 @@ from rigidsym.proof.kernel.ring import Ring
 from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses, check_news
 from rigidsym.proof.kernel.statement import Context, Fact, Grade, weakest
 
-SCHEMA = "rigidsym.ledger/3"
-_LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
+SCHEMA = "rigidsym.ledger/4"
+_LISTS = {"generators", "units", "relations", "nonnegative", "start"}
+_LISTS |= {"lhs", "rhs", "premises", "source"}
 
 
 @dataclass(slots=True)
@@ -82,7 +83,7 @@ def replay(text: str, encloses: Encloses | None = None) -> Ledger:
 
 
 def _fields(record: Context | Fact) -> dict[str, Any]:
-    return {name: getattr(record, name) for name in record.__slots__}
+    return {each.name: getattr(record, each.name) for each in fields(record)}
 
 
 def _frozen(fields: dict[str, Any]) -> dict[str, Any]:

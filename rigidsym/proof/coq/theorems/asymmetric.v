@@ -58,15 +58,20 @@ Section Rates.
   Let B_b := c_b * A_b.
   Let B_d := c_d * A_d.
   Let at_phase (f : R -> R) t := f (lambda * t + u_0).
-  Let X := regular.name h sigma rho chi (1 / c_a) Delta B_a B_d m B_b (at_phase sn) (at_phase cn) (at_phase dn).
+  Let X := regular.name h sigma rho chi (1 / c_a) Delta B_a B_d m B_b
+    (at_phase sn) (at_phase cn) (at_phase dn).
 
   Let tau := - rho * h * sigma.
   Let w_a t := sigma * A_a * dn (lambda * t + u_0).
   Let w_b t := chi * A_b * sn (lambda * t + u_0).
   Let w_d t := chi * tau * A_d * cn (lambda * t + u_0).
 
-  Lemma nonzero_differences : c_a - c_b <> 0 /\ c_b - c_d <> 0 /\ c_a - c_d <> 0 /\ E_a <> 0 /\ E_d <> 0.
-  Proof. repeat split; intros Z; [rewrite Z in ab | rewrite Z in bd | | rewrite Z in Ea | rewrite Z in Ed]; nra. Qed.
+  Lemma nonzero_differences :
+    c_a - c_b <> 0 /\ c_b - c_d <> 0 /\ c_a - c_d <> 0 /\ E_a <> 0 /\ E_d <> 0.
+  Proof.
+    repeat split; intros Z;
+      [rewrite Z in ab | rewrite Z in bd | | rewrite Z in Ea | rewrite Z in Ed]; nra.
+  Qed.
 
   Lemma inverse_b : 1 / c_a + rho * Delta * B_d ^ 2 / B_b ^ 2 = 1 / c_b.
   Proof.
@@ -129,17 +134,22 @@ Section Rates.
     assert (Bb : 0 < B_b) by now apply Rmult_lt_0_compat.
     assert (Bd : 0 < B_d) by now apply Rmult_lt_0_compat.
     assert (Bb2 : 0 < B_b ^ 2) by now apply pow_lt.
-    assert (inverse : forall c, 0 < c -> 1 / c <> 0) by (intros c C; apply Rgt_not_eq, Rdiv_lt_0_compat; lra).
+    assert (inverse : forall c, 0 < c -> 1 / c <> 0)
+      by (intros c C; apply Rgt_not_eq, Rdiv_lt_0_compat; lra).
     constructor; rewrite ?amplitude_a, ?amplitude_b, ?amplitude_d; unfold regular.lambda_; cbn -[pow];
       rewrite ?rate; try lra; try (rewrite <- Sq; lra); try (now apply inverse); try (intros Z; nra).
     - now rewrite inverse_d; apply inverse.
-    - rewrite <- Sq; replace (_ + _) with (B_b ^ 2 * (1 / c_a + rho * Delta * B_d ^ 2 / B_b ^ 2)) by (field; lra).
+    - rewrite <- Sq.
+      replace (_ + _) with (B_b ^ 2 * (1 / c_a + rho * Delta * B_d ^ 2 / B_b ^ 2)) by (field; lra).
       rewrite inverse_b; apply Rgt_not_eq, Rmult_lt_0_compat; [lra | apply Rdiv_lt_0_compat; lra].
     - intros t; pose proof (sn_cn m sn cn dn J (lambda * t + u_0)); unfold at_phase; lra.
     - intros t; pose proof (sn_dn m sn cn dn J (lambda * t + u_0)); unfold at_phase; lra.
-    - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_sn _ _ _ _ J)) _); unfold at_phase; ring.
-    - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_cn _ _ _ _ J)) _); unfold at_phase; ring.
-    - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_dn _ _ _ _ J)) _); unfold at_phase; ring.
+    - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_sn _ _ _ _ J)) _).
+      unfold at_phase; ring.
+    - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_cn _ _ _ _ J)) _).
+      unfold at_phase; ring.
+    - intros t; refine (derive_as _ t _ _ (derive_at_phase _ _ t (derivative_dn _ _ _ _ J)) _).
+      unfold at_phase; ring.
   Qed.
 
   Lemma rates_solve : euler h c_a c_b c_d w_a w_b w_d.
@@ -234,7 +244,7 @@ Theorem asymmetric_motion (h rho sigma chi c_a c_b c_d v_a v_b v_d : R) (p : qua
   let K := sqrt ((c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2) in
   let rate t := (2 * energy c_a c_b c_d v_a v_b v_d + K * sigma * w_a t)
     / (K + sigma * (c_a * w_a t)) in
-  (forall t, ex_derive rate t) /\
+  (forall t, is_derive (RInt rate 0) t (rate t)) /\
   forall psi, (forall t, is_derive psi t (rate t)) ->
   the_motion h c_a c_b c_d v_a v_b v_d p w_a w_b w_d (from_start h p (fun t =>
     pulled_back h sigma K (c_a * w_a t) (c_b * w_b t) (c_d * w_d t) (psi t))).
@@ -257,7 +267,7 @@ Proof.
     rewrite (momentum_kept h c_a c_b c_d Ca Cb Cd w_a w_b w_d E t), Wa, Wb, Wd.
     apply pow2_sqrt; lra. }
   split.
-  - intros x; destruct (E x) as (Da & _ & _); pose proof (Side x).
+  - apply derive_integral; intros x; destruct (E x) as (Da & _ & _); pose proof (Side x).
     unfold rate; auto_derive; repeat split; try (eexists; exact Da); lra.
   - intros psi D; apply pulled_back_motion; try assumption; now apply sqrt_lt_R0.
 Qed.

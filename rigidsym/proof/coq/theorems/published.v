@@ -66,7 +66,8 @@ Theorem hyperbolic_form_motion X : hyperbolic_form.holds X ->
     (hyperbolic_form.q_0 X) (hyperbolic_form.q_a X) (hyperbolic_form.q_b X) (hyperbolic_form.q_d X).
 Proof.
   intros H; exact (as_in_ledger _ _ _ _ _ _ _ _ _ _ _
-    (descended.fact_euler _ (theta_form.models_descended _ (hyperbolic_form.models_theta_form X H))) (hyperbolic_form.fact_solution X H)).
+    (descended.fact_euler _ (theta_form.models_descended _ (hyperbolic_form.models_theta_form X H)))
+    (hyperbolic_form.fact_solution X H)).
 Qed.
 
 Theorem separatrix_form_motion X : separatrix_form.holds X ->
@@ -75,5 +76,6 @@ Theorem separatrix_form_motion X : separatrix_form.holds X ->
     (separatrix_form.q_0 X) (separatrix_form.q_a X) (separatrix_form.q_b X) (separatrix_form.q_d X).
 Proof.
   intros H; exact (as_in_ledger _ _ _ _ _ _ _ _ _ _ _
-    (descended.fact_euler _ (theta_form.models_descended _ (separatrix_form.models_theta_form X H))) (separatrix_form.fact_solution X H)).
+    (descended.fact_euler _ (theta_form.models_descended _ (separatrix_form.models_theta_form X H)))
+    (separatrix_form.fact_solution X H)).
 Qed.

@@ -84,6 +84,9 @@ Proof.
   unfold Rsqr; field; repeat split; nra.
 Qed.
 
+Lemma root_of x : 0 < x -> 0 < sqrt x /\ sqrt x ^ 2 = x.
+Proof. intros X; split; [now apply sqrt_lt_R0 | now apply pow2_sqrt, Rlt_le]. Qed.
+
 Section Separatrix.
   Variables (h rho sigma chi c_a c_b c_d v_a v_b v_d : R).
   Hypothesis C : circulates h rho sigma chi c_a c_b c_d v_a v_b v_d.
@@ -101,15 +104,15 @@ Section Separatrix.
 
   Let roots := under_roots _ _ _ _ _ _ _ _ _ _ C.
   Lemma Aa : 0 < A_a /\ A_a ^ 2 = E_d / (c_a * (c_a - c_d)).
-  Proof. destruct roots as (_ & (Q & _ & _ & _) & _); split; [now apply sqrt_lt_R0 | now apply pow2_sqrt, Rlt_le]. Qed.
+  Proof. apply root_of, roots. Qed.
   Lemma Ab : 0 < A_b /\ A_b ^ 2 = E_a / (c_b * (c_a - c_b)).
-  Proof. destruct roots as (_ & (_ & Q & _ & _) & _); split; [now apply sqrt_lt_R0 | now apply pow2_sqrt, Rlt_le]. Qed.
+  Proof. apply root_of, roots. Qed.
   Lemma Ad : 0 < A_d /\ A_d ^ 2 = E_a / (c_d * (c_a - c_d)).
-  Proof. destruct roots as (_ & (_ & _ & Q & _) & _); split; [now apply sqrt_lt_R0 | now apply pow2_sqrt, Rlt_le]. Qed.
+  Proof. apply root_of, roots. Qed.
   Lemma La : 0 < lambda /\ lambda ^ 2 = (c_a - c_b) * E_d / (c_a * c_b * c_d).
-  Proof. destruct roots as (_ & (_ & _ & _ & Q) & _); split; [now apply sqrt_lt_R0 | now apply pow2_sqrt, Rlt_le]. Qed.
+  Proof. apply root_of, roots. Qed.
   Lemma Kp : 0 < K /\ K ^ 2 = (c_a * v_a) ^ 2 + (c_b * v_b) ^ 2 + (c_d * v_d) ^ 2.
-  Proof. destruct roots as (_ & _ & Q); split; [now apply sqrt_lt_R0 | now apply pow2_sqrt, Rlt_le]. Qed.
+  Proof. apply root_of, roots. Qed.
 
   Lemma nonzero : (0 < c_a /\ 0 < c_b /\ 0 < c_d) /\
     c_a - c_b <> 0 /\ c_b - c_d <> 0 /\ c_a - c_d <> 0 /\ E_a <> 0 /\ E_d <> 0.
@@ -131,7 +134,8 @@ Section Separatrix.
 
   Lemma gap : 1 - x ^ 2 = c_d * (c_a - c_d) * v_d ^ 2 / E_a.
   Proof.
-    destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Ab as (? & A2); pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _].
+    destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Ab as (? & A2).
+    pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _].
     transitivity (1 - v_b ^ 2 / A_b ^ 2); [unfold x; field_simplify; [rewrite Chi; field | |]; lra|].
     rewrite A2; replace (c_d * (c_a - c_d) * v_d ^ 2) with (E_a - c_b * (c_a - c_b) * v_b ^ 2)
       by (unfold E_a; ring).
@@ -141,7 +145,8 @@ Section Separatrix.
   Lemma x_bounded : -1 < x < 1.
   Proof.
     assert (G : 0 < 1 - x ^ 2).
-    { rewrite gap; destruct roots as ((Ea & _) & _); pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _]; fold E_a in Ea.
+    { rewrite gap; destruct roots as ((Ea & _) & _); fold E_a in Ea.
+      pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _].
       assert (V : v_d <> 0) by (intros Z; rewrite Z in Sd; lra).
       replace (_ / E_a) with (c_d * (rho * (c_a - c_d)) * v_d ^ 2 / (rho * E_a))
         by (field; split; intros Z; rewrite Z in Ea; lra).
@@ -158,7 +163,8 @@ Section Separatrix.
 
   Lemma start_a : sigma * A_a * sech (atanh x) = v_a.
   Proof.
-    destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Aa as (? & A2); pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _]; pose proof (sech_positive (atanh x)).
+    destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Aa as (? & A2).
+    pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _]; pose proof (sech_positive (atanh x)).
     assert (E : A_a * sech (atanh x) = sigma * v_a).
     { apply root_unique; [now apply Rmult_lt_0_compat | exact Sa |].
       rewrite !Rpow_mult_distr, sech_at_start, A2, gap, Sigma.
@@ -171,7 +177,8 @@ Section Separatrix.
 
   Lemma start_d : chi * tau * A_d * sech (atanh x) = v_d.
   Proof.
-    destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Ad as (? & A2); pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _]; pose proof (sech_positive (atanh x)).
+    destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Ad as (? & A2).
+    pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _]; pose proof (sech_positive (atanh x)).
     assert (T : (chi * tau) ^ 2 = 1) by (unfold tau; ring [Hand Rho Sigma Chi]).
     assert (E : A_d * sech (atanh x) = chi * tau * v_d).
     { apply root_unique; [now apply Rmult_lt_0_compat | exact Sd |].
@@ -182,7 +189,8 @@ Section Separatrix.
 
   Lemma start_b : chi * A_b * tanh (atanh x) = v_b.
   Proof.
-    rewrite tanh_atanh by exact x_bounded; destruct Ab; pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _]; unfold x.
+    rewrite tanh_atanh by exact x_bounded; destruct Ab; unfold x.
+    pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _].
     transitivity (chi ^ 2 * v_b); [field; lra | rewrite Chi; ring].
   Qed.
 
@@ -197,7 +205,8 @@ Section Separatrix.
   Lemma momentum_of_amplitudes : K ^ 2 = (c_a * A_a) ^ 2 + (c_d * A_d) ^ 2.
   Proof.
     destruct nonzero as ((? & ? & ?) & ? & ? & ? & ? & ?), Kp as (_ & ->), Aa as (_ & A2), Ad as (_ & D2).
-    rewrite !(Rpow_mult_distr _ A_a), !(Rpow_mult_distr _ A_d), A2, D2; unfold E_a, E_d; field; repeat split; lra.
+    rewrite !(Rpow_mult_distr _ A_a), !(Rpow_mult_distr _ A_d), A2, D2; unfold E_a, E_d.
+    field; repeat split; lra.
   Qed.
 
   Lemma momentum_b : K ^ 2 = c_b * E_a / (c_a - c_b).
@@ -270,7 +279,8 @@ Proof.
   { unfold u; rewrite Rmult_0_r, Rplus_0_l; split; [|split];
       [eapply start_a | eapply start_b | eapply start_d]; eassumption. }
   unfold u in S at 1 2 3; rewrite Rmult_0_r, Rplus_0_l in S; destruct S as (S1 & S2 & S3).
-  destruct (asymmetric_motion h rho sigma chi c_a c_b c_d v_a v_b v_d p C P tanh sech sech _ J S1 S2 S3) as [_ T].
+  destruct (asymmetric_motion h rho sigma chi c_a c_b c_d v_a v_b v_d p C P tanh sech sech _ J S1 S2 S3)
+    as [_ T].
   apply T; intros t; clear T.
   pose proof (derive_half_turn (c_d * A_d / (K + c_a * A_a)) lambda (atanh (chi * v_b / A_b)) t
     : is_derive half_turn t _) as D; clearbody half_turn.

@@ -34,8 +34,10 @@ Section Steady.
     assert (N : (v_d / w) ^ 2 = 1 - (v_a / w) ^ 2 - (v_b / w) ^ 2).
     { transitivity (v_d ^ 2 / w ^ 2); [field; lra|].
       replace (v_d ^ 2) with (w ^ 2 - v_a ^ 2 - v_b ^ 2) by lra; field; lra. }
-    assert (steady : kinematics h (fun _ => v_a) (fun _ => v_b) (fun _ => v_d) (fun t => product h p (turn t))).
-    { intros t; replace v_a with (w * (v_a / w)) by (field; lra); replace v_b with (w * (v_b / w)) by (field; lra);
+    assert (steady : kinematics h (fun _ => v_a) (fun _ => v_b) (fun _ => v_d)
+      (fun t => product h p (turn t))).
+    { intros t; replace v_a with (w * (v_a / w)) by (field; lra);
+        replace v_b with (w * (v_b / w)) by (field; lra);
         replace v_d with (w * (v_d / w)) by (field; lra); unfold turn.
       set (x := v_a / w) in *; set (y := v_b / w) in *; set (z := v_d / w) in *; clearbody w x y z.
       destruct p as [p_0 p_a p_b p_d]; cbn -[pow]; refine (conj _ (conj _ (conj _ _)));

@@ -1,4 +1,4 @@
-(* The motion of a symmetric body that turns neither about its axis nor across it: sines and cosines. *)
+(* The motion of a body with two equal moments that turns about its axis, not only across it. *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Rigidsym.theorems Require Import motion pull_back.
@@ -20,8 +20,8 @@ Proof.
   assert (Ma : 0 < c_a * (sigma * v_a)) by now apply Rmult_lt_0_compat.
   assert (M2 : 0 < (c_a * v_a) ^ 2 + (c * v_b) ^ 2 + (c * v_d) ^ 2).
   { pose proof (pow2_ge_0 (c * v_b)); pose proof (pow2_ge_0 (c * v_d)).
-    pose proof (pow_lt _ 2 Ma) as M; replace ((c_a * (sigma * v_a)) ^ 2) with ((c_a * v_a) ^ 2) in M by ring [Sigma].
-    lra. }
+    pose proof (pow_lt _ 2 Ma) as M.
+    replace ((c_a * (sigma * v_a)) ^ 2) with ((c_a * v_a) ^ 2) in M by ring [Sigma]; lra. }
   pose proof (sqrt_lt_R0 _ M2 : 0 < K) as Kp; pose proof (pow2_sqrt _ (Rlt_le _ _ M2) : K ^ 2 = _) as K2.
   assert (N : 0 < K + sigma * (c_a * v_a)) by lra.
   apply pulled_back_motion; trivial.
