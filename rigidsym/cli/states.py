@@ -34,7 +34,7 @@ def add(command: Command) -> None:
     propagate.add_argument(
         "--method",
         metavar="M",
-        help="theta, carlson, landen, quadrature, or mpmath (no balls); flow for uncertain inputs",
+        help="theta, carlson, landen, quadrature; mpmath, theorem1 (no balls); flow (uncertain)",
     )
     propagate.add_argument("--max-seconds", metavar="S", type=as_seconds, help="for all the digits")
     propagate.add_argument(
