@@ -39,6 +39,7 @@ CHAPTERS = (
     "hyperbolic_form",
     "theta_edges",
     "pi_form",
+    "theta_functions",
     "periods",
     "edges",
     "addition_form",

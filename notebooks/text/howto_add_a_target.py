@@ -110,7 +110,7 @@ def printed(function):
     return Lines((head, *lines, f"    return {', '.join(function.results)}", "", ""), lets)
 
 
-def build(functions, constants):
+def build(functions, constants, form):
     used = {name for function in own(functions) for name in function.used()}
     numbers = [f"{c.name} = {c.hi!r}" for c in constants if c.name in used]
     pieces = [Lines.plain(RUNTIME), Lines((*numbers, "", ""), {})]
@@ -138,7 +138,7 @@ from rigidsym.language.expression import Call, children, parse, rebuild
 BACK = {text: name for name, text in module.CALLS.items()}
 
 
-def check(files, functions, constants):
+def check(files, functions, constants, form):
     tree = ast.parse(files[module.FILE])
     defined = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
     own = module.own(functions)

@@ -21,6 +21,15 @@ _NOT_WITH = {
 
 def add(command: Command) -> None:
     """Give the command line its command about accuracy."""
+    forms = command(
+        "compare-forms",
+        _compare_forms,
+        "theta functions, the third kind and Fourier series, side by side",
+        "compare-forms -o forms",
+    )
+    forms.add_argument("-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown, figure")
+    forms.add_argument("--json", action="store_true", help="to stdout alone")
+
     validate = command(
         "validate",
         _validate,
@@ -67,6 +76,26 @@ def add(command: Command) -> None:
         action="store_true",
         help="what was measured, for the heads of the modules that codegen writes next",
     )
+
+
+def _compare_forms(options: Namespace) -> int:
+    from rigidsym.io.files import probe, write_text
+    from rigidsym.validate.forms import COLUMNS, compare_forms
+
+    if options.output:
+        probe(options.output)
+    found = compare_forms(progress("compare-forms"))
+    if options.output:
+        written = {"json": found.to_json(), "md": found.to_markdown(), "svg": found.to_svg()}
+        for kind, text in written.items():
+            write_text(options.output / f"forms.{kind}", text)
+    with reader_may_leave():
+        if options.json:
+            print(found.to_json(), end="")
+        else:
+            table("rigidsym compare-forms", COLUMNS, [one.row() for one in found.costs])
+            print(found.conclusion)
+    return 0
 
 
 def _validate(options: Namespace) -> int:

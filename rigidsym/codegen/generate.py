@@ -16,7 +16,7 @@ from rigidsym.solution import Solution, sealed
 
 
 class Manifest(TypedDict):
-    """The module's key, a digest of all that decides the module, and the digests of its files by name."""
+    """The module's key, a digest of all that decides it, and the digests of its files by name."""
 
     target: str
     digest: str

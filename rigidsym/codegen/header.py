@@ -98,7 +98,8 @@ def _pi() -> list[str]:
     """What the Pi form alone has."""
     return [
         _landen(),
-        f"  complete integrals, {complete.STEPS} means   relative, {_up(complete.MEASURED)} measured",
+        f"  complete integrals, {complete.STEPS} means   "
+        f"relative, {_up(complete.MEASURED)} measured",
         f"  of it in a state, {landen.STATE_STEPS} steps      modulus left, squared, below "
         f"{_up(float(landen.modulus_left(landen.STATE_STEPS)))}",
         f"  R_J, {carlson.STEPS} duplications           in psi/2, {_up(carlson.MEASURED)} measured",

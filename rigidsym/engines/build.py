@@ -22,7 +22,7 @@ FILES = {
 _TELLING = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
 
 
-def library(engine: str, remarks: list[str]) -> Library:
+def library(remarks: list[str], engine: str = "c") -> Library:
     """Load or build that of an engine; what the user should hear of is added to `remarks`.
 
     Raises CompilerError and LibraryError where there is no library to be had.
@@ -34,7 +34,7 @@ def library(engine: str, remarks: list[str]) -> Library:
     return found
 
 
-def package_sources(engine: str) -> Mapping[str, str]:
+def package_sources(engine: str = "c") -> Mapping[str, str]:
     """The generated C module of an engine by file name."""
     package = resources.files("rigidsym.generated")
     return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES[engine]}

@@ -64,7 +64,7 @@ def _c_or_numpy(name: str) -> Engine:
 
 @cache
 def _obtained(name: str) -> tuple[Engine | str, list[str]]:
-    """One of C's engines or why there is none, looked for once; remarks that nobody has heard yet."""
+    """One of C's engines or why there is none, looked for once; remarks nobody has heard yet."""
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym.engines.build import library
     from rigidsym.engines.c_engine import CEngine
@@ -73,7 +73,7 @@ def _obtained(name: str) -> tuple[Engine | str, list[str]]:
 
     remarks: list[str] = []
     try:
-        return CEngine(library(name, remarks)), remarks
+        return CEngine(library(remarks, name)), remarks
     except (CompilerError, LibraryError) as error:
         remarks.append(f"engine: {error}: states are computed by NumPy")
         return str(error), remarks

@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest b95e7551343b8320ace6875df95bfdb2e3ac6520a4deeb107c4800b733703cd3
+digest c71fcfebde1eff59b25e4818b2d62255b99d1af219e803a4dec17cda12d345e5
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -9,6 +9,13 @@
 #define restrict __restrict
 #endif
 
+/* What loops call has to be in them, or they are not vectorised. */
+#ifdef __GNUC__
+#define INLINED inline __attribute__((always_inline))
+#else
+#define INLINED inline
+#endif
+
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
@@ -324,7 +331,7 @@ static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
 static const double deepest = 100.0; /* beyond it tanh is 1 and sech is nothing */
 static const double least_c = 1e-45; /* sech where it is nothing */
 /* e^x for x <= 0. */
-static inline double exponential(double x)
+static INLINED double exponential(double x)
 {
     const double bounded = choose(least, x, x, least); /* classical: DLMF 4.8 */
     const double n = nearest(bounded * log_2_inverse); /* classical: DLMF 4.8 */
@@ -351,7 +358,7 @@ static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, ex
 }
 
 /* 1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1. */
-static inline double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
+static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
     double Omega_3, double E_2)
 {
     const double c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
@@ -685,7 +692,7 @@ static void complete(double_double kc, double_double path, double_double *K_out,
 }
 
 /* (s^3/3) R_J(c^2, d^2, 1, p); spread s^6 is (p - c^2)(p - d^2)(p - 1). */
-static inline double third_kind(double s, double c, double d, double p_0, double spread)
+static INLINED double third_kind(double s, double c, double d, double p_0, double spread)
 {
     const double square = s * s; /* classical: DLMF 19.25.14 */
     const double e_0 = spread * (square * (square * square)); /* classical: DLMF 19.36.1 */
@@ -700,7 +707,9 @@ static inline double third_kind(double s, double c, double d, double p_0, double
     const double common_2 = -1.0 / 3.0; /* classical: DLMF 19.2.17 */
     const double common_3 = -1.0 / 7.0; /* classical: DLMF 19.2.17 */
     const double common_4 = 1.0 / 9.0; /* classical: DLMF 19.2.17 */
-    const double added_0 = inverse_0 * fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, -1.0 / 19.0 + ratio_0 * 1.0 / 21.0, 1.0 / 17.0), -1.0 / 15.0), 1.0 / 13.0), -1.0 / 11.0), common_4), common_3), common_1), common_2), 1.0); /* classical: DLMF 19.2.17 */
+    const double common_5 = -1.0 / 11.0; /* classical: DLMF 19.2.17 */
+    const double common_6 = 1.0 / 13.0; /* classical: DLMF 19.2.17 */
+    const double added_0 = inverse_0 * fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, fused(ratio_0, 1.0 / 21.0 + ratio_0 * -1.0 / 23.0, -1.0 / 19.0), 1.0 / 17.0), -1.0 / 15.0), common_6), common_5), common_4), common_3), common_1), common_2), 1.0); /* classical: DLMF 19.2.17 */
     const double x_1 = (x_0 + step_0) / 4.0; /* classical: DLMF 19.36.1 */
     const double y_1 = (y_0 + step_0) / 4.0; /* classical: DLMF 19.36.1 */
     const double z_1 = (1.0 + step_0) / 4.0; /* classical: DLMF 19.36.1 */
@@ -714,7 +723,7 @@ static inline double third_kind(double s, double c, double d, double p_0, double
     const double step_1 = fused(root_x_1, root_y_1 + root_z_1, root_y_1 * root_z_1); /* classical: DLMF 19.36.1 */
     const double inverse_1 = 1.0 / ((root_p_1 + root_x_1) * (root_p_1 + root_y_1) * (root_p_1 + root_z_1)); /* classical: DLMF 19.36.1 */
     const double ratio_1 = e_1 * (inverse_1 * inverse_1); /* classical: DLMF 19.36.1 */
-    const double added_1 = inverse_1 * fused(ratio_1, fused(ratio_1, fused(ratio_1, fused(ratio_1, common_4 + ratio_1 * -1.0 / 11.0, common_3), common_1), common_2), 1.0); /* classical: DLMF 19.2.17 */
+    const double added_1 = inverse_1 * fused(ratio_1, fused(ratio_1, fused(ratio_1, fused(ratio_1, fused(ratio_1, fused(ratio_1, common_6 + ratio_1 * -1.0 / 15.0, common_5), common_4), common_3), common_1), common_2), 1.0); /* classical: DLMF 19.2.17 */
     const double x_2 = (x_1 + step_1) / 4.0; /* classical: DLMF 19.36.1 */
     const double y_2 = (y_1 + step_1) / 4.0; /* classical: DLMF 19.36.1 */
     const double z_2 = (z_1 + step_1) / 4.0; /* classical: DLMF 19.36.1 */
@@ -750,12 +759,12 @@ static inline double third_kind(double s, double c, double d, double p_0, double
     const double Z = (mean_0 - 1.0) * scale; /* classical: DLMF 19.36.2 */
     const double P = -(X + Y + Z) / 2.0; /* classical: DLMF 19.36.2 */
     const double P2 = P * P; /* classical: DLMF 19.36.2 */
-    const double common_5 = X * Y; /* classical: DLMF 19.36.2 */
-    const double XYZ = common_5 * Z; /* classical: DLMF 19.36.2 */
-    const double common_6 = 3.0 * P2; /* classical: DLMF 19.36.2 */
-    const double E2 = fused(Y, Z, fused(X, Z, common_5)) - common_6; /* classical: DLMF 19.36.2 */
+    const double common_7 = X * Y; /* classical: DLMF 19.36.2 */
+    const double XYZ = common_7 * Z; /* classical: DLMF 19.36.2 */
+    const double common_8 = 3.0 * P2; /* classical: DLMF 19.36.2 */
+    const double E2 = fused(Y, Z, fused(X, Z, common_7)) - common_8; /* classical: DLMF 19.36.2 */
     const double E3 = fused(4.0 * P2, P, fused(2.0 * E2, P, XYZ)); /* classical: DLMF 19.36.2 */
-    const double E4 = fused(common_6, P, fused(2.0, XYZ, E2 * P)) * P; /* classical: DLMF 19.36.2 */
+    const double E4 = fused(common_8, P, fused(2.0, XYZ, E2 * P)) * P; /* classical: DLMF 19.36.2 */
     const double E5 = XYZ * P2; /* classical: DLMF 19.36.2 */
     const double low = fused(-E2, fused(9.0 / 52.0, E3, fused(-(9.0 / 88.0), E2, 3.0 / 14.0)), fused(3.0 / 26.0, E5, fused(1.0 / 6.0, E3, -(3.0 / 22.0 * E4)))); /* classical: DLMF 19.36.2 */
     const double high = fused(-(9.0 / 68.0), fused(E3, E4, E2 * E5), fused(-(E2 * E2), fused(-(45.0 / 272.0), E3, E2 / 16.0), fused(3.0 / 40.0, E3 * E3, 3.0 / 20.0 * (E2 * E4)))); /* classical: DLMF 19.36.2 */
@@ -2159,7 +2168,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "869458e6c84c061cca1e5afb6f61bca15504a1a0f0cbba9f6b3534a0c0b4a059"; }
+const char *torque_free_digest(void) { return "3a327da63db59131551abefd31eda5115f9a555e32f84998aa022c9c5b3f386c"; }
 
 const char *torque_free_message(int code)
 {

@@ -32,5 +32,5 @@ def ledger_data(text: str) -> dict[str, Any]:
             if any(not isinstance(entry[key], str) for entry in data[part]):
                 raise LedgerError(f"ledger: {part} have no {key}")
     except (KeyError, TypeError, json.JSONDecodeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/3: {error!r}") from None
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/4: {error!r}") from None
     return data

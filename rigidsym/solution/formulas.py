@@ -214,7 +214,7 @@ def load(text: str) -> Solution:
             if name in published
         }
     except (KeyError, TypeError, AttributeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/3: {error!r}") from None
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/4: {error!r}") from None
     for name in INPUTS:
         if name not in sequences:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")

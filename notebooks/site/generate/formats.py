@@ -313,6 +313,8 @@ FORMATS = (
             "contexts[].relations": "zero",
             "contexts[].rates": "d/dt of the generators that are not constant; `null`: one instant",
             "contexts[].nonnegative": "at least zero",
+            "contexts[].start": "zero at one instant",
+            "contexts[].thetas": "generators that are parts of theta functions, and of which",
             "contexts[].reading": "what the names stand for; proves nothing",
             "facts[].id": "context and name",
             "facts[].context": "its hypotheses",
@@ -324,7 +326,8 @@ FORMATS = (
             "facts[].grade": "of the rule and the weakest premise",
             "facts[].premises": "facts it rests on",
             "facts[].source": "equations of the paper that it is about",
-            "facts[].certificate": "what the rule checks: cofactors, a point, cases or a reference",
+            "facts[].certificate": "what the rule checks: cofactors, a point, cases, "
+            "an identity of theta functions with its arguments, or a reference",
             "published": "for readers; proves nothing",
             "published.sequences": "formulas in order of evaluation, by the name of the whole",
             "published.sequences.NAME[].fact": "the id of a proved formula, or instead of it",

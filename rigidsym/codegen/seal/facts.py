@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from rigidsym.codegen.forms import THETA
 from rigidsym.codegen.ir import Function, Let
 from rigidsym.codegen.seal import meanings
 from rigidsym.codegen.seal.claims import DIFFERS, Claim
@@ -12,7 +13,7 @@ from rigidsym.language.expression import Expression, Name, children, parse, put,
 from rigidsym.solution import Formula, Solution
 
 
-def claims(solution: Solution, functions: Iterable[Function], form: str) -> Iterator[Claim]:
+def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
     """Each formula that names a fact, and the fact."""
     ledger, names = by_fact(solution), meanings.OF[form]
     for function in functions:

@@ -49,7 +49,7 @@ _READ = {
 }
 
 
-def check(functions: Iterable[Function], form: str) -> None:
+def check(functions: Iterable[Function], form: str = THETA) -> None:
     """Raises InputError, naming the function, where one is not what the runtimes count on."""
     by_name = {function.name: function for function in functions}
     for name, parameters in _PARAMETERS.items():

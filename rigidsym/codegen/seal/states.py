@@ -44,7 +44,7 @@ _QUOTIENTS = {
 _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 
-def claims(solution: Solution, functions: Iterable[Function], form: str) -> Iterator[Claim]:
+def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
     """Attitude, norm, phase and rates of each branch: the Pi form has them in one fact each."""
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
     rates = {formula.name: formula for formula in solution.sequences["rates"]}

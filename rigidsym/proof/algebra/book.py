@@ -112,6 +112,23 @@ class Book:
         for value in ("2", "1/2", "-1", "3"):
             yield from ({name: value} for name in witness)
 
+    def theta(
+        self,
+        fact_id: str,
+        equations: Equations,
+        identity: str,
+        forms: Mapping[str, str],
+        source: Iterable[str] = (),
+    ) -> Fact:
+        """Prove equations by an identity of theta functions, with forms in place of its names."""
+        fact = _fact(fact_id, "equal", equations, "theta", source)
+        certificate = {"identity": identity, "forms": dict(forms)}
+        return self.ledger.add(replace(fact, certificate=certificate))
+
+    def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove equations that hold where the context starts, and so always."""
+        return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
+
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Show that one context is, by the premises, a model of another."""
         name = f"{context}.models_{source}"

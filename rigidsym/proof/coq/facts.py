@@ -65,6 +65,10 @@ def _component(kind: str, left: Tree, right: Tree) -> list[Claim]:
     return [*smooth, Claim("Equal", (left, right)), *signed]
 
 
+# What Coq takes as a hypothesis: others' results, and what it has no functions for yet.
+SUPPOSED = ("assumption", "theta", "start")
+
+
 def computed(term: str) -> str:
     """A proof whose last step Coq computes."""
     return f"Proof. refine ({term}); vm_cast_no_check (eq_refl true). Qed."
@@ -88,6 +92,8 @@ class Printer:
             "transfer": self._transfer,
             "partition": self._partition,
             "assumption": self._assumption,
+            "theta": self._assumption,
+            "start": self._assumption,
         }
         self.hypotheses[fact.id] = rules[fact.rule](self.chapters[fact.context], fact)
 
@@ -120,9 +126,9 @@ class Printer:
     def _assumption(self, chapter: Chapter, fact: Fact) -> tuple[str, ...]:
         said = [claim.real(chapter) for claims in claims_of(fact) for claim in claims]
         every = "forall t : R,\n  " if chapter.dynamic else ""
-        reference = str(fact.certificate["reference"]).replace("*)", "* )")
+        reference = fact.certificate.get("reference", f"the kernel's rule {fact.rule} has it")
         chapter.write(
-            f"(* Supposed, not proved: {reference} *)",
+            f"(* Supposed, not proved: {str(reference).replace('*)', '* )')} *)",
             f"Definition fact_{word(fact)} (X : names) : Prop :=\n  {every}{_all(said)}.",
         )
         return (f"{chapter.name}.fact_{word(fact)} X",)
@@ -196,7 +202,7 @@ class Printer:
         """A fact of this context as a proof at t, from X, H and hypotheses A0, A1, ..."""
         rest = self.hypotheses[premise.id]
         numbers = [hypotheses.index(text) for text in rest]
-        if premise.rule == "assumption":
+        if premise.rule in SUPPOSED:
             return f"A{numbers[0]}{chapter.t}"
         return f"fact_{word(premise)} X H{''.join(f' A{k}' for k in numbers)}{chapter.t}"
 
@@ -280,7 +286,7 @@ class Printer:
         binder, _ = _binder(hypotheses)
         mine = "".join(f" A{hypotheses.index(text)}" for text in model.hypotheses)
         theirs = "".join(f" A{hypotheses.index(text)}" for text in carried)
-        if there.rule == "assumption":
+        if there.rule in SUPPOSED:
             proof = f"{theirs.strip()}{other.t}"
         else:
             models = f"(models_{other.name} X H{mine}{held})"

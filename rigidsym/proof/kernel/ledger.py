@@ -12,8 +12,9 @@ from rigidsym.proof.kernel.ring import Ring
 from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses, check_news
 from rigidsym.proof.kernel.statement import Context, Fact, Grade, weakest
 
-SCHEMA = "rigidsym.ledger/3"
-_LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
+SCHEMA = "rigidsym.ledger/4"
+_LISTS = {"generators", "units", "relations", "nonnegative", "start"}
+_LISTS |= {"lhs", "rhs", "premises", "source"}
 
 
 @dataclass(slots=True)

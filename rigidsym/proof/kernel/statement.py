@@ -11,6 +11,7 @@ from typing import Any
 
 from rigidsym.proof.kernel.language import KernelError, is_name
 from rigidsym.proof.kernel.ring import Element, Number, Ring, at
+from rigidsym.proof.kernel.theta import Thetas
 
 _NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 
@@ -20,7 +21,8 @@ class Context:
     """generators, relations = 0, units != 0, nonnegative names >= 0  |-  ...
 
     `definitions` abbreviate expressions.  `rates` maps generators to time derivatives: what it does
-    not name is constant, "?" says unknown, None is an instant.  `reading` proves nothing.
+    not name is constant, "?" says unknown, None is an instant.  What is in `start` is zero at one
+    instant.  `thetas` says which generators are theta functions.  `reading` proves nothing.
     """
 
     name: str
@@ -31,6 +33,8 @@ class Context:
     relations: tuple[str, ...] = ()
     rates: Mapping[str, str] | None = None
     nonnegative: tuple[str, ...] = ()
+    start: tuple[str, ...] = ()
+    thetas: Mapping[str, str] = field(default_factory=dict)
     reading: Mapping[str, str] = field(default_factory=dict)
 
     def open(self) -> Ring:
@@ -48,7 +52,10 @@ class Context:
             ring.rates = {n: None if t == "?" else ring.read(t) for n, t in self.rates.items()}
         for name in self.definitions:
             ring.read(name)
-        self.check_point(ring, self.witness)
+        point = self.check_point(ring, self.witness)
+        if any(self.rates is None or at(ring.read(text).numerator, point) for text in self.start):
+            raise KernelError(f"context {self.name}: its witness is not where it starts")
+        Thetas(ring, self.thetas).check(self.rates)
         for relation in ring.relations if self.rates is not None else ():
             if ring.remainder(ring.rate(Element(relation)).numerator):
                 raise KernelError(f"context {self.name}: {relation} = 0 is not closed under d/dt")

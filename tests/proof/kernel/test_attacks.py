@@ -264,7 +264,7 @@ def test_every_section_must_be_there(honest, key):
 
 def test_another_schema_is_refused(honest):
     with pytest.raises(KernelError, match="schema"):
-        replay(honest.replace("rigidsym.ledger/3", "rigidsym.ledger/2"))
+        replay(honest.replace("rigidsym.ledger/4", "rigidsym.ledger/3"))
 
 
 TEXTS = ["lhs", "rhs", "premises"], ["generators", "units", "relations", "nonnegative"]

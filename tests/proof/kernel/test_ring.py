@@ -130,4 +130,6 @@ def test_the_kernel_runs_no_text_as_code(path):
 
 
 def test_the_kernel_can_be_read_in_one_sitting():
-    assert sum(len(path.read_text("utf-8").splitlines()) for path in FILES) <= 650
+    lines = {path.stem: len(path.read_text("utf-8").splitlines()) for path in FILES}
+    assert lines.pop("theta") <= 230
+    assert sum(lines.values()) <= 700

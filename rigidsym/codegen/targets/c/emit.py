@@ -114,7 +114,7 @@ def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
     if function.rounds:
         return [_constants(function)]
     if len(function.results) == 1 and not function.extended:
-        return [_valued(function, "double", function.name[1:], "inline double")]
+        return [_valued(function, "double", function.name[1:], "INLINED double")]
     if function.extended:
         return [_extended_function(function)]
     return [_loop(function, with_time)]

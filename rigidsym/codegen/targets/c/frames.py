@@ -33,7 +33,7 @@ def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
             yield _valued(f"{name}_dd", every, "double_double", "dd")
             yield _valued(f"{name}_exact", every, "exact", "exact")
         elif len(function.results) == 1 and not function.extended:
-            yield _valued(name, function, "double", "dd", "static inline")
+            yield _valued(name, function, "double", "dd", "static INLINED")
         elif name.endswith("_constants"):
             yield _constants(name, function)
         elif name.endswith(("_angles", "_state")) and name != "initial_state":

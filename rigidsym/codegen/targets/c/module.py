@@ -47,6 +47,13 @@ _INCLUDES = """\
 #define restrict __restrict
 #endif
 
+/* What loops call has to be in them, or they are not vectorised. */
+#ifdef __GNUC__
+#define INLINED inline __attribute__((always_inline))
+#else
+#define INLINED inline
+#endif
+
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
