@@ -396,6 +396,52 @@ class TorqueFreeMotion:
 
         return of_motion(form, *self.exact.values())
 
+    @property
+    def energy(self) -> float:
+        """The kinetic energy, J."""
+        return self._quantities["energy"]
+
+    @property
+    def momentum(self) -> float:
+        """The size of the angular momentum, kg m^2 rad/s."""
+        return self._quantities["momentum"]
+
+    @property
+    def parameter(self) -> float | None:
+        """m = k^2 of the Jacobi functions of the rates; None where the rates are constant."""
+        return self._quantities.get("parameter")
+
+    @property
+    def modulus(self) -> float | None:
+        """k of the Jacobi functions of the rates; None where the rates are constant."""
+        return self._quantities.get("modulus")
+
+    @property
+    def period(self) -> float | None:
+        """The period of the rates, s: inf on the separatrix, None where the rates are constant."""
+        return self._quantities.get("period")
+
+    @property
+    def precession_rate(self) -> float | None:
+        """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
+
+        Where the rates are constant it is the rate about their axis.
+        """
+        return self._quantities.get("precession_rate")
+
+    @property
+    def phase_per_period(self) -> float | None:
+        """The angle that the body has turned about its momentum after one period, rad.
+
+        Montgomery's: 2 H period/K less the solid angle that the momentum sweeps in the body.  None
+        on the separatrix, and where the rates are constant.
+        """
+        return self._quantities.get("phase_per_period")
+
+    @cached_property
+    def _quantities(self) -> dict[str, float]:
+        return {name: float(value) for name, value in self.symbolic().quantities.items()}
+
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
         try:
