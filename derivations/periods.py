@@ -14,24 +14,19 @@ As in the theta form, 0 < k_1 < 1: neither the separatrix nor a symmetric body.
 
 from derivations.attitude import ATTITUDE
 from derivations.descended_form import MOTION
-from derivations.theta_form import POINTS, SHIFT
+from derivations.theta_edges import given
+from derivations.theta_form import SHIFT
 from rigidsym.proof.algebra import Book, Part, half_angle, join
 
-# What half a period later means; K_1 and J_c are complete integrals, quarter is K(m).
+# What is meant by half a period later: 2 K_1 is where s is 0 again, and 2 J_c is J there.
 LATER = Part(
-    definitions={
-        "J_c": "zeta*K_1/(k_1**2*x*y*z)",
-        "s_later": "-s",
-        "c_later": "-c",
-        "d_later": "d",
-        "J_later": "J + 2*J_c",
-        "quarter": "(1 + k_1)*K_1",
-    },
+    definitions={"s_later": "-s", "c_later": "-c", "d_later": "d", "J_later": "J + 2*J_c"},
 )
 COMPLETE = Part(
-    witness={"K_1": "1"},
+    witness={"K_1": "1", "J_c": "0"},
     units=("K_1", "k_1"),
     definitions={
+        "quarter": "(1 + k_1)*K_1",
         "period": "4*K_1/mu",
         "psi_mean": "psi_0 + kappa*mu*J_c/K_1",
         "sn_later": "(1 + k_1)*s_later/(1 + k_1*s_later**2)",
@@ -41,25 +36,33 @@ COMPLETE = Part(
     },
     reading={
         "K_1": "elliptic_k(1 - m_c)",
-    },
-)
-FREE = Part(
-    witness={**dict.fromkeys(LATER.definitions, "0"), "d_later": "1"},
-    units=("1 + k_1*s_later**2",),
-    rates=dict.fromkeys(("s_later", "c_later", "d_later", "J_later"), "?"),
-    reading={
-        **{f"{x}_later": f"jacobi_{x}n(u_1 + 2*K_1, 1 - m_c)" for x in "scd"},
-        "J_later": "elliptic_j(u_1 + 2*K_1, n, 1 - m_c)",
         "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
         "quarter": "elliptic_k(m)",
     },
 )
-ASSUMED = (
-    ("half_period", ("s_later", "c_later", "d_later"), "DLMF 22.4(iii)"),
-    ("integral", ("J_later",), "DLMF 19.2.7, whose integrand has the period pi"),
-    ("descent", ("quarter",), "DLMF 19.8.12"),
-    ("complete", ("J_c",), "Legendre's reduction; Byrd and Friedman 1971, formulas from 400 on"),
+# The functions at u_1 + 2 K_1; it starts where u_1 is 0.
+FUNCTIONS = Part(
+    witness={"s_later": "0", "c_later": "-1", "d_later": "1", "J_later": "0"},
+    units=("1 + k_1*s_later**2", "1 - n*s_later**2"),
+    rates={
+        "s_later": "mu*c_later*d_later",
+        "c_later": "-mu*s_later*d_later",
+        "d_later": "-mu*k_1**2*s_later*c_later",
+        "J_later": "mu*s_later**2/(1 - n*s_later**2)",
+    },
+    start=("s", "c - 1", "d - 1", "J", "s_later", "c_later + 1", "d_later - 1", "J_later - 2*J_c"),
+    reading={
+        **{f"{x}_later": f"jacobi_{x}n(u_1 + 2*K_1, 1 - m_c)" for x in "scd"},
+        "J_later": "elliptic_j(u_1 + 2*K_1, n, 1 - m_c)",
+    },
 )
+INTERCHANGE = "zeta*K_1/(k_1**2*x*y*z)"
+# Both circulations, moduli small and near one, momenta near the circulation axis and far from it.
+POINTS = [
+    {"k_1": k_1, "K": K, "B_a": B_a, "B_d": B_d, "rho": rho, "phase": u_1, "Delta": "1", "t": "0"}
+    for k_1, u_1 in (("1/100", "1/3"), ("2/5", "-7/5"), ("9/10", "2"))
+    for (K, B_a, B_d), rho in ((("5", "3", "4"), "1"), (("25", "24", "7"), "-1"))
+]
 
 
 def derive(book: Book) -> None:
@@ -74,16 +77,26 @@ def derive(book: Book) -> None:
     }
     book.claim("period.rates", rates, ["10"])
     book.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
-    book.claim("period.Lambda", {"psi_mean": "2*Lambda"}, ["34"])
-    book.open(join("period_functions", *motion, FREE))
-    for name, quantities, reference in ASSUMED:
-        equations = {quantity: LATER.definitions[quantity] for quantity in quantities}
-        book.assume(f"period_functions.{name}", equations, reference, POINTS)
-    assumed = [f"period_functions.{name}" for name, *_ in ASSUMED]
-    book.model("period_functions", "period", assumed)
-    book.carry("period_functions", [f"period.{name}" for name in ("duration", "rates", "psi")])
-    book.carry("period_functions", ["period.Lambda"])
+    _functions(book, motion)
+    _mean_rate(book, motion)
     _solid_angle(book)
+
+
+def _functions(book: Book, motion: tuple[Part, ...]) -> None:
+    """Half a period later the functions, which start there, are what is meant."""
+    book.open(join("period_functions", *motion, FUNCTIONS))
+    book.start("period_functions.later", LATER.definitions, ["DLMF 22.4(iii)"])
+    book.model("period_functions", "period", ["period_functions.later"])
+    book.carry("period_functions", [f"period.{name}" for name in ("duration", "rates", "psi")])
+
+
+def _mean_rate(book: Book, motion: tuple[Part, ...]) -> None:
+    """2 Lambda is the mean rate, if J_c is what the interchange of argument and parameter says."""
+    reference = "Legendre's reduction; Byrd and Friedman 1971, formulas from 400 on"
+    book.assume("period_functions.complete", {"J_c": INTERCHANGE}, reference, POINTS)
+    complete = Part(definitions={"J_c": INTERCHANGE})
+    book.open(join("mean_rate", *given(motion, complete.definitions, ()), complete, LATER))
+    book.claim("mean_rate.Lambda", {"psi_mean": "2*Lambda"}, ["34"])
 
 
 def _solid_angle(book: Book) -> None:

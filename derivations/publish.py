@@ -6,7 +6,8 @@ them and a time into rates and attitude, `steady` serves the motions with consta
 the constant unit quaternion in front from one attitude.  `circular` and `circular_state` do the
 same with every theta as a function of its own, `hyperbolic` and `hyperbolic_state` in the
 complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lead to all of them
-without cancellation.
+without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral of the third kind,
+far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
@@ -139,6 +140,17 @@ SEQUENCES: dict[str, list[Entry]] = {
         *LAMBDA,
     ],
     "hyperbolic_state": _by_functions("hyperbolic_form"),
+    "ascent": definitions("landen", "s c d inside x", "DLMF 22.7.2"),
+    "pi_circular": [
+        *definitions("pi_form", "Lambda", "33", "34"),
+        *definitions("pi_form", "rest rest_0", "36"),
+    ],
+    "pi_hyperbolic": [
+        *definitions("pi_near", "delta n_2 Lambda g g_1 g_2 h_2 slope alpha", "36"),
+        *facts("pi_near", "T_size"),
+        *definitions("arctangent", "T_re T_im", "36"),
+        *definitions("pi_near", "cos_half_psi sin_half_psi", "18"),
+    ],
     "steady": [
         *facts("steady", "omega"),
         *definitions("steady", "axis1 axis2 axis3 theta", "3"),

@@ -143,6 +143,7 @@ def derive(book: Book) -> None:
         book.claim(f"regular.{name}", {name: form}, ["12"])
     _every_motion(book)
     _start(book)
+    _signs(book)
 
 
 def _every_motion(book: Book) -> None:
@@ -225,3 +226,24 @@ def _start(book: Book) -> None:
     book.claim("rates_start.rates", ROTATING.definitions, ["10"])
     book.claim("rates_start.time", {"u_1": "phase", "psi": "0"}, ["20", "21", "33", "34"])
     book.claim("rates_start.parameters", {"m + m_1": "1"}, ["13", "14"])
+
+
+def _signs(book: Book) -> None:
+    """Of the start, dn >= 0 and cn >= 0, and Delta = |1/c_d - 1/c_a|, by what the signs are of."""
+    given = Part(
+        witness={"i_a": "1", "Delta": "1", "A_a": "1", "A_d": "1", "dn": "1", "cn": "1"},
+        units=("i_a", "i_a + rho*Delta", "A_a", "A_d"),
+        definitions={
+            **POLHODE.definitions,
+            **{name: AMPLITUDES.definitions[name] for name in ("c_ad", "tau")},
+            **{name: ROTATING.definitions[name] for name in ("Omega_a", "Omega_d")},
+        },
+        nonnegative=("A_a", "A_d", "c_a", "c_d", "rho*c_ad", "sigma*Omega_a", "chi*tau*Omega_d"),
+    )
+    book.open(join("start_signs", HANDEDNESS, SENSE, CIRCULATION, HALF, given, static=True))
+    forms = {
+        "dn": "sigma*Omega_a/A_a",
+        "cn": "chi*tau*Omega_d/A_d",
+        "Delta": "rho*c_ad/(c_a*c_d)",
+    }
+    book.sign("start_signs.signs", forms, ["12"])

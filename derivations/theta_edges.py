@@ -34,7 +34,6 @@ SEPARATRIX = Part(
         "C_b": "2*K",
         "d": "c",
         "zeta": "x",
-        "e": "0",
         "Z_u": "s",
         "T4_re": "1/(y*c)",
         "T4_im": "-rho*x*s/(y*c)",
@@ -73,13 +72,13 @@ SYMMETRIC = Part(
 def derive(book: Book) -> None:
     """Both edges solve (3)."""
     divisors = Part(units=("c", "root"))
-    parts = elementary((*FORM, CLASSICAL), SEPARATRIX.definitions)
+    parts = given((*FORM, CLASSICAL), SEPARATRIX.definitions, SHOWN)
     book.open(join("separatrix_form", divisors, *parts, SEPARATRIX))
     for name, form in HYPERBOLIC.items():
         book.claim(f"separatrix_form.{name}", {name: form}, ["18"])
     book.model("separatrix_form", "theta_form")
     book.carry("separatrix_form", [f"theta_form.{name}" for name in ("solution", *COMPONENTS)])
-    parts = elementary((*MOTION, TURNING, PHASE), SYMMETRIC.definitions)
+    parts = given((*MOTION, TURNING, PHASE), SYMMETRIC.definitions, SHOWN)
     book.open(join("symmetric_form", *parts, SYMMETRIC))
     for name, form in COMPONENTS.items():
         book.claim(f"symmetric_form.{name}", {name: form}, ["18", "25"])
@@ -89,11 +88,11 @@ def derive(book: Book) -> None:
     book.carry("symmetric_form", [f"descended.{name}" for name in carried])
 
 
-def elementary(parts: Iterable[Part], values: Mapping[str, str]) -> list[Part]:
-    """Parts without the generators that have elementary values, and without what these satisfy."""
+def given(parts: Iterable[Part], values: Iterable[str], shown: Iterable[str]) -> list[Part]:
+    """Parts without generators that are given values, and without the relations that these meet."""
 
     def rest(column: Mapping[str, str]) -> dict[str, str]:
-        return {name: text for name, text in column.items() if name not in values}
+        return {name: text for name, text in column.items() if name not in {*values}}
 
     return [
         replace(
@@ -101,7 +100,7 @@ def elementary(parts: Iterable[Part], values: Mapping[str, str]) -> list[Part]:
             witness=rest(part.witness),
             rates=rest(part.rates),
             reading=rest(part.reading),
-            relations=tuple(text for text in part.relations if text not in SHOWN),
+            relations=tuple(text for text in part.relations if text not in {*shown}),
         )
         for part in parts
     ]

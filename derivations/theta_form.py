@@ -10,11 +10,11 @@ sc(beta | 1 - k_1^2) = x; with Jacobi's zeta function, zeta = Z(i beta)/i, Lambd
 rho mu zeta is half the mean rate of psi.  0 < k_1 < 1 here: the separatrix and symmetric bodies
 have closed forms of their own.
 
-What is classical in it stands in `theta_form` as definitions (sn and Z of a shifted argument, by
-their addition theorems, and theta_1 as sn times theta_4) and as the rate of theta_4.  In
-`theta_functions` these are functions by themselves, and the classical identities are assumptions,
-each with its reference, which balls agree with at structured points.  By them it is a model of the
-form, so the attitude solves (3) there too, at their grade.
+Of what T_4 and sn of the shifted argument are, `theta_form` uses definitions (sn and the
+logarithmic derivative Z of T_4, by their addition theorems, and T_1 as sn times T_4) and the rate
+of T_4.  `theta_functions` declares all of them to be theta functions, of which `theta_laws` proves
+that, so the attitude solves (3) by these.  Modulus, shift and the momentum are given there by the
+nome q, by b and by a factor; their readings say which nome and b belong to a body.
 """
 
 from sympy import I, expand, symbols
@@ -30,7 +30,7 @@ from rigidsym.proof.algebra.printing import printed
 SHIFT = Part(
     witness={
         **{"k_1": "49/676", "B_a": "161", "B_d": "240", "C_b": "45901/169", "K": "289", "w": "510"},
-        **{"root_k": "7/26", "Y": "3495/13", "zeta": "0", "e": "1"},
+        **{"root_k": "7/26", "Y": "3495/13", "zeta": "0"},
     },
     units=("root_k", "Y"),
     definitions={
@@ -54,7 +54,6 @@ SHIFT = Part(
         "nome_1": "nome(1 - m_c)",
         "nome_m": "sqrt(nome(1 - m_c))",
         "zeta": "g*im(dtheta4(g*I*beta, nome_1)/theta4(g*I*beta, nome_1))",
-        "e": "elliptic_e(1 - m_c)/elliptic_k(1 - m_c)",
     },
 )
 # sn and Z of (u_1 - i rho beta | k_1^2).
@@ -69,11 +68,11 @@ VALUES = Part(
     witness={"Z_u": "0", "T4_re": "1", "T4_im": "0", "R": "1"},
     units=("R",),
     relations=("R**2 - T4_re**2 - T4_im**2",),
-    rates={"Z_u": "mu*(d**2 - e)"},
+    rates={"Z_u": "?"},
     definitions=ADDITION,
     nonnegative=("R",),
     reading={
-        "Z_u": "jacobi_epsilon(u_1, 1 - m_c) - e*u_1",
+        "Z_u": "g*dtheta4(g*u_1, nome_1)/theta4(g*u_1, nome_1)",
         "T4_re": "re(theta4(g*(u_1 - rho*I*beta), nome_1))",
         "T4_im": "im(theta4(g*(u_1 - rho*I*beta), nome_1))",
         "R": "sqrt(T4_re**2 + T4_im**2)",
@@ -99,7 +98,6 @@ QUOTIENT = {f"T1_{part}": f"root_k*({form})" for part, form in times("SN", "T4")
 SLOPE = {f"T4_{part}": form for part, form in times("Z", "T4").items()}
 # Watson's identities make the sum of the squares a product of two real thetas.
 NORM = {"W": "T4_re**2 + T4_im**2 + T1_re**2 + T1_im**2"}
-# That T1 and W, defined here, are the functions that their readings name, is assumed below.
 CLASSICAL = Part(
     definitions={**QUOTIENT, **NORM},
     rates={**{name: f"mu*({form})" for name, form in SLOPE.items()}, "R": "mu*Z_re*R"},
@@ -107,25 +105,6 @@ CLASSICAL = Part(
         "T1_re": "re(theta1(g*(u_1 - rho*I*beta), nome_1))",
         "T1_im": "im(theta1(g*(u_1 - rho*I*beta), nome_1))",
         "W": "theta4(g*u_1, nome_m)*re(theta3(g*I*beta, nome_m))",
-    },
-)
-# The functions themselves; g = pi/(2 K_1) scales their argument.
-DERIVATIVE = {
-    **{f"g*d{name}": form for name, form in SLOPE.items()},
-    "g*(T4_re*dT4_re + T4_im*dT4_im)": "Z_re*R**2",
-}
-FREE = Part(
-    witness=dict.fromkeys(("T1_re", "T1_im", "g", "dT4_re", "dT4_im", "W"), "0"),
-    rates={
-        **dict.fromkeys(("T1_re", "T1_im", "dT4_re", "dT4_im", "W"), "?"),
-        "T4_re": "mu*g*dT4_re",
-        "T4_im": "mu*g*dT4_im",
-        "R": "mu*g*(T4_re*dT4_re + T4_im*dT4_im)/R",
-    },
-    reading={
-        **CLASSICAL.reading,
-        "dT4_re": "re(dtheta4(g*(u_1 - rho*I*beta), nome_1))",
-        "dT4_im": "im(dtheta4(g*(u_1 - rho*I*beta), nome_1))",
     },
 )
 # e^(i psi/2) is e^(i Lambda t) theta_4 over its modulus: psi up to a constant, which the constant
@@ -147,27 +126,14 @@ COMPONENTS = {
     "qbar_b": "chi*P1_im/N",
     "qbar_d": "-epsilon*sigma*chi*P1_re/N",
 }
-REFERENCES = {
-    "quotient": "DLMF 22.2.4 with 22.8.1",
-    "slope": "DLMF 22.16.30 with 22.16.27",
-    "norm": "Watson's identities, DLMF 20.7.13 and 20.7.14",
-}
-ASSUMED = {"quotient": QUOTIENT, "slope": DERIVATIVE, "norm": NORM}
 FORM = (*MOTION, SHIFT, VALUES, TURNING, PHASE)
-# Both circulations, moduli small and near one, momenta near the circulation axis and far from it.
-POINTS = [
-    {"k_1": k_1, "K": K, "B_a": B_a, "B_d": B_d, "rho": rho, "phase": u_1, "Delta": "1", "t": "0"}
-    for k_1, u_1 in (("1/100", "1/3"), ("2/5", "-7/5"), ("9/10", "2"))
-    for (K, B_a, B_d), rho in ((("5", "3", "4"), "1"), (("25", "24", "7"), "-1"))
-]
 
 
 def derive(book: Book) -> None:
-    """The form solves (3), by the classical identities; and what balls say of these."""
+    """The form solves (3), whatever functions have these rates."""
     book.open(join("theta_form", *FORM, CLASSICAL))
     _shift(book)
     _form(book)
-    _functions(book)
     _truncation(book)
 
 
@@ -225,16 +191,6 @@ def _assemble(book: Book) -> None:
         book.claim(f"quotient.{name}", {name: form}, ["18", "25"])
     book.model("theta_form", "quotient")
     book.carry("theta_form", [f"quotient.{name}" for name in ("N", "N_of_W", *COMPONENTS)])
-
-
-def _functions(book: Book) -> None:
-    """Classical identities between the functions, assumed and enclosed; then the form holds."""
-    book.open(join("theta_functions", *FORM, FREE))
-    for name, equations in ASSUMED.items():
-        book.assume(f"theta_functions.{name}", equations, REFERENCES[name], POINTS)
-    book.model("theta_functions", "theta_form", [f"theta_functions.{name}" for name in ASSUMED])
-    carried = ("solution", "N_of_W", *COMPONENTS, *(f"{name}_of_attitude" for name in MOMENTUM))
-    book.carry("theta_functions", [f"theta_form.{name}" for name in carried])
 
 
 def _truncation(book: Book) -> None:

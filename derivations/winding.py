@@ -2,8 +2,9 @@
 
     Pi(n; theta + k pi | m) = 2 k Pi(n | m) + Pi(n; theta | m),        n < 1,  m < 1,  k whole
 
-(19) needs it, since theta = am grows without end.  The integrand at theta + k pi is that at theta,
-so both sides grow alike; that they agree at one theta is the assumption that balls confirm.
+(19) needs it, since theta = am grows without end.  The integrand at theta + pi is that at theta, so
+Pi grows as much from theta as from -pi/2: by 2 Pi(n | m), the integral over a half turn.  If what k
+half turns add is known for all theta, at theta + pi it is what k + 1 of them add at theta.
 """
 
 import sympy
@@ -12,9 +13,9 @@ from rigidsym.proof.algebra import Book, Part
 from rigidsym.proof.steps import Desk, differentiate, nonnegative
 from rigidsym.proof.steps.names import symbols
 
-# theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + k pi.
+# theta, its sine and cosine, and Delta = sqrt(1 - m sin^2); Pi_later is Pi at theta + pi.
 TURNING = Part(
-    witness={"n": "1/2", "m": "0", "k": "0", "sine": "0", "cosine": "1", "root": "1"},
+    witness={"n": "1/2", "m": "0", "k": "0", "sine": "-1", "cosine": "0", "root": "1"},
     units=("root", "1 - n", "1 - n*sine**2"),
     relations=("cosine**2 + sine**2 - 1", "root**2 + m*sine**2 - 1"),
     rates={"sine": "cosine", "cosine": "-sine", "root": "-m*sine*cosine/root"},
@@ -27,38 +28,31 @@ TURNING = Part(
     },
 )
 INTEGRAL = Part(
-    witness={"theta": "0", "Pi": "0", "Pi_later": "0", "Pi_c": "0"},
+    witness={"theta": "0", "Pi_c": "0", "Pi": "0", "Pi_later": "0"},
     rates={
         "theta": "1",
         "Pi": "1/((1 - n*sine**2)*root)",
         "Pi_later": "1/((1 - n*(-sine)**2)*root)",  # the sine of theta + pi is -sine
     },
+    start=("sine + 1", "cosine", "Pi + Pi_c", "Pi_later - Pi_c"),  # theta is -pi/2
     reading={
         "Pi": "elliptic_pi(n, theta, m)",
-        "Pi_later": "elliptic_pi(n, theta + k*pi, m)",
+        "Pi_later": "elliptic_pi(n, theta + pi, m)",
         "Pi_c": "elliptic_pi(n, m)",
     },
 )
-WINDINGS = [
-    {"theta": theta, "k": k, "n": n, "m": m}
-    for (theta, k), (n, m) in zip(
-        (("1/3", "1"), ("-6/5", "2"), ("3/2", "-3"), ("0", "-1"), ("7/4", "4")),
-        (("-3", "1/4"), ("9/10", "1/2"), ("-1/100", "99/100"), ("1/2", "-2"), ("-40", "9/10")),
-        strict=True,
-    )
-]
 
 
 def derive(book: Book) -> None:
     """What the rule leaves out does not change with theta; its denominator is never negative."""
     desk = Desk.open(book, "windings", TURNING, INTEGRAL)
-    later, Pi, complete, k, n, theta = symbols("Pi_later Pi Pi_c k n theta")
+    later, Pi, complete, n, theta = symbols("Pi_later Pi Pi_c n theta")
     why = "what half turns add grows no further"
-    rest = later - 2 * k * complete - Pi
+    rest = later - 2 * complete - Pi
     differentiate(desk, "windings.slope", rest, why, ["19", "20", "21"])
     sine, cosine = sympy.sin(theta), sympy.cos(theta)
     path = 1 - n * sine**2
     form = sympy.collect(sympy.expand(path - 1 + cosine**2 + sine**2), sine**2)
     nonnegative(desk, "windings.path", path, form, "the integral meets no pole", ["19"])
-    reference = "DLMF 19.2.7, whose integrand has the period pi"
-    book.assume("windings.rule", {"Pi_later": "2*k*Pi_c + Pi"}, reference, WINDINGS)
+    rule = {"Pi_later": "2*Pi_c + Pi", "2*k*Pi_c + Pi_later": "2*(k + 1)*Pi_c + Pi"}
+    book.start("windings.rule", rule, ["19", "20", "21"])

@@ -1,20 +1,20 @@
 """Executes the notebooks and writes them, or checks that they are what execution gives.
 
-    python notebooks/build.py [NAME…]            execute, write the .ipynb beside each text
+    python notebooks/build.py [NAME…]            execute, write the .ipynb of each text
     python notebooks/build.py --check [NAME…]    1 where text, .ipynb and a fresh execution differ
 
-A notebook is a py:percent text of this folder, paired by jupytext with the .ipynb of its stem.
-The text is the source; what is written depends on it and on the code alone: no times, versions,
-random ids, addresses or paths.  Pictures are not compared, only that they are there.
-`executed.json` has a digest of all that each notebook was written from: tests execute those again
-for which it is another by now, and all of them with `-m slow`.
+A notebook is a py:percent text of the folder `text`, paired by jupytext with the .ipynb of its
+stem in this one.  The text is the source; what is written depends on it and on the code alone: no
+times, versions, random ids, addresses or paths.  Pictures are not compared, only that they are
+there.  `support/executed.json` has a digest of all that each notebook was written from: tests
+execute those again for which it is another by now, and all of them with `-m slow`.
 
-A new notebook: write cells, "# %%" and "# %% [markdown]", in NN_name.py or how_to_name.py and run
-the command, which adds the head.  It runs within a minute and writes nothing to stderr; it prints
-numbers rounded to what is certain, draws with matplotlib or plotly, and its last cell asserts ids
-and grades of facts, folded by the tag "hide-cell" where a reader is to go on.
-`rigidsym.view.html` shows facts and verdicts, `rigidsym.view.scenes` motions, each with a still for
-readers without scripts; `support` and `figures` have what notebooks alone need.
+A new notebook: write cells, "# %%" and "# %% [markdown]", in text/NN_name.py or text/howto_name.py
+and run the command, which adds the head.  It runs within a minute and writes nothing to stderr; it
+prints numbers rounded to what is certain, draws with matplotlib or plotly, and its last cell,
+folded by the tag "hide-cell", asserts what it says.  `rigidsym.view.html` shows facts and verdicts,
+`rigidsym.view.scenes` motions, each with a still for readers without scripts; `support` has what
+notebooks alone need.
 """
 
 import argparse
@@ -38,20 +38,23 @@ from jupyter_client.manager import AsyncKernelManager
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError
 
-import executed
 from rigidsym.io.files import write_text
+from support import executed
 
 FOLDER = Path(__file__).resolve().parent
+TEXTS = FOLDER / "text"
 SECONDS = 60
 BYTES = 4_000_000
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 LANGUAGE = {"file_extension": ".py", "mimetype": "text/x-python", "name": "python"}
 PAIRED = {
     "cell_metadata_filter": "tags,-all",
-    "formats": "ipynb,py:percent",
+    "formats": "ipynb,text//py:percent",
     "notebook_metadata_filter": "kernelspec,jupytext,"
     "-jupytext.text_representation.jupytext_version",
 }
+# What only a running kernel can show, under an id that is another one each time.
+LIVE = "application/vnd.jupyter.widget-view+json"
 # Tags of cells whose code is folded; the site's `myst_nb` knows them.
 FOLDED = {"hide-cell", "hide-input"}
 # What no committed output may hold: addresses in memory, and folders of one machine.
@@ -73,14 +76,13 @@ class NotebookError(Exception):
 
 
 def names() -> list[str]:
-    """The stems of the notebooks: the texts of this folder that have cells."""
-    texts = sorted(FOLDER.glob("*.py"))
-    return [path.stem for path in texts if re.search("^# %%", path.read_text("utf-8"), re.M)]
+    """The stems of the notebooks."""
+    return sorted(path.stem for path in TEXTS.glob("*.py"))
 
 
 def source(name: str) -> Any:
     """A notebook as its text says it, with its metadata and ids in one form, not executed."""
-    notebook = jupytext.read(FOLDER / f"{name}.py", fmt="py:percent")
+    notebook = jupytext.read(TEXTS / f"{name}.py", fmt="py:percent")
     shape = {"extension": ".py", "format_name": "percent", "format_version": "1.3"}
     notebook.metadata = nbformat.from_dict(
         {
@@ -177,6 +179,7 @@ def _settle(output: Any, name: str) -> None:
     """Refuse what must not be committed, and make the rest the same every time."""
     if output.output_type == "stream" and output.name == "stderr":
         raise NotebookError(f"{name}: a cell writes to stderr: {output.text[:400]}")
+    output.get("data", {}).pop(LIVE, None)
     for kind, content in _texts(output):
         if found := PRIVATE.search(content):
             raise NotebookError(f"{name}: {kind} holds {found[0]!r}, an address or a path")
@@ -208,8 +211,8 @@ def build(name: str) -> None:
     written = nbformat.writes(execute(notebook, name), indent=1) + "\n"
     if len(written.encode()) > BYTES:
         raise NotebookError(f"{name}: {len(written):_} bytes, more than {BYTES:_}")
-    if text(notebook) != (FOLDER / f"{name}.py").read_text("utf-8"):
-        write_text(FOLDER / f"{name}.py", text(notebook))
+    if text(notebook) != (TEXTS / f"{name}.py").read_text("utf-8"):
+        write_text(TEXTS / f"{name}.py", text(notebook))
     write_text(FOLDER / f"{name}.ipynb", written)
     executed.note(name)
 
@@ -224,7 +227,7 @@ def check(name: str, fresh: Callable[[Any, str], Any] = execute) -> str:
         return f"{path.name} is not there: python notebooks/build.py {name}\n"
     notebook = source(name)
     committed = nbformat.read(path, as_version=4)
-    there = (FOLDER / f"{name}.py").read_text("utf-8")
+    there = (TEXTS / f"{name}.py").read_text("utf-8")
     return (
         _difference(there, text(notebook), f"{name}.py", "by jupytext")
         or _difference(_sources(committed), _sources(notebook), path.name, f"{name}.py")

@@ -45,12 +45,12 @@ class PrecisionError(ArithmeticError):
     """The digits asked for were not reached."""
 
 
-def package(name: str, user: str) -> ModuleType:
-    """A module of the extra `lab` by its name; raises ImportError, in one line, without it."""
+def package(name: str, user: str, extra: str = "lab") -> ModuleType:
+    """A module of an extra by its name; raises ImportError, in one line, without it."""
     try:
         return import_module(name)
     except ImportError:
-        raise _missing(user, [name.partition(".")[0]], "lab") from None
+        raise _missing(user, [name.partition(".")[0]], extra) from None
 
 
 def require(user: str, *names: str, extra: str = "app") -> None:

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence, Set
 from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
+from functools import cache
 from numbers import Rational, Real
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeGuard, Union, overload
 
@@ -36,6 +37,7 @@ ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
 _SHORT = 30
+_PI_BITS = 1000
 # Python reads and writes whole numbers of so many digits.
 _INT_DIGITS = 4300
 MOST_DIGITS = 100_000
@@ -61,6 +63,7 @@ class MotionInputs(TypedDict, total=False):
     attitude0: Quaternion
     engine: str
     allow_nonphysical: bool
+    degrees: bool
 
 
 # A number as it was understood.
@@ -100,6 +103,37 @@ def certain(field: str, values: Sequence[Number]) -> tuple[Fraction, ...]:
         if isinstance(value, Uncertain):
             raise InputError(f"{field}[{k}]", value, "is uncertain; only enclose takes that")
     return exact_ones
+
+
+def in_radians(values: Sequence[Number], degrees: bool = True) -> tuple[Number, ...]:
+    """Angles or rates in radians, of those given in degrees; as they are unless `degrees`.
+
+    All are multiplied by one rational, pi/180 to 300 digits, so that they keep their ratios
+    exactly, and with them the regime.
+    """
+    return tuple(_times_radian(value) for value in values) if degrees else tuple(values)
+
+
+def _times_radian(value: Number) -> Number:
+    radian = _radian()
+    if isinstance(value, Uncertain):
+        return Uncertain(value.middle * radian, value.radius * radian)
+    return value * radian
+
+
+@cache
+def _radian() -> Fraction:
+    """One degree."""
+    from mpmath import mp
+
+    return _exact_mpf("pi", mp.pi(prec=_PI_BITS)) / 180
+
+
+def is_true(field: str, value: bool) -> bool:
+    """A switch; raises InputError for what is neither true nor false."""
+    if not isinstance(value, bool):
+        raise InputError(field, written(value, repr), "must be true or false")
+    return value
 
 
 def _is_ball(value: object) -> "TypeGuard[flint.arb]":

@@ -18,19 +18,23 @@ from rigidsym.errors import InputError
 from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
     from scipy.spatial.transform import Rotation
+    from xarray import Dataset
 
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.precise.evaluation import State
     from rigidsym.precise.motion import DecimalState
+    from rigidsym.precise.quantities import Quantities
+    from rigidsym.solution.mode import Mode
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic
     from rigidsym.view.plots.figure import Figure
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
-_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed")
+_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
 Value = TypeVar("Value")
@@ -44,8 +48,9 @@ class TorqueFreeMotion:
     first, body to inertial, normalised here.  Numbers may be floats (exact binary64 values) or
     strings, Fraction, Decimal and mpf, which are taken exactly; `enclose` also takes uncertain
     ones, "0.0109 +/- 1e-6" or balls of python-flint.  engine: `numpy`, or `c`, the generated C
-    source compiled once on this machine (NumPy with a warning where there is no compiler).  Raises
-    InputError.  A motion is a value: equal to others with the same numbers and engine, hashable,
+    source compiled once on this machine (NumPy with a warning where there is no compiler).
+    degrees: omega0 is in deg/s; what is returned has radians all the same.  Raises InputError.  A
+    motion is a value: equal to others with the same numbers and engine, hashable,
     and never changed.
 
     >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
@@ -68,15 +73,17 @@ class TorqueFreeMotion:
         *,
         engine: str = "numpy",
         allow_nonphysical: bool = False,
+        degrees: bool = False,
     ) -> None:
-        floats = _floats(inertia, omega0, attitude0)
+        turned = inputs.is_true("degrees", degrees)
+        floats = {} if turned else _floats(inertia, omega0, attitude0)
         # Past __setattr__, which refuses.
         fields = vars(self)
         fields["_floats"], fields["allow_nonphysical"] = floats, allow_nonphysical
         fields["engine"] = engines.checked(engine)
         if not floats:
             fields["inertia"] = inputs.inertia(inertia, allow_nonphysical)
-            fields["omega0"] = inputs.vector("omega0", omega0, 3)
+            fields["omega0"] = inputs.in_radians(inputs.vector("omega0", omega0, 3), turned)
             fields["attitude0"] = inputs.attitude(attitude0)
 
     # Engines need no fractions of floats, which take longer to make than a motion is prepared.
@@ -96,7 +103,12 @@ class TorqueFreeMotion:
         return tuple(map(Fraction, self._floats["attitude0"]))
 
     def replace(self, **changes: Unpack[MotionInputs]) -> "TorqueFreeMotion":
-        """Another motion, with some of the arguments changed; raises as the class does."""
+        """Another motion, with some of the arguments changed; raises as the class does.
+
+        `degrees` is about the omega0 that is given with it.
+        """
+        if changes.get("degrees") and "omega0" not in changes:
+            raise InputError("degrees", True, "is about omega0, which is not given")
         own: MotionInputs = {
             "inertia": self.inertia,
             "omega0": self.omega0,
@@ -132,9 +144,9 @@ class TorqueFreeMotion:
         return self
 
     def __repr__(self) -> str:
-        fields = ("inertia", "omega0", "attitude0")
-        inside = ", ".join(f"{name}={inputs.shown(getattr(self, name))}" for name in fields)
-        return f"TorqueFreeMotion({inside})"
+        from rigidsym.view.text import motion_text
+
+        return motion_text(self)
 
     def _repr_html_(self) -> str:
         from rigidsym.view.html.motions import motion_html
@@ -220,6 +232,74 @@ class TorqueFreeMotion:
         """The kind of motion, decided exactly from the numbers given."""
         return self._by("theta", **self._given).polhode.regime
 
+    @property
+    def mode(self) -> "Mode | None":
+        """Which axis keeps to the momentum, the long one or the short one, decided exactly.
+
+        None where there is none that does: on the separatrix, in spin about the middle axis, for
+        spheres, and at rest.
+        """
+        from rigidsym.solution.mode import mode
+
+        polhode = self._by("theta", **self._given).polhode
+        return mode(polhode, self.exact["inertia"], self.exact["omega0"])
+
+    @cached_property
+    def _quantities(self) -> "Quantities":
+        from rigidsym.precise.quantities import Quantities
+
+        return Quantities(self._by("theta", **self.exact))
+
+    @property
+    def energy(self) -> float:
+        """The kinetic energy H, J."""
+        return self._quantities.energy
+
+    @property
+    def momentum(self) -> float:
+        """The size K of the angular momentum, N m s."""
+        return self._quantities.momentum
+
+    @property
+    def parameter(self) -> float:
+        """m of Jacobi's functions: 0 for symmetric bodies, 1 on the separatrix; not a number where
+        the rates are constant."""
+        return self._quantities.parameter
+
+    @property
+    def modulus(self) -> float:
+        """k, the square root of the parameter."""
+        return self._quantities.modulus
+
+    @property
+    def period(self) -> float:
+        """After which the rates are back, s: infinite on the separatrix, 0 where they are constant.
+
+        >>> round(TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)).period, 6)
+        165.897574
+        """
+        return self._quantities.period
+
+    @property
+    def precession_rate(self) -> float:
+        """At which the attitude turns about the momentum, on the average over all times, rad/s."""
+        return self._quantities.precession_rate
+
+    @property
+    def phase_per_period(self) -> float:
+        """The angle about the momentum by which the attitude has turned after a period, rad, whole
+        turns included (Montgomery, American Journal of Physics 59, 394-398)."""
+        return self._quantities.phase_per_period
+
+    @property
+    def nutation(self) -> tuple[float, float]:
+        """The least and the largest angle of the circulation axis from the momentum, rad.
+
+        The axis of the largest or the smallest moment, at its end that is nearer to the momentum;
+        both are equal for symmetric bodies, and zero where the rates are constant.
+        """
+        return self._quantities.nutation
+
     def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
         from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
 
@@ -242,6 +322,7 @@ class TorqueFreeMotion:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
+        They print these digits, and what is computed from them has mpmath's precision at the time.
         A number whose ball has shrunk around zero to less than 2^-4000 is given as zero.
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
@@ -253,8 +334,10 @@ class TorqueFreeMotion:
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        from rigidsym.precise.certain import certain
+
         states = self._by(method, **self.exact).states(times, *limits)
-        return _objects(states, single)
+        return _objects(((certain(q, digits), certain(w, digits)) for q, w in states), single)
 
     def enclose(
         self,
@@ -314,52 +397,6 @@ class TorqueFreeMotion:
 
         return of_motion(form, *self.exact.values())
 
-    @property
-    def energy(self) -> float:
-        """The kinetic energy, J."""
-        return self._quantities["energy"]
-
-    @property
-    def momentum(self) -> float:
-        """The size of the angular momentum, kg m^2 rad/s."""
-        return self._quantities["momentum"]
-
-    @property
-    def parameter(self) -> float | None:
-        """m = k^2 of the Jacobi functions of the rates; None where the rates are constant."""
-        return self._quantities.get("parameter")
-
-    @property
-    def modulus(self) -> float | None:
-        """k of the Jacobi functions of the rates; None where the rates are constant."""
-        return self._quantities.get("modulus")
-
-    @property
-    def period(self) -> float | None:
-        """The period of the rates, s: inf on the separatrix, None where the rates are constant."""
-        return self._quantities.get("period")
-
-    @property
-    def precession_rate(self) -> float | None:
-        """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
-
-        Where the rates are constant it is the rate about their axis.
-        """
-        return self._quantities.get("precession_rate")
-
-    @property
-    def phase_per_period(self) -> float | None:
-        """The angle that the body has turned about its momentum after one period, rad.
-
-        Montgomery's: 2 H period/K less the solid angle that the momentum sweeps in the body.  None
-        on the separatrix, and where the rates are constant.
-        """
-        return self._quantities.get("phase_per_period")
-
-    @cached_property
-    def _quantities(self) -> dict[str, float]:
-        return {name: float(value) for name, value in self.symbolic().quantities.items()}
-
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""
         try:
@@ -367,6 +404,30 @@ class TorqueFreeMotion:
         except ImportError:
             raise ImportError("rotation needs SciPy: pip install 'rigidsym[app]'") from None
         return Rotation.from_quat(np.roll(self(t)[0], -1, axis=-1))
+
+    def to_dataframe(self, t: ArrayLike, *, degrees: bool = False) -> "DataFrame":
+        """States at times (N,), s: index t, columns q0 ... q3, omega1 ... omega3 (needs pandas).
+
+        Rates are in rad/s, or in deg/s with `degrees`.  Raises as a call does.
+        """
+        from rigidsym.io.frames import dataframe
+
+        return dataframe(*self._sampled(t, degrees))
+
+    def to_xarray(self, t: ArrayLike, *, degrees: bool = False) -> "Dataset":
+        """States at times (N,), s: variables q (t, component), omega (t, axis) (needs xarray).
+
+        Rates are in rad/s, or in deg/s with `degrees`, as their attribute `units` says.  Raises as
+        a call does.
+        """
+        from rigidsym.io.frames import dataset
+
+        return dataset(*self._sampled(t, degrees), "deg/s" if degrees else "rad/s")
+
+    def _sampled(self, t: ArrayLike, degrees: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        times = np.atleast_1d(_times(t))
+        q, omega = self(times)
+        return times, q, np.rad2deg(omega) if inputs.is_true("degrees", degrees) else omega
 
     def plot(self, times: Times | None = None) -> "Figure":
         """Rates and attitude against time, and the momentum sphere (needs matplotlib).
@@ -390,18 +451,21 @@ def propagate(
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
     errors: str = "raise",
+    degrees: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
     Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  `out` is a
     pair of arrays of the shapes returned, to fill, which share no memory with each other or an
     input.  errors: "raise" InputError for the first body or time that is refused, named by its
-    index, or "nan" for their states.  Units, conventions and engines are those of
-    `TorqueFreeMotion`.
+    index, or "nan" for their states.  degrees: omega0 is in deg/s.  Units, conventions and engines
+    are those of `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     lenient = _is_lenient(errors)
     given = {name: batches.array(name, value, lenient) for name, value in arrays.items()}
+    if inputs.is_true("degrees", degrees):
+        given["omega0"] = np.deg2rad(given["omega0"])
     bodies = {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
     run, times = engines.engine(engine).propagate, _times(t, errors)
     return _refusing(

@@ -3,9 +3,12 @@
 import json
 import subprocess
 import sys
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from importlib.metadata import version
 from pathlib import Path
+from platform import python_version
 from time import perf_counter
 from typing import TypeVar
 
@@ -16,14 +19,25 @@ from rigidsym.errors import InputError
 from rigidsym.io.cases import Case, paper_case
 from rigidsym.io.files import write_text
 from rigidsym.proof.derivation import Derivation, derive
-from rigidsym.proof.paper import Ruling, Verdict, verdicts
+from rigidsym.proof.paper import Verdict, verdicts
+from rigidsym.proof.paper.table import counted, details
 from rigidsym.solution import Solution, load
 from rigidsym.validate import ValidationReport, validate
+from rigidsym.validate.provenance import PACKAGES
+from rigidsym.view import labels, palette
+from rigidsym.view.reproduction import (
+    Found,
+    Printed,
+    errata_page,
+    report_markdown,
+    report_page,
+)
 from rigidsym.view.svg import Panel, svg
+from rigidsym.view.validation import page
 
 Say = Callable[[str, str, float, bool], None]
 Progress = Callable[[str], Callable[[int, int], None]]
-Found = TypeVar("Found")
+Value = TypeVar("Value")
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,8 +65,8 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     fails; what an earlier run has written stays until its successor is complete.
     """
     derivation, seconds = _timed(lambda: derive(progress=progress("derive")))
-    claims = sum(len(chapter.facts) for chapter in derivation.chapters)
-    say("derive", f"{claims} facts in {len(derivation.chapters)} chapters", seconds, True)
+    claims = [len(chapter.facts) for chapter in derivation.chapters if chapter.facts]
+    say("derive", f"{sum(claims)} facts in {len(claims)} chapters", seconds, True)
     ledger = write_text(directory / "ledger.json", derivation.ledger)
 
     checked, seconds = _timed(lambda: _replayed(ledger))
@@ -78,11 +92,23 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     result = Reproduction(derivation, checked, modules, current, validation, ruled)
     for module in modules:
         module.write(directory)
-    write_text(directory / "validation.json", validation.to_json())
-    write_text(directory / "validation.md", validation.to_markdown())
-    write_text(directory / "motion.svg", plot(paper_case()))
-    write_text(directory / "report.md", report(result))
+    for name, text in _pages(result).items():
+        write_text(directory / name, text)
     return result
+
+
+def _pages(result: Reproduction) -> dict[str, str]:
+    """All that is for readers, the report last."""
+    told, validation = found(result), result.validation
+    return {
+        "validation.json": validation.to_json(),
+        "validation.md": validation.to_markdown(),
+        "validation.html": page(validation.to_data()),
+        "errata.html": _errata(result.verdicts),
+        "motion.svg": told.motion[1],
+        "report.md": report(result),
+        "report.html": report_page(told),
+    }
 
 
 def _all_targets(solution: Solution) -> dict[str, Generated]:
@@ -94,7 +120,7 @@ def _all_targets(solution: Solution) -> dict[str, Generated]:
     return generated
 
 
-def _timed(stage: Callable[[], Found]) -> tuple[Found, float]:
+def _timed(stage: Callable[[], Value]) -> tuple[Value, float]:
     start = perf_counter()
     return stage(), perf_counter() - start
 
@@ -110,59 +136,58 @@ def plot(case: Case) -> str:
     if not times:
         raise InputError("times", "[]", "a plot needs at least one time")
     q, omega = case.motion(times)
-    quaternion = {f"q{k}": q[:, k].tolist() for k in range(4)}
-    rates = {f"Omega{k + 1}": omega[:, k].tolist() for k in range(3)}
+    attitude = dict(zip(labels.ATTITUDE, q.T.tolist(), strict=True))
+    rates = dict(zip(labels.RATES, omega.T.tolist(), strict=True))
+    x, three = labels.TIME_AXIS, palette.AXES
+    four = (palette.SCALAR, *three)
     return svg(
         [
-            Panel("Attitude, body to inertial", "t (s)", "quaternion", times, quaternion),
-            Panel("Body rates", "t (s)", "rad/s", times, rates),
+            Panel("Attitude", x, labels.ATTITUDE_AXIS, times, attitude, colours=four),
+            Panel("Body rates", x, labels.RATES_AXIS, times, rates, colours=three),
         ]
+    )
+
+
+def found(result: Reproduction) -> Found:
+    """What the report says."""
+    facts = [fact for chapter in result.derivation.chapters for fact in chapter.facts]
+    grades = Counter(str(fact.grade) for fact in facts).most_common()
+    chapters = [chapter for chapter in result.derivation.chapters if chapter.facts]
+    replayed = "accepted" if result.checked else "REFUSED"
+    current = "the ones that are installed" if result.current else "NOT those that are installed"
+    paper = paper_case().motion
+    return Found(
+        result.passed,
+        (
+            f"{len(facts)} facts are decided in {len(chapters)} chapters: "
+            f"{', '.join(f'{count} {grade}' for grade, count in grades)}. Their certificates are "
+            f"{replayed} by a kernel in a process of its own.",
+            f"Of what the paper prints, {counted(result.verdicts)}.",
+            f"The kernel has decided that the generated modules ({', '.join(TARGETS)}) are what "
+            f"was derived; they are {current}.",
+            result.validation.conclusion,
+        ),
+        [(chapter.name, chapter.title, str(len(chapter.facts))) for chapter in chapters],
+        {
+            name: digest
+            for module in result.generated
+            for name, digest in module.manifest["sha256"].items()
+        },
+        (
+            f"The paper's spacecraft: inertia {inputs.shown(paper.inertia)} kg m^2, rates "
+            f"{inputs.shown(paper.omega0)} rad/s at t = 0.",
+            plot(paper_case()),
+        ),
+        {"Python": python_version(), **{name: version(name) for name in PACKAGES}},
     )
 
 
 def report(result: Reproduction) -> str:
-    """One page: what is proved, what the paper's equations are worth, how good the module is."""
-    paper = paper_case().motion
-    rulings = {ruling: sum(v.ruling == ruling for v in result.verdicts) for ruling in Ruling}
-    counted = ", ".join(f"{count} {ruling}" for ruling, count in rulings.items() if count)
-    chapters = [
-        f"| {chapter.name} | {chapter.title} | {len(chapter.facts)} |"
-        for chapter in result.derivation.chapters
-    ]
-    return "\n".join(
-        [
-            "# rigidsym reproduce",
-            "",
-            "Written by `rigidsym reproduce`.  The motion below is the paper's spacecraft: inertia "
-            f"{inputs.shown(paper.inertia)} kg m^2, rates {inputs.shown(paper.omega0)} rad/s at "
-            "t = 0.",
-            "",
-            "![attitude and rates](motion.svg)",
-            "",
-            "## Proved",
-            "",
-            "Each fact is decided by normal form, or graded ENCLOSED where it rests on a classical "
-            "identity that balls agree with; `ledger.json` holds the certificates, "
-            f"{'accepted' if result.checked else 'REFUSED'} by `rigidsym check` in a process of "
-            "its own.",
-            "",
-            "| chapter | | facts |",
-            "|---|---|---|",
-            *chapters,
-            "",
-            f"The paper's equations: {counted} (`rigidsym errata`).",
-            "",
-            "## Generated",
-            "",
-            *(
-                f"* `{name}`, sha256 {digest}"
-                for module in result.generated
-                for name, digest in module.manifest["sha256"].items()
-            ),
-            "",
-            "`numpy.map.json` and `c.map.json` give the equations of each line."
-            + ("" if result.current else "  These are NOT the modules that are installed."),
-            "",
-            result.validation.to_markdown().replace("# Validation", "## Validation", 1),
-        ]
-    )
+    """The report as Markdown, with the figures of the validation."""
+    validation = result.validation.to_markdown().replace("# Validation", "## Validation", 1)
+    return f"{report_markdown(found(result))}\n{validation}"
+
+
+def _errata(verdicts: Sequence[Verdict]) -> str:
+    said = (Printed(v.equation.number, str(v.ruling), list(details(v))) for v in verdicts)
+    return errata_page(counted(verdicts), said)

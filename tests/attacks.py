@@ -85,7 +85,6 @@ class Attacker:
     def _open(self, ledger: Ledger, context: Context, changed: dict[str, str]) -> None:
         fields = {name: getattr(context, name) for name in Context.__slots__}
         ledger.rings[context.name] = self._ledger.rings[context.name]
-        ledger.said[context.name] = self._ledger.said[context.name]
         ledger.contexts[context.name] = context
         if changed:
             given = Unwitnessed(**{**fields, "definitions": {**context.definitions, **changed}})

@@ -14,7 +14,18 @@ from pathlib import Path
 
 from sphinx.cmd.build import main as sphinx
 
-from generate import api, command, errata, formats, kernel, links, notebook
+from generate import (
+    api,
+    command,
+    displays,
+    errata,
+    formats,
+    gallery,
+    kernel,
+    links,
+    notebook,
+    project,
+)
 
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parents[1]
@@ -22,10 +33,17 @@ ROOT = SITE.parents[1]
 SHOWN = {
     "README.md": "index.md",
     "CONTRIBUTING.md": "contributing.md",
+    "CHANGELOG.md": "changes.md",
+    "LICENSE": "licence.md",
+    "CITATION.cff": "citation.md",
     "notebooks": "guide.md",
     "rules.py": "reference/kernel.md",
     "ledger.json": "reference/kernel.md",
 }
+
+
+# What most people come for leads the how-tos.
+FIRST = "propagate"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -40,7 +58,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     notebooks = sorted(options.notebooks.glob("*.ipynb"))
     stage(output / "source", notebooks)
     stage_static(output / "static", notebooks)
-    return render(output)
+    status = render(output)
+    if status == 0:
+        print(f"open {output / 'html' / 'index.html'}")
+    return status
 
 
 def render(output: Path) -> int:
@@ -56,10 +77,13 @@ def render(output: Path) -> int:
 def stage(source: Path, notebooks: Sequence[Path]) -> None:
     """Every page of the site as a file under `source`."""
     shutil.copytree(SITE / "pages", source)
+    for name, page in project.pages(ROOT).items():
+        _write(source / name, page)
     _stage_guide(source, notebooks)
     _write(source / "reference" / "command.md", command.page())
     _write(source / "reference" / "formats.md", formats.page())
     _write(source / "errata.md", errata.page())
+    _write(source / "displays.md", displays.page())
     _write(source / "reference" / "kernel.md", kernel.page())
     contents = source / "reference" / "api.md"
     _write(contents, contents.read_text("utf-8").replace("PACKAGES", api.contents()))
@@ -68,11 +92,17 @@ def stage(source: Path, notebooks: Sequence[Path]) -> None:
 
 
 def stage_static(static: Path, notebooks: Sequence[Path]) -> None:
-    """What pages load: a style, the font of formulas, and plotly where a notebook has pictures."""
+    """What pages load: a style, the font of formulas, pictures of the gallery, plotly if needed."""
     shutil.copytree(SITE / "static", static)
+    for name, data in gallery.pictures(_texts(notebooks)).items():
+        (static / name).write_bytes(data)
     _copy("ziamath", "fonts/STIXTwoMath-Regular.ttf", static)
     if any(notebook.has_pictures(path.read_text("utf-8")) for path in notebooks):
         _copy("plotly", "package_data/plotly.min.js", static)
+
+
+def _texts(notebooks: Sequence[Path]) -> dict[str, str]:
+    return {path.stem: path.read_text("utf-8") for path in notebooks}
 
 
 def _copy(package: str, name: str, folder: Path) -> None:
@@ -96,8 +126,10 @@ def _stage_guide(source: Path, notebooks: Sequence[Path]) -> None:
     readme = (ROOT / "README.md").read_text("utf-8")
     _stage_pictures(readme, source)
     start = source / "index.md"
-    _write(start, links.within(readme, below) + "\n" + start.read_text("utf-8"))
+    landing = gallery.within(links.within(readme, below), _texts(notebooks))
+    _write(start, landing + "\n" + start.read_text("utf-8"))
     howtos = [path.stem for path in notebooks if not path.stem[:1].isdigit()]
+    howtos.sort(key=lambda stem: (FIRST not in stem, stem))
     chapters = [path.stem for path in notebooks if path.stem[:1].isdigit()]
     guide = (source / "guide.md").read_text("utf-8")
     for name, stems in (("CHAPTERS", chapters), ("HOWTOS", howtos)):

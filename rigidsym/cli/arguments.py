@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn
 
-# Adds a command: its name, what runs it, and what its help says first.
+# Adds a command: its name, what runs it, what its help says first, and an example of it.
 Command = Callable[..., argparse.ArgumentParser]
 _MOST = 999_999_999
 
@@ -17,6 +17,14 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Leave with status 2."""
         self.exit(2, f"{self.prog}: {message}\n")
+
+
+class Help(argparse.RawDescriptionHelpFormatter):
+    """Says what is so by default, where an option has a value by itself."""
+
+    def _get_help_string(self, action: argparse.Action) -> str | None:
+        silent = action.default in (None, argparse.SUPPRESS) or isinstance(action.default, bool)
+        return action.help if silent else f"{action.help} (default: %(default)s)"
 
 
 def as_path(text: str) -> Path:

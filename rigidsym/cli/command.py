@@ -8,13 +8,22 @@ import sys
 from collections.abc import Callable, Sequence
 
 from rigidsym._version import __version__
-from rigidsym.cli import code, manoeuvres, proofs, reproduction, states, validation
-from rigidsym.cli.arguments import Parser
+from rigidsym.cli import (
+    code,
+    errata,
+    manoeuvres,
+    proofs,
+    reproduction,
+    states,
+    templates,
+    validation,
+)
+from rigidsym.cli.arguments import Help, Parser
 from rigidsym.cli.output import BARS, discard_output, prepare_output
 from rigidsym.errors import InputError, LedgerError, PrecisionError
 
 # In the order of the help.
-_GROUPS = (reproduction, proofs, code, validation, states, manoeuvres)
+_GROUPS = (reproduction, errata, proofs, code, validation, states, manoeuvres, templates)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -48,12 +57,20 @@ def parser() -> argparse.ArgumentParser:
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
 
     def command(
-        name: str, run: Callable[[argparse.Namespace], int], summary: str
+        name: str, run: Callable[[argparse.Namespace], int], summary: str, example: str
     ) -> argparse.ArgumentParser:
-        added = commands.add_parser(name, help=summary, description=summary)
+        added = commands.add_parser(
+            name,
+            help=summary,
+            description=summary,
+            epilog=f"example:\n  rigidsym {example}",
+            formatter_class=Help,
+        )
         added.set_defaults(run=run)
         return added
 
     for group in _GROUPS:
         group.add(command)
+    # For what speaks of all commands.
+    whole.set_defaults(whole=whole)
     return whole

@@ -11,32 +11,45 @@ from rigidsym.errors import InputError
 
 def add(command: Command) -> None:
     """Give the command line its commands about manoeuvres."""
-    plan = command("plan", _plan, "natural motions from one attitude to another")
-    plan.add_argument("manoeuvre", metavar="MANOEUVRE.toml", help="a file, or `paper`")
-    plan.add_argument(
-        "--all", metavar="N", type=as_count, default=1, help="the N cheapest; one by default"
+    plan = command(
+        "plan", _plan, "natural motions from one attitude to another", "plan paper --all 3"
     )
-    plan.add_argument("-o", "--output", metavar="DIR", type=as_path, help="JSON and case files")
+    plan.add_argument("manoeuvre", metavar="MANOEUVRE.toml", help="a file, or `paper`")
+    plan.add_argument("--all", metavar="N", type=as_count, default=1, help="the N cheapest")
+    plan.add_argument("-o", "--output", metavar="DIR", type=as_path, help="for JSON and case files")
     plan.add_argument("--json", action="store_true", help="to stdout alone")
 
-    track = command("track", _track, "fly a manoeuvre in closed loop")
+    track = command("track", _track, "fly a manoeuvre in closed loop", "track paper -o flight")
     track.add_argument("manoeuvre", metavar="MANOEUVRE.toml", help="a file, or `paper`")
-    track.add_argument("-o", "--output", metavar="DIR", type=as_path, help="states and pictures")
+    track.add_argument(
+        "-o", "--output", metavar="DIR", type=as_path, help="for states and pictures"
+    )
     track.add_argument("--json", action="store_true", help="to stdout alone")
 
-    figures = command("figures", _figures, "the paper's Figures 1 to 3")
+    figures = command("figures", _figures, "the paper's Figures 1 to 3", "figures -o figures")
     figures.add_argument(
         "-o", "--output", metavar="DIR", default="figures", type=as_path, help="for the pictures"
     )
 
-    compare = command("compare", _compare, "natural motions, quaternion feedback, optimal control")
+    compare = command(
+        "compare",
+        _compare,
+        "natural motions, quaternion feedback, optimal control",
+        "compare --manoeuvres 5 -o comparison",
+    )
     compare.add_argument(
-        "--manoeuvres", metavar="N", type=as_count, default=20, help="random; 20 take some minutes"
+        "--manoeuvres",
+        metavar="N",
+        type=as_count,
+        default=20,
+        help="random ones; 20 take some minutes",
     )
     compare.add_argument("--seed", metavar="S", type=as_count, default=1, help="of the manoeuvres")
-    compare.add_argument("--workers", metavar="W", type=as_count, help="processes; all cores")
     compare.add_argument(
-        "-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown and a picture"
+        "--workers", metavar="W", type=as_count, help="processes; one for each core by default"
+    )
+    compare.add_argument(
+        "-o", "--output", metavar="DIR", type=as_path, help="for JSON, Markdown and a picture"
     )
     compare.add_argument("--json", action="store_true", help="to stdout alone")
 
@@ -108,6 +121,7 @@ def _compare(options: Namespace) -> int:
     else:
         for title, columns, rows in found.tables():
             table(title, columns, rows)
+        print(found.conclusion)
     say_written(written)
     return 0
 

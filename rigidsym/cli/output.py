@@ -6,6 +6,10 @@ import sys
 from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.table import Table
 
 # Progress bars that are shown; leaving takes them from the terminal.
 BARS = ExitStack()
@@ -58,9 +62,13 @@ def progress(label: str) -> Callable[[int, int], None]:
     return show
 
 
-def table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
+def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     """Print a table, as wide as the terminal, or 120 characters."""
-    from rich.console import Console
+    sys.stdout.write(table_text(title, columns, rows))
+
+
+def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """The table that `table` prints."""
     from rich.table import Table
     from rich.text import Text
 
@@ -69,10 +77,43 @@ def table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]]) -> 
         table.add_column(column, overflow="fold")
     for row in rows:
         table.add_row(*map(Text, row))
+    return _rendered(table)
+
+
+def entries_text(title: str, rows: Iterable[tuple[str, str]]) -> str:
+    """Names and what they are, below a title; a name is said once for all that follow it."""
+    from rich.table import Table
+    from rich.text import Text
+
+    grid = Table(title=title, title_justify="left", box=None, show_header=False, padding=(0, 2))
+    grid.add_column(no_wrap=True)
+    grid.add_column(overflow="fold")
+    before = ""
+    for name, text in rows:
+        grid.add_row("" if name == before else name, Text(text))
+        before = name
+    return _rendered(grid)
+
+
+def _rendered(table: "Table") -> str:
+    from rich.console import Console
+
     console = Console(width=None if sys.stdout.isatty() else 120)
     with console.capture() as text:
         console.print(table)
-    sys.stdout.write(text.get())
+    return text.get()
+
+
+def page(text: str) -> None:
+    """Print what may be long: through the user's pager on a terminal, which ends by itself where
+    all is on one screen."""
+    if not sys.stdout.isatty():
+        sys.stdout.write(text)
+        return
+    import pydoc
+
+    os.environ.setdefault("LESS", "-RFX")
+    pydoc.pager(text)
 
 
 def say(message: str) -> None:

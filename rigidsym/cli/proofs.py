@@ -1,4 +1,4 @@
-"""The commands `derive`, `check`, `export`, `errata` and `audit`."""
+"""The commands `derive`, `check`, `export` and `audit`."""
 
 import sys
 from argparse import ArgumentParser, Namespace
@@ -7,63 +7,86 @@ from typing import TYPE_CHECKING
 
 from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import progress, say, table
+from rigidsym.errors import InputError, LedgerError
 
 if TYPE_CHECKING:
     from rigidsym.proof.coq import Export
     from rigidsym.proof.derivation import Derivation
-    from rigidsym.proof.paper.prose import Judged
 
 
 def add(command: Command) -> None:
     """Give the command line its commands about proofs."""
-    derive = command("derive", _derive, "prove the claims and write the ledger")
+    derive = command(
+        "derive", _derive, "prove the claims and write the ledger", "derive -o ledger.json"
+    )
     derive.add_argument("chapters", metavar="CHAPTER", nargs="*", help="all, unless some are named")
-    derive.add_argument("-o", "--output", metavar="LEDGER", type=as_path, help="where to write it")
+    where = derive.add_mutually_exclusive_group()
+    where.add_argument(
+        "-o", "--output", metavar="FILE", type=as_path, help="for the ledger, or the article"
+    )
+    where.add_argument(
+        "--in-place", action="store_true", help="into the package itself: seals the ledger anew"
+    )
     derive.add_argument("--json", action="store_true", help="to stdout alone")
     derive.add_argument("--show", action="store_true", help="line by line, in the terminal")
     forms = ("text", "markdown", "latex", "html")
     derive.add_argument("--format", choices=forms, help="an article, to stdout or --output")
     _add_setting(derive)
 
-    check = command("check", _check, "replay the certificates of a ledger in a fresh kernel")
-    check.add_argument("ledger", metavar="LEDGER", nargs="?", type=as_path, help="the sealed one")
+    check = command(
+        "check",
+        _check,
+        "replay the certificates of a ledger in a fresh kernel",
+        "check --independent",
+    )
+    check.add_argument(
+        "ledger", metavar="LEDGER", nargs="?", type=as_path, help="the sealed one by default"
+    )
     check.add_argument("--independent", action="store_true", help="by the checker on python-flint")
     check.add_argument(
         "--facts", action="store_true", help="no specification: of another derivation"
     )
 
-    export = command("export", _export, "write a ledger for another prover")
+    export = command("export", _export, "write a ledger for another prover", "export coq -o coq")
     export.add_argument("prover", metavar="PROVER", choices=("coq",), help="coq")
-    export.add_argument("-o", "--output", metavar="DIR", type=as_path, required=True)
-    export.add_argument("--ledger", metavar="LEDGER", type=as_path, help="the sealed one")
+    export.add_argument(
+        "-o", "--output", metavar="DIR", type=as_path, required=True, help="for its files"
+    )
+    export.add_argument(
+        "--ledger", metavar="LEDGER", type=as_path, help="the sealed one by default"
+    )
     export.add_argument(
         "--check", action="store_true", help="let it decide: runs make, for minutes"
     )
 
-    errata = command("errata", _errata, "the verdict on each printed equation")
-    errata.add_argument("--json", action="store_true", help="to stdout alone")
-
-    audit = command("audit", _audit, "what is trusted and not decided, theorem by theorem")
+    audit = command("audit", _audit, "what is trusted and not decided, theorem by theorem", "audit")
     audit.add_argument("--json", action="store_true", help="to stdout alone")
 
 
 def _add_setting(derive: ArgumentParser) -> None:
     """Another derivation, as far as Theorem 1: nothing of it touches the sealed ledger."""
     other = derive.add_argument_group("another derivation, up to Theorem 1")
-    other.add_argument("--sequence", metavar="I-J-I", help="axes of the turns; 1-2-1")
-    other.add_argument("--axis", metavar="I", help="where the momentum is turned; the outer axis")
-    other.add_argument("--factor", metavar="F", help="of the basis (4): 1/2, or 1")
-    other.add_argument("--sign", metavar="S", help="of the basis (4): 1, or -1")
-    other.add_argument("--order", metavar="I-J-K", help="of i, j, k in the basis; 1-2-3")
+    other.add_argument("--sequence", metavar="I-J-I", help="axes of the turns; 1-2-1 by default")
+    other.add_argument(
+        "--axis", metavar="I", help="where the momentum is turned; the outer axis by default"
+    )
+    other.add_argument(
+        "--factor", metavar="F", help="of the basis (4): 1/2, which is the default, or 1"
+    )
+    other.add_argument(
+        "--sign", metavar="S", help="of the basis (4): 1, which is the default, or -1"
+    )
+    other.add_argument("--order", metavar="I-J-K", help="of i, j, k in the basis; 1-2-3 by default")
     other.add_argument("--lagrangian", metavar="L", help="with wheels: ... + h1*Omega1")
 
 
 def _derive(options: Namespace) -> int:
     from derivations.setting import setting_of
-    from rigidsym.errors import InputError
     from rigidsym.proof.derivation import DerivationError, derive
 
     names = ("sequence", "axis", "factor", "sign", "order", "lagrangian")
+    if options.in_place and (options.chapters or any(getattr(options, x) for x in names)):
+        raise InputError("in-place", "given", "is for all chapters of the paper's derivation")
     chosen = {name: value for name in names if (value := getattr(options, name)) is not None}
     reading = options.show or options.format is not None
     if reading and options.json:
@@ -90,6 +113,8 @@ def _chapters(derivation: "Derivation") -> None:
     rows = []
     for chapter in derivation.chapters:
         facts, computed = len(chapter.facts), chapter.computed
+        if not facts:
+            continue
         counts = (str(computed), str(facts - computed), f"{chapter.seconds:.2f} s")
         rows.append((chapter.name, chapter.title, *counts))
     table("rigidsym derive", ("chapter", "", "computed", "guessed", "time"), rows)
@@ -114,14 +139,29 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     """Write the ledger: of all chapters to its place, else where the user says."""
     from rigidsym.io.files import write_text
+    from rigidsym.io.ledger import SEAL, seal
     from rigidsym.proof.derivation import sealed_path
 
     if options.output is not None:
         say(f"ledger: {write_text(options.output, derivation.ledger)}")
-    elif sealed:
-        say(f"ledger: {write_text(sealed_path(), derivation.ledger)}")
-    else:
+    elif not sealed:
         say("the ledger is sealed by all chapters together: not written")
+    elif options.in_place:
+        path = write_text(sealed_path(), derivation.ledger)
+        write_text(path.with_name(SEAL), seal(derivation.ledger))
+        say(f"ledger: {path}")
+    else:
+        say(f"{_compared(derivation.ledger)}: not written (-o FILE, or --in-place)")
+
+
+def _compared(ledger: str) -> str:
+    from rigidsym.io.ledger import ledger_text
+
+    try:
+        same = ledger == ledger_text()
+    except LedgerError:
+        same = False
+    return f"the ledger is {'the one that is' if same else 'NOT the one that is'} sealed"
 
 
 def _check(options: Namespace) -> int:
@@ -147,7 +187,7 @@ def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
     from collections import Counter
 
     from rigidsym.language.specification import Unproved, require
-    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.kernel import KernelError, replay
 
     try:
@@ -171,7 +211,6 @@ def _independent_grades(text: str, specification: str) -> dict[str, int] | None:
 
 def replayed() -> str:
     """The sealed ledger, if the independent checker accepts it; LedgerError where it does not."""
-    from rigidsym.errors import LedgerError
     from rigidsym.io.ledger import specification_text
     from rigidsym.proof.checker import Refused, check
 
@@ -192,7 +231,7 @@ def _ledger_text(path: Path | None) -> str:
 
 def _export(options: Namespace) -> int:
     from rigidsym.io.files import write_text
-    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.coq import export
     from rigidsym.proof.kernel import KernelError, replay
 
@@ -237,43 +276,16 @@ def _make(directory: Path) -> int:
     return min(done.returncode, 1)
 
 
-def _errata(options: Namespace) -> int:
-    import json
-
-    from rigidsym.io.ledger import ledger_data
-    from rigidsym.proof.paper import judged, row, verdicts
-
-    ledger = ledger_data(replayed())
-    ruled, prose = verdicts(ledger), judged(ledger)
-    if options.json:
-        data = {
-            "schema": "rigidsym.errata/2",
-            "equations": [verdict.to_json() for verdict in ruled],
-            "prose": [claim.to_json() for claim in prose],
-        }
-        print(json.dumps(data, indent=1))
-        return 0
-    columns = ("equation", "verdict", "root cause", "repair, or how it is read", "counterexample")
-    table("rigidsym errata", columns, [row(verdict) for verdict in ruled])
-    columns = ("claim in words", "judgement", "reason", "decided by")
-    table("in the paper's prose", columns, [_prose(claim) for claim in prose])
-    return 0
-
-
-def _prose(found: "Judged") -> tuple[str, str, str, str]:
-    decided_by = (*found.facts, *(f"`{command}`" for command in found.prose.commands))
-    return found.prose.claim, found.judgement, found.prose.reason, "\n".join(decided_by)
-
-
 def _audit(options: Namespace) -> int:
     import json
     from dataclasses import asdict
 
+    from rigidsym.codegen.shares import RUNTIMES, handwritten
     from rigidsym.io.ledger import ledger_data, specification_text
-    from rigidsym.proof.audit import audit, handwritten, totals
+    from rigidsym.proof.audit import audit, totals
 
     audits = audit(specification_text(), ledger_data(replayed()))
-    counts, lines = totals(audits), handwritten()
+    counts, lines = totals(audits), {target: handwritten(target) for target in RUNTIMES}
     if options.json:
         theorems = [asdict(one) for one in audits]
         data = {

@@ -8,7 +8,12 @@ from rigidsym.cli.output import progress, say, table
 
 def add(command: Command) -> None:
     """Give the command line its main command."""
-    reproduce = command("reproduce", _reproduce, "derive, check, generate, validate and report")
+    reproduce = command(
+        "reproduce",
+        _reproduce,
+        "derive, check, generate, validate and report",
+        "reproduce -o reproduce",
+    )
     reproduce.add_argument(
         "-o", "--output", metavar="DIR", default="reproduce", type=as_path, help="for the results"
     )
@@ -32,5 +37,5 @@ def _reproduce(options: Namespace) -> int:
         say(f"rigidsym reproduce: {error}")
         return 1
     table("rigidsym reproduce", ("stage", "result", "time", ""), rows)
-    print(f"report: {options.output / 'report.md'}")
+    print(f"report: {options.output / 'report.html'}, and as text report.md")
     return 0 if result.passed else 1

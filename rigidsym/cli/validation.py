@@ -21,27 +21,81 @@ _NOT_WITH = {
 
 def add(command: Command) -> None:
     """Give the command line its command about accuracy."""
-    validate = command("validate", _validate, "measure generated modules against the derivation")
-    validate.add_argument("targets", metavar="TARGET", nargs="*", help="numpy, c; both by default")
-    validate.add_argument("--cases", metavar="N", type=as_count, help="samples of each stratum")
-    validate.add_argument("--digits", metavar="D", type=as_count, help="digits of the oracle")
-    validate.add_argument("--seed", metavar="S", type=int, help="of the cases")
-    validate.add_argument(
-        "--stratum", metavar="NAME", action="append", help="only this; repeatable"
+    forms = command(
+        "compare-forms",
+        _compare_forms,
+        "theta functions, the third kind and Fourier series, side by side",
+        "compare-forms -o forms",
     )
-    validate.add_argument("--peer", metavar="NAME", action="append", help="heyoka, dop853, lsoda…")
+    forms.add_argument("-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown, figure")
+    forms.add_argument("--json", action="store_true", help="to stdout alone")
+
+    validate = command(
+        "validate",
+        _validate,
+        "measure generated modules against the derivation",
+        "validate numpy --stratum separatrix --cases 50",
+    )
+    validate.add_argument(
+        "targets",
+        metavar="TARGET",
+        nargs="*",
+        help="numpy, c; by default both, or numpy alone where there is no C compiler",
+    )
+    validate.add_argument(
+        "--cases", metavar="N", type=as_count, help="samples of each stratum; 15 by default"
+    )
+    validate.add_argument(
+        "--digits", metavar="D", type=as_count, help="digits of the oracle; 40 by default"
+    )
+    validate.add_argument("--seed", metavar="S", type=int, help="of the cases; 1 by default")
+    validate.add_argument(
+        "--stratum", metavar="NAME", action="append", help="only this, repeatable; all by default"
+    )
+    validate.add_argument(
+        "--peer",
+        metavar="NAME",
+        action="append",
+        help="heyoka, dop853, lsoda…, beside the targets; none by default",
+    )
     instead = validate.add_mutually_exclusive_group()
     instead.add_argument("--case", metavar="CASE", help="STRATUM:INDEX or FILE.toml, at each time")
     instead.add_argument("--faults", action="store_true", help="which injected faults are noticed")
     instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
     where = validate.add_mutually_exclusive_group()
-    where.add_argument("--workers", metavar="W", type=as_count, help="processes; all cores")
+    where.add_argument(
+        "--workers", metavar="W", type=as_count, help="processes; one for each core by default"
+    )
     where.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster, tcp://…")
     validate.add_argument(
-        "-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown, page"
+        "-o", "--output", metavar="DIR", type=as_path, help="for JSON, Markdown and a page"
     )
     validate.add_argument("--json", action="store_true", help="to stdout alone")
-    validate.add_argument("--record", action="store_true", help="for the heads of the modules")
+    validate.add_argument(
+        "--record",
+        action="store_true",
+        help="what was measured, for the heads of the modules that codegen writes next",
+    )
+
+
+def _compare_forms(options: Namespace) -> int:
+    from rigidsym.io.files import probe, write_text
+    from rigidsym.validate.forms import COLUMNS, compare_forms
+
+    if options.output:
+        probe(options.output)
+    found = compare_forms(progress("compare-forms"))
+    if options.output:
+        written = {"json": found.to_json(), "md": found.to_markdown(), "svg": found.to_svg()}
+        for kind, text in written.items():
+            write_text(options.output / f"forms.{kind}", text)
+    with reader_may_leave():
+        if options.json:
+            print(found.to_json(), end="")
+        else:
+            table("rigidsym compare-forms", COLUMNS, [one.row() for one in found.costs])
+            print(found.conclusion)
+    return 0
 
 
 def _validate(options: Namespace) -> int:
@@ -69,6 +123,8 @@ def _chosen(options: Namespace) -> "Choices":
     chosen: Choices = {}
     if options.targets:
         chosen["targets"] = options.targets
+    elif not options.resume:
+        chosen["targets"] = _available()
     if options.peer:
         chosen["peers"] = options.peer
     if options.stratum:
@@ -80,6 +136,17 @@ def _chosen(options: Namespace) -> "Choices":
     if options.seed is not None:
         chosen["seed"] = options.seed
     return chosen
+
+
+def _available() -> list[str]:
+    """The targets that can be measured on this machine; says why another cannot."""
+    from rigidsym.validate.implementations import missing
+
+    reasons = missing()
+    for target, reason in reasons.items():
+        if reason:
+            say(f"{target} is not measured: {reason}")
+    return [target for target, reason in reasons.items() if not reason]
 
 
 def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
@@ -111,6 +178,7 @@ def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
             print(report.to_json(), end="", flush=True)
         else:
             table(title, *tables.summary(report))
+            print(report.conclusion)
     return 0 if report.passed else 1
 
 
@@ -144,5 +212,8 @@ def _validate_faults(campaign: "Campaign", options: Namespace) -> int:
     for fault in report.missed:
         say(f"not caught: {fault.target}: {fault.name}")
     with reader_may_leave():
-        print(report.to_json() if options.json else report.to_markdown(), end="", flush=True)
+        if options.json:
+            print(report.to_json(), end="", flush=True)
+        else:
+            print(f"{report.to_markdown()}\n{report.conclusion}", flush=True)
     return 0 if report.passed else 1

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypedDict
 
+from rigidsym.codegen.forms import THETA, checked, key
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.lines import Place
 from rigidsym.codegen.targets import builder
@@ -15,7 +16,7 @@ from rigidsym.solution import Solution, sealed
 
 
 class Manifest(TypedDict):
-    """Target, a digest of all that decides the module, and the digests of its files by name."""
+    """The module's key, a digest of all that decides it, and the digests of its files by name."""
 
     target: str
     digest: str
@@ -30,6 +31,11 @@ class Generated:
     map: Mapping[str, list[Place]]
     manifest: Manifest
 
+    def __repr__(self) -> str:
+        sizes = (f"{name} ({text.count(chr(10))} lines)" for name, text in self.files.items())
+        target, digest = self.manifest["target"], self.manifest["digest"]
+        return f"<Generated for {target}: {', '.join(sizes)}, digest {digest[:12]}>"
+
     def texts(self) -> dict[str, str]:
         """Every file to write, the map among them."""
         stem = str(self.manifest["target"])
@@ -41,12 +47,14 @@ class Generated:
         return [write_text(Path(directory) / name, text) for name, text in self.texts().items()]
 
 
-def generate(target: str, solution: Solution | None = None) -> Generated:
+def generate(target: str, solution: Solution | None = None, form: str = THETA) -> Generated:
     """The numeric module of a target, from the sealed ledger unless a solution is given.
 
-    Raises InputError (a ValueError) for an unknown target.
+    form: "theta" or "pi", in which the solution is written.  Raises InputError (a ValueError) for
+    an unknown target or form.
     """
-    module = builder(target)(functions(solution or sealed()), constants())
+    build = builder(target)
+    module = build(functions(solution or sealed(), checked(form)), constants(), form)
     digests = {n: hashlib.sha256(text.encode()).hexdigest() for n, text in module.files.items()}
-    manifest: Manifest = {"target": target, "digest": module.digest, "sha256": digests}
+    manifest: Manifest = {"target": key(target, form), "digest": module.digest, "sha256": digests}
     return Generated(module.files, module.places(), manifest)

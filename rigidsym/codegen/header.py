@@ -6,10 +6,13 @@ import re
 from pathlib import Path
 
 from rigidsym._version import __version__
+from rigidsym.codegen.forms import PI, THETA
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.special_functions import (
     angles,
+    carlson,
     circle,
+    complete,
     exponential,
     landen,
     nome,
@@ -23,6 +26,7 @@ DIGEST = "@digest@"
 # Written by `rigidsym validate TARGET --record`.
 MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
+SHARES = "@shares@"
 _DOMAIN = """\
 Domain: positive principal moments of inertia, none below 2^{min_moment_ratio} of another; finite
 rates and attitude; |omega0 t| up to 2^{max_angle} rad, and less for motions that binary64 cannot
@@ -32,32 +36,77 @@ Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
 kg m^2; t in s.
 
-A comment gives the equations of the paper that its line corresponds to, or the formulas of the
-Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it (or
-`definition`: what a quantity is short for; `reading`: the standard function that it is); exact
-sums, products and differences of doubles are Knuth's (The Art of Computer Programming, 4.2.2),
-Dekker's (1971) and Sterbenz's (1974).
+A comment says what its line is.  `fact`: the ledger has it, as a proved fact, as `definition` (what
+a quantity is short for), as `reading` (the standard function that it is) or as `choice` (the sign
+that makes a theorem's hypothesis hold); then come equations of the paper that this carries.
+`classical`: a formula of the Digital Library of Mathematical Functions (DLMF).  `arithmetic`: sums,
+products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
+Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
+{shares}
+
+{grades}"""
+_GRADES = {
+    THETA: """\
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
 and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
 bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
-mpmath:"""
+mpmath:""",
+    PI: """\
+Grades: facts are PROVED by normal form; that the integral gains as much in each half period is
+ENCLOSED.  Special functions (Landen's ladder, the arithmetic-geometric mean, Carlson's R_J, angles
+and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
+bounds in exact or ball arithmetic, but for those said to be measured, and
+`pytest tests/codegen/special_functions` holds all against mpmath:""",
+}
 
 
-def special_functions() -> list[str]:
+def special_functions(form: str) -> list[str]:
     """The error bounds of the special functions, a line each."""
+    return [*_LADDERS[form](), *_everywhere()]
+
+
+def _everywhere() -> list[str]:
+    """What every form has."""
     sine = circle.sine_bound(circle.sine_coefficients(reduction.TERMS))
     cosine = circle.cosine_bound(circle.cosine_coefficients(reduction.TERMS))
     return [
-        f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
-        f"{_up(float(landen.modulus_left()))}",
-        f"  nome                           relative, below {_up(float(nome.series_tail()))}",
-        "  theta series in a state        what is left out below "
-        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(_hyperbolic())}",
         f"  arctangent and logarithm       relative, below {_up(float(angles.series_tail()))}",
         f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
         "  reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46",
     ]
+
+
+def _landen() -> str:
+    return (
+        f"  Landen's ladder, {landen.STEPS} steps       modulus left, squared, below "
+        f"{_up(float(landen.modulus_left()))}"
+    )
+
+
+def _theta() -> list[str]:
+    """What the theta form alone has."""
+    return [
+        _landen(),
+        f"  nome                           relative, below {_up(float(nome.series_tail()))}",
+        "  theta series in a state        what is left out below "
+        f"{_up(theta_circular.series_tail())}, of imaginary time {_up(_hyperbolic())}",
+    ]
+
+
+def _pi() -> list[str]:
+    """What the Pi form alone has."""
+    return [
+        _landen(),
+        f"  complete integrals, {complete.STEPS} means   "
+        f"relative, {_up(complete.MEASURED)} measured",
+        f"  of it in a state, {landen.STATE_STEPS} steps      modulus left, squared, below "
+        f"{_up(float(landen.modulus_left(landen.STATE_STEPS)))}",
+        f"  R_J, {carlson.STEPS} duplications           in psi/2, {_up(carlson.MEASURED)} measured",
+    ]
+
+
+_LADDERS = {THETA: _theta, PI: _pi}
 
 
 def _hyperbolic() -> float:
@@ -76,11 +125,13 @@ def _up(value: float) -> str:
     return text if float(text) >= value else f"{value * 1.05:.1e}"
 
 
-def text(target: str) -> str:
-    """The whole paragraph, with places for the digest and what was measured."""
-    bounds = [*special_functions(), *([_exponential()] if target == "c" else [])]
+def text(target: str, form: str) -> str:
+    """The whole paragraph, with places for shares of lines, the digest and what was measured."""
+    bounds = [*special_functions(form), *([_exponential()] if target == "c" else [])]
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
-    domain = _DOMAIN.format(**{limit.name: limit.exponent for limit in LIMITS})
+    domain = _DOMAIN.format(
+        shares=SHARES, grades=_GRADES[form], **{limit.name: limit.exponent for limit in LIMITS}
+    )
     return "\n".join([domain, *bounds, "", MEASURED, "", *ends])
 
 

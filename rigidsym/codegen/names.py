@@ -1,12 +1,14 @@
 """Names that several functions share: quantities by axis, and what branches have in common."""
 
+from rigidsym.solution import signs
 from rigidsym.solution.formulas import AXES
 
 INERTIA = tuple(f"c_{x}" for x in AXES)
 DIFFERENCES = ("c_ab", "c_ad", "c_bd")
 RATES = tuple(f"Omega_{x}" for x in AXES)
 ATTITUDE = ("q_0", "q_a", "q_b", "q_d")
-SIGNS = ("epsilon", "sigma", "rho", "chi")
+SIGNS = signs.SIGNS
+NUMBERS = tuple(f"axis_{x}" for x in AXES)
 # What the start of a motion hands to the constants of either branch.
 AMPLITUDES = tuple(f"A_{x}" for x in AXES)
 INITIAL = ("K", *AMPLITUDES, "B_a", "B_d", "k_1", "kc_1", "mu", "psi_0", "s", "c", "d")

@@ -5,11 +5,12 @@ to have.
 """
 
 from rigidsym.engines.arrays import SIZES, is_lenient
-from rigidsym.engines.choice import ENGINES, checked, engine, exactly
+from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
 
 __all__ = [
     "ENGINES",
+    "EVERY",
     "SIZES",
     "Engine",
     "EngineError",

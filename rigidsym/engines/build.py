@@ -13,27 +13,31 @@ from rigidsym.engines.cache import CacheError
 from rigidsym.engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
 from rigidsym.engines.library import Library, LibraryError, check_arithmetic, load
 
-FILES = ("torque_free.h", "torque_free.c")
+# The C module of each engine that runs one.
+FILES = {
+    "c": ("torque_free.h", "torque_free.c"),
+    "c-pi": ("torque_free_pi.h", "torque_free_pi.c"),
+}
 # What tells processors apart in /proc/cpuinfo, on x86 and on ARM.
 _TELLING = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
 
 
-def library(remarks: list[str]) -> Library:
-    """Load or build it; what the user should hear of is added to `remarks`.
+def library(remarks: list[str], engine: str = "c") -> Library:
+    """Load or build that of an engine; what the user should hear of is added to `remarks`.
 
     Raises CompilerError and LibraryError where there is no library to be had.
     """
-    sources, compiler = package_sources(), find()
+    sources, compiler = package_sources(engine), find()
     key = _key(sources, compiler)
     found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
     check_arithmetic(found)
     return found
 
 
-def package_sources() -> Mapping[str, str]:
-    """The generated C module by file name."""
+def package_sources(engine: str = "c") -> Mapping[str, str]:
+    """The generated C module of an engine by file name."""
     package = resources.files("rigidsym.generated")
-    return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES}
+    return {name: package.joinpath(name).read_text(encoding="utf-8") for name in FILES[engine]}
 
 
 def _key(sources: Mapping[str, str], compiler: Compiler) -> str:

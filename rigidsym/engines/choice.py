@@ -9,51 +9,62 @@ from rigidsym.engines.protocol import Engine
 from rigidsym.errors import InputError
 
 ENGINES = ("numpy", "c")
+# Those and the ones on modules in the paper's own form, which nobody is given unasked.
+EVERY = (*ENGINES, "numpy-pi", "c-pi")
 _LOCK = threading.Lock()
 
 
 def engine(name: str) -> Engine:
-    """The engine of a name in ENGINES; without a C compiler, a warning and NumPy's for "c".
+    """The engine of a name in EVERY; without a C compiler, a warning and NumPy's for C's.
 
-    The first call for "c" may compile, for a second or two.  Raises InputError for other names.
+    The first call for C's may compile, for a second or two.  Raises InputError for other names.
     """
-    return NumpyEngine() if checked(name) == "numpy" else _c_or_numpy()
+    return _c_or_numpy(name) if checked(name).startswith("c") else _numpy(name)
 
 
 def exactly(name: str) -> Engine:
     """The engine of a name and no other; raises InputError where it cannot be had."""
-    if checked(name) == "numpy":
-        return NumpyEngine()
-    found, _ = _obtained()
+    if not checked(name).startswith("c"):
+        return _numpy(name)
+    found, _ = _obtained(name)
     if isinstance(found, str):
         raise InputError("engine", name, found)
     return found
 
 
 def checked(name: str) -> str:
-    """The name; raises InputError unless it is in ENGINES."""
-    if name not in ENGINES:
-        raise InputError("engine", repr(name), f"must be one of: {', '.join(ENGINES)}")
+    """The name; raises InputError unless it is in EVERY."""
+    if name not in EVERY:
+        raise InputError("engine", repr(name), f"must be one of: {', '.join(EVERY)}")
     return name
 
 
 def forget() -> None:
-    """Look for C's engine again when it is next asked for."""
+    """Look for C's engines again when one is next asked for."""
     _obtained.cache_clear()
 
 
-def _c_or_numpy() -> Engine:
+def _numpy(name: str) -> Engine:
+    if name == "numpy":
+        return NumpyEngine()
+    # Here, because who asks for the default does not need it.
+    from rigidsym.generated import torque_free_pi
+
+    return NumpyEngine(torque_free_pi)
+
+
+def _c_or_numpy(name: str) -> Engine:
     with _LOCK:
-        found, remarks = _obtained()
+        found, remarks = _obtained(name)
         heard, remarks[:] = remarks[:], []
     for remark in heard:
         warnings.warn(remark, RuntimeWarning, stacklevel=3)
-    return NumpyEngine() if isinstance(found, str) else found
+    return _numpy(name.replace("c", "numpy", 1)) if isinstance(found, str) else found
 
 
 @cache
-def _obtained() -> tuple[Engine | str, list[str]]:
-    """C's engine or why there is none, looked for once; remarks that nobody has heard yet."""
+def _obtained(name: str) -> tuple[Engine | str, list[str]]:
+    """One of C's engines or why there is none, looked for once; remarks nobody has heard yet."""
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym.engines.build import library
     from rigidsym.engines.c_engine import CEngine
@@ -62,7 +73,7 @@ def _obtained() -> tuple[Engine | str, list[str]]:
 
     remarks: list[str] = []
     try:
-        return CEngine(library(remarks)), remarks
+        return CEngine(library(remarks, name)), remarks
     except (CompilerError, LibraryError) as error:
         remarks.append(f"engine: {error}: states are computed by NumPy")
         return str(error), remarks

@@ -9,6 +9,13 @@
 #define restrict __restrict
 #endif
 
+/* What loops call has to be in them, or they are not vectorised. */
+#ifdef __GNUC__
+#define INLINED inline __attribute__((always_inline))
+#else
+#define INLINED inline
+#endif
+
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
 #ifndef TORQUE_FREE_BLOCK
 #define TORQUE_FREE_BLOCK 64
@@ -322,14 +329,14 @@ static const double exponential_6 = 2.7557280025515365e-06; /* e^r, r^9 */
 static const double exponential_7 = 2.7613836801372293e-07; /* e^r, r^10 */
 static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
 /* e^x for x <= 0. */
-static inline double exponential(double x)
+static INLINED double exponential(double x)
 {
-    const double bounded = choose(least, x, x, least); /* DLMF 4.8 */
-    const double n = nearest(bounded * log_2_inverse); /* DLMF 4.8 */
-    const double r = fused(-n, log_2_rest, fused(-n, log_2_short, bounded)); /* DLMF 4.2.19 */
-    const double rest = fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, exponential_8, exponential_7), exponential_6), exponential_5), exponential_4), exponential_3), exponential_2), exponential_1), exponential_0); /* DLMF 4.2.19 */
-    const double grown = 1.0 + fused(r * r, fused(r, rest, half), r); /* DLMF 4.2.19 */
-    const double value = choose(least, x, power_of_two(n) * grown, 0.0); /* DLMF 4.8 */
+    const double bounded = choose(least, x, x, least); /* classical: DLMF 4.8 */
+    const double n = nearest(bounded * log_2_inverse); /* classical: DLMF 4.8 */
+    const double r = fused(-n, log_2_rest, fused(-n, log_2_short, bounded)); /* classical: DLMF 4.2.19 */
+    const double rest = fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, fused(r, exponential_8, exponential_7), exponential_6), exponential_5), exponential_4), exponential_3), exponential_2), exponential_1), exponential_0); /* classical: DLMF 4.2.19 */
+    const double grown = 1.0 + fused(r * r, fused(r, rest, half), r); /* classical: DLMF 4.2.19 */
+    const double value = choose(least, x, power_of_two(n) * grown, 0.0); /* classical: DLMF 4.8 */
     return value;
 }
 
@@ -337,67 +344,114 @@ static inline double exponential(double x)
 static double_double discriminant_dd(double_double c_a, double_double c_d, double_double c_ab, double_double c_bd,
     double_double Omega_a, double_double Omega_d)
 {
-    const double_double E_b = dd_sub_xx(dd_mul_xx(dd_mul_xx(c_a, c_ab), dd_mul_xx(Omega_a, Omega_a)), dd_mul_xx(dd_mul_xx(c_d, c_bd), dd_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    const double_double E_b = dd_sub_xx(dd_mul_xx(dd_mul_xx(c_a, c_ab), dd_mul_xx(Omega_a, Omega_a)), dd_mul_xx(dd_mul_xx(c_d, c_bd), dd_mul_xx(Omega_d, Omega_d))); /* fact: regular.E_b; (6), (15) */
     return E_b;
 }
 
 /* K^2 - 2 H c_b over any numbers. */
 static exact discriminant_exact(exact c_a, exact c_d, exact c_ab, exact c_bd, exact Omega_a, exact Omega_d)
 {
-    const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* (6), (15); regular.E_b */
+    const exact E_b = exact_sub_xx(exact_mul_xx(exact_mul_xx(c_a, c_ab), exact_mul_xx(Omega_a, Omega_a)), exact_mul_xx(exact_mul_xx(c_d, c_bd), exact_mul_xx(Omega_d, Omega_d))); /* fact: regular.E_b; (6), (15) */
     return E_b;
 }
 
-/* Invariants, amplitudes, descended functions at t = 0; E_b is of `_discriminant`. */
+/* 1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1. */
+static INLINED double circulation(double c_12, double c_13, double c_23, double Omega_1, double Omega_2,
+    double Omega_3, double E_2)
+{
+    const double c_1 = 1.0 + c_13; /* fact: definition sorted_body.c_1 */
+    const double c_2 = 1.0 + c_23; /* fact: definition sorted_body.c_2 */
+    const double common_1 = Omega_2 * Omega_2; /* fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning */
+    const double common_2 = Omega_3 * Omega_3; /* fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle */
+    const double E_1 = fused(c_2 * c_12, common_1, c_13 * common_2); /* fact: definition sorted_body.E_1 */
+    const double common_3 = Omega_1 * Omega_1; /* fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle */
+    const double E_3 = fused(c_1 * c_13, common_3, c_2 * c_23 * common_1); /* fact: definition sorted_body.E_3 */
+    const double turning = common_3 + common_1 + common_2; /* fact: definition sorted_body.turning */
+    const double off_middle = common_3 + common_2; /* fact: definition sorted_body.off_middle */
+    const double rest = 0.0; /* fact: rest.rates */
+    const double spherical = 0.0; /* fact: spherical.moments */
+    const double prolate_equatorial = 0.0; /* fact: prolate_equatorial.parallel */
+    const double prolate_polar = 0.0; /* fact: prolate_polar.parallel */
+    const double prolate_motion = -1.0; /* fact: prolate_motion.squares; (10), (13), (14) */
+    const double oblate_polar = 0.0; /* fact: oblate_polar.parallel */
+    const double oblate_equatorial = 0.0; /* fact: oblate_equatorial.parallel */
+    const double oblate_motion = 1.0; /* fact: oblate_motion.squares; (10), (13), (14) */
+    const double spin_1 = 0.0; /* fact: spin_1.parallel */
+    const double spin_3 = 0.0; /* fact: spin_3.parallel */
+    const double spin_2 = 0.0; /* fact: spin_2.parallel */
+    const double separatrix_motion = 1.0; /* fact: separatrix_motion.squares; (10), (13), (14) */
+    const double largest = 1.0; /* fact: largest.squares; (10), (13), (14) */
+    const double smallest = -1.0; /* fact: smallest.squares; (10), (13), (14) */
+    const double on_separatrix = choose(off_middle, 0.0, spin_2, separatrix_motion); /* fact: on_separatrix.cases */
+    const double off_1_and_3 = choose(E_2, 0.0, choose(0.0, E_2, on_separatrix, smallest), largest); /* fact: off_1_and_3.cases */
+    const double off_1 = choose(E_3, 0.0, spin_3, off_1_and_3); /* fact: off_1.cases */
+    const double oblate_off_1 = choose(E_3, 0.0, oblate_equatorial, oblate_motion); /* fact: oblate_off_1.cases */
+    const double asymmetric = choose(E_1, 0.0, spin_1, off_1); /* fact: asymmetric.cases */
+    const double oblate = choose(E_1, 0.0, oblate_polar, oblate_off_1); /* fact: oblate.cases */
+    const double prolate_off_1 = choose(E_3, 0.0, prolate_polar, prolate_motion); /* fact: prolate_off_1.cases */
+    const double unequal_large = choose(c_23, 0.0, oblate, asymmetric); /* fact: unequal_large.cases */
+    const double prolate = choose(E_1, 0.0, prolate_equatorial, prolate_off_1); /* fact: prolate.cases */
+    const double nonspherical = choose(c_12, 0.0, prolate, unequal_large); /* fact: nonspherical.cases */
+    const double motion = choose(c_13, 0.0, spherical, nonspherical); /* fact: motion.cases */
+    const double sorted_body = choose(turning, 0.0, rest, motion); /* fact: sorted_body.cases */
+    return sorted_body;
+}
+
+/* Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`. */
 static void initial_state(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a, double_double Omega_b,
-    double_double Omega_d, double_double E_b, double epsilon, double sigma, double rho,
-    double chi, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
+    double_double Omega_d, double_double E_b, double axis_a, double axis_b,
+    double axis_d, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
     double_double *A_d_out, double_double *B_a_out, double_double *B_d_out,
     double_double *k_1_out, double_double *kc_1_out, double_double *mu_out,
     double_double *psi_0_out, double_double *s_out, double_double *c_out,
-    double_double *d_out)
+    double_double *d_out, double *epsilon_out, double *sigma_out, double *rho_out,
+    double *chi_out)
 {
-    const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* (6), (15); regular.H regular.E_d */
-    const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* (6), (15); regular.H regular.E_a regular.E_d */
-    const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* (6), (15); regular.H regular.E_a */
-    const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* (6), (15); regular.H */
-    const double_double common_4 = dd_mul_xx(c_b, c_ab); /* (6), (15), (10), (13), (14); regular.E_a regular.A_b */
-    const double_double common_5 = dd_mul_xx(c_d, c_ad); /* (6), (15), (10), (13), (14); regular.E_a regular.A_d */
-    const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* (6), (15); regular.E_a */
-    const double_double common_6 = dd_mul_xx(c_a, c_ad); /* (6), (15), (10), (13), (14); regular.E_d regular.A_a */
-    const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* (6), (15); regular.E_d */
-    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* (8); definition attitude.M_a */
-    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* (8); definition attitude.M_b */
-    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* (8); definition attitude.M_d */
-    const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* (6), (15); attitude.K */
-    const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* (10), (13), (14); regular.A_a */
-    const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* (10), (13), (14); regular.A_b */
-    const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* (10), (13), (14); regular.A_d */
-    const double_double common_7 = dd_mul_xx(c_ab, E_d); /* (10), (13), (14); regular.lambda_ regular.m_1 */
-    const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* (10), (13), (14); regular.lambda_ */
-    const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* (10), (13), (14); regular.m */
-    const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* (10), (13), (14); regular.m_1 */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
-    const double_double k_c = dd_sqrt(m_1); /* DLMF 22.7.1; descended.k_c */
-    const double_double common_8 = dd_add_dx(1.0, k_c); /* DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu definition landen.kc_next */
-    const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* DLMF 22.7.1; descended.k_1 */
-    const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* DLMF 22.7.2; descended.mu */
-    const double_double common_9 = dd_mul_xx(c_a, A_a); /* (33), (34), (27); descended.psi_0 theta_form.B_a */
-    const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), dd_add_xx(K, common_9)); /* (33), (34); descended.psi_0 */
-    const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* (12); regular.sn */
-    const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* (12); regular.cn */
-    const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* (12); regular.dn */
-    const double_double B_a = common_9; /* (27); theta_form.B_a */
-    const double_double B_d = dd_mul_xx(c_d, A_d); /* (28); theta_form.B_d */
-    const double_double root_kc = dd_sqrt(k_c); /* DLMF 22.7.1; landen.root_kc */
-    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* DLMF 22.7.1; definition landen.kc_next */
-    const double_double common_10 = dd_add_dx(1.0, dn); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
-    const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
-    const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
-    const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* DLMF 22.7.4; landen.v */
-    const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
-    const double_double d = dd_div_xx(v, common_10); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
+    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+    const double sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0); /* fact: choice start_signs.sigma; (12) */
+    const double rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0); /* fact: choice start_signs.rho; (12) */
+    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+    const double chi = choose(0.0, tau * dd_rounded(Omega_d), 1.0, -1.0); /* fact: choice start_signs.chi; (12) */
+    const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* fact: regular.H, regular.E_d; (6), (15) */
+    const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* fact: regular.H, regular.E_a, regular.E_d; (6), (15) */
+    const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* fact: regular.H, regular.E_a; (6), (15) */
+    const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: regular.H; (6), (15) */
+    const double_double common_4 = dd_mul_xx(c_b, c_ab); /* fact: regular.E_a, regular.A_b; (6), (15), (10), (13), (14) */
+    const double_double common_5 = dd_mul_xx(c_d, c_ad); /* fact: regular.E_a, regular.A_d; (6), (15), (10), (13), (14) */
+    const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* fact: regular.E_a; (6), (15) */
+    const double_double common_6 = dd_mul_xx(c_a, c_ad); /* fact: regular.E_d, regular.A_a; (6), (15), (10), (13), (14) */
+    const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* fact: regular.E_d; (6), (15) */
+    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
+    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
+    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
+    const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* fact: attitude.K; (6), (15) */
+    const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* fact: regular.A_a; (10), (13), (14) */
+    const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* fact: regular.A_b; (10), (13), (14) */
+    const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* fact: regular.A_d; (10), (13), (14) */
+    const double_double common_7 = dd_mul_xx(c_ab, E_d); /* fact: regular.lambda_, regular.m_1; (10), (13), (14) */
+    const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* fact: regular.lambda_; (10), (13), (14) */
+    const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* fact: regular.m; (10), (13), (14) */
+    const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* fact: regular.m_1; (10), (13), (14) */
+    const double_double k_c = dd_sqrt(m_1); /* fact: descended.k_c; DLMF 22.7.1 */
+    const double_double common_8 = dd_add_dx(1.0, k_c); /* fact: descended.k_1, descended.mu, definition landen.kc_next; DLMF 22.7.1, DLMF 22.7.2 */
+    const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* fact: descended.k_1; DLMF 22.7.1 */
+    const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* fact: descended.mu; DLMF 22.7.2 */
+    const double_double common_9 = dd_mul_xx(c_a, A_a); /* fact: descended.psi_0, theta_form.B_a; (33), (34), (27) */
+    const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), dd_add_xx(K, common_9)); /* fact: descended.psi_0; (33), (34) */
+    const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
+    const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
+    const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
+    const double_double B_a = common_9; /* fact: theta_form.B_a; (27) */
+    const double_double B_d = dd_mul_xx(c_d, A_d); /* fact: theta_form.B_d; (28) */
+    const double_double root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
+    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+    const double_double common_10 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
+    const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+    const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
+    const double_double d = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
     *K_out = K;
     *A_a_out = A_a;
     *A_b_out = A_b;
@@ -411,6 +465,10 @@ static void initial_state(double_double c_a, double_double c_b, double_double c_
     *s_out = s;
     *c_out = c;
     *d_out = d;
+    *epsilon_out = epsilon;
+    *sigma_out = sigma;
+    *rho_out = rho;
+    *chi_out = chi;
 }
 
 /* One step of Landen's descending transformation. */
@@ -419,21 +477,21 @@ static void landen(double_double k, double_double kc, double_double s, double_do
     double_double *kc_next_out, double_double *s_next_out, double_double *c_next_out,
     double_double *d_next_out, double_double *r_next_out, double_double *Y_next_out)
 {
-    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 22.7.1; landen.k_next definition landen.kc_next landen.r_next */
-    const double_double common_2 = dd_div_xx(k, common_1); /* DLMF 22.7.1; landen.k_next */
-    const double_double k_next = dd_mul_xx(common_2, common_2); /* DLMF 22.7.1; landen.k_next */
-    const double_double root_kc = dd_sqrt(kc); /* DLMF 22.7.1; landen.root_kc */
-    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 22.7.1; definition landen.kc_next */
-    const double_double common_3 = dd_add_dx(1.0, k_next); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next */
-    const double_double common_4 = dd_add_dx(1.0, d); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next */
-    const double_double common_5 = dd_mul_xx(common_3, common_4); /* DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v */
-    const double_double s_next = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* DLMF 22.7.2 to 22.7.4; landen.s_next */
-    const double_double v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* DLMF 22.7.4; landen.v */
-    const double_double c_next = dd_div_xx(dd_mul_dx(2.0, c), v); /* DLMF 22.7.2 to 22.7.4; landen.c_next */
-    const double_double d_next = dd_div_xx(v, common_4); /* DLMF 22.7.2 to 22.7.4; landen.d_next */
-    const double_double r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* DLMF 22.7.1; landen.r_next */
-    const double_double S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* DLMF 22.7.2; landen.S */
-    const double_double Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* DLMF 22.7.2; landen.Y_next */
+    const double_double common_1 = dd_add_dx(1.0, kc); /* fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1 */
+    const double_double common_2 = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
+    const double_double k_next = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+    const double_double root_kc = dd_sqrt(kc); /* fact: landen.root_kc; DLMF 22.7.1 */
+    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+    const double_double common_3 = dd_add_dx(1.0, k_next); /* fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2 */
+    const double_double common_4 = dd_add_dx(1.0, d); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const double_double common_5 = dd_mul_xx(common_3, common_4); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+    const double_double s_next = dd_div_xx(dd_mul_dx(2.0, s), common_5); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
+    const double_double v = dd_sqrt(dd_mul_xx(common_5, dd_add_xx(d, kc))); /* fact: landen.v; DLMF 22.7.4 */
+    const double_double c_next = dd_div_xx(dd_mul_dx(2.0, c), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
+    const double_double d_next = dd_div_xx(v, common_4); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+    const double_double r_next = dd_div_xx(dd_mul_xx(r, k), dd_mul_xx(common_1, common_1)); /* fact: landen.r_next; DLMF 22.7.1 */
+    const double_double S = dd_sqrt(dd_add_xx(dd_mul_xx(common_3, common_3), dd_mul_xx(dd_mul_dx(4.0, r_next), dd_mul_xx(Y, Y)))); /* fact: landen.S; DLMF 22.7.2 */
+    const double_double Y_next = dd_div_xx(dd_mul_dx(2.0, Y), dd_add_xx(common_3, S)); /* fact: landen.Y_next; DLMF 22.7.2 */
     *k_next_out = k_next;
     *kc_next_out = kc_next;
     *s_next_out = s_next;
@@ -449,21 +507,21 @@ static void ladder(double_double k, double_double kc, double_double s, double_do
     double_double *c5_out, double_double *Y5_out)
 {
     double_double k1, kc1, s1, c1, d1, r1, Y1;
-    landen(k, kc, s, c, d, r, Y, &k1, &kc1, &s1, &c1, &d1, &r1, &Y1); /* DLMF 22.7.2 */
+    landen(k, kc, s, c, d, r, Y, &k1, &kc1, &s1, &c1, &d1, &r1, &Y1); /* classical: DLMF 22.7.2 */
     double_double k2, kc2, s2, c2, d2, r2, Y2;
-    landen(k1, kc1, s1, c1, d1, r1, Y1, &k2, &kc2, &s2, &c2, &d2, &r2, &Y2); /* DLMF 22.7.2 */
+    landen(k1, kc1, s1, c1, d1, r1, Y1, &k2, &kc2, &s2, &c2, &d2, &r2, &Y2); /* classical: DLMF 22.7.2 */
     double_double k3, kc3, s3, c3, d3, r3, Y3;
-    landen(k2, kc2, s2, c2, d2, r2, Y2, &k3, &kc3, &s3, &c3, &d3, &r3, &Y3); /* DLMF 22.7.2 */
+    landen(k2, kc2, s2, c2, d2, r2, Y2, &k3, &kc3, &s3, &c3, &d3, &r3, &Y3); /* classical: DLMF 22.7.2 */
     double_double k4, kc4, s4, c4, d4, r4, Y4;
-    landen(k3, kc3, s3, c3, d3, r3, Y3, &k4, &kc4, &s4, &c4, &d4, &r4, &Y4); /* DLMF 22.7.2 */
+    landen(k3, kc3, s3, c3, d3, r3, Y3, &k4, &kc4, &s4, &c4, &d4, &r4, &Y4); /* classical: DLMF 22.7.2 */
     double_double k5, kc5, s5, c5, d5, r5, Y5;
-    landen(k4, kc4, s4, c4, d4, r4, Y4, &k5, &kc5, &s5, &c5, &d5, &r5, &Y5); /* DLMF 22.7.2 */
-    const double_double K5 = dd_div_xd(pi, 2.0); /* DLMF 19.6.1 */
-    const double_double K4 = dd_mul_xx(dd_add_dx(1.0, k5), K5); /* DLMF 19.8.12; definition landen.K */
-    const double_double K3 = dd_mul_xx(dd_add_dx(1.0, k4), K4); /* DLMF 19.8.12; definition landen.K */
-    const double_double K2 = dd_mul_xx(dd_add_dx(1.0, k3), K3); /* DLMF 19.8.12; definition landen.K */
-    const double_double K1 = dd_mul_xx(dd_add_dx(1.0, k2), K2); /* DLMF 19.8.12; definition landen.K */
-    const double_double K0 = dd_mul_xx(dd_add_dx(1.0, k1), K1); /* DLMF 19.8.12; definition landen.K */
+    landen(k4, kc4, s4, c4, d4, r4, Y4, &k5, &kc5, &s5, &c5, &d5, &r5, &Y5); /* classical: DLMF 22.7.2 */
+    const double_double K5 = dd_div_xd(pi, 2.0); /* classical: DLMF 19.6.1 */
+    const double_double K4 = dd_mul_xx(dd_add_dx(1.0, k5), K5); /* fact: definition landen.K; DLMF 19.8.12 */
+    const double_double K3 = dd_mul_xx(dd_add_dx(1.0, k4), K4); /* fact: definition landen.K; DLMF 19.8.12 */
+    const double_double K2 = dd_mul_xx(dd_add_dx(1.0, k3), K3); /* fact: definition landen.K; DLMF 19.8.12 */
+    const double_double K1 = dd_mul_xx(dd_add_dx(1.0, k2), K2); /* fact: definition landen.K; DLMF 19.8.12 */
+    const double_double K0 = dd_mul_xx(dd_add_dx(1.0, k1), K1); /* fact: definition landen.K; DLMF 19.8.12 */
     *K0_out = K0;
     *s5_out = s5;
     *c5_out = c5;
@@ -473,46 +531,46 @@ static void ladder(double_double k, double_double kc, double_double s, double_do
 /* k/sqrt(q) where q is the nome of modulus k, kc its complement, k^2 <= 1/2. */
 static double_double root_ratio(double_double k, double_double kc)
 {
-    const double_double root_kc = dd_sqrt(kc); /* DLMF 19.8.12 */
-    const double_double common_1 = dd_add_dx(1.0, kc); /* DLMF 19.8.12, DLMF 20.9.1; landen.k_next definition landen.kc_next */
-    const double_double common_2 = dd_div_xx(k, common_1); /* DLMF 19.8.12; landen.k_next */
-    const double_double k_next = dd_mul_xx(common_2, common_2); /* DLMF 19.8.12; landen.k_next */
-    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* DLMF 19.8.12; definition landen.kc_next */
-    const double_double root = dd_add_dx(1.0, dd_sqrt(kc_next)); /* DLMF 20.9.1 */
-    const double_double f = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, dd_add_dx(1.0, kc_next)), root), root); /* DLMF 20.9.1 */
-    const double_double e = dd_div_xx(dd_mul_xx(k_next, k_next), f); /* DLMF 20.9.1 */
-    const double_double e2 = dd_mul_xx(e, e); /* DLMF 20.9.1 */
-    const double_double e4 = dd_mul_xx(e2, e2); /* DLMF 20.9.1 */
-    const double_double r = dd_div_xx(common_1, dd_sqrt(dd_sqrt(dd_div_xx(dd_add_dx(1.0, dd_mul_xx(e4, dd_add_dx(2.0, dd_mul_xx(e4, dd_add_dx(15.0, dd_mul_xd(e4, 150.0)))))), f)))); /* DLMF 20.9.1 */
+    const double_double root_kc = dd_sqrt(kc); /* classical: DLMF 19.8.12 */
+    const double_double common_1 = dd_add_dx(1.0, kc); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1, DLMF 19.8.12, DLMF 20.9.1 */
+    const double_double common_2 = dd_div_xx(k, common_1); /* fact: landen.k_next; DLMF 22.7.1, DLMF 19.8.12 */
+    const double_double k_next = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1, DLMF 19.8.12 */
+    const double_double kc_next = dd_div_xx(dd_mul_dx(2.0, root_kc), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1, DLMF 19.8.12 */
+    const double_double root = dd_add_dx(1.0, dd_sqrt(kc_next)); /* classical: DLMF 20.9.1 */
+    const double_double f = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, dd_add_dx(1.0, kc_next)), root), root); /* classical: DLMF 20.9.1 */
+    const double_double e = dd_div_xx(dd_mul_xx(k_next, k_next), f); /* classical: DLMF 20.9.1 */
+    const double_double e2 = dd_mul_xx(e, e); /* classical: DLMF 20.9.1 */
+    const double_double e4 = dd_mul_xx(e2, e2); /* classical: DLMF 20.9.1 */
+    const double_double r = dd_div_xx(common_1, dd_sqrt(dd_sqrt(dd_div_xx(dd_add_dx(1.0, dd_mul_xx(e4, dd_add_dx(2.0, dd_mul_xx(e4, dd_add_dx(15.0, dd_mul_xd(e4, 150.0)))))), f)))); /* classical: DLMF 20.9.1 */
     return r;
 }
 
 /* theta/pi where s and c >= 0 are the sine and cosine of theta. */
 static double_double half_turns(double_double s, double_double c)
 {
-    const double_double t1 = dd_div_xx(s, dd_add_dx(1.0, c)); /* DLMF 4.21.28 */
-    const double_double t2 = dd_div_xx(t1, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t1, t1))))); /* DLMF 4.21.28 */
-    const double_double t3 = dd_div_xx(t2, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t2, t2))))); /* DLMF 4.21.28 */
-    const double_double t4 = dd_div_xx(t3, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t3, t3))))); /* DLMF 4.21.28 */
-    const double_double z = dd_neg(dd_mul_xx(t4, t4)); /* DLMF 4.24.3 */
-    const double z_d = dd_rounded(z); /* DLMF 4.24.3 */
-    const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* DLMF 4.24.3 */
-    const double_double series = dd_add_dx(1.0, dd_mul_xx(z, dd_add_xx(over_3, dd_mul_xx(z, dd_add_xx(over_5, dd_mul_xx(z, dd_add_xx(over_7, dd_mul_xx(z, dd_add_xx(over_9, dd_mul_xx(z, dd_add_xx(over_11, dd_mul_xx(z, dd_add_xx(over_13, dd_mul_xx(z, dd_add_xx(over_15, dd_mul_xx(z, dd_add_xx(over_17, dd_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.24.3 */
-    const double_double angle = dd_div_xx(dd_mul_xx(dd_mul_dx(16.0, t4), series), pi); /* DLMF 4.24.3 */
+    const double_double t1 = dd_div_xx(s, dd_add_dx(1.0, c)); /* classical: DLMF 4.21.28 */
+    const double_double t2 = dd_div_xx(t1, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t1, t1))))); /* classical: DLMF 4.21.28 */
+    const double_double t3 = dd_div_xx(t2, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t2, t2))))); /* classical: DLMF 4.21.28 */
+    const double_double t4 = dd_div_xx(t3, dd_add_dx(1.0, dd_sqrt(dd_add_dx(1.0, dd_mul_xx(t3, t3))))); /* classical: DLMF 4.21.28 */
+    const double_double z = dd_neg(dd_mul_xx(t4, t4)); /* classical: DLMF 4.24.3 */
+    const double z_d = dd_rounded(z); /* classical: DLMF 4.24.3 */
+    const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* classical: DLMF 4.24.3 */
+    const double_double series = dd_add_dx(1.0, dd_mul_xx(z, dd_add_xx(over_3, dd_mul_xx(z, dd_add_xx(over_5, dd_mul_xx(z, dd_add_xx(over_7, dd_mul_xx(z, dd_add_xx(over_9, dd_mul_xx(z, dd_add_xx(over_11, dd_mul_xx(z, dd_add_xx(over_13, dd_mul_xx(z, dd_add_xx(over_15, dd_mul_xx(z, dd_add_xx(over_17, dd_mul_xd(z, tail)))))))))))))))))); /* classical: DLMF 4.24.3 */
+    const double_double angle = dd_div_xx(dd_mul_xx(dd_mul_dx(16.0, t4), series), pi); /* classical: DLMF 4.24.3 */
     return angle;
 }
 
 /* log(x) for x > 0. */
 static double_double logarithm(double_double x)
 {
-    const double e = dd_exponent(x); /* DLMF 4.8 */
-    const double_double f = dd_sqrt(dd_mantissa(x)); /* DLMF 4.8 */
-    const double_double t4 = dd_div_xx(dd_sub_xd(f, 1.0), dd_add_xd(f, 1.0)); /* DLMF 4.38.5 */
-    const double_double z = dd_mul_xx(t4, t4); /* DLMF 4.38.5 */
-    const double z_d = dd_rounded(z); /* DLMF 4.38.5 */
-    const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* DLMF 4.38.5 */
-    const double_double series = dd_add_dx(1.0, dd_mul_xx(z, dd_add_xx(over_3, dd_mul_xx(z, dd_add_xx(over_5, dd_mul_xx(z, dd_add_xx(over_7, dd_mul_xx(z, dd_add_xx(over_9, dd_mul_xx(z, dd_add_xx(over_11, dd_mul_xx(z, dd_add_xx(over_13, dd_mul_xx(z, dd_add_xx(over_15, dd_mul_xx(z, dd_add_xx(over_17, dd_mul_xd(z, tail)))))))))))))))))); /* DLMF 4.38.5 */
-    const double_double log_x = dd_add_xx(dd_mul_dx(e, log_2), dd_mul_xx(dd_mul_dx(4.0, t4), series)); /* DLMF 4.38.5 */
+    const double e = dd_exponent(x); /* classical: DLMF 4.8 */
+    const double_double f = dd_sqrt(dd_mantissa(x)); /* classical: DLMF 4.8 */
+    const double_double t4 = dd_div_xx(dd_sub_xd(f, 1.0), dd_add_xd(f, 1.0)); /* classical: DLMF 4.38.5 */
+    const double_double z = dd_mul_xx(t4, t4); /* classical: DLMF 4.38.5 */
+    const double z_d = dd_rounded(z); /* classical: DLMF 4.38.5 */
+    const double tail = fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, fused(z_d, over_33, over_31), over_29), over_27), over_25), over_23), over_21), over_19); /* classical: DLMF 4.38.5 */
+    const double_double series = dd_add_dx(1.0, dd_mul_xx(z, dd_add_xx(over_3, dd_mul_xx(z, dd_add_xx(over_5, dd_mul_xx(z, dd_add_xx(over_7, dd_mul_xx(z, dd_add_xx(over_9, dd_mul_xx(z, dd_add_xx(over_11, dd_mul_xx(z, dd_add_xx(over_13, dd_mul_xx(z, dd_add_xx(over_15, dd_mul_xx(z, dd_add_xx(over_17, dd_mul_xd(z, tail)))))))))))))))))); /* classical: DLMF 4.38.5 */
+    const double_double log_x = dd_add_xx(dd_mul_dx(e, log_2), dd_mul_xx(dd_mul_dx(4.0, t4), series)); /* classical: DLMF 4.38.5 */
     return log_x;
 }
 
@@ -524,174 +582,174 @@ static void circular_constants(double_double K, double_double A_a, double_double
     double_double q_d, double epsilon, double sigma, double rho, double chi, double unit,
     torque_free_circular *motion)
 {
-    const double_double r = root_ratio(k_1, kc_1); /* DLMF 20.9.1 */
-    const double_double root_r = dd_sqrt(r); /* (27); scaling.root_r */
-    const double_double Q = dd_div_xx(k_1, r); /* (27); scaling.Q */
-    const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* (28); definition scaling.Y */
+    const double_double r = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
+    const double_double root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
+    const double_double Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
+    const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
     double_double K_1, sin_v, cos_v, Y_b;
-    ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* DLMF 19.8.12 */
-    const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* (28); scaling.root_h */
-    const double_double h_plus = dd_add_xx(root_h, Y_b); /* (28); scaling.h_plus */
-    const double_double h_minus = dd_sub_xx(root_h, Y_b); /* (28); scaling.h_minus */
-    const double_double g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* (10) */
-    const double_double up1 = h_plus; /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down1 = h_minus; /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up1 = dd_mul_xx(h_plus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down1 = dd_mul_xx(h_minus, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up2 = dd_mul_xx(up1, step_up1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up2 = dd_mul_xx(step_up1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down2 = dd_mul_xx(down1, step_down1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down2 = dd_mul_xx(step_down1, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up3 = dd_mul_xx(up2, step_up2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up3 = dd_mul_xx(step_up2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down3 = dd_mul_xx(down2, step_down2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down3 = dd_mul_xx(step_down2, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up4 = dd_mul_xx(up3, step_up3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up4 = dd_mul_xx(step_up3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down4 = dd_mul_xx(down3, step_down3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down4 = dd_mul_xx(step_down3, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up5 = dd_mul_xx(up4, step_up4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up5 = dd_mul_xx(step_up4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down5 = dd_mul_xx(down4, step_down4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down5 = dd_mul_xx(step_down4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up6 = dd_mul_xx(up5, step_up5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up6 = dd_mul_xx(step_up5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down6 = dd_mul_xx(down5, step_down5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down6 = dd_mul_xx(step_down5, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up7 = dd_mul_xx(up6, step_up6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up7 = dd_mul_xx(step_up6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down7 = dd_mul_xx(down6, step_down6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down7 = dd_mul_xx(step_down6, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up8 = dd_mul_xx(up7, step_up7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up8 = dd_mul_xx(step_up7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down8 = dd_mul_xx(down7, step_down7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down8 = dd_mul_xx(step_down7, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up9 = dd_mul_xx(up8, step_up8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up9 = dd_mul_xx(step_up8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down9 = dd_mul_xx(down8, step_down8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down9 = dd_mul_xx(step_down8, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up10 = dd_mul_xx(up9, step_up9); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down10 = dd_mul_xx(down9, step_down9); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p1 = dd_add_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d1 = dd_sub_xx(up1, down1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p2 = dd_add_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d2 = dd_sub_xx(up2, down2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p3 = dd_add_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d3 = dd_sub_xx(up3, down3); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p4 = dd_add_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d4 = dd_sub_xx(up4, down4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p5 = dd_add_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d5 = dd_sub_xx(up5, down5); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p6 = dd_add_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d6 = dd_sub_xx(up6, down6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p7 = dd_add_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d7 = dd_sub_xx(up7, down7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p8 = dd_add_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d8 = dd_sub_xx(up8, down8); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p10 = dd_add_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d10 = dd_sub_xx(up10, down10); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_1 = dd_mul_dx(4.0, d4); /* (34), DLMF 20.2.4, DLMF 20.2.1 */
-    const double_double zeta = dd_div_xx(dd_mul_xx(g, dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_xx(dd_mul_dx(2.0, d2), common_1), dd_mul_dx(6.0, d6)), dd_mul_dx(8.0, d8)), dd_mul_dx(10.0, d10))), dd_sub_xx(dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, p2), p4), p6), p8), p10)); /* (34), DLMF 20.2.4 */
-    const double_double T4_re_0 = dd_sub_dx(1.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re_1 = dd_add_xx(dd_neg(p2), dd_mul_dx(3.0, p6)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re_2 = dd_mul_dx(2.0, p4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re_3 = dd_mul_dx(-4.0, p6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_im_0 = dd_mul_dx(rho, dd_add_xx(dd_mul_dx(-2.0, d2), dd_mul_dx(2.0, d6))); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_im_1 = dd_mul_dx(rho, common_1); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_im_2 = dd_mul_dx(rho, dd_mul_dx(-8.0, d6)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_0 = dd_add_xx(dd_sub_xx(dd_sub_xx(p1, p3), p5), p7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_2 = dd_mul_dx(4.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_1 = dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, p3), dd_mul_dx(2.0, p5)), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_2 = dd_sub_xx(dd_mul_dx(4.0, p5), common_2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_3 = dd_mul_dx(-8.0, p7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_0 = dd_mul_dx(rho, dd_add_xx(dd_add_xx(dd_sub_xx(dd_neg(d1), d3), d5), d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_3 = dd_mul_dx(4.0, d7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_1 = dd_mul_dx(rho, dd_sub_xx(dd_add_xx(dd_mul_dx(2.0, d3), dd_mul_dx(2.0, d5)), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_2 = dd_mul_dx(rho, dd_sub_xx(dd_mul_dx(-4.0, d5), common_3)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_3 = dd_mul_dx(rho, dd_mul_dx(8.0, d7)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q2 = dd_mul_xx(Q, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q4 = dd_mul_xx(Q2, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q6 = dd_mul_xx(Q4, Q2); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_4 = dd_mul_xx(Q4, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
-    const double_double Q9 = dd_mul_xx(common_4, Q); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q12 = dd_mul_xx(Q6, Q6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q16 = dd_mul_xx(Q12, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q20 = dd_mul_xx(Q16, Q4); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_5 = dd_mul_dx(2.0, Q4); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const double_double common_6 = dd_mul_dx(2.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const double_double even_0 = dd_add_xx(dd_sub_dx(1.0, common_5), common_6); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_7 = dd_mul_dx(16.0, Q16); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double even_1 = dd_sub_xx(dd_mul_dx(4.0, Q4), common_7); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double even_2 = common_7; /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_8 = dd_mul_dx(2.0, Q); /* DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const double_double odd_0 = dd_sub_xx(common_8, dd_mul_dx(6.0, Q9)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double odd_1 = dd_mul_dx(8.0, Q9); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_even_0 = dd_add_xx(dd_add_xx(dd_sub_xx(dd_sub_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_9 = dd_mul_dx(4.0, Q12); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_even_1 = dd_sub_xx(dd_sub_xx(dd_mul_dx(4.0, Q6), common_9), dd_mul_dx(12.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_even_2 = dd_mul_dx(16.0, Q20); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_odd_0 = dd_sub_xx(dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, Q2), dd_mul_dx(2.0, Q6)), common_9), dd_mul_dx(4.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_odd_1 = dd_add_xx(dd_mul_dx(-8.0, Q12), dd_mul_dx(8.0, Q20)); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double two = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, Q2), Q6), Q12), Q20); /* DLMF 20.2.2 */
-    const double_double even_sum = dd_add_xx(dd_add_dx(1.0, common_5), common_6); /* DLMF 20.2.3 */
-    const double_double common_10 = dd_mul_dx(2.0, Q9); /* DLMF 20.2.3 */
-    const double_double odd_sum = dd_add_xx(dd_add_xx(common_8, common_10), dd_mul_xx(common_10, Q16)); /* DLMF 20.2.3 */
-    const double_double three = dd_add_xx(even_sum, odd_sum); /* DLMF 20.2.3 */
-    const double_double four = dd_sub_xx(even_sum, odd_sum); /* DLMF 20.2.4 */
-    const double_double h2_plus = dd_mul_xx(h_plus, h_plus); /* DLMF 20.7.14 */
-    const double_double h2_minus = dd_mul_xx(h_minus, h_minus); /* DLMF 20.7.14 */
-    const double_double side_plus = dd_mul_xx(h2_plus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_plus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_plus))))))))); /* DLMF 20.7.14 */
-    const double_double side_minus = dd_mul_xx(h2_minus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_minus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_minus))))))))); /* DLMF 20.7.14 */
-    const double_double watson = dd_add_xx(dd_add_dx(1.0, side_plus), side_minus); /* DLMF 20.7.14 */
-    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); definition theta_form.Lambda */
-    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* (33), (34) */
-    const double_double v = half_turns(sin_v, cos_v); /* (12) */
-    const double_double v_rate = dd_div_xx(dd_mul_xx(mu, g), pi); /* (10), (20) */
-    const double_double x = dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_v, sin_v))); /* DLMF 4.21.27 */
-    const double_double x2 = dd_mul_xx(x, x); /* DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re = dd_add_xx(T4_re_0, dd_mul_xx(x, dd_add_xx(T4_re_1, dd_mul_xx(x, dd_add_xx(T4_re_2, dd_mul_xx(x, T4_re_3)))))); /* (18), DLMF 20.2.4 */
-    const double_double T4_im = dd_mul_xx(dd_mul_xx(sin_v, cos_v), dd_add_xx(T4_im_0, dd_mul_xx(x, dd_add_xx(T4_im_1, dd_mul_xx(x, T4_im_2))))); /* (18), DLMF 20.2.4 */
-    const double_double T1_re = dd_mul_xx(sin_v, dd_add_xx(T1_re_0, dd_mul_xx(x, dd_add_xx(T1_re_1, dd_mul_xx(x, dd_add_xx(T1_re_2, dd_mul_xx(x, T1_re_3))))))); /* (18), DLMF 20.2.1 */
-    const double_double T1_im = dd_mul_xx(cos_v, dd_add_xx(T1_im_0, dd_mul_xx(x, dd_add_xx(T1_im_1, dd_mul_xx(x, dd_add_xx(T1_im_2, dd_mul_xx(x, T1_im_3))))))); /* (18), DLMF 20.2.1 */
-    const double_double sum_even = dd_add_xx(even_0, dd_mul_xx(x2, dd_add_xx(even_1, dd_mul_xx(x2, even_2)))); /* DLMF 20.2.4 */
-    const double_double sum_odd = dd_mul_xx(x, dd_add_xx(odd_0, dd_mul_xx(x2, odd_1))); /* DLMF 20.2.4 */
-    const double_double theta4_v = dd_sub_xx(sum_even, sum_odd); /* (10), DLMF 20.2.4 */
-    const double_double P4_re = T4_re; /* (18); definition theta_form.P4_re */
-    const double_double P4_im = T4_im; /* (18); definition theta_form.P4_im */
-    const double_double P1_re = T1_re; /* (18); definition theta_form.P1_re */
-    const double_double P1_im = T1_im; /* (18); definition theta_form.P1_im */
-    const double_double W = dd_mul_xx(theta4_v, watson); /* (1), DLMF 20.7.14 */
-    const double_double N = dd_sqrt(W); /* (1); theta_form.N_of_W */
-    const double_double qbar_0 = dd_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
-    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
-    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
-    const double common_11 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d */
-    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_11, P1_re), N); /* (18), (25); theta_form.qbar_d */
-    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
-    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
-    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
-    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
-    const double_double over_N = dd_div_dx(1.0, dd_sqrt(watson)); /* (1), DLMF 20.7.14 */
-    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); definition attitude.q_0 */
-    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); definition attitude.q_0 */
-    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* (37); definition attitude.q_0 */
-    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); definition attitude.q_0 */
-    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); definition attitude.q_a */
-    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); definition attitude.q_a */
-    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* (37); definition attitude.q_a */
-    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); definition attitude.q_a */
-    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); definition attitude.q_b */
-    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); definition attitude.q_b */
-    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* (37); definition attitude.q_b */
-    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); definition attitude.q_b */
-    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); definition attitude.q_d */
-    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); definition attitude.q_d */
-    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* (37); definition attitude.q_d */
-    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); definition attitude.q_d */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
-    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_a */
-    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_b */
-    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_d */
+    ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* classical: DLMF 19.8.12 */
+    const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
+    const double_double h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
+    const double_double h_minus = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
+    const double_double g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* fact: reading theta_form.g; (10) */
+    const double_double up1 = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down1 = h_minus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up1 = dd_mul_xx(h_plus, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down1 = dd_mul_xx(h_minus, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up2 = dd_mul_xx(up1, step_up1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up2 = dd_mul_xx(step_up1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down2 = dd_mul_xx(down1, step_down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down2 = dd_mul_xx(step_down1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up3 = dd_mul_xx(up2, step_up2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up3 = dd_mul_xx(step_up2, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down3 = dd_mul_xx(down2, step_down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down3 = dd_mul_xx(step_down2, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up4 = dd_mul_xx(up3, step_up3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up4 = dd_mul_xx(step_up3, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down4 = dd_mul_xx(down3, step_down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down4 = dd_mul_xx(step_down3, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up5 = dd_mul_xx(up4, step_up4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up5 = dd_mul_xx(step_up4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down5 = dd_mul_xx(down4, step_down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down5 = dd_mul_xx(step_down4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up6 = dd_mul_xx(up5, step_up5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up6 = dd_mul_xx(step_up5, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down6 = dd_mul_xx(down5, step_down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down6 = dd_mul_xx(step_down5, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up7 = dd_mul_xx(up6, step_up6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up7 = dd_mul_xx(step_up6, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down7 = dd_mul_xx(down6, step_down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down7 = dd_mul_xx(step_down6, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up8 = dd_mul_xx(up7, step_up7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up8 = dd_mul_xx(step_up7, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down8 = dd_mul_xx(down7, step_down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down8 = dd_mul_xx(step_down7, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up9 = dd_mul_xx(up8, step_up8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_up9 = dd_mul_xx(step_up8, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down9 = dd_mul_xx(down8, step_down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double step_down9 = dd_mul_xx(step_down8, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double up10 = dd_mul_xx(up9, step_up9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double down10 = dd_mul_xx(down9, step_down9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p1 = dd_add_xx(up1, down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d1 = dd_sub_xx(up1, down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p2 = dd_add_xx(up2, down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d2 = dd_sub_xx(up2, down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p3 = dd_add_xx(up3, down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d3 = dd_sub_xx(up3, down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p4 = dd_add_xx(up4, down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d4 = dd_sub_xx(up4, down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p5 = dd_add_xx(up5, down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d5 = dd_sub_xx(up5, down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p6 = dd_add_xx(up6, down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d6 = dd_sub_xx(up6, down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p7 = dd_add_xx(up7, down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d7 = dd_sub_xx(up7, down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p8 = dd_add_xx(up8, down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d8 = dd_sub_xx(up8, down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double p10 = dd_add_xx(up10, down10); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double d10 = dd_sub_xx(up10, down10); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_1 = dd_mul_dx(4.0, d4); /* classical: DLMF 20.2.4, DLMF 20.2.1 */
+    const double_double zeta = dd_div_xx(dd_mul_xx(g, dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_xx(dd_mul_dx(2.0, d2), common_1), dd_mul_dx(6.0, d6)), dd_mul_dx(8.0, d8)), dd_mul_dx(10.0, d10))), dd_sub_xx(dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, p2), p4), p6), p8), p10)); /* classical: DLMF 20.2.4 */
+    const double_double T4_re_0 = dd_sub_dx(1.0, p4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re_1 = dd_add_xx(dd_neg(p2), dd_mul_dx(3.0, p6)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re_2 = dd_mul_dx(2.0, p4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re_3 = dd_mul_dx(-4.0, p6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_im_0 = dd_mul_dx(rho, dd_add_xx(dd_mul_dx(-2.0, d2), dd_mul_dx(2.0, d6))); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_im_1 = dd_mul_dx(rho, common_1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_im_2 = dd_mul_dx(rho, dd_mul_dx(-8.0, d6)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_0 = dd_add_xx(dd_sub_xx(dd_sub_xx(p1, p3), p5), p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_2 = dd_mul_dx(4.0, p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_1 = dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, p3), dd_mul_dx(2.0, p5)), common_2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_2 = dd_sub_xx(dd_mul_dx(4.0, p5), common_2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_re_3 = dd_mul_dx(-8.0, p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_0 = dd_mul_dx(rho, dd_add_xx(dd_add_xx(dd_sub_xx(dd_neg(d1), d3), d5), d7)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_3 = dd_mul_dx(4.0, d7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_1 = dd_mul_dx(rho, dd_sub_xx(dd_add_xx(dd_mul_dx(2.0, d3), dd_mul_dx(2.0, d5)), common_3)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_2 = dd_mul_dx(rho, dd_sub_xx(dd_mul_dx(-4.0, d5), common_3)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T1_im_3 = dd_mul_dx(rho, dd_mul_dx(8.0, d7)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q2 = dd_mul_xx(Q, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q4 = dd_mul_xx(Q2, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q6 = dd_mul_xx(Q4, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_4 = dd_mul_xx(Q4, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
+    const double_double Q9 = dd_mul_xx(common_4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q12 = dd_mul_xx(Q6, Q6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q16 = dd_mul_xx(Q12, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q20 = dd_mul_xx(Q16, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_5 = dd_mul_dx(2.0, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double common_6 = dd_mul_dx(2.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double even_0 = dd_add_xx(dd_sub_dx(1.0, common_5), common_6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_7 = dd_mul_dx(16.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double even_1 = dd_sub_xx(dd_mul_dx(4.0, Q4), common_7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double even_2 = common_7; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_8 = dd_mul_dx(2.0, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double odd_0 = dd_sub_xx(common_8, dd_mul_dx(6.0, Q9)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double odd_1 = dd_mul_dx(8.0, Q9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_0 = dd_add_xx(dd_add_xx(dd_sub_xx(dd_sub_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_9 = dd_mul_dx(4.0, Q12); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_1 = dd_sub_xx(dd_sub_xx(dd_mul_dx(4.0, Q6), common_9), dd_mul_dx(12.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_2 = dd_mul_dx(16.0, Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_odd_0 = dd_sub_xx(dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, Q2), dd_mul_dx(2.0, Q6)), common_9), dd_mul_dx(4.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_odd_1 = dd_add_xx(dd_mul_dx(-8.0, Q12), dd_mul_dx(8.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double two = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.2 */
+    const double_double even_sum = dd_add_xx(dd_add_dx(1.0, common_5), common_6); /* classical: DLMF 20.2.3 */
+    const double_double common_10 = dd_mul_dx(2.0, Q9); /* classical: DLMF 20.2.3 */
+    const double_double odd_sum = dd_add_xx(dd_add_xx(common_8, common_10), dd_mul_xx(common_10, Q16)); /* classical: DLMF 20.2.3 */
+    const double_double three = dd_add_xx(even_sum, odd_sum); /* classical: DLMF 20.2.3 */
+    const double_double four = dd_sub_xx(even_sum, odd_sum); /* classical: DLMF 20.2.4 */
+    const double_double h2_plus = dd_mul_xx(h_plus, h_plus); /* classical: DLMF 20.7.14 */
+    const double_double h2_minus = dd_mul_xx(h_minus, h_minus); /* classical: DLMF 20.7.14 */
+    const double_double side_plus = dd_mul_xx(h2_plus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_plus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_plus))))))))); /* classical: DLMF 20.7.14 */
+    const double_double side_minus = dd_mul_xx(h2_minus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_minus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_minus))))))))); /* classical: DLMF 20.7.14 */
+    const double_double watson = dd_add_xx(dd_add_dx(1.0, side_plus), side_minus); /* classical: DLMF 20.7.14 */
+    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* fact: definition theta_form.Lambda; (33), (34) */
+    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
+    const double_double v = half_turns(sin_v, cos_v); /* classical: DLMF 4.24.3 */
+    const double_double v_rate = dd_div_xx(dd_mul_xx(mu, g), pi); /* arithmetic */
+    const double_double x = dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_v, sin_v))); /* classical: DLMF 4.21.27 */
+    const double_double x2 = dd_mul_xx(x, x); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double T4_re = dd_add_xx(T4_re_0, dd_mul_xx(x, dd_add_xx(T4_re_1, dd_mul_xx(x, dd_add_xx(T4_re_2, dd_mul_xx(x, T4_re_3)))))); /* classical: DLMF 20.2.4 */
+    const double_double T4_im = dd_mul_xx(dd_mul_xx(sin_v, cos_v), dd_add_xx(T4_im_0, dd_mul_xx(x, dd_add_xx(T4_im_1, dd_mul_xx(x, T4_im_2))))); /* classical: DLMF 20.2.4 */
+    const double_double T1_re = dd_mul_xx(sin_v, dd_add_xx(T1_re_0, dd_mul_xx(x, dd_add_xx(T1_re_1, dd_mul_xx(x, dd_add_xx(T1_re_2, dd_mul_xx(x, T1_re_3))))))); /* classical: DLMF 20.2.1 */
+    const double_double T1_im = dd_mul_xx(cos_v, dd_add_xx(T1_im_0, dd_mul_xx(x, dd_add_xx(T1_im_1, dd_mul_xx(x, dd_add_xx(T1_im_2, dd_mul_xx(x, T1_im_3))))))); /* classical: DLMF 20.2.1 */
+    const double_double sum_even = dd_add_xx(even_0, dd_mul_xx(x2, dd_add_xx(even_1, dd_mul_xx(x2, even_2)))); /* classical: DLMF 20.2.4 */
+    const double_double sum_odd = dd_mul_xx(x, dd_add_xx(odd_0, dd_mul_xx(x2, odd_1))); /* classical: DLMF 20.2.4 */
+    const double_double theta4_v = dd_sub_xx(sum_even, sum_odd); /* classical: DLMF 20.2.4 */
+    const double_double P4_re = T4_re; /* fact: definition theta_form.P4_re; (18) */
+    const double_double P4_im = T4_im; /* fact: definition theta_form.P4_im; (18) */
+    const double_double P1_re = T1_re; /* fact: definition theta_form.P1_re; (18) */
+    const double_double P1_im = T1_im; /* fact: definition theta_form.P1_im; (18) */
+    const double_double W = dd_mul_xx(theta4_v, watson); /* fact: reading theta_form.W; (1) */
+    const double_double N = dd_sqrt(W); /* fact: theta_form.N_of_W; (1) */
+    const double_double qbar_0 = dd_div_xx(P4_re, N); /* fact: theta_form.qbar_0; (18), (25) */
+    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* fact: theta_form.qbar_a; (18), (25) */
+    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* fact: theta_form.qbar_b; (18), (25) */
+    const double common_11 = -epsilon * sigma * chi; /* fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37) */
+    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_11, P1_re), N); /* fact: theta_form.qbar_d; (18), (25) */
+    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
+    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
+    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
+    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
+    const double_double over_N = dd_div_dx(1.0, dd_sqrt(watson)); /* classical: DLMF 20.7.14 */
+    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* fact: definition attitude.q_0; (37) */
+    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* fact: definition attitude.q_0; (37) */
+    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* fact: definition attitude.q_0; (37) */
+    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* fact: definition attitude.q_0; (37) */
+    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* fact: definition attitude.q_a; (37) */
+    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* fact: definition attitude.q_a; (37) */
+    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* fact: definition attitude.q_a; (37) */
+    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* fact: definition attitude.q_a; (37) */
+    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* fact: definition attitude.q_b; (37) */
+    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* fact: definition attitude.q_b; (37) */
+    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* fact: definition attitude.q_b; (37) */
+    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* fact: definition attitude.q_b; (37) */
+    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* fact: definition attitude.q_d; (37) */
+    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* fact: definition attitude.q_d; (37) */
+    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* fact: definition attitude.q_d; (37) */
+    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* fact: definition attitude.q_d; (37) */
+    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* fact: definition regular.Omega_a; (10), DLMF 22.2.4 */
+    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* fact: definition regular.Omega_b; (10), DLMF 22.2.4 */
+    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* fact: definition regular.Omega_d; (10), DLMF 22.2.4 */
     motion->v_rate_hi = v_rate.hi;
     motion->v_rate_lo = v_rate.lo;
     motion->v_hi = v.hi;
@@ -758,27 +816,27 @@ static void circular_angles(const torque_free_circular *motion, size_t n, const 
     for (size_t i = 0; i < n; i++) {
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
-        const double p = v_rate_hi * t; /* Dekker 1971 */
-        const double p_error = product_error(v_rate_hi, t, p) + fused(v_rate_lo, t, fused(v_rate_hi, t_lo, v_lo)); /* Dekker 1971 */
-        const double v = p + v_hi; /* Knuth 4.2.2 */
-        const double v_other = v - p; /* Knuth 4.2.2 */
-        const double v_error = p - (v - v_other) + (v_hi - v_other); /* Knuth 4.2.2 */
-        const double v_whole = nearest(v); /* DLMF 4.16 */
-        const double v_rest = v - v_whole; /* DLMF 4.16, Sterbenz 1974 */
-        const double v_turns = v_rest + (p_error + v_error); /* DLMF 4.16 */
-        const double v_square = v_turns * v_turns; /* DLMF 4.19.1, DLMF 4.19.2 */
-        const double v_sign = alternating(v_whole); /* DLMF 4.16 */
-        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
-        const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
-        const double L = Lambda_rate_hi * t; /* Dekker 1971 */
-        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* Dekker 1971 */
-        const double L_whole = nearest(L); /* DLMF 4.16 */
-        const double L_rest = L - L_whole; /* DLMF 4.16, Sterbenz 1974 */
-        const double L_turns = L_rest + L_error; /* DLMF 4.16 */
-        const double L_square = L_turns * L_turns; /* DLMF 4.19.1, DLMF 4.19.2 */
-        const double L_sign = alternating(L_whole); /* DLMF 4.16 */
-        const double X_im = L_sign * fused(L_turns, pi_hi, L_turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
-        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        const double p = v_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double p_error = product_error(v_rate_hi, t, p) + fused(v_rate_lo, t, fused(v_rate_hi, t_lo, v_lo)); /* arithmetic: Dekker 1971 */
+        const double v = p + v_hi; /* arithmetic: Knuth 4.2.2 */
+        const double v_other = v - p; /* arithmetic: Knuth 4.2.2 */
+        const double v_error = p - (v - v_other) + (v_hi - v_other); /* arithmetic: Knuth 4.2.2 */
+        const double v_whole = nearest(v); /* classical: DLMF 4.16 */
+        const double v_rest = v - v_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double v_turns = v_rest + (p_error + v_error); /* classical: DLMF 4.16 */
+        const double v_square = v_turns * v_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double v_sign = alternating(v_whole); /* classical: DLMF 4.16 */
+        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
+        const double L = Lambda_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* arithmetic: Dekker 1971 */
+        const double L_whole = nearest(L); /* classical: DLMF 4.16 */
+        const double L_rest = L - L_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double L_turns = L_rest + L_error; /* classical: DLMF 4.16 */
+        const double L_square = L_turns * L_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double L_sign = alternating(L_whole); /* classical: DLMF 4.16 */
+        const double X_im = L_sign * fused(L_turns, pi_hi, L_turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
         sin_v_out[i] = sin_v;
         cos_v_out[i] = cos_v;
         X_im_out[i] = X_im;
@@ -842,33 +900,33 @@ static void circular_state(const torque_free_circular *motion, size_t n, const d
         const double cos_v = cos_v_in[i];
         const double X_im = X_im_in[i];
         const double X_re = X_re_in[i];
-        const double x = fused(-2.0, sin_v * sin_v, 1.0); /* DLMF 4.21.27 */
-        const double x2 = x * x; /* DLMF 20.2.1, DLMF 20.2.4 */
-        const double T4_re = fused(x, fused(x, fused(x, T4_re_3, T4_re_2), T4_re_1), T4_re_0); /* (18), DLMF 20.2.4 */
-        const double T4_im = sin_v * cos_v * fused(x, fused(x, T4_im_2, T4_im_1), T4_im_0); /* (18), DLMF 20.2.4 */
-        const double T1_re = sin_v * fused(x, fused(x, fused(x, T1_re_3, T1_re_2), T1_re_1), T1_re_0); /* (18), DLMF 20.2.1 */
-        const double T1_im = cos_v * fused(x, fused(x, fused(x, T1_im_3, T1_im_2), T1_im_1), T1_im_0); /* (18), DLMF 20.2.1 */
-        const double sum_even = fused(x2, fused(x2, even_2, even_1), even_0); /* DLMF 20.2.4 */
-        const double sum_odd = x * fused(x2, odd_1, odd_0); /* DLMF 20.2.4 */
-        const double theta4_v = sum_even - sum_odd; /* (10), DLMF 20.2.4 */
-        const double theta3_v = sum_even + sum_odd; /* (10), DLMF 20.2.3 */
-        const double part_even = fused(x2, fused(x2, sine_even_2, sine_even_1), sine_even_0); /* DLMF 20.2.1 */
-        const double part_odd = x * fused(x2, sine_odd_1, sine_odd_0); /* DLMF 20.2.1 */
-        const double theta1_v = sin_v * (part_even + part_odd); /* (10), DLMF 20.2.1 */
-        const double theta2_v = cos_v * (part_even - part_odd); /* (10), DLMF 20.2.2 */
-        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); definition theta_form.P4_re */
-        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); definition theta_form.P4_im */
-        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); definition theta_form.P1_re */
-        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); definition theta_form.P1_im */
-        const double over = 1.0 / theta4_v; /* (10) */
-        const double scale = sqrt(over); /* (1) */
-        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); definition attitude.q_0 */
-        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); definition attitude.q_a */
-        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); definition attitude.q_b */
-        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); definition attitude.q_d */
-        const double Omega_a = gain_a * (theta3_v * over); /* (10); definition regular.Omega_a */
-        const double Omega_b = gain_b * (theta1_v * over); /* (10); definition regular.Omega_b */
-        const double Omega_d = gain_d * (theta2_v * over); /* (10); definition regular.Omega_d */
+        const double x = fused(-2.0, sin_v * sin_v, 1.0); /* classical: DLMF 4.21.27 */
+        const double x2 = x * x; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double T4_re = fused(x, fused(x, fused(x, T4_re_3, T4_re_2), T4_re_1), T4_re_0); /* classical: DLMF 20.2.4 */
+        const double T4_im = sin_v * cos_v * fused(x, fused(x, T4_im_2, T4_im_1), T4_im_0); /* classical: DLMF 20.2.4 */
+        const double T1_re = sin_v * fused(x, fused(x, fused(x, T1_re_3, T1_re_2), T1_re_1), T1_re_0); /* classical: DLMF 20.2.1 */
+        const double T1_im = cos_v * fused(x, fused(x, fused(x, T1_im_3, T1_im_2), T1_im_1), T1_im_0); /* classical: DLMF 20.2.1 */
+        const double sum_even = fused(x2, fused(x2, even_2, even_1), even_0); /* classical: DLMF 20.2.4 */
+        const double sum_odd = x * fused(x2, odd_1, odd_0); /* classical: DLMF 20.2.4 */
+        const double theta4_v = sum_even - sum_odd; /* classical: DLMF 20.2.4 */
+        const double theta3_v = sum_even + sum_odd; /* classical: DLMF 20.2.3 */
+        const double part_even = fused(x2, fused(x2, sine_even_2, sine_even_1), sine_even_0); /* classical: DLMF 20.2.1 */
+        const double part_odd = x * fused(x2, sine_odd_1, sine_odd_0); /* classical: DLMF 20.2.1 */
+        const double theta1_v = sin_v * (part_even + part_odd); /* classical: DLMF 20.2.1 */
+        const double theta2_v = cos_v * (part_even - part_odd); /* classical: DLMF 20.2.2 */
+        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* fact: definition theta_form.P4_re; (18) */
+        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* fact: definition theta_form.P4_im; (18) */
+        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* fact: definition theta_form.P1_re; (18) */
+        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* fact: definition theta_form.P1_im; (18) */
+        const double over = 1.0 / theta4_v; /* arithmetic */
+        const double scale = sqrt(over); /* arithmetic */
+        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* fact: definition attitude.q_0; (37) */
+        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* fact: definition attitude.q_a; (37) */
+        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* fact: definition attitude.q_b; (37) */
+        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* fact: definition attitude.q_d; (37) */
+        const double Omega_a = gain_a * (theta3_v * over); /* fact: definition regular.Omega_a; (10) */
+        const double Omega_b = gain_b * (theta1_v * over); /* fact: definition regular.Omega_b; (10) */
+        const double Omega_d = gain_d * (theta2_v * over); /* fact: definition regular.Omega_d; (10) */
         q_0_out[i] = q_0;
         q_a_out[i] = q_a;
         q_b_out[i] = q_b;
@@ -887,141 +945,141 @@ static void hyperbolic_constants(double_double K, double_double A_a, double_doub
     double epsilon, double sigma, double rho, double chi, double unit,
     torque_free_hyperbolic *motion)
 {
-    const double_double root_k = dd_sqrt(k_1); /* (27); theta_form.root_k */
-    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* (28); definition theta_form.x */
-    const double_double y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(x, x))); /* DLMF 22.6.1; theta_form.y */
-    const double_double common_1 = dd_mul_xx(k_1, x); /* DLMF 22.6.1; theta_form.z */
-    const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_1, common_1))); /* DLMF 22.6.1; theta_form.z */
-    const double_double s_beta = dd_div_xx(x, y); /* DLMF 22.6.1; definition theta_form.s_beta */
-    const double_double c_beta = dd_div_dx(1.0, y); /* DLMF 22.6.1; definition theta_form.c_beta */
-    const double_double d_beta = dd_div_xx(z, y); /* DLMF 22.6.1; definition theta_form.d_beta */
-    const double_double r = root_ratio(kc_1, k_1); /* DLMF 20.9.1 */
-    const double_double root_nome = dd_div_xx(kc_1, r); /* DLMF 20.9.1 */
-    const double_double nome = dd_mul_xx(root_nome, root_nome); /* DLMF 20.9.1 */
-    const double_double size_s = dd_size(s); /* DLMF 22.4.3 */
-    const double near = dd_rounded(dd_mul_xx(c, c)); /* DLMF 22.4.3 */
-    const double far = dd_rounded(dd_mul_xx(kc_1, dd_mul_xx(s, s))); /* DLMF 22.4.3 */
-    const double_double above = dd_choose(far, near, size_s, c); /* DLMF 22.4.3 */
-    const double_double below = dd_choose(far, near, c, dd_mul_xx(kc_1, size_s)); /* DLMF 22.4.3 */
-    const double_double xi = dd_div_xx(above, below); /* DLMF 22.6.7 */
+    const double_double root_k = dd_sqrt(k_1); /* fact: theta_form.root_k; (27) */
+    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* fact: definition theta_form.x; (28) */
+    const double_double y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(x, x))); /* fact: theta_form.y; DLMF 22.6.1 */
+    const double_double common_1 = dd_mul_xx(k_1, x); /* fact: theta_form.z; DLMF 22.6.1 */
+    const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_1, common_1))); /* fact: theta_form.z; DLMF 22.6.1 */
+    const double_double s_beta = dd_div_xx(x, y); /* fact: definition theta_form.s_beta; DLMF 22.6.1 */
+    const double_double c_beta = dd_div_dx(1.0, y); /* fact: definition theta_form.c_beta; DLMF 22.6.1 */
+    const double_double d_beta = dd_div_xx(z, y); /* fact: definition theta_form.d_beta; DLMF 22.6.1 */
+    const double_double r = root_ratio(kc_1, k_1); /* classical: DLMF 20.9.1 */
+    const double_double root_nome = dd_div_xx(kc_1, r); /* classical: DLMF 20.9.1 */
+    const double_double nome = dd_mul_xx(root_nome, root_nome); /* classical: DLMF 20.9.1 */
+    const double_double size_s = dd_size(s); /* classical: DLMF 22.4.3 */
+    const double near = dd_rounded(dd_mul_xx(c, c)); /* classical: DLMF 22.4.3 */
+    const double far = dd_rounded(dd_mul_xx(kc_1, dd_mul_xx(s, s))); /* classical: DLMF 22.4.3 */
+    const double_double above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
+    const double_double below = dd_choose(far, near, c, dd_mul_xx(kc_1, size_s)); /* classical: DLMF 22.4.3 */
+    const double_double xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
     double_double K_c, sin_a, cos_a, Y_b;
-    ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* DLMF 19.8.12 */
-    const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* (10) */
-    const double_double nome2 = dd_mul_xx(nome, nome); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome4 = dd_mul_xx(nome2, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome6 = dd_mul_xx(nome4, nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome8 = dd_mul_xx(nome4, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome12 = dd_mul_xx(nome8, nome4); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome20 = dd_mul_xx(nome12, nome8); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome30 = dd_mul_xx(dd_mul_xx(nome20, nome8), nome2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_0 = cos_a; /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_0 = sin_a; /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double turn = dd_mul_dx(2.0, dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_a, sin_a)))); /* DLMF 4.21.27 */
-    const double_double C_1 = dd_mul_xx(dd_sub_xd(turn, 1.0), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_1 = dd_mul_xx(dd_add_xd(turn, 1.0), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_2 = dd_sub_xx(dd_mul_xx(turn, C_1), C_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_2 = dd_sub_xx(dd_mul_xx(turn, S_1), S_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_3 = dd_sub_xx(dd_mul_xx(turn, C_2), C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_3 = dd_sub_xx(dd_mul_xx(turn, S_2), S_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_4 = dd_sub_xx(dd_mul_xx(turn, C_3), C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_4 = dd_sub_xx(dd_mul_xx(turn, S_3), S_2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_5 = dd_sub_xx(dd_mul_xx(turn, C_4), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_5 = dd_sub_xx(dd_mul_xx(turn, S_4), S_3); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double zeta = dd_div_xx(dd_mul_xx(gc, dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(S_0, dd_mul_xx(dd_mul_dx(3.0, nome2), S_1)), dd_mul_xx(dd_mul_dx(5.0, nome6), S_2)), dd_mul_xx(dd_mul_dx(7.0, nome12), S_3)), dd_mul_xx(dd_mul_dx(9.0, nome20), S_4)), dd_mul_xx(dd_mul_dx(11.0, nome30), S_5))), dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(C_0, dd_mul_xx(nome2, C_1)), dd_mul_xx(nome6, C_2)), dd_mul_xx(nome12, C_3)), dd_mul_xx(nome20, C_4)), dd_mul_xx(nome30, C_5))); /* (34), DLMF 20.2.2 */
-    const double_double re_0 = C_0; /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_0 = dd_neg(dd_mul_dx(rho, S_0)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double re_1 = dd_mul_xx(nome, C_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_1 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome), S_1)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double re_2 = dd_mul_xx(nome4, C_2); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_2 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome4), S_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double re_3 = dd_mul_xx(dd_mul_xx(nome8, nome), C_3); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_3 = dd_neg(dd_mul_xx(dd_mul_xx(dd_mul_dx(rho, nome8), nome), S_3)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* DLMF 20.2.2 */
-    const double_double common_2 = dd_mul_dx(2.0, nome2); /* DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double common_3 = dd_mul_dx(2.0, nome8); /* DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double common_4 = dd_mul_xx(nome12, nome6); /* DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
-    const double_double common_5 = dd_mul_dx(2.0, common_4); /* DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.3 */
-    const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_2), common_3), common_5); /* DLMF 20.2.4 */
-    const double_double twice = dd_sub_xd(dd_mul_xx(turn, turn), 2.0); /* DLMF 4.21.27 */
-    const double_double twice2 = dd_sub_xd(dd_mul_xx(twice, twice), 2.0); /* DLMF 4.21.27 */
-    const double_double twice3 = dd_sub_xx(dd_mul_xx(twice, twice2), twice); /* DLMF 4.21.27 */
-    const double_double watson = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xx(nome2, twice)), dd_mul_xx(nome8, twice2)), dd_mul_xx(common_4, twice3)); /* DLMF 20.7.14 */
-    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* (33), (34); definition theta_form.Lambda */
-    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* (33), (34) */
-    const double nome_d = dd_rounded(nome); /* DLMF 20.2.2 */
-    const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome))); /* DLMF 20.2.2 */
-    const double period_far = choose(nome_d, 0.0, never, dd_rounded(period)); /* DLMF 20.2.7 */
-    const double period_d = dd_rounded(dd_choose(nome_d, 0.0, dd_of(1.0), period)); /* DLMF 20.2.7 */
-    const double period_inverse = choose(nome_d, 0.0, 0.0, 1.0 / period_d); /* DLMF 20.2.7 */
-    const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* DLMF 4.35.11 */
-    const double_double common_6 = dd_add_xx(Y_b, cosh_y); /* DLMF 4.37.16 */
-    const double_double y_b = logarithm(common_6); /* DLMF 4.37.16 */
-    const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* DLMF 22.4.3 */
-    const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* (12) */
-    const double_double y0 = dd_mul_dx(side, y_size); /* (12) */
-    const double_double y_rate = dd_mul_xx(mu, gc); /* (10), (20) */
-    const double_double e_near = dd_div_dx(1.0, dd_mul_xx(common_6, common_6)); /* DLMF 4.37.16 */
-    const double_double e_far = dd_div_xx(nome, e_near); /* DLMF 20.2.2 */
-    const double_double w = dd_choose(far, near, e_near, e_far); /* DLMF 20.2.2 */
-    const double_double p = dd_choose(far, near, e_far, e_near); /* DLMF 20.2.2 */
-    const double_double alpha = half_turns(sin_a, cos_a); /* (28) */
-    const double_double jump = dd_mul_dx(-2.0 * rho, alpha); /* DLMF 20.2.7 */
-    const double_double p2 = dd_mul_xx(p, p); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double qw = dd_mul_xx(nome, w); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double qw2 = dd_mul_xx(qw, qw); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_re_even = dd_add_xx(re_0, dd_mul_xx(p2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_re_odd = dd_mul_xx(p, dd_add_xx(re_1, dd_mul_xx(p2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_re_even = dd_add_xx(re_0, dd_mul_xx(qw2, re_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_re_odd = dd_mul_xx(qw, dd_add_xx(re_1, dd_mul_xx(qw2, re_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_im_even = dd_add_xx(im_0, dd_mul_xx(p2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_im_odd = dd_mul_xx(p, dd_add_xx(im_1, dd_mul_xx(p2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_im_even = dd_add_xx(im_0, dd_mul_xx(qw2, im_2)); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_im_odd = dd_mul_xx(qw, dd_add_xx(im_1, dd_mul_xx(qw2, im_3))); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double T4_re = dd_add_xx(dd_add_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_add_xx(far_re_even, far_re_odd))); /* (18), DLMF 20.2.2 */
-    const double_double T4_im = dd_mul_dx(side, dd_sub_xx(dd_add_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_add_xx(far_im_even, far_im_odd)))); /* (18), DLMF 20.2.2 */
-    const double_double T1_re = dd_mul_dx(side, dd_sub_xx(dd_sub_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_sub_xx(far_re_even, far_re_odd)))); /* (18), DLMF 20.2.1 */
-    const double_double T1_im = dd_add_xx(dd_sub_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_sub_xx(far_im_even, far_im_odd))); /* (18), DLMF 20.2.1 */
-    const double_double w2 = dd_mul_xx(w, w); /* DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double tall = dd_add_dx(1.0, dd_mul_xx(p2, dd_add_xx(nome2, dd_mul_xx(p2, nome8)))); /* DLMF 20.2.2 */
-    const double_double deep = dd_mul_xx(w2, dd_add_dx(1.0, dd_mul_xx(qw2, dd_add_xx(nome2, dd_mul_xx(qw2, nome8))))); /* DLMF 20.2.2 */
-    const double_double theta2_y = dd_add_xx(tall, deep); /* (10), DLMF 20.2.2 */
-    const double_double P4_re = T4_re; /* (18); definition theta_form.P4_re */
-    const double_double P4_im = T4_im; /* (18); definition theta_form.P4_im */
-    const double_double P1_re = T1_re; /* (18); definition theta_form.P1_re */
-    const double_double P1_im = T1_im; /* (18); definition theta_form.P1_im */
-    const double_double W = dd_mul_xx(dd_mul_dx(2.0, theta2_y), watson); /* (1), DLMF 20.7.14 */
-    const double_double N = dd_sqrt(W); /* (1); theta_form.N_of_W */
-    const double_double qbar_0 = dd_div_xx(P4_re, N); /* (18), (25); theta_form.qbar_0 */
-    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* (18), (25); theta_form.qbar_a */
-    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* (18), (25); theta_form.qbar_b */
-    const double common_7 = -epsilon * sigma * chi; /* (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d */
-    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_7, P1_re), N); /* (18), (25); theta_form.qbar_d */
-    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* (37); attitude.p_0 */
-    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* (37); attitude.p_a */
-    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* (37); attitude.p_b */
-    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* (37); attitude.p_d */
-    const double_double over_N = dd_div_dx(1.0, dd_sqrt(dd_mul_dx(2.0, watson))); /* (1), DLMF 20.7.14 */
-    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* (37); definition attitude.q_0 */
-    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* (37); definition attitude.q_0 */
-    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* (37); definition attitude.q_0 */
-    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* (37); definition attitude.q_0 */
-    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* (37); definition attitude.q_a */
-    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* (37); definition attitude.q_a */
-    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* (37); definition attitude.q_a */
-    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* (37); definition attitude.q_a */
-    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* (37); definition attitude.q_b */
-    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* (37); definition attitude.q_b */
-    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* (37); definition attitude.q_b */
-    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* (37); definition attitude.q_b */
-    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* (37); definition attitude.q_d */
-    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* (37); definition attitude.q_d */
-    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* (37); definition attitude.q_d */
-    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* (37); definition attitude.q_d */
-    const double tau = -rho * epsilon * sigma; /* (16), (17); definition regular.tau */
-    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_a */
-    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_b */
-    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* (10), DLMF 22.2.4; definition regular.Omega_d */
+    ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* classical: DLMF 19.8.12 */
+    const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* fact: reading hyperbolic_form.gc; (10) */
+    const double_double nome2 = dd_mul_xx(nome, nome); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome4 = dd_mul_xx(nome2, nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome6 = dd_mul_xx(nome4, nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome8 = dd_mul_xx(nome4, nome4); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome12 = dd_mul_xx(nome8, nome4); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome20 = dd_mul_xx(nome12, nome8); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double nome30 = dd_mul_xx(dd_mul_xx(nome20, nome8), nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_0 = cos_a; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_0 = sin_a; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double turn = dd_mul_dx(2.0, dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_a, sin_a)))); /* classical: DLMF 4.21.27 */
+    const double_double C_1 = dd_mul_xx(dd_sub_xd(turn, 1.0), C_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_1 = dd_mul_xx(dd_add_xd(turn, 1.0), S_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_2 = dd_sub_xx(dd_mul_xx(turn, C_1), C_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_2 = dd_sub_xx(dd_mul_xx(turn, S_1), S_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_3 = dd_sub_xx(dd_mul_xx(turn, C_2), C_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_3 = dd_sub_xx(dd_mul_xx(turn, S_2), S_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_4 = dd_sub_xx(dd_mul_xx(turn, C_3), C_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_4 = dd_sub_xx(dd_mul_xx(turn, S_3), S_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double C_5 = dd_sub_xx(dd_mul_xx(turn, C_4), C_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double S_5 = dd_sub_xx(dd_mul_xx(turn, S_4), S_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double zeta = dd_div_xx(dd_mul_xx(gc, dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(S_0, dd_mul_xx(dd_mul_dx(3.0, nome2), S_1)), dd_mul_xx(dd_mul_dx(5.0, nome6), S_2)), dd_mul_xx(dd_mul_dx(7.0, nome12), S_3)), dd_mul_xx(dd_mul_dx(9.0, nome20), S_4)), dd_mul_xx(dd_mul_dx(11.0, nome30), S_5))), dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(C_0, dd_mul_xx(nome2, C_1)), dd_mul_xx(nome6, C_2)), dd_mul_xx(nome12, C_3)), dd_mul_xx(nome20, C_4)), dd_mul_xx(nome30, C_5))); /* classical: DLMF 20.2.2 */
+    const double_double re_0 = C_0; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_0 = dd_neg(dd_mul_dx(rho, S_0)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double re_1 = dd_mul_xx(nome, C_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_1 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome), S_1)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double re_2 = dd_mul_xx(nome4, C_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_2 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome4), S_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double re_3 = dd_mul_xx(dd_mul_xx(nome8, nome), C_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double im_3 = dd_neg(dd_mul_xx(dd_mul_xx(dd_mul_dx(rho, nome8), nome), S_3)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* classical: DLMF 20.2.2 */
+    const double_double common_2 = dd_mul_dx(2.0, nome2); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_3 = dd_mul_dx(2.0, nome8); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_4 = dd_mul_xx(nome12, nome6); /* classical: DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
+    const double_double common_5 = dd_mul_dx(2.0, common_4); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_2), common_3), common_5); /* classical: DLMF 20.2.3 */
+    const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_2), common_3), common_5); /* classical: DLMF 20.2.4 */
+    const double_double twice = dd_sub_xd(dd_mul_xx(turn, turn), 2.0); /* classical: DLMF 4.21.27 */
+    const double_double twice2 = dd_sub_xd(dd_mul_xx(twice, twice), 2.0); /* classical: DLMF 4.21.27 */
+    const double_double twice3 = dd_sub_xx(dd_mul_xx(twice, twice2), twice); /* classical: DLMF 4.21.27 */
+    const double_double watson = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xx(nome2, twice)), dd_mul_xx(nome8, twice2)), dd_mul_xx(common_4, twice3)); /* classical: DLMF 20.7.14 */
+    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* fact: definition theta_form.Lambda; (33), (34) */
+    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
+    const double nome_d = dd_rounded(nome); /* classical: DLMF 20.2.2 */
+    const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome))); /* classical: DLMF 20.2.2 */
+    const double period_far = choose(nome_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 20.2.7 */
+    const double period_d = dd_rounded(dd_choose(nome_d, 0.0, dd_of(1.0), period)); /* classical: DLMF 20.2.7 */
+    const double period_inverse = choose(nome_d, 0.0, 0.0, 1.0 / period_d); /* classical: DLMF 20.2.7 */
+    const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* classical: DLMF 4.35.11 */
+    const double_double common_6 = dd_add_xx(Y_b, cosh_y); /* classical: DLMF 4.37.16 */
+    const double_double y_b = logarithm(common_6); /* classical: DLMF 4.37.16 */
+    const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* classical: DLMF 22.4.3 */
+    const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double y0 = dd_mul_dx(side, y_size); /* arithmetic */
+    const double_double y_rate = dd_mul_xx(mu, gc); /* arithmetic */
+    const double_double e_near = dd_div_dx(1.0, dd_mul_xx(common_6, common_6)); /* classical: DLMF 4.37.16 */
+    const double_double e_far = dd_div_xx(nome, e_near); /* classical: DLMF 20.2.2 */
+    const double_double w = dd_choose(far, near, e_near, e_far); /* classical: DLMF 20.2.2 */
+    const double_double p = dd_choose(far, near, e_far, e_near); /* classical: DLMF 20.2.2 */
+    const double_double alpha = half_turns(sin_a, cos_a); /* classical: DLMF 4.24.3 */
+    const double_double jump = dd_mul_dx(-2.0 * rho, alpha); /* classical: DLMF 20.2.7 */
+    const double_double p2 = dd_mul_xx(p, p); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double qw = dd_mul_xx(nome, w); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double qw2 = dd_mul_xx(qw, qw); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_re_even = dd_add_xx(re_0, dd_mul_xx(p2, re_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_re_odd = dd_mul_xx(p, dd_add_xx(re_1, dd_mul_xx(p2, re_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_re_even = dd_add_xx(re_0, dd_mul_xx(qw2, re_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_re_odd = dd_mul_xx(qw, dd_add_xx(re_1, dd_mul_xx(qw2, re_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_im_even = dd_add_xx(im_0, dd_mul_xx(p2, im_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double near_im_odd = dd_mul_xx(p, dd_add_xx(im_1, dd_mul_xx(p2, im_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_im_even = dd_add_xx(im_0, dd_mul_xx(qw2, im_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double far_im_odd = dd_mul_xx(qw, dd_add_xx(im_1, dd_mul_xx(qw2, im_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double T4_re = dd_add_xx(dd_add_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_add_xx(far_re_even, far_re_odd))); /* classical: DLMF 20.2.2 */
+    const double_double T4_im = dd_mul_dx(side, dd_sub_xx(dd_add_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_add_xx(far_im_even, far_im_odd)))); /* classical: DLMF 20.2.2 */
+    const double_double T1_re = dd_mul_dx(side, dd_sub_xx(dd_sub_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_sub_xx(far_re_even, far_re_odd)))); /* classical: DLMF 20.2.1 */
+    const double_double T1_im = dd_add_xx(dd_sub_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_sub_xx(far_im_even, far_im_odd))); /* classical: DLMF 20.2.1 */
+    const double_double w2 = dd_mul_xx(w, w); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double_double tall = dd_add_dx(1.0, dd_mul_xx(p2, dd_add_xx(nome2, dd_mul_xx(p2, nome8)))); /* classical: DLMF 20.2.2 */
+    const double_double deep = dd_mul_xx(w2, dd_add_dx(1.0, dd_mul_xx(qw2, dd_add_xx(nome2, dd_mul_xx(qw2, nome8))))); /* classical: DLMF 20.2.2 */
+    const double_double theta2_y = dd_add_xx(tall, deep); /* classical: DLMF 20.2.2 */
+    const double_double P4_re = T4_re; /* fact: definition theta_form.P4_re; (18) */
+    const double_double P4_im = T4_im; /* fact: definition theta_form.P4_im; (18) */
+    const double_double P1_re = T1_re; /* fact: definition theta_form.P1_re; (18) */
+    const double_double P1_im = T1_im; /* fact: definition theta_form.P1_im; (18) */
+    const double_double W = dd_mul_xx(dd_mul_dx(2.0, theta2_y), watson); /* fact: reading hyperbolic_form.W; (1) */
+    const double_double N = dd_sqrt(W); /* fact: theta_form.N_of_W; (1) */
+    const double_double qbar_0 = dd_div_xx(P4_re, N); /* fact: theta_form.qbar_0; (18), (25) */
+    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* fact: theta_form.qbar_a; (18), (25) */
+    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* fact: theta_form.qbar_b; (18), (25) */
+    const double common_7 = -epsilon * sigma * chi; /* fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37) */
+    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_7, P1_re), N); /* fact: theta_form.qbar_d; (18), (25) */
+    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
+    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
+    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
+    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
+    const double_double over_N = dd_div_dx(1.0, dd_sqrt(dd_mul_dx(2.0, watson))); /* classical: DLMF 20.7.14 */
+    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* fact: definition attitude.q_0; (37) */
+    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* fact: definition attitude.q_0; (37) */
+    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* fact: definition attitude.q_0; (37) */
+    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* fact: definition attitude.q_0; (37) */
+    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* fact: definition attitude.q_a; (37) */
+    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* fact: definition attitude.q_a; (37) */
+    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* fact: definition attitude.q_a; (37) */
+    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* fact: definition attitude.q_a; (37) */
+    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* fact: definition attitude.q_b; (37) */
+    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* fact: definition attitude.q_b; (37) */
+    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* fact: definition attitude.q_b; (37) */
+    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* fact: definition attitude.q_b; (37) */
+    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* fact: definition attitude.q_d; (37) */
+    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* fact: definition attitude.q_d; (37) */
+    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* fact: definition attitude.q_d; (37) */
+    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* fact: definition attitude.q_d; (37) */
+    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* fact: definition regular.Omega_a; (10), DLMF 22.2.4 */
+    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* fact: definition regular.Omega_b; (10), DLMF 22.2.4 */
+    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* fact: definition regular.Omega_d; (10), DLMF 22.2.4 */
     motion->y_rate_hi = y_rate.hi;
     motion->y_rate_lo = y_rate.lo;
     motion->y0_hi = y0.hi;
@@ -1089,42 +1147,42 @@ static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, co
     for (size_t i = 0; i < n; i++) {
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
-        const double p_y = y_rate_hi * t; /* Dekker 1971 */
-        const double p_y_error = product_error(y_rate_hi, t, p_y) + fused(y_rate_lo, t, fused(y_rate_hi, t_lo, y0_lo)); /* Dekker 1971 */
-        const double periods = nearest((p_y + y0_hi) * period_inverse); /* DLMF 20.2.7 */
-        const double back = period_hi * periods; /* Dekker 1971 */
-        const double back_error = fused(period_lo, periods, product_error(period_hi, periods, back)); /* Dekker 1971 */
-        const double ahead = p_y + -back; /* Knuth 4.2.2 */
-        const double ahead_other = ahead - p_y; /* Knuth 4.2.2 */
-        const double ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other); /* Knuth 4.2.2 */
-        const double y_near = ahead + y0_hi; /* Knuth 4.2.2 */
-        const double y_near_other = y_near - ahead; /* Knuth 4.2.2 */
-        const double y_near_error = ahead - (y_near - y_near_other) + (y0_hi - y_near_other); /* Knuth 4.2.2 */
-        const double y = y_near + (y_near_error + (ahead_error + (p_y_error - back_error))); /* DLMF 20.2.7 */
-        const double side = choose(0.0, y, 1.0, -1.0); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double flip = alternating(periods); /* DLMF 20.2.6 */
-        const double depth = fabs(2.0 * y); /* DLMF 20.2.2 */
-        const double w = exponential(-depth); /* DLMF 20.2.2 */
-        const double p = exponential(depth - period_far); /* DLMF 20.2.2 */
-        const double L = Lambda_rate_hi * t; /* Dekker 1971 */
-        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* Dekker 1971 */
-        const double L_whole = nearest(L); /* DLMF 4.16 */
-        const double L_rest = L - L_whole; /* DLMF 4.16, Sterbenz 1974 */
-        const double j = jump_hi * periods; /* Dekker 1971 */
-        const double j_error = fused(jump_lo, periods, product_error(jump_hi, periods, j)); /* Dekker 1971 */
-        const double j_whole = nearest(j); /* DLMF 4.16 */
-        const double j_rest = j - j_whole; /* DLMF 4.16, Sterbenz 1974 */
-        const double turned = L_rest + j_rest; /* Knuth 4.2.2 */
-        const double turned_other = turned - L_rest; /* Knuth 4.2.2 */
-        const double turned_error = L_rest - (turned - turned_other) + (j_rest - turned_other); /* Knuth 4.2.2 */
-        const double turned_whole = nearest(turned); /* DLMF 4.16 */
-        const double turned_rest = turned - turned_whole; /* DLMF 4.16, Sterbenz 1974 */
-        const double turns = turned_rest + (turned_error + (L_error + j_error)); /* DLMF 4.16 */
-        const double whole = L_whole + (j_whole + turned_whole); /* DLMF 4.16 */
-        const double L_square = turns * turns; /* DLMF 4.19.1, DLMF 4.19.2 */
-        const double L_sign = alternating(whole); /* DLMF 4.16 */
-        const double X_im = L_sign * fused(turns, pi_hi, turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
-        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        const double p_y = y_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double p_y_error = product_error(y_rate_hi, t, p_y) + fused(y_rate_lo, t, fused(y_rate_hi, t_lo, y0_lo)); /* arithmetic: Dekker 1971 */
+        const double periods = nearest((p_y + y0_hi) * period_inverse); /* classical: DLMF 20.2.7 */
+        const double back = period_hi * periods; /* arithmetic: Dekker 1971 */
+        const double back_error = fused(period_lo, periods, product_error(period_hi, periods, back)); /* arithmetic: Dekker 1971 */
+        const double ahead = p_y + -back; /* arithmetic: Knuth 4.2.2 */
+        const double ahead_other = ahead - p_y; /* arithmetic: Knuth 4.2.2 */
+        const double ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other); /* arithmetic: Knuth 4.2.2 */
+        const double y_near = ahead + y0_hi; /* arithmetic: Knuth 4.2.2 */
+        const double y_near_other = y_near - ahead; /* arithmetic: Knuth 4.2.2 */
+        const double y_near_error = ahead - (y_near - y_near_other) + (y0_hi - y_near_other); /* arithmetic: Knuth 4.2.2 */
+        const double y = y_near + (y_near_error + (ahead_error + (p_y_error - back_error))); /* classical: DLMF 20.2.7 */
+        const double side = choose(0.0, y, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double flip = alternating(periods); /* classical: DLMF 20.2.6 */
+        const double depth = fabs(2.0 * y); /* classical: DLMF 20.2.2 */
+        const double w = exponential(-depth); /* classical: DLMF 20.2.2 */
+        const double p = exponential(depth - period_far); /* classical: DLMF 20.2.2 */
+        const double L = Lambda_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* arithmetic: Dekker 1971 */
+        const double L_whole = nearest(L); /* classical: DLMF 4.16 */
+        const double L_rest = L - L_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double j = jump_hi * periods; /* arithmetic: Dekker 1971 */
+        const double j_error = fused(jump_lo, periods, product_error(jump_hi, periods, j)); /* arithmetic: Dekker 1971 */
+        const double j_whole = nearest(j); /* classical: DLMF 4.16 */
+        const double j_rest = j - j_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double turned = L_rest + j_rest; /* arithmetic: Knuth 4.2.2 */
+        const double turned_other = turned - L_rest; /* arithmetic: Knuth 4.2.2 */
+        const double turned_error = L_rest - (turned - turned_other) + (j_rest - turned_other); /* arithmetic: Knuth 4.2.2 */
+        const double turned_whole = nearest(turned); /* classical: DLMF 4.16 */
+        const double turned_rest = turned - turned_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double turns = turned_rest + (turned_error + (L_error + j_error)); /* classical: DLMF 4.16 */
+        const double whole = L_whole + (j_whole + turned_whole); /* classical: DLMF 4.16 */
+        const double L_square = turns * turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double L_sign = alternating(whole); /* classical: DLMF 4.16 */
+        const double X_im = L_sign * fused(turns, pi_hi, turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
         w_out[i] = w;
         p_out[i] = p;
         side_out[i] = side;
@@ -1181,46 +1239,46 @@ static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, con
         const double flip = flip_in[i];
         const double X_im = X_im_in[i];
         const double X_re = X_re_in[i];
-        const double p2 = p * p; /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double qw = nome * w; /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double qw2 = qw * qw; /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double near_re_even = fused(p2, re_2, re_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double near_re_odd = p * fused(p2, re_3, re_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double far_re_even = fused(qw2, re_2, re_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double far_re_odd = qw * fused(qw2, re_3, re_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double near_im_even = fused(p2, im_2, im_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double near_im_odd = p * fused(p2, im_3, im_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double far_im_even = fused(qw2, im_2, im_0); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double far_im_odd = qw * fused(qw2, im_3, im_1); /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double T4_re = fused(w, far_re_even + far_re_odd, near_re_even + near_re_odd); /* (18), DLMF 20.2.2 */
-        const double T4_im = side * fused(-w, far_im_even + far_im_odd, near_im_even + near_im_odd); /* (18), DLMF 20.2.2 */
-        const double T1_re = side * fused(-w, far_re_even - far_re_odd, near_re_even - near_re_odd); /* (18), DLMF 20.2.1 */
-        const double T1_im = fused(w, far_im_even - far_im_odd, near_im_even - near_im_odd); /* (18), DLMF 20.2.1 */
-        const double w2 = w * w; /* DLMF 20.2.1, DLMF 20.2.2 */
-        const double common_1 = p2 * nome8; /* DLMF 20.2.2, (10), DLMF 20.2.1 */
-        const double tall = fused(p2, nome2 + common_1, 1.0); /* DLMF 20.2.2 */
-        const double common_2 = qw2 * nome8; /* DLMF 20.2.2, (10), DLMF 20.2.1 */
-        const double deep = w2 * fused(qw2, nome2 + common_2, 1.0); /* DLMF 20.2.2 */
-        const double theta2_y = tall + deep; /* (10), DLMF 20.2.2 */
-        const double theta1_y = side * fused(-w2, fused(qw2, common_2 - nome2, 1.0), fused(p2, common_1 - nome2, 1.0)); /* (10), DLMF 20.2.1 */
-        const double common_3 = p2 * p2; /* DLMF 20.2.3 */
-        const double ends = fused(p2, fused(nome12, common_3, 1.0), w2 * nome2); /* DLMF 20.2.3 */
-        const double middle = fused(w2 * w2, nome8, fused(nome4, common_3, 1.0)); /* DLMF 20.2.3 */
-        const double theta3_y = 2.0 * (w * (middle + ends)); /* (10), DLMF 20.2.3 */
-        const double theta4_y = 2.0 * (w * (middle - ends)); /* (10), DLMF 20.2.4 */
-        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* (18); definition theta_form.P4_re */
-        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* (18); definition theta_form.P4_im */
-        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* (18); definition theta_form.P1_re */
-        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* (18); definition theta_form.P1_im */
-        const double over = 1.0 / theta2_y; /* (10) */
-        const double scale = sqrt(over); /* (1) */
-        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, flip * fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* (18), (37); definition attitude.q_0 */
-        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, flip * fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* (18), (37); definition attitude.q_a */
-        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, flip * fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* (18), (37); definition attitude.q_b */
-        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, flip * fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* (18), (37); definition attitude.q_d */
-        const double Omega_a = gain_a * (theta3_y * over); /* (10); definition regular.Omega_a */
-        const double Omega_b = gain_b * (flip * theta1_y * over); /* (10); definition regular.Omega_b */
-        const double Omega_d = gain_d * (flip * theta4_y * over); /* (10); definition regular.Omega_d */
+        const double p2 = p * p; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double qw = nome * w; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double qw2 = qw * qw; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_re_even = fused(p2, re_2, re_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_re_odd = p * fused(p2, re_3, re_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_re_even = fused(qw2, re_2, re_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_re_odd = qw * fused(qw2, re_3, re_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_im_even = fused(p2, im_2, im_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double near_im_odd = p * fused(p2, im_3, im_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_im_even = fused(qw2, im_2, im_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double far_im_odd = qw * fused(qw2, im_3, im_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double T4_re = fused(w, far_re_even + far_re_odd, near_re_even + near_re_odd); /* classical: DLMF 20.2.2 */
+        const double T4_im = side * fused(-w, far_im_even + far_im_odd, near_im_even + near_im_odd); /* classical: DLMF 20.2.2 */
+        const double T1_re = side * fused(-w, far_re_even - far_re_odd, near_re_even - near_re_odd); /* classical: DLMF 20.2.1 */
+        const double T1_im = fused(w, far_im_even - far_im_odd, near_im_even - near_im_odd); /* classical: DLMF 20.2.1 */
+        const double w2 = w * w; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double common_1 = p2 * nome8; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
+        const double tall = fused(p2, nome2 + common_1, 1.0); /* classical: DLMF 20.2.2 */
+        const double common_2 = qw2 * nome8; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
+        const double deep = w2 * fused(qw2, nome2 + common_2, 1.0); /* classical: DLMF 20.2.2 */
+        const double theta2_y = tall + deep; /* classical: DLMF 20.2.2 */
+        const double theta1_y = side * fused(-w2, fused(qw2, common_2 - nome2, 1.0), fused(p2, common_1 - nome2, 1.0)); /* classical: DLMF 20.2.1 */
+        const double common_3 = p2 * p2; /* classical: DLMF 20.2.3 */
+        const double ends = fused(p2, fused(nome12, common_3, 1.0), w2 * nome2); /* classical: DLMF 20.2.3 */
+        const double middle = fused(w2 * w2, nome8, fused(nome4, common_3, 1.0)); /* classical: DLMF 20.2.3 */
+        const double theta3_y = 2.0 * (w * (middle + ends)); /* classical: DLMF 20.2.3 */
+        const double theta4_y = 2.0 * (w * (middle - ends)); /* classical: DLMF 20.2.4 */
+        const double P4_re = fused(X_re, T4_re, -(X_im * T4_im)); /* fact: definition theta_form.P4_re; (18) */
+        const double P4_im = fused(X_re, T4_im, X_im * T4_re); /* fact: definition theta_form.P4_im; (18) */
+        const double P1_re = fused(X_re, T1_re, -(X_im * T1_im)); /* fact: definition theta_form.P1_re; (18) */
+        const double P1_im = fused(X_re, T1_im, X_im * T1_re); /* fact: definition theta_form.P1_im; (18) */
+        const double over = 1.0 / theta2_y; /* arithmetic */
+        const double scale = sqrt(over); /* arithmetic */
+        const double q_0 = scale * fused(row_0_P4_re, P4_re, fused(row_0_P4_im, P4_im, flip * fused(row_0_P1_re, P1_re, row_0_P1_im * P1_im))); /* fact: definition attitude.q_0; (37) */
+        const double q_a = scale * fused(row_a_P4_re, P4_re, fused(row_a_P4_im, P4_im, flip * fused(row_a_P1_re, P1_re, row_a_P1_im * P1_im))); /* fact: definition attitude.q_a; (37) */
+        const double q_b = scale * fused(row_b_P4_re, P4_re, fused(row_b_P4_im, P4_im, flip * fused(row_b_P1_re, P1_re, row_b_P1_im * P1_im))); /* fact: definition attitude.q_b; (37) */
+        const double q_d = scale * fused(row_d_P4_re, P4_re, fused(row_d_P4_im, P4_im, flip * fused(row_d_P1_re, P1_re, row_d_P1_im * P1_im))); /* fact: definition attitude.q_d; (37) */
+        const double Omega_a = gain_a * (theta3_y * over); /* fact: definition regular.Omega_a; (10) */
+        const double Omega_b = gain_b * (flip * theta1_y * over); /* fact: definition regular.Omega_b; (10) */
+        const double Omega_d = gain_d * (flip * theta4_y * over); /* fact: definition regular.Omega_d; (10) */
         q_0_out[i] = q_0;
         q_a_out[i] = q_a;
         q_b_out[i] = q_b;
@@ -1235,11 +1293,11 @@ static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, con
 static void steady_constants(double_double Omega1, double_double Omega2, double_double Omega3, double_double p0,
     double_double p1, double_double p2, double_double p3, torque_free_steady *motion)
 {
-    const double_double omega = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(Omega1, Omega1), dd_mul_xx(Omega2, Omega2)), dd_mul_xx(Omega3, Omega3))); /* (3); steady.omega */
-    const double_double axis1 = dd_div_xx(Omega1, omega); /* (3); definition steady.axis1 */
-    const double_double axis2 = dd_div_xx(Omega2, omega); /* (3); definition steady.axis2 */
-    const double_double axis3 = dd_div_xx(Omega3, omega); /* (3); definition steady.axis3 */
-    const double_double Lambda_rate = dd_div_xx(omega, dd_mul_dx(2.0, pi)); /* (3) */
+    const double_double omega = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(Omega1, Omega1), dd_mul_xx(Omega2, Omega2)), dd_mul_xx(Omega3, Omega3))); /* fact: steady.omega; (3) */
+    const double_double axis1 = dd_div_xx(Omega1, omega); /* fact: definition steady.axis1; (3) */
+    const double_double axis2 = dd_div_xx(Omega2, omega); /* fact: definition steady.axis2; (3) */
+    const double_double axis3 = dd_div_xx(Omega3, omega); /* fact: definition steady.axis3; (3) */
+    const double_double Lambda_rate = dd_div_xx(omega, dd_mul_dx(2.0, pi)); /* arithmetic */
     motion->Lambda_rate_hi = Lambda_rate.hi;
     motion->Lambda_rate_lo = Lambda_rate.lo;
     motion->axis1 = dd_rounded(axis1);
@@ -1260,15 +1318,15 @@ static void steady_angles(const torque_free_steady *motion, size_t n, const doub
     for (size_t i = 0; i < n; i++) {
         const double t = t_in[i];
         const double t_lo = t_lo_in[i];
-        const double L = Lambda_rate_hi * t; /* Dekker 1971 */
-        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* Dekker 1971 */
-        const double L_whole = nearest(L); /* DLMF 4.16 */
-        const double L_rest = L - L_whole; /* DLMF 4.16, Sterbenz 1974 */
-        const double L_turns = L_rest + L_error; /* DLMF 4.16 */
-        const double L_square = L_turns * L_turns; /* DLMF 4.19.1, DLMF 4.19.2 */
-        const double L_sign = alternating(L_whole); /* DLMF 4.16 */
-        const double X_im = L_sign * fused(L_turns, pi_hi, L_turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* DLMF 4.19.1 */
-        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* DLMF 4.19.2 */
+        const double L = Lambda_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double L_error = product_error(Lambda_rate_hi, t, L) + fused(Lambda_rate_lo, t, Lambda_rate_hi * t_lo); /* arithmetic: Dekker 1971 */
+        const double L_whole = nearest(L); /* classical: DLMF 4.16 */
+        const double L_rest = L - L_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double L_turns = L_rest + L_error; /* classical: DLMF 4.16 */
+        const double L_square = L_turns * L_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double L_sign = alternating(L_whole); /* classical: DLMF 4.16 */
+        const double X_im = L_sign * fused(L_turns, pi_hi, L_turns * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double X_re = L_sign * fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, fused(L_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
         X_im_out[i] = X_im;
         X_re_out[i] = X_re;
     }
@@ -1289,15 +1347,15 @@ static void steady_state(const torque_free_steady *motion, size_t n, const doubl
     for (size_t i = 0; i < n; i++) {
         const double X_im = X_im_in[i];
         const double X_re = X_re_in[i];
-        const double cos_half_theta = X_re; /* (3); reading steady.cos_half_theta */
-        const double sin_half_theta = X_im; /* (3); reading steady.sin_half_theta */
-        const double r1 = sin_half_theta * axis1; /* (37); definition steady.r1 */
-        const double r2 = sin_half_theta * axis2; /* (37); definition steady.r2 */
-        const double r3 = sin_half_theta * axis3; /* (37); definition steady.r3 */
-        const double q0 = fused(-p3, r3, fused(-p2, r2, fused(p0, cos_half_theta, -(p1 * r1)))); /* (37); definition steady.q0 */
-        const double q1 = fused(-p3, r2, fused(p2, r3, fused(p0, r1, p1 * cos_half_theta))); /* (37); definition steady.q1 */
-        const double q2 = fused(-p1, r3, fused(p3, r1, fused(p0, r2, p2 * cos_half_theta))); /* (37); definition steady.q2 */
-        const double q3 = fused(-p2, r1, fused(p1, r2, fused(p0, r3, p3 * cos_half_theta))); /* (37); definition steady.q3 */
+        const double cos_half_theta = X_re; /* fact: reading steady.cos_half_theta; (3) */
+        const double sin_half_theta = X_im; /* fact: reading steady.sin_half_theta; (3) */
+        const double r1 = sin_half_theta * axis1; /* fact: definition steady.r1; (37) */
+        const double r2 = sin_half_theta * axis2; /* fact: definition steady.r2; (37) */
+        const double r3 = sin_half_theta * axis3; /* fact: definition steady.r3; (37) */
+        const double q0 = fused(-p3, r3, fused(-p2, r2, fused(p0, cos_half_theta, -(p1 * r1)))); /* fact: definition steady.q0; (37) */
+        const double q1 = fused(-p3, r2, fused(p2, r3, fused(p0, r1, p1 * cos_half_theta))); /* fact: definition steady.q1; (37) */
+        const double q2 = fused(-p1, r3, fused(p3, r1, fused(p0, r2, p2 * cos_half_theta))); /* fact: definition steady.q2; (37) */
+        const double q3 = fused(-p2, r1, fused(p1, r2, fused(p0, r3, p3 * cos_half_theta))); /* fact: definition steady.q3; (37) */
         q0_out[i] = q0;
         q1_out[i] = q1;
         q2_out[i] = q2;
@@ -1372,7 +1430,9 @@ static int angles_hold(void)
     static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
     enum { TIMES = 8 };
     const volatile double from = 35184372088829.0;
-    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
+    enum { COSINE = TIMES, TURNED = 3 * TIMES };
+    const size_t s = TIMES;
+    double t[TIMES], t_lo[TIMES], to[6 * TIMES];
     torque_free_circular motion;
     int holds = 1;
     memset(&motion, 0, sizeof motion);
@@ -1382,10 +1442,10 @@ static int angles_hold(void)
         t[i] = from + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&motion, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    circular_angles(&motion, TIMES, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     for (int i = 0; i < TIMES; i++) {
-        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
-        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
+        holds &= fabs(to[COSINE + i] - cosines[i % 6]) <= 1e-15;
+        holds &= fabs(to[TURNED + i] - cosines[(i + 5) % 6]) <= 1e-15;
     }
     return holds;
 }
@@ -1400,6 +1460,7 @@ static const double decisive = 8.470329472543003e-22; /* 2^-70, of others' share
 static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_b in inner units; nearer to the separatrix is taken for it */
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
+static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
 static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
@@ -1431,15 +1492,6 @@ static double_double difference(const double_double apart[3], int j, int k)
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* True where momentum and rates are parallel. */
-static int is_steady(const double_double apart[3], const double_double omega[3])
-{
-    for (int j = 0; j < 3; j++)
-        if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
-            return 0;
-    return 1;
-}
-
 /* The axes by their moments, largest first; equal ones stay in their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
@@ -1452,6 +1504,16 @@ static void sorted(const double_double apart[3], int axis[3])
                 axis[k] = axis[k + 1];
                 axis[k + 1] = first;
             }
+}
+
+/* 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant; the axes are
+   sorted by their moments. */
+static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3], double E_2)
+{
+    const int j = axis[0], k = axis[1], l = axis[2];
+    return circulation(!is_zero(difference(apart, j, k)), !is_zero(difference(apart, j, l)),
+                       !is_zero(difference(apart, k, l)), !is_zero(omega[j]), !is_zero(omega[k]),
+                       !is_zero(omega[l]), E_2);
 }
 
 /* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
@@ -1514,29 +1576,27 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
     const double_double c_bd = difference(apart, axis[1], axis[2]);
     const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
     const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
-    const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
-    const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
-    const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
     const double unit = motion->unit, *constants;
-    size_t n;
+    size_t held;
     double_double K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
-    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d);
-    if (k_1.hi * k_1.hi <= 0.5) {
+    double epsilon, sigma, rho, chi;
+    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d, &epsilon, &sigma, &rho, &chi);
+    if (k_1.hi * k_1.hi <= max_circular) {
         motion->branch = 1;
         circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.circular);
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
         constants = (const double *)&motion->of.circular;
-        n = sizeof motion->of.circular / sizeof *constants;
+        held = sizeof motion->of.circular / sizeof *constants;
     } else {
         motion->branch = 2;
         hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.hyperbolic);
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
         constants = (const double *)&motion->of.hyperbolic;
-        n = sizeof motion->of.hyperbolic / sizeof *constants;
+        held = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -1623,19 +1683,19 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
-    if (discriminant.hi < 0.0) {
+    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+    if (side < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    const int steady = is_steady(apart, omega);
     int code = TORQUE_FREE_OK;
     if (!is_rounded_once())
         return TORQUE_FREE_ARITHMETIC;
-    if (steady)
-        steady_init(&made, omega, unit_q);
-    else
+    if (side < 0.0 || side > 0.0)
         code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    else
+        steady_init(&made, omega, unit_q);
     if (code == TORQUE_FREE_OK)
         *motion = made;
     return code;
@@ -1749,8 +1809,8 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
-   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
+/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+   others; `out` has room for seven. */
 static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
@@ -1770,12 +1830,11 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
         row[4 + axis[k]] = out + (4 + k) * s;
     }
     if (motion->branch == 1)
-        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
-                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
+        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s,
+                       out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
-                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
-                         out + 6 * s);
+        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s, in + 5 * s,
+                         out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
@@ -1789,8 +1848,7 @@ static void block_angles(const torque_free_motion *motion, size_t n, size_t s, c
     else if (motion->branch == 1)
         circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
     else
-        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
-                          to + 4 * s, to + 5 * s);
+        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s, to + 5 * s);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -1940,7 +1998,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
     }
 }
 
-/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
+/* The same where what changes with time is more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
@@ -1975,7 +2033,7 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     const size_t most = BLOCK * BLOCK;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
         return too_late(motion);
-    if (motion->branch == 2) {
+    if (motion->branch >= 2) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
         grid_table(motion, inner_step, table);
@@ -2017,7 +2075,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "3f36757143cef3f544e0ac5535a39ea84ffbf62a1847a7d88ac4f7dd4a880abe"; }
+const char *torque_free_digest(void) { return "c71fcfebde1eff59b25e4818b2d62255b99d1af219e803a4dec17cda12d345e5"; }
 
 const char *torque_free_message(int code)
 {

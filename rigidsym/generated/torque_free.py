@@ -12,11 +12,18 @@ Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
 kg m^2; t in s.
 
-A comment gives the equations of the paper that its line corresponds to, or the formulas of the
-Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it (or
-`definition`: what a quantity is short for; `reading`: the standard function that it is); exact
-sums, products and differences of doubles are Knuth's (The Art of Computer Programming, 4.2.2),
-Dekker's (1971) and Sterbenz's (1974).
+A comment says what its line is.  `fact`: the ledger has it, as a proved fact, as `definition` (what
+a quantity is short for), as `reading` (the standard function that it is) or as `choice` (the sign
+that makes a theorem's hypothesis hold); then come equations of the paper that this carries.
+`classical`: a formula of the Digital Library of Mathematical Functions (DLMF).  `arithmetic`: sums,
+products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
+Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
+Lines of code:
+    226  19 %  follow facts of the ledger, each named on its line
+    314  27 %  follow classical formulas, each with its reference
+     42   4 %  are arithmetic: sums, products, quotients, roots, reductions
+    586  50 %  are the runtime, written by hand
+
 Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
 are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
 and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
@@ -29,47 +36,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.5e-16  3.3e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.6e-16  4.2e-16
-  sphere                 8.1e-16  1.9e-40
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  1.2e-51
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest f00f7223e01ceeef7e32f497fa137b70702ff7e38ced98dbbf2a068eb2e16cbd
+digest ea02e826c2a8de9100ff97ad0c456e95dde1a86c344668806c70c4a2bc94249c
 """
 
 # ruff: noqa
@@ -215,12 +185,11 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if type(x) is float and type(y) is float:
-        return one if x <= y else other
+    first = x <= y
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
-        return _DoubleDouble(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
-    return np.where(x <= y, one, other)
+        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+    return (one if first else other) if type(first) is bool else np.where(first, one, other)
 
 
 def _rounded(x):
@@ -284,631 +253,675 @@ cosine_7 = 4.1457287175433435e-06  # cos(pi f), z^8
 
 def _discriminant(c_a, c_d, c_ab, c_bd, Omega_a, Omega_d):
     """K^2 - 2 H c_b over any numbers."""
-    E_b = c_a * c_ab * (Omega_a * Omega_a) - c_d * c_bd * (Omega_d * Omega_d)  # (6), (15); regular.E_b
+    E_b = c_a * c_ab * (Omega_a * Omega_a) - c_d * c_bd * (Omega_d * Omega_d)  # fact: regular.E_b; (6), (15)
     return E_b
 
 
-def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, epsilon, sigma, rho, chi):
-    """Invariants, amplitudes, descended functions at t = 0; E_b is of `_discriminant`."""
-    common_1 = Omega_a * Omega_a  # (6), (15); regular.H regular.E_d
-    common_2 = Omega_b * Omega_b  # (6), (15); regular.H regular.E_a regular.E_d
-    common_3 = Omega_d * Omega_d  # (6), (15); regular.H regular.E_a
-    H = (c_a * common_1 + c_b * common_2 + c_d * common_3) / 2  # (6), (15); regular.H
-    common_4 = c_b * c_ab  # (6), (15), (10), (13), (14); regular.E_a regular.A_b
-    common_5 = c_d * c_ad  # (6), (15), (10), (13), (14); regular.E_a regular.A_d
-    E_a = common_4 * common_2 + common_5 * common_3  # (6), (15); regular.E_a
-    common_6 = c_a * c_ad  # (6), (15), (10), (13), (14); regular.E_d regular.A_a
-    E_d = common_6 * common_1 + c_b * c_bd * common_2  # (6), (15); regular.E_d
-    M_a = c_a * Omega_a  # (8); definition attitude.M_a
-    M_b = c_b * Omega_b  # (8); definition attitude.M_b
-    M_d = c_d * Omega_d  # (8); definition attitude.M_d
-    K = _sqrt(M_a * M_a + M_b * M_b + M_d * M_d)  # (6), (15); attitude.K
-    A_a = _sqrt(E_d / common_6)  # (10), (13), (14); regular.A_a
-    A_b = _sqrt(E_a / common_4)  # (10), (13), (14); regular.A_b
-    A_d = _sqrt(E_a / common_5)  # (10), (13), (14); regular.A_d
-    common_7 = c_ab * E_d  # (10), (13), (14); regular.lambda_ regular.m_1
-    lambda_ = _sqrt(common_7 / (c_a * c_b * c_d))  # (10), (13), (14); regular.lambda_
-    m = E_a * c_bd / (E_d * c_ab)  # (10), (13), (14); regular.m
-    m_1 = c_ad * E_b / common_7  # (10), (13), (14); regular.m_1
-    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
-    k_c = _sqrt(m_1)  # DLMF 22.7.1; descended.k_c
-    common_8 = 1 + k_c  # DLMF 22.7.1, DLMF 22.7.2; descended.k_1 descended.mu definition landen.kc_next
-    k_1 = m / (common_8 * common_8)  # DLMF 22.7.1; descended.k_1
-    mu = lambda_ * common_8 / 2  # DLMF 22.7.2; descended.mu
-    common_9 = c_a * A_a  # (33), (34), (27); descended.psi_0 theta_form.B_a
-    psi_0 = (2 * H + K * A_a) / (K + common_9)  # (33), (34); descended.psi_0
-    sn = chi * Omega_b / A_b  # (12); regular.sn
-    cn = chi * tau * Omega_d / A_d  # (12); regular.cn
-    dn = sigma * Omega_a / A_a  # (12); regular.dn
-    B_a = common_9  # (27); theta_form.B_a
-    B_d = c_d * A_d  # (28); theta_form.B_d
-    root_kc = _sqrt(k_c)  # DLMF 22.7.1; landen.root_kc
-    kc_1 = 2 * root_kc / common_8  # DLMF 22.7.1; definition landen.kc_next
-    common_10 = 1 + dn  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next
-    common_11 = (1 + k_1) * common_10  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v
-    s = 2 * sn / common_11  # DLMF 22.7.2 to 22.7.4; landen.s_next
-    v = _sqrt(common_11 * (dn + k_c))  # DLMF 22.7.4; landen.v
-    c = 2 * cn / v  # DLMF 22.7.2 to 22.7.4; landen.c_next
-    d = v / common_10  # DLMF 22.7.2 to 22.7.4; landen.d_next
-    return K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d
+def _circulation(c_12, c_13, c_23, Omega_1, Omega_2, Omega_3, E_2):
+    """1: a is the axis of largest moment, -1: of smallest, 0: constant rates; by 0 and 1."""
+    c_1 = 1 + c_13  # fact: definition sorted_body.c_1
+    c_2 = 1 + c_23  # fact: definition sorted_body.c_2
+    common_1 = Omega_2 * Omega_2  # fact: definition sorted_body.E_1, definition sorted_body.E_3, definition sorted_body.turning
+    common_2 = Omega_3 * Omega_3  # fact: definition sorted_body.E_1, definition sorted_body.turning, definition sorted_body.off_middle
+    E_1 = c_2 * c_12 * common_1 + c_13 * common_2  # fact: definition sorted_body.E_1
+    common_3 = Omega_1 * Omega_1  # fact: definition sorted_body.E_3, definition sorted_body.turning, definition sorted_body.off_middle
+    E_3 = c_1 * c_13 * common_3 + c_2 * c_23 * common_1  # fact: definition sorted_body.E_3
+    turning = common_3 + common_1 + common_2  # fact: definition sorted_body.turning
+    off_middle = common_3 + common_2  # fact: definition sorted_body.off_middle
+    rest = 0  # fact: rest.rates
+    spherical = 0  # fact: spherical.moments
+    prolate_equatorial = 0  # fact: prolate_equatorial.parallel
+    prolate_polar = 0  # fact: prolate_polar.parallel
+    prolate_motion = -1  # fact: prolate_motion.squares; (10), (13), (14)
+    oblate_polar = 0  # fact: oblate_polar.parallel
+    oblate_equatorial = 0  # fact: oblate_equatorial.parallel
+    oblate_motion = 1  # fact: oblate_motion.squares; (10), (13), (14)
+    spin_1 = 0  # fact: spin_1.parallel
+    spin_3 = 0  # fact: spin_3.parallel
+    spin_2 = 0  # fact: spin_2.parallel
+    separatrix_motion = 1  # fact: separatrix_motion.squares; (10), (13), (14)
+    largest = 1  # fact: largest.squares; (10), (13), (14)
+    smallest = -1  # fact: smallest.squares; (10), (13), (14)
+    on_separatrix = _choose(off_middle, 0, spin_2, separatrix_motion)  # fact: on_separatrix.cases
+    off_1_and_3 = _choose(E_2, 0, _choose(0, E_2, on_separatrix, smallest), largest)  # fact: off_1_and_3.cases
+    off_1 = _choose(E_3, 0, spin_3, off_1_and_3)  # fact: off_1.cases
+    oblate_off_1 = _choose(E_3, 0, oblate_equatorial, oblate_motion)  # fact: oblate_off_1.cases
+    asymmetric = _choose(E_1, 0, spin_1, off_1)  # fact: asymmetric.cases
+    oblate = _choose(E_1, 0, oblate_polar, oblate_off_1)  # fact: oblate.cases
+    prolate_off_1 = _choose(E_3, 0, prolate_polar, prolate_motion)  # fact: prolate_off_1.cases
+    unequal_large = _choose(c_23, 0, oblate, asymmetric)  # fact: unequal_large.cases
+    prolate = _choose(E_1, 0, prolate_equatorial, prolate_off_1)  # fact: prolate.cases
+    nonspherical = _choose(c_12, 0, prolate, unequal_large)  # fact: nonspherical.cases
+    motion = _choose(c_13, 0, spherical, nonspherical)  # fact: motion.cases
+    sorted_body = _choose(turning, 0, rest, motion)  # fact: sorted_body.cases
+    return sorted_body
+
+
+def _initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d):
+    """Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`."""
+    epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
+    sigma = _choose(0, _rounded(Omega_a), 1, -1)  # fact: choice start_signs.sigma; (12)
+    rho = _choose(0, _rounded(c_ad), 1, -1)  # fact: choice start_signs.rho; (12)
+    tau = -rho * epsilon * sigma  # fact: definition regular.tau; (16), (17)
+    chi = _choose(0, tau * _rounded(Omega_d), 1, -1)  # fact: choice start_signs.chi; (12)
+    common_1 = Omega_a * Omega_a  # fact: regular.H, regular.E_d; (6), (15)
+    common_2 = Omega_b * Omega_b  # fact: regular.H, regular.E_a, regular.E_d; (6), (15)
+    common_3 = Omega_d * Omega_d  # fact: regular.H, regular.E_a; (6), (15)
+    H = (c_a * common_1 + c_b * common_2 + c_d * common_3) / 2  # fact: regular.H; (6), (15)
+    common_4 = c_b * c_ab  # fact: regular.E_a, regular.A_b; (6), (15), (10), (13), (14)
+    common_5 = c_d * c_ad  # fact: regular.E_a, regular.A_d; (6), (15), (10), (13), (14)
+    E_a = common_4 * common_2 + common_5 * common_3  # fact: regular.E_a; (6), (15)
+    common_6 = c_a * c_ad  # fact: regular.E_d, regular.A_a; (6), (15), (10), (13), (14)
+    E_d = common_6 * common_1 + c_b * c_bd * common_2  # fact: regular.E_d; (6), (15)
+    M_a = c_a * Omega_a  # fact: definition attitude.M_a; (8)
+    M_b = c_b * Omega_b  # fact: definition attitude.M_b; (8)
+    M_d = c_d * Omega_d  # fact: definition attitude.M_d; (8)
+    K = _sqrt(M_a * M_a + M_b * M_b + M_d * M_d)  # fact: attitude.K; (6), (15)
+    A_a = _sqrt(E_d / common_6)  # fact: regular.A_a; (10), (13), (14)
+    A_b = _sqrt(E_a / common_4)  # fact: regular.A_b; (10), (13), (14)
+    A_d = _sqrt(E_a / common_5)  # fact: regular.A_d; (10), (13), (14)
+    common_7 = c_ab * E_d  # fact: regular.lambda_, regular.m_1; (10), (13), (14)
+    lambda_ = _sqrt(common_7 / (c_a * c_b * c_d))  # fact: regular.lambda_; (10), (13), (14)
+    m = E_a * c_bd / (E_d * c_ab)  # fact: regular.m; (10), (13), (14)
+    m_1 = c_ad * E_b / common_7  # fact: regular.m_1; (10), (13), (14)
+    k_c = _sqrt(m_1)  # fact: descended.k_c; DLMF 22.7.1
+    common_8 = 1 + k_c  # fact: descended.k_1, descended.mu, definition landen.kc_next; DLMF 22.7.1, DLMF 22.7.2
+    k_1 = m / (common_8 * common_8)  # fact: descended.k_1; DLMF 22.7.1
+    mu = lambda_ * common_8 / 2  # fact: descended.mu; DLMF 22.7.2
+    common_9 = c_a * A_a  # fact: descended.psi_0, theta_form.B_a; (33), (34), (27)
+    psi_0 = (2 * H + K * A_a) / (K + common_9)  # fact: descended.psi_0; (33), (34)
+    sn = chi * Omega_b / A_b  # fact: regular.sn; (12)
+    cn = chi * tau * Omega_d / A_d  # fact: regular.cn; (12)
+    dn = sigma * Omega_a / A_a  # fact: regular.dn; (12)
+    B_a = common_9  # fact: theta_form.B_a; (27)
+    B_d = c_d * A_d  # fact: theta_form.B_d; (28)
+    root_kc = _sqrt(k_c)  # fact: landen.root_kc; DLMF 22.7.1
+    kc_1 = 2 * root_kc / common_8  # fact: definition landen.kc_next; DLMF 22.7.1
+    common_10 = 1 + dn  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_11 = (1 + k_1) * common_10  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    s = 2 * sn / common_11  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
+    v = _sqrt(common_11 * (dn + k_c))  # fact: landen.v; DLMF 22.7.4
+    c = 2 * cn / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
+    d = v / common_10  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
+    return K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, epsilon, sigma, rho, chi
 
 
 def _landen(k, kc, s, c, d, r, Y):
     """One step of Landen's descending transformation."""
-    common_1 = 1 + kc  # DLMF 22.7.1; landen.k_next definition landen.kc_next landen.r_next
-    common_2 = k / common_1  # DLMF 22.7.1; landen.k_next
-    k_next = common_2 * common_2  # DLMF 22.7.1; landen.k_next
-    root_kc = _sqrt(kc)  # DLMF 22.7.1; landen.root_kc
-    kc_next = 2 * root_kc / common_1  # DLMF 22.7.1; definition landen.kc_next
-    common_3 = 1 + k_next  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2; landen.s_next landen.v landen.S landen.Y_next
-    common_4 = 1 + d  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v landen.d_next
-    common_5 = common_3 * common_4  # DLMF 22.7.2 to 22.7.4, DLMF 22.7.4; landen.s_next landen.v
-    s_next = 2 * s / common_5  # DLMF 22.7.2 to 22.7.4; landen.s_next
-    v = _sqrt(common_5 * (d + kc))  # DLMF 22.7.4; landen.v
-    c_next = 2 * c / v  # DLMF 22.7.2 to 22.7.4; landen.c_next
-    d_next = v / common_4  # DLMF 22.7.2 to 22.7.4; landen.d_next
-    r_next = r * k / (common_1 * common_1)  # DLMF 22.7.1; landen.r_next
-    S = _sqrt(common_3 * common_3 + 4 * r_next * (Y * Y))  # DLMF 22.7.2; landen.S
-    Y_next = 2 * Y / (common_3 + S)  # DLMF 22.7.2; landen.Y_next
+    common_1 = 1 + kc  # fact: landen.k_next, definition landen.kc_next, landen.r_next; DLMF 22.7.1
+    common_2 = k / common_1  # fact: landen.k_next; DLMF 22.7.1
+    k_next = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1
+    root_kc = _sqrt(kc)  # fact: landen.root_kc; DLMF 22.7.1
+    kc_next = 2 * root_kc / common_1  # fact: definition landen.kc_next; DLMF 22.7.1
+    common_3 = 1 + k_next  # fact: landen.s_next, landen.v, landen.S, landen.Y_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4, DLMF 22.7.2
+    common_4 = 1 + d  # fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    common_5 = common_3 * common_4  # fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4
+    s_next = 2 * s / common_5  # fact: landen.s_next; DLMF 22.7.2 to 22.7.4
+    v = _sqrt(common_5 * (d + kc))  # fact: landen.v; DLMF 22.7.4
+    c_next = 2 * c / v  # fact: landen.c_next; DLMF 22.7.2 to 22.7.4
+    d_next = v / common_4  # fact: landen.d_next; DLMF 22.7.2 to 22.7.4
+    r_next = r * k / (common_1 * common_1)  # fact: landen.r_next; DLMF 22.7.1
+    S = _sqrt(common_3 * common_3 + 4 * r_next * (Y * Y))  # fact: landen.S; DLMF 22.7.2
+    Y_next = 2 * Y / (common_3 + S)  # fact: landen.Y_next; DLMF 22.7.2
     return k_next, kc_next, s_next, c_next, d_next, r_next, Y_next
 
 
 def _ladder(k, kc, s, c, d, r, Y):
     """K(k^2), and the descended s, c and Y; 5 steps leave k^2 < 2^-106 of (0, 1/2]."""
-    k1, kc1, s1, c1, d1, r1, Y1 = _landen(k, kc, s, c, d, r, Y)  # DLMF 22.7.2
-    k2, kc2, s2, c2, d2, r2, Y2 = _landen(k1, kc1, s1, c1, d1, r1, Y1)  # DLMF 22.7.2
-    k3, kc3, s3, c3, d3, r3, Y3 = _landen(k2, kc2, s2, c2, d2, r2, Y2)  # DLMF 22.7.2
-    k4, kc4, s4, c4, d4, r4, Y4 = _landen(k3, kc3, s3, c3, d3, r3, Y3)  # DLMF 22.7.2
-    k5, kc5, s5, c5, d5, r5, Y5 = _landen(k4, kc4, s4, c4, d4, r4, Y4)  # DLMF 22.7.2
-    K5 = pi / 2  # DLMF 19.6.1
-    K4 = (1 + k5) * K5  # DLMF 19.8.12; definition landen.K
-    K3 = (1 + k4) * K4  # DLMF 19.8.12; definition landen.K
-    K2 = (1 + k3) * K3  # DLMF 19.8.12; definition landen.K
-    K1 = (1 + k2) * K2  # DLMF 19.8.12; definition landen.K
-    K0 = (1 + k1) * K1  # DLMF 19.8.12; definition landen.K
+    k1, kc1, s1, c1, d1, r1, Y1 = _landen(k, kc, s, c, d, r, Y)  # classical: DLMF 22.7.2
+    k2, kc2, s2, c2, d2, r2, Y2 = _landen(k1, kc1, s1, c1, d1, r1, Y1)  # classical: DLMF 22.7.2
+    k3, kc3, s3, c3, d3, r3, Y3 = _landen(k2, kc2, s2, c2, d2, r2, Y2)  # classical: DLMF 22.7.2
+    k4, kc4, s4, c4, d4, r4, Y4 = _landen(k3, kc3, s3, c3, d3, r3, Y3)  # classical: DLMF 22.7.2
+    k5, kc5, s5, c5, d5, r5, Y5 = _landen(k4, kc4, s4, c4, d4, r4, Y4)  # classical: DLMF 22.7.2
+    K5 = pi / 2  # classical: DLMF 19.6.1
+    K4 = (1 + k5) * K5  # fact: definition landen.K; DLMF 19.8.12
+    K3 = (1 + k4) * K4  # fact: definition landen.K; DLMF 19.8.12
+    K2 = (1 + k3) * K3  # fact: definition landen.K; DLMF 19.8.12
+    K1 = (1 + k2) * K2  # fact: definition landen.K; DLMF 19.8.12
+    K0 = (1 + k1) * K1  # fact: definition landen.K; DLMF 19.8.12
     return K0, s5, c5, Y5
 
 
 def _root_ratio(k, kc):
     """k/sqrt(q) where q is the nome of modulus k, kc its complement, k^2 <= 1/2."""
-    root_kc = _sqrt(kc)  # DLMF 19.8.12
-    common_1 = 1 + kc  # DLMF 19.8.12, DLMF 20.9.1; landen.k_next definition landen.kc_next
-    common_2 = k / common_1  # DLMF 19.8.12; landen.k_next
-    k_next = common_2 * common_2  # DLMF 19.8.12; landen.k_next
-    kc_next = 2 * root_kc / common_1  # DLMF 19.8.12; definition landen.kc_next
-    root = 1 + _sqrt(kc_next)  # DLMF 20.9.1
-    f = 2 * (1 + kc_next) * root * root  # DLMF 20.9.1
-    e = k_next * k_next / f  # DLMF 20.9.1
-    e2 = e * e  # DLMF 20.9.1
-    e4 = e2 * e2  # DLMF 20.9.1
-    r = common_1 / _sqrt(_sqrt(_horner(e4, 1, 2, 15, 150) / f))  # DLMF 20.9.1
+    root_kc = _sqrt(kc)  # classical: DLMF 19.8.12
+    common_1 = 1 + kc  # fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1, DLMF 19.8.12, DLMF 20.9.1
+    common_2 = k / common_1  # fact: landen.k_next; DLMF 22.7.1, DLMF 19.8.12
+    k_next = common_2 * common_2  # fact: landen.k_next; DLMF 22.7.1, DLMF 19.8.12
+    kc_next = 2 * root_kc / common_1  # fact: definition landen.kc_next; DLMF 22.7.1, DLMF 19.8.12
+    root = 1 + _sqrt(kc_next)  # classical: DLMF 20.9.1
+    f = 2 * (1 + kc_next) * root * root  # classical: DLMF 20.9.1
+    e = k_next * k_next / f  # classical: DLMF 20.9.1
+    e2 = e * e  # classical: DLMF 20.9.1
+    e4 = e2 * e2  # classical: DLMF 20.9.1
+    r = common_1 / _sqrt(_sqrt(_horner(e4, 1, 2, 15, 150) / f))  # classical: DLMF 20.9.1
     return r
 
 
 def _half_turns(s, c):
     """theta/pi where s and c >= 0 are the sine and cosine of theta."""
-    t1 = s / (1 + c)  # DLMF 4.21.28
-    t2 = t1 / (1 + _sqrt(1 + t1 * t1))  # DLMF 4.21.28
-    t3 = t2 / (1 + _sqrt(1 + t2 * t2))  # DLMF 4.21.28
-    t4 = t3 / (1 + _sqrt(1 + t3 * t3))  # DLMF 4.21.28
-    z = -(t4 * t4)  # DLMF 4.24.3
-    z_d = _rounded(z)  # DLMF 4.24.3
-    tail = _horner(z_d, over_19, over_21, over_23, over_25, over_27, over_29, over_31, over_33)  # DLMF 4.24.3
-    series = _horner(z, 1, over_3, over_5, over_7, over_9, over_11, over_13, over_15, over_17, tail)  # DLMF 4.24.3
-    angle = 16 * t4 * series / pi  # DLMF 4.24.3
+    t1 = s / (1 + c)  # classical: DLMF 4.21.28
+    t2 = t1 / (1 + _sqrt(1 + t1 * t1))  # classical: DLMF 4.21.28
+    t3 = t2 / (1 + _sqrt(1 + t2 * t2))  # classical: DLMF 4.21.28
+    t4 = t3 / (1 + _sqrt(1 + t3 * t3))  # classical: DLMF 4.21.28
+    z = -(t4 * t4)  # classical: DLMF 4.24.3
+    z_d = _rounded(z)  # classical: DLMF 4.24.3
+    tail = _horner(z_d, over_19, over_21, over_23, over_25, over_27, over_29, over_31, over_33)  # classical: DLMF 4.24.3
+    series = _horner(z, 1, over_3, over_5, over_7, over_9, over_11, over_13, over_15, over_17, tail)  # classical: DLMF 4.24.3
+    angle = 16 * t4 * series / pi  # classical: DLMF 4.24.3
     return angle
 
 
 def _logarithm(x):
     """log(x) for x > 0."""
-    e = _exponent(x)  # DLMF 4.8
-    f = _sqrt(_mantissa(x))  # DLMF 4.8
-    t4 = (f - 1) / (f + 1)  # DLMF 4.38.5
-    z = t4 * t4  # DLMF 4.38.5
-    z_d = _rounded(z)  # DLMF 4.38.5
-    tail = _horner(z_d, over_19, over_21, over_23, over_25, over_27, over_29, over_31, over_33)  # DLMF 4.38.5
-    series = _horner(z, 1, over_3, over_5, over_7, over_9, over_11, over_13, over_15, over_17, tail)  # DLMF 4.38.5
-    log_x = e * log_2 + 4 * t4 * series  # DLMF 4.38.5
+    e = _exponent(x)  # classical: DLMF 4.8
+    f = _sqrt(_mantissa(x))  # classical: DLMF 4.8
+    t4 = (f - 1) / (f + 1)  # classical: DLMF 4.38.5
+    z = t4 * t4  # classical: DLMF 4.38.5
+    z_d = _rounded(z)  # classical: DLMF 4.38.5
+    tail = _horner(z_d, over_19, over_21, over_23, over_25, over_27, over_29, over_31, over_33)  # classical: DLMF 4.38.5
+    series = _horner(z, 1, over_3, over_5, over_7, over_9, over_11, over_13, over_15, over_17, tail)  # classical: DLMF 4.38.5
+    log_x = e * log_2 + 4 * t4 * series  # classical: DLMF 4.38.5
     return log_x
 
 
 def _circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit):
     """The constants of a motion on the circular branch, from `_initial_state`."""
-    r = _root_ratio(k_1, kc_1)  # DLMF 20.9.1
-    root_r = _sqrt(r)  # (27); scaling.root_r
-    Q = k_1 / r  # (27); scaling.Q
-    Y = B_d / ((K + B_a) * root_r)  # (28); definition scaling.Y
-    K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)  # DLMF 19.8.12
-    root_h = _sqrt(Y_b * Y_b + Q)  # (28); scaling.root_h
-    h_plus = root_h + Y_b  # (28); scaling.h_plus
-    h_minus = root_h - Y_b  # (28); scaling.h_minus
-    g = pi / (2 * K_1)  # (10)
-    up1 = h_plus  # DLMF 20.2.1, DLMF 20.2.4
-    down1 = h_minus  # DLMF 20.2.1, DLMF 20.2.4
-    step_up1 = h_plus * Q  # DLMF 20.2.1, DLMF 20.2.4
-    step_down1 = h_minus * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up2 = up1 * step_up1  # DLMF 20.2.1, DLMF 20.2.4
-    step_up2 = step_up1 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down2 = down1 * step_down1  # DLMF 20.2.1, DLMF 20.2.4
-    step_down2 = step_down1 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up3 = up2 * step_up2  # DLMF 20.2.1, DLMF 20.2.4
-    step_up3 = step_up2 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down3 = down2 * step_down2  # DLMF 20.2.1, DLMF 20.2.4
-    step_down3 = step_down2 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up4 = up3 * step_up3  # DLMF 20.2.1, DLMF 20.2.4
-    step_up4 = step_up3 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down4 = down3 * step_down3  # DLMF 20.2.1, DLMF 20.2.4
-    step_down4 = step_down3 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up5 = up4 * step_up4  # DLMF 20.2.1, DLMF 20.2.4
-    step_up5 = step_up4 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down5 = down4 * step_down4  # DLMF 20.2.1, DLMF 20.2.4
-    step_down5 = step_down4 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up6 = up5 * step_up5  # DLMF 20.2.1, DLMF 20.2.4
-    step_up6 = step_up5 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down6 = down5 * step_down5  # DLMF 20.2.1, DLMF 20.2.4
-    step_down6 = step_down5 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up7 = up6 * step_up6  # DLMF 20.2.1, DLMF 20.2.4
-    step_up7 = step_up6 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down7 = down6 * step_down6  # DLMF 20.2.1, DLMF 20.2.4
-    step_down7 = step_down6 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up8 = up7 * step_up7  # DLMF 20.2.1, DLMF 20.2.4
-    step_up8 = step_up7 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down8 = down7 * step_down7  # DLMF 20.2.1, DLMF 20.2.4
-    step_down8 = step_down7 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up9 = up8 * step_up8  # DLMF 20.2.1, DLMF 20.2.4
-    step_up9 = step_up8 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    down9 = down8 * step_down8  # DLMF 20.2.1, DLMF 20.2.4
-    step_down9 = step_down8 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    up10 = up9 * step_up9  # DLMF 20.2.1, DLMF 20.2.4
-    down10 = down9 * step_down9  # DLMF 20.2.1, DLMF 20.2.4
-    p1 = up1 + down1  # DLMF 20.2.1, DLMF 20.2.4
-    d1 = up1 - down1  # DLMF 20.2.1, DLMF 20.2.4
-    p2 = up2 + down2  # DLMF 20.2.1, DLMF 20.2.4
-    d2 = up2 - down2  # DLMF 20.2.1, DLMF 20.2.4
-    p3 = up3 + down3  # DLMF 20.2.1, DLMF 20.2.4
-    d3 = up3 - down3  # DLMF 20.2.1, DLMF 20.2.4
-    p4 = up4 + down4  # DLMF 20.2.1, DLMF 20.2.4
-    d4 = up4 - down4  # DLMF 20.2.1, DLMF 20.2.4
-    p5 = up5 + down5  # DLMF 20.2.1, DLMF 20.2.4
-    d5 = up5 - down5  # DLMF 20.2.1, DLMF 20.2.4
-    p6 = up6 + down6  # DLMF 20.2.1, DLMF 20.2.4
-    d6 = up6 - down6  # DLMF 20.2.1, DLMF 20.2.4
-    p7 = up7 + down7  # DLMF 20.2.1, DLMF 20.2.4
-    d7 = up7 - down7  # DLMF 20.2.1, DLMF 20.2.4
-    p8 = up8 + down8  # DLMF 20.2.1, DLMF 20.2.4
-    d8 = up8 - down8  # DLMF 20.2.1, DLMF 20.2.4
-    p10 = up10 + down10  # DLMF 20.2.1, DLMF 20.2.4
-    d10 = up10 - down10  # DLMF 20.2.1, DLMF 20.2.4
-    common_1 = 4 * d4  # (34), DLMF 20.2.4, DLMF 20.2.1
-    zeta = g * (2 * d2 - common_1 + 6 * d6 - 8 * d8 + 10 * d10) / (1 - p2 + p4 - p6 + p8 - p10)  # (34), DLMF 20.2.4
-    T4_re_0 = 1 - p4  # DLMF 20.2.1, DLMF 20.2.4
-    T4_re_1 = -p2 + 3 * p6  # DLMF 20.2.1, DLMF 20.2.4
-    T4_re_2 = 2 * p4  # DLMF 20.2.1, DLMF 20.2.4
-    T4_re_3 = -4 * p6  # DLMF 20.2.1, DLMF 20.2.4
-    T4_im_0 = rho * (-2 * d2 + 2 * d6)  # DLMF 20.2.1, DLMF 20.2.4
-    T4_im_1 = rho * common_1  # DLMF 20.2.1, DLMF 20.2.4
-    T4_im_2 = rho * (-8 * d6)  # DLMF 20.2.1, DLMF 20.2.4
-    T1_re_0 = p1 - p3 - p5 + p7  # DLMF 20.2.1, DLMF 20.2.4
-    common_2 = 4 * p7  # DLMF 20.2.1, DLMF 20.2.4
-    T1_re_1 = -2 * p3 + 2 * p5 + common_2  # DLMF 20.2.1, DLMF 20.2.4
-    T1_re_2 = 4 * p5 - common_2  # DLMF 20.2.1, DLMF 20.2.4
-    T1_re_3 = -8 * p7  # DLMF 20.2.1, DLMF 20.2.4
-    T1_im_0 = rho * (-d1 - d3 + d5 + d7)  # DLMF 20.2.1, DLMF 20.2.4
-    common_3 = 4 * d7  # DLMF 20.2.1, DLMF 20.2.4
-    T1_im_1 = rho * (2 * d3 + 2 * d5 - common_3)  # DLMF 20.2.1, DLMF 20.2.4
-    T1_im_2 = rho * (-4 * d5 - common_3)  # DLMF 20.2.1, DLMF 20.2.4
-    T1_im_3 = rho * (8 * d7)  # DLMF 20.2.1, DLMF 20.2.4
-    Q2 = Q * Q  # DLMF 20.2.1, DLMF 20.2.4
-    Q4 = Q2 * Q2  # DLMF 20.2.1, DLMF 20.2.4
-    Q6 = Q4 * Q2  # DLMF 20.2.1, DLMF 20.2.4
-    common_4 = Q4 * Q4  # DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14
-    Q9 = common_4 * Q  # DLMF 20.2.1, DLMF 20.2.4
-    Q12 = Q6 * Q6  # DLMF 20.2.1, DLMF 20.2.4
-    Q16 = Q12 * Q4  # DLMF 20.2.1, DLMF 20.2.4
-    Q20 = Q16 * Q4  # DLMF 20.2.1, DLMF 20.2.4
-    common_5 = 2 * Q4  # DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
-    common_6 = 2 * Q16  # DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
-    even_0 = 1 - common_5 + common_6  # DLMF 20.2.1, DLMF 20.2.4
-    common_7 = 16 * Q16  # DLMF 20.2.1, DLMF 20.2.4
-    even_1 = 4 * Q4 - common_7  # DLMF 20.2.1, DLMF 20.2.4
-    even_2 = common_7  # DLMF 20.2.1, DLMF 20.2.4
-    common_8 = 2 * Q  # DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
-    odd_0 = common_8 - 6 * Q9  # DLMF 20.2.1, DLMF 20.2.4
-    odd_1 = 8 * Q9  # DLMF 20.2.1, DLMF 20.2.4
-    sine_even_0 = 1 - Q2 - Q6 + Q12 + Q20  # DLMF 20.2.1, DLMF 20.2.4
-    common_9 = 4 * Q12  # DLMF 20.2.1, DLMF 20.2.4
-    sine_even_1 = 4 * Q6 - common_9 - 12 * Q20  # DLMF 20.2.1, DLMF 20.2.4
-    sine_even_2 = 16 * Q20  # DLMF 20.2.1, DLMF 20.2.4
-    sine_odd_0 = -2 * Q2 + 2 * Q6 + common_9 - 4 * Q20  # DLMF 20.2.1, DLMF 20.2.4
-    sine_odd_1 = -8 * Q12 + 8 * Q20  # DLMF 20.2.1, DLMF 20.2.4
-    two = 1 + Q2 + Q6 + Q12 + Q20  # DLMF 20.2.2
-    even_sum = 1 + common_5 + common_6  # DLMF 20.2.3
-    common_10 = 2 * Q9  # DLMF 20.2.3
-    odd_sum = common_8 + common_10 + common_10 * Q16  # DLMF 20.2.3
-    three = even_sum + odd_sum  # DLMF 20.2.3
-    four = even_sum - odd_sum  # DLMF 20.2.4
-    h2_plus = h_plus * h_plus  # DLMF 20.7.14
-    h2_minus = h_minus * h_minus  # DLMF 20.7.14
-    side_plus = h2_plus * (1 + Q2 * h2_plus * (1 + Q4 * h2_plus * (1 + Q6 * h2_plus * (1 + common_4 * h2_plus))))  # DLMF 20.7.14
-    side_minus = h2_minus * (1 + Q2 * h2_minus * (1 + Q4 * h2_minus * (1 + Q6 * h2_minus * (1 + common_4 * h2_minus))))  # DLMF 20.7.14
-    watson = 1 + side_plus + side_minus  # DLMF 20.7.14
-    Lambda = psi_0 / 2 + rho * mu * zeta  # (33), (34); definition theta_form.Lambda
-    Lambda_rate = Lambda / pi  # (33), (34)
-    v = _half_turns(sin_v, cos_v)  # (12)
-    v_rate = mu * g / pi  # (10), (20)
-    x = 1 - 2 * (sin_v * sin_v)  # DLMF 4.21.27
-    x2 = x * x  # DLMF 20.2.1, DLMF 20.2.4
-    T4_re = _horner(x, T4_re_0, T4_re_1, T4_re_2, T4_re_3)  # (18), DLMF 20.2.4
-    T4_im = sin_v * cos_v * _horner(x, T4_im_0, T4_im_1, T4_im_2)  # (18), DLMF 20.2.4
-    T1_re = sin_v * _horner(x, T1_re_0, T1_re_1, T1_re_2, T1_re_3)  # (18), DLMF 20.2.1
-    T1_im = cos_v * _horner(x, T1_im_0, T1_im_1, T1_im_2, T1_im_3)  # (18), DLMF 20.2.1
-    sum_even = _horner(x2, even_0, even_1, even_2)  # DLMF 20.2.4
-    sum_odd = x * (odd_0 + x2 * odd_1)  # DLMF 20.2.4
-    theta4_v = sum_even - sum_odd  # (10), DLMF 20.2.4
-    P4_re = T4_re  # (18); definition theta_form.P4_re
-    P4_im = T4_im  # (18); definition theta_form.P4_im
-    P1_re = T1_re  # (18); definition theta_form.P1_re
-    P1_im = T1_im  # (18); definition theta_form.P1_im
-    W = theta4_v * watson  # (1), DLMF 20.7.14
-    N = _sqrt(W)  # (1); theta_form.N_of_W
-    qbar_0 = P4_re / N  # (18), (25); theta_form.qbar_0
-    qbar_a = sigma * P4_im / N  # (18), (25); theta_form.qbar_a
-    qbar_b = chi * P1_im / N  # (18), (25); theta_form.qbar_b
-    common_11 = -epsilon * sigma * chi  # (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d
-    qbar_d = common_11 * P1_re / N  # (18), (25); theta_form.qbar_d
-    p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # (37); attitude.p_0
-    p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # (37); attitude.p_a
-    p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # (37); attitude.p_b
-    p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # (37); attitude.p_d
-    over_N = 1 / _sqrt(watson)  # (1), DLMF 20.7.14
-    row_0_P4_re = over_N * p_0  # (37); definition attitude.q_0
-    row_0_P4_im = over_N * -(p_a * sigma)  # (37); definition attitude.q_0
-    row_0_P1_re = over_N * -(p_d * common_11)  # (37); definition attitude.q_0
-    row_0_P1_im = over_N * -(p_b * chi)  # (37); definition attitude.q_0
-    row_a_P4_re = over_N * p_a  # (37); definition attitude.q_a
-    row_a_P4_im = over_N * (p_0 * sigma)  # (37); definition attitude.q_a
-    row_a_P1_re = over_N * (epsilon * (p_b * common_11))  # (37); definition attitude.q_a
-    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # (37); definition attitude.q_a
-    row_b_P4_re = over_N * p_b  # (37); definition attitude.q_b
-    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # (37); definition attitude.q_b
-    row_b_P1_re = over_N * (epsilon * -(p_a * common_11))  # (37); definition attitude.q_b
-    row_b_P1_im = over_N * (p_0 * chi)  # (37); definition attitude.q_b
-    row_d_P4_re = over_N * p_d  # (37); definition attitude.q_d
-    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # (37); definition attitude.q_d
-    row_d_P1_re = over_N * (p_0 * common_11)  # (37); definition attitude.q_d
-    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); definition attitude.q_d
-    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
-    gain_a = sigma * A_a * (four / three) * unit  # (10), DLMF 22.2.4; definition regular.Omega_a
-    gain_b = chi * A_b * (three / two) * unit  # (10), DLMF 22.2.4; definition regular.Omega_b
-    gain_d = chi * tau * A_d * (four / two) * unit  # (10), DLMF 22.2.4; definition regular.Omega_d
+    r = _root_ratio(k_1, kc_1)  # classical: DLMF 20.9.1
+    root_r = _sqrt(r)  # fact: scaling.root_r; (27)
+    Q = k_1 / r  # fact: scaling.Q; (27)
+    Y = B_d / ((K + B_a) * root_r)  # fact: definition scaling.Y; (28)
+    K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)  # classical: DLMF 19.8.12
+    root_h = _sqrt(Y_b * Y_b + Q)  # fact: scaling.root_h; (28)
+    h_plus = root_h + Y_b  # fact: scaling.h_plus; (28)
+    h_minus = root_h - Y_b  # fact: scaling.h_minus; (28)
+    g = pi / (2 * K_1)  # fact: reading theta_form.g; (10)
+    up1 = h_plus  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down1 = h_minus  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up1 = h_plus * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down1 = h_minus * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up2 = up1 * step_up1  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up2 = step_up1 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down2 = down1 * step_down1  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down2 = step_down1 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up3 = up2 * step_up2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up3 = step_up2 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down3 = down2 * step_down2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down3 = step_down2 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up4 = up3 * step_up3  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up4 = step_up3 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down4 = down3 * step_down3  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down4 = step_down3 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up5 = up4 * step_up4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up5 = step_up4 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down5 = down4 * step_down4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down5 = step_down4 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up6 = up5 * step_up5  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up6 = step_up5 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down6 = down5 * step_down5  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down6 = step_down5 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up7 = up6 * step_up6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up7 = step_up6 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down7 = down6 * step_down6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down7 = step_down6 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up8 = up7 * step_up7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up8 = step_up7 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down8 = down7 * step_down7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down8 = step_down7 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up9 = up8 * step_up8  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_up9 = step_up8 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down9 = down8 * step_down8  # classical: DLMF 20.2.1, DLMF 20.2.4
+    step_down9 = step_down8 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    up10 = up9 * step_up9  # classical: DLMF 20.2.1, DLMF 20.2.4
+    down10 = down9 * step_down9  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p1 = up1 + down1  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d1 = up1 - down1  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p2 = up2 + down2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d2 = up2 - down2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p3 = up3 + down3  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d3 = up3 - down3  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p4 = up4 + down4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d4 = up4 - down4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p5 = up5 + down5  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d5 = up5 - down5  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p6 = up6 + down6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d6 = up6 - down6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p7 = up7 + down7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d7 = up7 - down7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p8 = up8 + down8  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d8 = up8 - down8  # classical: DLMF 20.2.1, DLMF 20.2.4
+    p10 = up10 + down10  # classical: DLMF 20.2.1, DLMF 20.2.4
+    d10 = up10 - down10  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_1 = 4 * d4  # classical: DLMF 20.2.4, DLMF 20.2.1
+    zeta = g * (2 * d2 - common_1 + 6 * d6 - 8 * d8 + 10 * d10) / (1 - p2 + p4 - p6 + p8 - p10)  # classical: DLMF 20.2.4
+    T4_re_0 = 1 - p4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_re_1 = -p2 + 3 * p6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_re_2 = 2 * p4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_re_3 = -4 * p6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_im_0 = rho * (-2 * d2 + 2 * d6)  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_im_1 = rho * common_1  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_im_2 = rho * (-8 * d6)  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_re_0 = p1 - p3 - p5 + p7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_2 = 4 * p7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_re_1 = -2 * p3 + 2 * p5 + common_2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_re_2 = 4 * p5 - common_2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_re_3 = -8 * p7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_im_0 = rho * (-d1 - d3 + d5 + d7)  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_3 = 4 * d7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_im_1 = rho * (2 * d3 + 2 * d5 - common_3)  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_im_2 = rho * (-4 * d5 - common_3)  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T1_im_3 = rho * (8 * d7)  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q2 = Q * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q4 = Q2 * Q2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q6 = Q4 * Q2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_4 = Q4 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14
+    Q9 = common_4 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q12 = Q6 * Q6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q16 = Q12 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q20 = Q16 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_5 = 2 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
+    common_6 = 2 * Q16  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
+    even_0 = 1 - common_5 + common_6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_7 = 16 * Q16  # classical: DLMF 20.2.1, DLMF 20.2.4
+    even_1 = 4 * Q4 - common_7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    even_2 = common_7  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_8 = 2 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
+    odd_0 = common_8 - 6 * Q9  # classical: DLMF 20.2.1, DLMF 20.2.4
+    odd_1 = 8 * Q9  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_even_0 = 1 - Q2 - Q6 + Q12 + Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_9 = 4 * Q12  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_even_1 = 4 * Q6 - common_9 - 12 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_even_2 = 16 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_odd_0 = -2 * Q2 + 2 * Q6 + common_9 - 4 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_odd_1 = -8 * Q12 + 8 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    two = 1 + Q2 + Q6 + Q12 + Q20  # classical: DLMF 20.2.2
+    even_sum = 1 + common_5 + common_6  # classical: DLMF 20.2.3
+    common_10 = 2 * Q9  # classical: DLMF 20.2.3
+    odd_sum = common_8 + common_10 + common_10 * Q16  # classical: DLMF 20.2.3
+    three = even_sum + odd_sum  # classical: DLMF 20.2.3
+    four = even_sum - odd_sum  # classical: DLMF 20.2.4
+    h2_plus = h_plus * h_plus  # classical: DLMF 20.7.14
+    h2_minus = h_minus * h_minus  # classical: DLMF 20.7.14
+    side_plus = h2_plus * (1 + Q2 * h2_plus * (1 + Q4 * h2_plus * (1 + Q6 * h2_plus * (1 + common_4 * h2_plus))))  # classical: DLMF 20.7.14
+    side_minus = h2_minus * (1 + Q2 * h2_minus * (1 + Q4 * h2_minus * (1 + Q6 * h2_minus * (1 + common_4 * h2_minus))))  # classical: DLMF 20.7.14
+    watson = 1 + side_plus + side_minus  # classical: DLMF 20.7.14
+    Lambda = psi_0 / 2 + rho * mu * zeta  # fact: definition theta_form.Lambda; (33), (34)
+    Lambda_rate = Lambda / pi  # arithmetic
+    v = _half_turns(sin_v, cos_v)  # classical: DLMF 4.24.3
+    v_rate = mu * g / pi  # arithmetic
+    x = 1 - 2 * (sin_v * sin_v)  # classical: DLMF 4.21.27
+    x2 = x * x  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_re = _horner(x, T4_re_0, T4_re_1, T4_re_2, T4_re_3)  # classical: DLMF 20.2.4
+    T4_im = sin_v * cos_v * _horner(x, T4_im_0, T4_im_1, T4_im_2)  # classical: DLMF 20.2.4
+    T1_re = sin_v * _horner(x, T1_re_0, T1_re_1, T1_re_2, T1_re_3)  # classical: DLMF 20.2.1
+    T1_im = cos_v * _horner(x, T1_im_0, T1_im_1, T1_im_2, T1_im_3)  # classical: DLMF 20.2.1
+    sum_even = _horner(x2, even_0, even_1, even_2)  # classical: DLMF 20.2.4
+    sum_odd = x * (odd_0 + x2 * odd_1)  # classical: DLMF 20.2.4
+    theta4_v = sum_even - sum_odd  # classical: DLMF 20.2.4
+    P4_re = T4_re  # fact: definition theta_form.P4_re; (18)
+    P4_im = T4_im  # fact: definition theta_form.P4_im; (18)
+    P1_re = T1_re  # fact: definition theta_form.P1_re; (18)
+    P1_im = T1_im  # fact: definition theta_form.P1_im; (18)
+    W = theta4_v * watson  # fact: reading theta_form.W; (1)
+    N = _sqrt(W)  # fact: theta_form.N_of_W; (1)
+    qbar_0 = P4_re / N  # fact: theta_form.qbar_0; (18), (25)
+    qbar_a = sigma * P4_im / N  # fact: theta_form.qbar_a; (18), (25)
+    qbar_b = chi * P1_im / N  # fact: theta_form.qbar_b; (18), (25)
+    common_11 = -epsilon * sigma * chi  # fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37)
+    qbar_d = common_11 * P1_re / N  # fact: theta_form.qbar_d; (18), (25)
+    p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # fact: attitude.p_0; (37)
+    p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # fact: attitude.p_a; (37)
+    p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # fact: attitude.p_b; (37)
+    p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # fact: attitude.p_d; (37)
+    over_N = 1 / _sqrt(watson)  # classical: DLMF 20.7.14
+    row_0_P4_re = over_N * p_0  # fact: definition attitude.q_0; (37)
+    row_0_P4_im = over_N * -(p_a * sigma)  # fact: definition attitude.q_0; (37)
+    row_0_P1_re = over_N * -(p_d * common_11)  # fact: definition attitude.q_0; (37)
+    row_0_P1_im = over_N * -(p_b * chi)  # fact: definition attitude.q_0; (37)
+    row_a_P4_re = over_N * p_a  # fact: definition attitude.q_a; (37)
+    row_a_P4_im = over_N * (p_0 * sigma)  # fact: definition attitude.q_a; (37)
+    row_a_P1_re = over_N * (epsilon * (p_b * common_11))  # fact: definition attitude.q_a; (37)
+    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # fact: definition attitude.q_a; (37)
+    row_b_P4_re = over_N * p_b  # fact: definition attitude.q_b; (37)
+    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # fact: definition attitude.q_b; (37)
+    row_b_P1_re = over_N * (epsilon * -(p_a * common_11))  # fact: definition attitude.q_b; (37)
+    row_b_P1_im = over_N * (p_0 * chi)  # fact: definition attitude.q_b; (37)
+    row_d_P4_re = over_N * p_d  # fact: definition attitude.q_d; (37)
+    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # fact: definition attitude.q_d; (37)
+    row_d_P1_re = over_N * (p_0 * common_11)  # fact: definition attitude.q_d; (37)
+    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # fact: definition attitude.q_d; (37)
+    tau = -rho * epsilon * sigma  # fact: definition regular.tau; (16), (17)
+    gain_a = sigma * A_a * (four / three) * unit  # fact: definition regular.Omega_a; (10), DLMF 22.2.4
+    gain_b = chi * A_b * (three / two) * unit  # fact: definition regular.Omega_b; (10), DLMF 22.2.4
+    gain_d = chi * tau * A_d * (four / two) * unit  # fact: definition regular.Omega_d; (10), DLMF 22.2.4
     return v_rate.hi, v_rate.lo, v.hi, v.lo, Lambda_rate.hi, Lambda_rate.lo, _rounded(T4_re_0), _rounded(T4_re_1), _rounded(T4_re_2), _rounded(T4_re_3), _rounded(T4_im_0), _rounded(T4_im_1), _rounded(T4_im_2), _rounded(T1_re_0), _rounded(T1_re_1), _rounded(T1_re_2), _rounded(T1_re_3), _rounded(T1_im_0), _rounded(T1_im_1), _rounded(T1_im_2), _rounded(T1_im_3), _rounded(even_0), _rounded(even_1), _rounded(even_2), _rounded(odd_0), _rounded(odd_1), _rounded(sine_even_0), _rounded(sine_even_1), _rounded(sine_even_2), _rounded(sine_odd_0), _rounded(sine_odd_1), _rounded(row_0_P4_re), _rounded(row_0_P4_im), _rounded(row_0_P1_re), _rounded(row_0_P1_im), _rounded(row_a_P4_re), _rounded(row_a_P4_im), _rounded(row_a_P1_re), _rounded(row_a_P1_im), _rounded(row_b_P4_re), _rounded(row_b_P4_im), _rounded(row_b_P1_re), _rounded(row_b_P1_im), _rounded(row_d_P4_re), _rounded(row_d_P4_im), _rounded(row_d_P1_re), _rounded(row_d_P1_im), _rounded(gain_a), _rounded(gain_b), _rounded(gain_d)
 
 
 def _circular_angles(t, v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda_rate_lo):
     """What changes with time on the circular branch, at t + t_lo."""
-    p = v_rate_hi * t  # Dekker 1971
-    p_error = _product_error(v_rate_hi, t, p) + (v_rate_lo * t + v_lo)  # Dekker 1971
-    v = p + v_hi  # Knuth 4.2.2
-    v_other = v - p  # Knuth 4.2.2
-    v_error = p - (v - v_other) + (v_hi - v_other)  # Knuth 4.2.2
-    v_whole = _nearest(v)  # DLMF 4.16
-    v_rest = v - v_whole  # DLMF 4.16, Sterbenz 1974
-    v_turns = v_rest + (p_error + v_error)  # DLMF 4.16
-    v_square = v_turns * v_turns  # DLMF 4.19.1, DLMF 4.19.2
-    v_sign = _alternating(v_whole)  # DLMF 4.16
-    sin_v = v_sign * (v_turns * pi_hi + v_turns * _horner(v_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
-    cos_v = v_sign * _horner(v_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
-    L = Lambda_rate_hi * t  # Dekker 1971
-    L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # Dekker 1971
-    L_whole = _nearest(L)  # DLMF 4.16
-    L_rest = L - L_whole  # DLMF 4.16, Sterbenz 1974
-    L_turns = L_rest + L_error  # DLMF 4.16
-    L_square = L_turns * L_turns  # DLMF 4.19.1, DLMF 4.19.2
-    L_sign = _alternating(L_whole)  # DLMF 4.16
-    X_im = L_sign * (L_turns * pi_hi + L_turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
-    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
+    p = v_rate_hi * t  # arithmetic: Dekker 1971
+    p_error = _product_error(v_rate_hi, t, p) + (v_rate_lo * t + v_lo)  # arithmetic: Dekker 1971
+    v = p + v_hi  # arithmetic: Knuth 4.2.2
+    v_other = v - p  # arithmetic: Knuth 4.2.2
+    v_error = p - (v - v_other) + (v_hi - v_other)  # arithmetic: Knuth 4.2.2
+    v_whole = _nearest(v)  # classical: DLMF 4.16
+    v_rest = v - v_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    v_turns = v_rest + (p_error + v_error)  # classical: DLMF 4.16
+    v_square = v_turns * v_turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    v_sign = _alternating(v_whole)  # classical: DLMF 4.16
+    sin_v = v_sign * (v_turns * pi_hi + v_turns * _horner(v_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
+    cos_v = v_sign * _horner(v_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
+    L = Lambda_rate_hi * t  # arithmetic: Dekker 1971
+    L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # arithmetic: Dekker 1971
+    L_whole = _nearest(L)  # classical: DLMF 4.16
+    L_rest = L - L_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    L_turns = L_rest + L_error  # classical: DLMF 4.16
+    L_square = L_turns * L_turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    L_sign = _alternating(L_whole)  # classical: DLMF 4.16
+    X_im = L_sign * (L_turns * pi_hi + L_turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
+    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
     return sin_v, cos_v, X_im, X_re
 
 
 def _circular_state(sin_v, cos_v, X_im, X_re, T4_re_0, T4_re_1, T4_re_2, T4_re_3, T4_im_0, T4_im_1, T4_im_2, T1_re_0, T1_re_1, T1_re_2, T1_re_3, T1_im_0, T1_im_1, T1_im_2, T1_im_3, even_0, even_1, even_2, odd_0, odd_1, sine_even_0, sine_even_1, sine_even_2, sine_odd_0, sine_odd_1, row_0_P4_re, row_0_P4_im, row_0_P1_re, row_0_P1_im, row_a_P4_re, row_a_P4_im, row_a_P1_re, row_a_P1_im, row_b_P4_re, row_b_P4_im, row_b_P1_re, row_b_P1_im, row_d_P4_re, row_d_P4_im, row_d_P1_re, row_d_P1_im, gain_a, gain_b, gain_d):
     """The state on the circular branch, from `_circular_angles`."""
-    x = 1 - 2 * (sin_v * sin_v)  # DLMF 4.21.27
-    x2 = x * x  # DLMF 20.2.1, DLMF 20.2.4
-    T4_re = _horner(x, T4_re_0, T4_re_1, T4_re_2, T4_re_3)  # (18), DLMF 20.2.4
-    T4_im = sin_v * cos_v * _horner(x, T4_im_0, T4_im_1, T4_im_2)  # (18), DLMF 20.2.4
-    T1_re = sin_v * _horner(x, T1_re_0, T1_re_1, T1_re_2, T1_re_3)  # (18), DLMF 20.2.1
-    T1_im = cos_v * _horner(x, T1_im_0, T1_im_1, T1_im_2, T1_im_3)  # (18), DLMF 20.2.1
-    sum_even = _horner(x2, even_0, even_1, even_2)  # DLMF 20.2.4
-    sum_odd = x * (odd_0 + x2 * odd_1)  # DLMF 20.2.4
-    theta4_v = sum_even - sum_odd  # (10), DLMF 20.2.4
-    theta3_v = sum_even + sum_odd  # (10), DLMF 20.2.3
-    part_even = _horner(x2, sine_even_0, sine_even_1, sine_even_2)  # DLMF 20.2.1
-    part_odd = x * (sine_odd_0 + x2 * sine_odd_1)  # DLMF 20.2.1
-    theta1_v = sin_v * (part_even + part_odd)  # (10), DLMF 20.2.1
-    theta2_v = cos_v * (part_even - part_odd)  # (10), DLMF 20.2.2
-    P4_re = X_re * T4_re - X_im * T4_im  # (18); definition theta_form.P4_re
-    P4_im = X_re * T4_im + X_im * T4_re  # (18); definition theta_form.P4_im
-    P1_re = X_re * T1_re - X_im * T1_im  # (18); definition theta_form.P1_re
-    P1_im = X_re * T1_im + X_im * T1_re  # (18); definition theta_form.P1_im
-    over = 1 / theta4_v  # (10)
-    scale = _sqrt(over)  # (1)
-    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # (18), (37); definition attitude.q_0
-    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # (18), (37); definition attitude.q_a
-    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # (18), (37); definition attitude.q_b
-    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # (18), (37); definition attitude.q_d
-    Omega_a = gain_a * (theta3_v * over)  # (10); definition regular.Omega_a
-    Omega_b = gain_b * (theta1_v * over)  # (10); definition regular.Omega_b
-    Omega_d = gain_d * (theta2_v * over)  # (10); definition regular.Omega_d
+    x = 1 - 2 * (sin_v * sin_v)  # classical: DLMF 4.21.27
+    x2 = x * x  # classical: DLMF 20.2.1, DLMF 20.2.4
+    T4_re = _horner(x, T4_re_0, T4_re_1, T4_re_2, T4_re_3)  # classical: DLMF 20.2.4
+    T4_im = sin_v * cos_v * _horner(x, T4_im_0, T4_im_1, T4_im_2)  # classical: DLMF 20.2.4
+    T1_re = sin_v * _horner(x, T1_re_0, T1_re_1, T1_re_2, T1_re_3)  # classical: DLMF 20.2.1
+    T1_im = cos_v * _horner(x, T1_im_0, T1_im_1, T1_im_2, T1_im_3)  # classical: DLMF 20.2.1
+    sum_even = _horner(x2, even_0, even_1, even_2)  # classical: DLMF 20.2.4
+    sum_odd = x * (odd_0 + x2 * odd_1)  # classical: DLMF 20.2.4
+    theta4_v = sum_even - sum_odd  # classical: DLMF 20.2.4
+    theta3_v = sum_even + sum_odd  # classical: DLMF 20.2.3
+    part_even = _horner(x2, sine_even_0, sine_even_1, sine_even_2)  # classical: DLMF 20.2.1
+    part_odd = x * (sine_odd_0 + x2 * sine_odd_1)  # classical: DLMF 20.2.1
+    theta1_v = sin_v * (part_even + part_odd)  # classical: DLMF 20.2.1
+    theta2_v = cos_v * (part_even - part_odd)  # classical: DLMF 20.2.2
+    P4_re = X_re * T4_re - X_im * T4_im  # fact: definition theta_form.P4_re; (18)
+    P4_im = X_re * T4_im + X_im * T4_re  # fact: definition theta_form.P4_im; (18)
+    P1_re = X_re * T1_re - X_im * T1_im  # fact: definition theta_form.P1_re; (18)
+    P1_im = X_re * T1_im + X_im * T1_re  # fact: definition theta_form.P1_im; (18)
+    over = 1 / theta4_v  # arithmetic
+    scale = _sqrt(over)  # arithmetic
+    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # fact: definition attitude.q_0; (37)
+    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # fact: definition attitude.q_a; (37)
+    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # fact: definition attitude.q_b; (37)
+    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # fact: definition attitude.q_d; (37)
+    Omega_a = gain_a * (theta3_v * over)  # fact: definition regular.Omega_a; (10)
+    Omega_b = gain_b * (theta1_v * over)  # fact: definition regular.Omega_b; (10)
+    Omega_d = gain_d * (theta2_v * over)  # fact: definition regular.Omega_d; (10)
     return q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d
 
 
 def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit):
     """The constants of a motion on the hyperbolic branch, from `_initial_state`."""
-    root_k = _sqrt(k_1)  # (27); theta_form.root_k
-    x = B_d / (root_k * (K + B_a))  # (28); definition theta_form.x
-    y = _sqrt(1 + x * x)  # DLMF 22.6.1; theta_form.y
-    common_1 = k_1 * x  # DLMF 22.6.1; theta_form.z
-    z = _sqrt(1 + common_1 * common_1)  # DLMF 22.6.1; theta_form.z
-    s_beta = x / y  # DLMF 22.6.1; definition theta_form.s_beta
-    c_beta = 1 / y  # DLMF 22.6.1; definition theta_form.c_beta
-    d_beta = z / y  # DLMF 22.6.1; definition theta_form.d_beta
-    r = _root_ratio(kc_1, k_1)  # DLMF 20.9.1
-    root_nome = kc_1 / r  # DLMF 20.9.1
-    nome = root_nome * root_nome  # DLMF 20.9.1
-    size_s = abs(s)  # DLMF 22.4.3
-    near = _rounded(c * c)  # DLMF 22.4.3
-    far = _rounded(kc_1 * (s * s))  # DLMF 22.4.3
-    above = _choose(far, near, size_s, c)  # DLMF 22.4.3
-    below = _choose(far, near, c, kc_1 * size_s)  # DLMF 22.4.3
-    xi = above / below  # DLMF 22.6.7
-    K_c, sin_a, cos_a, Y_b = _ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi)  # DLMF 19.8.12
-    gc = pi / (2 * K_c)  # (10)
-    nome2 = nome * nome  # DLMF 20.2.1, DLMF 20.2.2
-    nome4 = nome2 * nome2  # DLMF 20.2.1, DLMF 20.2.2
-    nome6 = nome4 * nome2  # DLMF 20.2.1, DLMF 20.2.2
-    nome8 = nome4 * nome4  # DLMF 20.2.1, DLMF 20.2.2
-    nome12 = nome8 * nome4  # DLMF 20.2.1, DLMF 20.2.2
-    nome20 = nome12 * nome8  # DLMF 20.2.1, DLMF 20.2.2
-    nome30 = nome20 * nome8 * nome2  # DLMF 20.2.1, DLMF 20.2.2
-    C_0 = cos_a  # DLMF 20.2.1, DLMF 20.2.2
-    S_0 = sin_a  # DLMF 20.2.1, DLMF 20.2.2
-    turn = 2 * (1 - 2 * (sin_a * sin_a))  # DLMF 4.21.27
-    C_1 = (turn - 1) * C_0  # DLMF 20.2.1, DLMF 20.2.2
-    S_1 = (turn + 1) * S_0  # DLMF 20.2.1, DLMF 20.2.2
-    C_2 = turn * C_1 - C_0  # DLMF 20.2.1, DLMF 20.2.2
-    S_2 = turn * S_1 - S_0  # DLMF 20.2.1, DLMF 20.2.2
-    C_3 = turn * C_2 - C_1  # DLMF 20.2.1, DLMF 20.2.2
-    S_3 = turn * S_2 - S_1  # DLMF 20.2.1, DLMF 20.2.2
-    C_4 = turn * C_3 - C_2  # DLMF 20.2.1, DLMF 20.2.2
-    S_4 = turn * S_3 - S_2  # DLMF 20.2.1, DLMF 20.2.2
-    C_5 = turn * C_4 - C_3  # DLMF 20.2.1, DLMF 20.2.2
-    S_5 = turn * S_4 - S_3  # DLMF 20.2.1, DLMF 20.2.2
-    zeta = gc * (S_0 + 3 * nome2 * S_1 + 5 * nome6 * S_2 + 7 * nome12 * S_3 + 9 * nome20 * S_4 + 11 * nome30 * S_5) / (C_0 + nome2 * C_1 + nome6 * C_2 + nome12 * C_3 + nome20 * C_4 + nome30 * C_5)  # (34), DLMF 20.2.2
-    re_0 = C_0  # DLMF 20.2.1, DLMF 20.2.2
-    im_0 = -(rho * S_0)  # DLMF 20.2.1, DLMF 20.2.2
-    re_1 = nome * C_1  # DLMF 20.2.1, DLMF 20.2.2
-    im_1 = -(rho * nome * S_1)  # DLMF 20.2.1, DLMF 20.2.2
-    re_2 = nome4 * C_2  # DLMF 20.2.1, DLMF 20.2.2
-    im_2 = -(rho * nome4 * S_2)  # DLMF 20.2.1, DLMF 20.2.2
-    re_3 = nome8 * nome * C_3  # DLMF 20.2.1, DLMF 20.2.2
-    im_3 = -(rho * nome8 * nome * S_3)  # DLMF 20.2.1, DLMF 20.2.2
-    two = 1 + nome4 + nome12  # DLMF 20.2.2
-    common_2 = 2 * nome2  # DLMF 20.2.3, DLMF 20.2.4
-    common_3 = 2 * nome8  # DLMF 20.2.3, DLMF 20.2.4
-    common_4 = nome12 * nome6  # DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14
-    common_5 = 2 * common_4  # DLMF 20.2.3, DLMF 20.2.4
-    three = 1 + common_2 + common_3 + common_5  # DLMF 20.2.3
-    four = 1 - common_2 + common_3 - common_5  # DLMF 20.2.4
-    twice = turn * turn - 2  # DLMF 4.21.27
-    twice2 = twice * twice - 2  # DLMF 4.21.27
-    twice3 = twice * twice2 - twice  # DLMF 4.21.27
-    watson = 1 + nome2 * twice + nome8 * twice2 + common_4 * twice3  # DLMF 20.7.14
-    Lambda = psi_0 / 2 + rho * mu * zeta  # (33), (34); definition theta_form.Lambda
-    Lambda_rate = Lambda / pi  # (33), (34)
-    nome_d = _rounded(nome)  # DLMF 20.2.2
-    period = -_logarithm(_choose(nome_d, 0, 1, nome))  # DLMF 20.2.2
-    period_far = _choose(nome_d, 0, never, _rounded(period))  # DLMF 20.2.7
-    period_d = _rounded(_choose(nome_d, 0, 1, period))  # DLMF 20.2.7
-    period_inverse = _choose(nome_d, 0, 0, 1 / period_d)  # DLMF 20.2.7
-    cosh_y = _sqrt(1 + Y_b * Y_b)  # DLMF 4.35.11
-    common_6 = Y_b + cosh_y  # DLMF 4.37.16
-    y_b = _logarithm(common_6)  # DLMF 4.37.16
-    y_size = _choose(far, near, y_b, period / 2 - y_b)  # DLMF 22.4.3
-    side = _choose(0, _rounded(s), 1, -1)  # (12)
-    y0 = side * y_size  # (12)
-    y_rate = mu * gc  # (10), (20)
-    e_near = 1 / (common_6 * common_6)  # DLMF 4.37.16
-    e_far = nome / e_near  # DLMF 20.2.2
-    w = _choose(far, near, e_near, e_far)  # DLMF 20.2.2
-    p = _choose(far, near, e_far, e_near)  # DLMF 20.2.2
-    alpha = _half_turns(sin_a, cos_a)  # (28)
-    jump = -2 * rho * alpha  # DLMF 20.2.7
-    p2 = p * p  # DLMF 20.2.1, DLMF 20.2.2
-    qw = nome * w  # DLMF 20.2.1, DLMF 20.2.2
-    qw2 = qw * qw  # DLMF 20.2.1, DLMF 20.2.2
-    near_re_even = re_0 + p2 * re_2  # DLMF 20.2.1, DLMF 20.2.2
-    near_re_odd = p * (re_1 + p2 * re_3)  # DLMF 20.2.1, DLMF 20.2.2
-    far_re_even = re_0 + qw2 * re_2  # DLMF 20.2.1, DLMF 20.2.2
-    far_re_odd = qw * (re_1 + qw2 * re_3)  # DLMF 20.2.1, DLMF 20.2.2
-    near_im_even = im_0 + p2 * im_2  # DLMF 20.2.1, DLMF 20.2.2
-    near_im_odd = p * (im_1 + p2 * im_3)  # DLMF 20.2.1, DLMF 20.2.2
-    far_im_even = im_0 + qw2 * im_2  # DLMF 20.2.1, DLMF 20.2.2
-    far_im_odd = qw * (im_1 + qw2 * im_3)  # DLMF 20.2.1, DLMF 20.2.2
-    T4_re = near_re_even + near_re_odd + w * (far_re_even + far_re_odd)  # (18), DLMF 20.2.2
-    T4_im = side * (near_im_even + near_im_odd - w * (far_im_even + far_im_odd))  # (18), DLMF 20.2.2
-    T1_re = side * (near_re_even - near_re_odd - w * (far_re_even - far_re_odd))  # (18), DLMF 20.2.1
-    T1_im = near_im_even - near_im_odd + w * (far_im_even - far_im_odd)  # (18), DLMF 20.2.1
-    w2 = w * w  # DLMF 20.2.1, DLMF 20.2.2
-    tall = _horner(p2, 1, nome2, nome8)  # DLMF 20.2.2
-    deep = w2 * _horner(qw2, 1, nome2, nome8)  # DLMF 20.2.2
-    theta2_y = tall + deep  # (10), DLMF 20.2.2
-    P4_re = T4_re  # (18); definition theta_form.P4_re
-    P4_im = T4_im  # (18); definition theta_form.P4_im
-    P1_re = T1_re  # (18); definition theta_form.P1_re
-    P1_im = T1_im  # (18); definition theta_form.P1_im
-    W = 2 * theta2_y * watson  # (1), DLMF 20.7.14
-    N = _sqrt(W)  # (1); theta_form.N_of_W
-    qbar_0 = P4_re / N  # (18), (25); theta_form.qbar_0
-    qbar_a = sigma * P4_im / N  # (18), (25); theta_form.qbar_a
-    qbar_b = chi * P1_im / N  # (18), (25); theta_form.qbar_b
-    common_7 = -epsilon * sigma * chi  # (18), (25), (37); theta_form.qbar_d definition attitude.q_0 definition attitude.q_a definition attitude.q_b definition attitude.q_d
-    qbar_d = common_7 * P1_re / N  # (18), (25); theta_form.qbar_d
-    p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # (37); attitude.p_0
-    p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # (37); attitude.p_a
-    p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # (37); attitude.p_b
-    p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # (37); attitude.p_d
-    over_N = 1 / _sqrt(2 * watson)  # (1), DLMF 20.7.14
-    row_0_P4_re = over_N * p_0  # (37); definition attitude.q_0
-    row_0_P4_im = over_N * -(p_a * sigma)  # (37); definition attitude.q_0
-    row_0_P1_re = over_N * -(p_d * common_7)  # (37); definition attitude.q_0
-    row_0_P1_im = over_N * -(p_b * chi)  # (37); definition attitude.q_0
-    row_a_P4_re = over_N * p_a  # (37); definition attitude.q_a
-    row_a_P4_im = over_N * (p_0 * sigma)  # (37); definition attitude.q_a
-    row_a_P1_re = over_N * (epsilon * (p_b * common_7))  # (37); definition attitude.q_a
-    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # (37); definition attitude.q_a
-    row_b_P4_re = over_N * p_b  # (37); definition attitude.q_b
-    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # (37); definition attitude.q_b
-    row_b_P1_re = over_N * (epsilon * -(p_a * common_7))  # (37); definition attitude.q_b
-    row_b_P1_im = over_N * (p_0 * chi)  # (37); definition attitude.q_b
-    row_d_P4_re = over_N * p_d  # (37); definition attitude.q_d
-    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # (37); definition attitude.q_d
-    row_d_P1_re = over_N * (p_0 * common_7)  # (37); definition attitude.q_d
-    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # (37); definition attitude.q_d
-    tau = -rho * epsilon * sigma  # (16), (17); definition regular.tau
-    gain_a = sigma * A_a * (two / three) * unit  # (10), DLMF 22.2.4; definition regular.Omega_a
-    gain_b = chi * A_b * (three / four) * unit  # (10), DLMF 22.2.4; definition regular.Omega_b
-    gain_d = chi * tau * A_d * (two / four) * unit  # (10), DLMF 22.2.4; definition regular.Omega_d
+    root_k = _sqrt(k_1)  # fact: theta_form.root_k; (27)
+    x = B_d / (root_k * (K + B_a))  # fact: definition theta_form.x; (28)
+    y = _sqrt(1 + x * x)  # fact: theta_form.y; DLMF 22.6.1
+    common_1 = k_1 * x  # fact: theta_form.z; DLMF 22.6.1
+    z = _sqrt(1 + common_1 * common_1)  # fact: theta_form.z; DLMF 22.6.1
+    s_beta = x / y  # fact: definition theta_form.s_beta; DLMF 22.6.1
+    c_beta = 1 / y  # fact: definition theta_form.c_beta; DLMF 22.6.1
+    d_beta = z / y  # fact: definition theta_form.d_beta; DLMF 22.6.1
+    r = _root_ratio(kc_1, k_1)  # classical: DLMF 20.9.1
+    root_nome = kc_1 / r  # classical: DLMF 20.9.1
+    nome = root_nome * root_nome  # classical: DLMF 20.9.1
+    size_s = abs(s)  # classical: DLMF 22.4.3
+    near = _rounded(c * c)  # classical: DLMF 22.4.3
+    far = _rounded(kc_1 * (s * s))  # classical: DLMF 22.4.3
+    above = _choose(far, near, size_s, c)  # classical: DLMF 22.4.3
+    below = _choose(far, near, c, kc_1 * size_s)  # classical: DLMF 22.4.3
+    xi = above / below  # classical: DLMF 22.6.7
+    K_c, sin_a, cos_a, Y_b = _ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi)  # classical: DLMF 19.8.12
+    gc = pi / (2 * K_c)  # fact: reading hyperbolic_form.gc; (10)
+    nome2 = nome * nome  # classical: DLMF 20.2.1, DLMF 20.2.2
+    nome4 = nome2 * nome2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    nome6 = nome4 * nome2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    nome8 = nome4 * nome4  # classical: DLMF 20.2.1, DLMF 20.2.2
+    nome12 = nome8 * nome4  # classical: DLMF 20.2.1, DLMF 20.2.2
+    nome20 = nome12 * nome8  # classical: DLMF 20.2.1, DLMF 20.2.2
+    nome30 = nome20 * nome8 * nome2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    C_0 = cos_a  # classical: DLMF 20.2.1, DLMF 20.2.2
+    S_0 = sin_a  # classical: DLMF 20.2.1, DLMF 20.2.2
+    turn = 2 * (1 - 2 * (sin_a * sin_a))  # classical: DLMF 4.21.27
+    C_1 = (turn - 1) * C_0  # classical: DLMF 20.2.1, DLMF 20.2.2
+    S_1 = (turn + 1) * S_0  # classical: DLMF 20.2.1, DLMF 20.2.2
+    C_2 = turn * C_1 - C_0  # classical: DLMF 20.2.1, DLMF 20.2.2
+    S_2 = turn * S_1 - S_0  # classical: DLMF 20.2.1, DLMF 20.2.2
+    C_3 = turn * C_2 - C_1  # classical: DLMF 20.2.1, DLMF 20.2.2
+    S_3 = turn * S_2 - S_1  # classical: DLMF 20.2.1, DLMF 20.2.2
+    C_4 = turn * C_3 - C_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    S_4 = turn * S_3 - S_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    C_5 = turn * C_4 - C_3  # classical: DLMF 20.2.1, DLMF 20.2.2
+    S_5 = turn * S_4 - S_3  # classical: DLMF 20.2.1, DLMF 20.2.2
+    zeta = gc * (S_0 + 3 * nome2 * S_1 + 5 * nome6 * S_2 + 7 * nome12 * S_3 + 9 * nome20 * S_4 + 11 * nome30 * S_5) / (C_0 + nome2 * C_1 + nome6 * C_2 + nome12 * C_3 + nome20 * C_4 + nome30 * C_5)  # classical: DLMF 20.2.2
+    re_0 = C_0  # classical: DLMF 20.2.1, DLMF 20.2.2
+    im_0 = -(rho * S_0)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    re_1 = nome * C_1  # classical: DLMF 20.2.1, DLMF 20.2.2
+    im_1 = -(rho * nome * S_1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    re_2 = nome4 * C_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    im_2 = -(rho * nome4 * S_2)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    re_3 = nome8 * nome * C_3  # classical: DLMF 20.2.1, DLMF 20.2.2
+    im_3 = -(rho * nome8 * nome * S_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    two = 1 + nome4 + nome12  # classical: DLMF 20.2.2
+    common_2 = 2 * nome2  # classical: DLMF 20.2.3, DLMF 20.2.4
+    common_3 = 2 * nome8  # classical: DLMF 20.2.3, DLMF 20.2.4
+    common_4 = nome12 * nome6  # classical: DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14
+    common_5 = 2 * common_4  # classical: DLMF 20.2.3, DLMF 20.2.4
+    three = 1 + common_2 + common_3 + common_5  # classical: DLMF 20.2.3
+    four = 1 - common_2 + common_3 - common_5  # classical: DLMF 20.2.4
+    twice = turn * turn - 2  # classical: DLMF 4.21.27
+    twice2 = twice * twice - 2  # classical: DLMF 4.21.27
+    twice3 = twice * twice2 - twice  # classical: DLMF 4.21.27
+    watson = 1 + nome2 * twice + nome8 * twice2 + common_4 * twice3  # classical: DLMF 20.7.14
+    Lambda = psi_0 / 2 + rho * mu * zeta  # fact: definition theta_form.Lambda; (33), (34)
+    Lambda_rate = Lambda / pi  # arithmetic
+    nome_d = _rounded(nome)  # classical: DLMF 20.2.2
+    period = -_logarithm(_choose(nome_d, 0, 1, nome))  # classical: DLMF 20.2.2
+    period_far = _choose(nome_d, 0, never, _rounded(period))  # classical: DLMF 20.2.7
+    period_d = _rounded(_choose(nome_d, 0, 1, period))  # classical: DLMF 20.2.7
+    period_inverse = _choose(nome_d, 0, 0, 1 / period_d)  # classical: DLMF 20.2.7
+    cosh_y = _sqrt(1 + Y_b * Y_b)  # classical: DLMF 4.35.11
+    common_6 = Y_b + cosh_y  # classical: DLMF 4.37.16
+    y_b = _logarithm(common_6)  # classical: DLMF 4.37.16
+    y_size = _choose(far, near, y_b, period / 2 - y_b)  # classical: DLMF 22.4.3
+    side = _choose(0, _rounded(s), 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    y0 = side * y_size  # arithmetic
+    y_rate = mu * gc  # arithmetic
+    e_near = 1 / (common_6 * common_6)  # classical: DLMF 4.37.16
+    e_far = nome / e_near  # classical: DLMF 20.2.2
+    w = _choose(far, near, e_near, e_far)  # classical: DLMF 20.2.2
+    p = _choose(far, near, e_far, e_near)  # classical: DLMF 20.2.2
+    alpha = _half_turns(sin_a, cos_a)  # classical: DLMF 4.24.3
+    jump = -2 * rho * alpha  # classical: DLMF 20.2.7
+    p2 = p * p  # classical: DLMF 20.2.1, DLMF 20.2.2
+    qw = nome * w  # classical: DLMF 20.2.1, DLMF 20.2.2
+    qw2 = qw * qw  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_re_even = re_0 + p2 * re_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_re_odd = p * (re_1 + p2 * re_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_re_even = re_0 + qw2 * re_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_re_odd = qw * (re_1 + qw2 * re_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_im_even = im_0 + p2 * im_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_im_odd = p * (im_1 + p2 * im_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_im_even = im_0 + qw2 * im_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_im_odd = qw * (im_1 + qw2 * im_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    T4_re = near_re_even + near_re_odd + w * (far_re_even + far_re_odd)  # classical: DLMF 20.2.2
+    T4_im = side * (near_im_even + near_im_odd - w * (far_im_even + far_im_odd))  # classical: DLMF 20.2.2
+    T1_re = side * (near_re_even - near_re_odd - w * (far_re_even - far_re_odd))  # classical: DLMF 20.2.1
+    T1_im = near_im_even - near_im_odd + w * (far_im_even - far_im_odd)  # classical: DLMF 20.2.1
+    w2 = w * w  # classical: DLMF 20.2.1, DLMF 20.2.2
+    tall = _horner(p2, 1, nome2, nome8)  # classical: DLMF 20.2.2
+    deep = w2 * _horner(qw2, 1, nome2, nome8)  # classical: DLMF 20.2.2
+    theta2_y = tall + deep  # classical: DLMF 20.2.2
+    P4_re = T4_re  # fact: definition theta_form.P4_re; (18)
+    P4_im = T4_im  # fact: definition theta_form.P4_im; (18)
+    P1_re = T1_re  # fact: definition theta_form.P1_re; (18)
+    P1_im = T1_im  # fact: definition theta_form.P1_im; (18)
+    W = 2 * theta2_y * watson  # fact: reading hyperbolic_form.W; (1)
+    N = _sqrt(W)  # fact: theta_form.N_of_W; (1)
+    qbar_0 = P4_re / N  # fact: theta_form.qbar_0; (18), (25)
+    qbar_a = sigma * P4_im / N  # fact: theta_form.qbar_a; (18), (25)
+    qbar_b = chi * P1_im / N  # fact: theta_form.qbar_b; (18), (25)
+    common_7 = -epsilon * sigma * chi  # fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37)
+    qbar_d = common_7 * P1_re / N  # fact: theta_form.qbar_d; (18), (25)
+    p_0 = q_0 * qbar_0 + q_a * qbar_a + q_b * qbar_b + q_d * qbar_d  # fact: attitude.p_0; (37)
+    p_a = q_a * qbar_0 - q_0 * qbar_a + epsilon * (q_d * qbar_b - q_b * qbar_d)  # fact: attitude.p_a; (37)
+    p_b = q_b * qbar_0 - q_0 * qbar_b + epsilon * (q_a * qbar_d - q_d * qbar_a)  # fact: attitude.p_b; (37)
+    p_d = q_d * qbar_0 - q_0 * qbar_d + epsilon * (q_b * qbar_a - q_a * qbar_b)  # fact: attitude.p_d; (37)
+    over_N = 1 / _sqrt(2 * watson)  # classical: DLMF 20.7.14
+    row_0_P4_re = over_N * p_0  # fact: definition attitude.q_0; (37)
+    row_0_P4_im = over_N * -(p_a * sigma)  # fact: definition attitude.q_0; (37)
+    row_0_P1_re = over_N * -(p_d * common_7)  # fact: definition attitude.q_0; (37)
+    row_0_P1_im = over_N * -(p_b * chi)  # fact: definition attitude.q_0; (37)
+    row_a_P4_re = over_N * p_a  # fact: definition attitude.q_a; (37)
+    row_a_P4_im = over_N * (p_0 * sigma)  # fact: definition attitude.q_a; (37)
+    row_a_P1_re = over_N * (epsilon * (p_b * common_7))  # fact: definition attitude.q_a; (37)
+    row_a_P1_im = over_N * (epsilon * -(p_d * chi))  # fact: definition attitude.q_a; (37)
+    row_b_P4_re = over_N * p_b  # fact: definition attitude.q_b; (37)
+    row_b_P4_im = over_N * (epsilon * (p_d * sigma))  # fact: definition attitude.q_b; (37)
+    row_b_P1_re = over_N * (epsilon * -(p_a * common_7))  # fact: definition attitude.q_b; (37)
+    row_b_P1_im = over_N * (p_0 * chi)  # fact: definition attitude.q_b; (37)
+    row_d_P4_re = over_N * p_d  # fact: definition attitude.q_d; (37)
+    row_d_P4_im = over_N * (epsilon * -(p_b * sigma))  # fact: definition attitude.q_d; (37)
+    row_d_P1_re = over_N * (p_0 * common_7)  # fact: definition attitude.q_d; (37)
+    row_d_P1_im = over_N * (epsilon * (p_a * chi))  # fact: definition attitude.q_d; (37)
+    tau = -rho * epsilon * sigma  # fact: definition regular.tau; (16), (17)
+    gain_a = sigma * A_a * (two / three) * unit  # fact: definition regular.Omega_a; (10), DLMF 22.2.4
+    gain_b = chi * A_b * (three / four) * unit  # fact: definition regular.Omega_b; (10), DLMF 22.2.4
+    gain_d = chi * tau * A_d * (two / four) * unit  # fact: definition regular.Omega_d; (10), DLMF 22.2.4
     return y_rate.hi, y_rate.lo, y0.hi, y0.lo, period.hi, period.lo, Lambda_rate.hi, Lambda_rate.lo, jump.hi, jump.lo, period_far, period_inverse, _rounded(re_0), _rounded(re_1), _rounded(re_2), _rounded(re_3), _rounded(im_0), _rounded(im_1), _rounded(im_2), _rounded(im_3), _rounded(nome), _rounded(nome2), _rounded(nome4), _rounded(nome8), _rounded(nome12), _rounded(row_0_P4_re), _rounded(row_0_P4_im), _rounded(row_0_P1_re), _rounded(row_0_P1_im), _rounded(row_a_P4_re), _rounded(row_a_P4_im), _rounded(row_a_P1_re), _rounded(row_a_P1_im), _rounded(row_b_P4_re), _rounded(row_b_P4_im), _rounded(row_b_P1_re), _rounded(row_b_P1_im), _rounded(row_d_P4_re), _rounded(row_d_P4_im), _rounded(row_d_P1_re), _rounded(row_d_P1_im), _rounded(gain_a), _rounded(gain_b), _rounded(gain_d)
 
 
 def _hyperbolic_angles(t, y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_lo, Lambda_rate_hi, Lambda_rate_lo, jump_hi, jump_lo, period_far, period_inverse):
     """What changes with time on the hyperbolic branch, at t + t_lo."""
-    p_y = y_rate_hi * t  # Dekker 1971
-    p_y_error = _product_error(y_rate_hi, t, p_y) + (y_rate_lo * t + y0_lo)  # Dekker 1971
-    periods = _nearest((p_y + y0_hi) * period_inverse)  # DLMF 20.2.7
-    back = period_hi * periods  # Dekker 1971
-    back_error = _product_error(period_hi, periods, back) + period_lo * periods  # Dekker 1971
-    ahead = p_y + -back  # Knuth 4.2.2
-    ahead_other = ahead - p_y  # Knuth 4.2.2
-    ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other)  # Knuth 4.2.2
-    y_near = ahead + y0_hi  # Knuth 4.2.2
-    y_near_other = y_near - ahead  # Knuth 4.2.2
-    y_near_error = ahead - (y_near - y_near_other) + (y0_hi - y_near_other)  # Knuth 4.2.2
-    y = y_near + (y_near_error + (ahead_error + (p_y_error - back_error)))  # DLMF 20.2.7
-    side = _choose(0, y, 1, -1)  # DLMF 20.2.1, DLMF 20.2.2
-    flip = _alternating(periods)  # DLMF 20.2.6
-    depth = abs(2 * y)  # DLMF 20.2.2
-    w = _exp(-depth)  # DLMF 20.2.2
-    p = _exp(depth - period_far)  # DLMF 20.2.2
-    L = Lambda_rate_hi * t  # Dekker 1971
-    L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # Dekker 1971
-    L_whole = _nearest(L)  # DLMF 4.16
-    L_rest = L - L_whole  # DLMF 4.16, Sterbenz 1974
-    j = jump_hi * periods  # Dekker 1971
-    j_error = _product_error(jump_hi, periods, j) + jump_lo * periods  # Dekker 1971
-    j_whole = _nearest(j)  # DLMF 4.16
-    j_rest = j - j_whole  # DLMF 4.16, Sterbenz 1974
-    turned = L_rest + j_rest  # Knuth 4.2.2
-    turned_other = turned - L_rest  # Knuth 4.2.2
-    turned_error = L_rest - (turned - turned_other) + (j_rest - turned_other)  # Knuth 4.2.2
-    turned_whole = _nearest(turned)  # DLMF 4.16
-    turned_rest = turned - turned_whole  # DLMF 4.16, Sterbenz 1974
-    turns = turned_rest + (turned_error + (L_error + j_error))  # DLMF 4.16
-    whole = L_whole + (j_whole + turned_whole)  # DLMF 4.16
-    L_square = turns * turns  # DLMF 4.19.1, DLMF 4.19.2
-    L_sign = _alternating(whole)  # DLMF 4.16
-    X_im = L_sign * (turns * pi_hi + turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
-    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
+    p_y = y_rate_hi * t  # arithmetic: Dekker 1971
+    p_y_error = _product_error(y_rate_hi, t, p_y) + (y_rate_lo * t + y0_lo)  # arithmetic: Dekker 1971
+    periods = _nearest((p_y + y0_hi) * period_inverse)  # classical: DLMF 20.2.7
+    back = period_hi * periods  # arithmetic: Dekker 1971
+    back_error = _product_error(period_hi, periods, back) + period_lo * periods  # arithmetic: Dekker 1971
+    ahead = p_y + -back  # arithmetic: Knuth 4.2.2
+    ahead_other = ahead - p_y  # arithmetic: Knuth 4.2.2
+    ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other)  # arithmetic: Knuth 4.2.2
+    y_near = ahead + y0_hi  # arithmetic: Knuth 4.2.2
+    y_near_other = y_near - ahead  # arithmetic: Knuth 4.2.2
+    y_near_error = ahead - (y_near - y_near_other) + (y0_hi - y_near_other)  # arithmetic: Knuth 4.2.2
+    y = y_near + (y_near_error + (ahead_error + (p_y_error - back_error)))  # classical: DLMF 20.2.7
+    side = _choose(0, y, 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    flip = _alternating(periods)  # classical: DLMF 20.2.6
+    depth = abs(2 * y)  # classical: DLMF 20.2.2
+    w = _exp(-depth)  # classical: DLMF 20.2.2
+    p = _exp(depth - period_far)  # classical: DLMF 20.2.2
+    L = Lambda_rate_hi * t  # arithmetic: Dekker 1971
+    L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # arithmetic: Dekker 1971
+    L_whole = _nearest(L)  # classical: DLMF 4.16
+    L_rest = L - L_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    j = jump_hi * periods  # arithmetic: Dekker 1971
+    j_error = _product_error(jump_hi, periods, j) + jump_lo * periods  # arithmetic: Dekker 1971
+    j_whole = _nearest(j)  # classical: DLMF 4.16
+    j_rest = j - j_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    turned = L_rest + j_rest  # arithmetic: Knuth 4.2.2
+    turned_other = turned - L_rest  # arithmetic: Knuth 4.2.2
+    turned_error = L_rest - (turned - turned_other) + (j_rest - turned_other)  # arithmetic: Knuth 4.2.2
+    turned_whole = _nearest(turned)  # classical: DLMF 4.16
+    turned_rest = turned - turned_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    turns = turned_rest + (turned_error + (L_error + j_error))  # classical: DLMF 4.16
+    whole = L_whole + (j_whole + turned_whole)  # classical: DLMF 4.16
+    L_square = turns * turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    L_sign = _alternating(whole)  # classical: DLMF 4.16
+    X_im = L_sign * (turns * pi_hi + turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
+    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
     return w, p, side, flip, X_im, X_re
 
 
 def _hyperbolic_state(w, p, side, flip, X_im, X_re, re_0, re_1, re_2, re_3, im_0, im_1, im_2, im_3, nome, nome2, nome4, nome8, nome12, row_0_P4_re, row_0_P4_im, row_0_P1_re, row_0_P1_im, row_a_P4_re, row_a_P4_im, row_a_P1_re, row_a_P1_im, row_b_P4_re, row_b_P4_im, row_b_P1_re, row_b_P1_im, row_d_P4_re, row_d_P4_im, row_d_P1_re, row_d_P1_im, gain_a, gain_b, gain_d):
     """The state on the hyperbolic branch, from `_hyperbolic_angles`."""
-    p2 = p * p  # DLMF 20.2.1, DLMF 20.2.2
-    qw = nome * w  # DLMF 20.2.1, DLMF 20.2.2
-    qw2 = qw * qw  # DLMF 20.2.1, DLMF 20.2.2
-    near_re_even = re_0 + p2 * re_2  # DLMF 20.2.1, DLMF 20.2.2
-    near_re_odd = p * (re_1 + p2 * re_3)  # DLMF 20.2.1, DLMF 20.2.2
-    far_re_even = re_0 + qw2 * re_2  # DLMF 20.2.1, DLMF 20.2.2
-    far_re_odd = qw * (re_1 + qw2 * re_3)  # DLMF 20.2.1, DLMF 20.2.2
-    near_im_even = im_0 + p2 * im_2  # DLMF 20.2.1, DLMF 20.2.2
-    near_im_odd = p * (im_1 + p2 * im_3)  # DLMF 20.2.1, DLMF 20.2.2
-    far_im_even = im_0 + qw2 * im_2  # DLMF 20.2.1, DLMF 20.2.2
-    far_im_odd = qw * (im_1 + qw2 * im_3)  # DLMF 20.2.1, DLMF 20.2.2
-    T4_re = near_re_even + near_re_odd + w * (far_re_even + far_re_odd)  # (18), DLMF 20.2.2
-    T4_im = side * (near_im_even + near_im_odd - w * (far_im_even + far_im_odd))  # (18), DLMF 20.2.2
-    T1_re = side * (near_re_even - near_re_odd - w * (far_re_even - far_re_odd))  # (18), DLMF 20.2.1
-    T1_im = near_im_even - near_im_odd + w * (far_im_even - far_im_odd)  # (18), DLMF 20.2.1
-    w2 = w * w  # DLMF 20.2.1, DLMF 20.2.2
-    common_1 = p2 * nome8  # DLMF 20.2.2, (10), DLMF 20.2.1
-    tall = 1 + p2 * (nome2 + common_1)  # DLMF 20.2.2
-    common_2 = qw2 * nome8  # DLMF 20.2.2, (10), DLMF 20.2.1
-    deep = w2 * (1 + qw2 * (nome2 + common_2))  # DLMF 20.2.2
-    theta2_y = tall + deep  # (10), DLMF 20.2.2
-    theta1_y = side * (1 + p2 * (common_1 - nome2) - w2 * (1 + qw2 * (common_2 - nome2)))  # (10), DLMF 20.2.1
-    common_3 = p2 * p2  # DLMF 20.2.3
-    ends = p2 * (1 + nome12 * common_3) + w2 * nome2  # DLMF 20.2.3
-    middle = 1 + nome4 * common_3 + w2 * w2 * nome8  # DLMF 20.2.3
-    theta3_y = 2 * (w * (middle + ends))  # (10), DLMF 20.2.3
-    theta4_y = 2 * (w * (middle - ends))  # (10), DLMF 20.2.4
-    P4_re = X_re * T4_re - X_im * T4_im  # (18); definition theta_form.P4_re
-    P4_im = X_re * T4_im + X_im * T4_re  # (18); definition theta_form.P4_im
-    P1_re = X_re * T1_re - X_im * T1_im  # (18); definition theta_form.P1_re
-    P1_im = X_re * T1_im + X_im * T1_re  # (18); definition theta_form.P1_im
-    over = 1 / theta2_y  # (10)
-    scale = _sqrt(over)  # (1)
-    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + flip * (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # (18), (37); definition attitude.q_0
-    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + flip * (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # (18), (37); definition attitude.q_a
-    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + flip * (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # (18), (37); definition attitude.q_b
-    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + flip * (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # (18), (37); definition attitude.q_d
-    Omega_a = gain_a * (theta3_y * over)  # (10); definition regular.Omega_a
-    Omega_b = gain_b * (flip * theta1_y * over)  # (10); definition regular.Omega_b
-    Omega_d = gain_d * (flip * theta4_y * over)  # (10); definition regular.Omega_d
+    p2 = p * p  # classical: DLMF 20.2.1, DLMF 20.2.2
+    qw = nome * w  # classical: DLMF 20.2.1, DLMF 20.2.2
+    qw2 = qw * qw  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_re_even = re_0 + p2 * re_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_re_odd = p * (re_1 + p2 * re_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_re_even = re_0 + qw2 * re_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_re_odd = qw * (re_1 + qw2 * re_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_im_even = im_0 + p2 * im_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    near_im_odd = p * (im_1 + p2 * im_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_im_even = im_0 + qw2 * im_2  # classical: DLMF 20.2.1, DLMF 20.2.2
+    far_im_odd = qw * (im_1 + qw2 * im_3)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    T4_re = near_re_even + near_re_odd + w * (far_re_even + far_re_odd)  # classical: DLMF 20.2.2
+    T4_im = side * (near_im_even + near_im_odd - w * (far_im_even + far_im_odd))  # classical: DLMF 20.2.2
+    T1_re = side * (near_re_even - near_re_odd - w * (far_re_even - far_re_odd))  # classical: DLMF 20.2.1
+    T1_im = near_im_even - near_im_odd + w * (far_im_even - far_im_odd)  # classical: DLMF 20.2.1
+    w2 = w * w  # classical: DLMF 20.2.1, DLMF 20.2.2
+    common_1 = p2 * nome8  # classical: DLMF 20.2.2, DLMF 20.2.1
+    tall = 1 + p2 * (nome2 + common_1)  # classical: DLMF 20.2.2
+    common_2 = qw2 * nome8  # classical: DLMF 20.2.2, DLMF 20.2.1
+    deep = w2 * (1 + qw2 * (nome2 + common_2))  # classical: DLMF 20.2.2
+    theta2_y = tall + deep  # classical: DLMF 20.2.2
+    theta1_y = side * (1 + p2 * (common_1 - nome2) - w2 * (1 + qw2 * (common_2 - nome2)))  # classical: DLMF 20.2.1
+    common_3 = p2 * p2  # classical: DLMF 20.2.3
+    ends = p2 * (1 + nome12 * common_3) + w2 * nome2  # classical: DLMF 20.2.3
+    middle = 1 + nome4 * common_3 + w2 * w2 * nome8  # classical: DLMF 20.2.3
+    theta3_y = 2 * (w * (middle + ends))  # classical: DLMF 20.2.3
+    theta4_y = 2 * (w * (middle - ends))  # classical: DLMF 20.2.4
+    P4_re = X_re * T4_re - X_im * T4_im  # fact: definition theta_form.P4_re; (18)
+    P4_im = X_re * T4_im + X_im * T4_re  # fact: definition theta_form.P4_im; (18)
+    P1_re = X_re * T1_re - X_im * T1_im  # fact: definition theta_form.P1_re; (18)
+    P1_im = X_re * T1_im + X_im * T1_re  # fact: definition theta_form.P1_im; (18)
+    over = 1 / theta2_y  # arithmetic
+    scale = _sqrt(over)  # arithmetic
+    q_0 = scale * (row_0_P4_re * P4_re + (row_0_P4_im * P4_im + flip * (row_0_P1_re * P1_re + row_0_P1_im * P1_im)))  # fact: definition attitude.q_0; (37)
+    q_a = scale * (row_a_P4_re * P4_re + (row_a_P4_im * P4_im + flip * (row_a_P1_re * P1_re + row_a_P1_im * P1_im)))  # fact: definition attitude.q_a; (37)
+    q_b = scale * (row_b_P4_re * P4_re + (row_b_P4_im * P4_im + flip * (row_b_P1_re * P1_re + row_b_P1_im * P1_im)))  # fact: definition attitude.q_b; (37)
+    q_d = scale * (row_d_P4_re * P4_re + (row_d_P4_im * P4_im + flip * (row_d_P1_re * P1_re + row_d_P1_im * P1_im)))  # fact: definition attitude.q_d; (37)
+    Omega_a = gain_a * (theta3_y * over)  # fact: definition regular.Omega_a; (10)
+    Omega_b = gain_b * (flip * theta1_y * over)  # fact: definition regular.Omega_b; (10)
+    Omega_d = gain_d * (flip * theta4_y * over)  # fact: definition regular.Omega_d; (10)
     return q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d
 
 
 def _steady_constants(Omega1, Omega2, Omega3, p0, p1, p2, p3):
     """The axis and the rate of a motion with constant rates."""
-    omega = _sqrt(Omega1 * Omega1 + Omega2 * Omega2 + Omega3 * Omega3)  # (3); steady.omega
-    axis1 = Omega1 / omega  # (3); definition steady.axis1
-    axis2 = Omega2 / omega  # (3); definition steady.axis2
-    axis3 = Omega3 / omega  # (3); definition steady.axis3
-    Lambda_rate = omega / (2 * pi)  # (3)
+    omega = _sqrt(Omega1 * Omega1 + Omega2 * Omega2 + Omega3 * Omega3)  # fact: steady.omega; (3)
+    axis1 = Omega1 / omega  # fact: definition steady.axis1; (3)
+    axis2 = Omega2 / omega  # fact: definition steady.axis2; (3)
+    axis3 = Omega3 / omega  # fact: definition steady.axis3; (3)
+    Lambda_rate = omega / (2 * pi)  # arithmetic
     return Lambda_rate.hi, Lambda_rate.lo, _rounded(axis1), _rounded(axis2), _rounded(axis3), _rounded(p0), _rounded(p1), _rounded(p2), _rounded(p3)
 
 
 def _steady_angles(t, Lambda_rate_hi, Lambda_rate_lo):
     """What changes with time on the steady branch, at t + t_lo."""
-    L = Lambda_rate_hi * t  # Dekker 1971
-    L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # Dekker 1971
-    L_whole = _nearest(L)  # DLMF 4.16
-    L_rest = L - L_whole  # DLMF 4.16, Sterbenz 1974
-    L_turns = L_rest + L_error  # DLMF 4.16
-    L_square = L_turns * L_turns  # DLMF 4.19.1, DLMF 4.19.2
-    L_sign = _alternating(L_whole)  # DLMF 4.16
-    X_im = L_sign * (L_turns * pi_hi + L_turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # DLMF 4.19.1
-    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # DLMF 4.19.2
+    L = Lambda_rate_hi * t  # arithmetic: Dekker 1971
+    L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # arithmetic: Dekker 1971
+    L_whole = _nearest(L)  # classical: DLMF 4.16
+    L_rest = L - L_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    L_turns = L_rest + L_error  # classical: DLMF 4.16
+    L_square = L_turns * L_turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    L_sign = _alternating(L_whole)  # classical: DLMF 4.16
+    X_im = L_sign * (L_turns * pi_hi + L_turns * _horner(L_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
+    X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
     return X_im, X_re
 
 
 def _steady_state(X_im, X_re, axis1, axis2, axis3, p0, p1, p2, p3):
     """The attitude from `_steady_angles`."""
-    cos_half_theta = X_re  # (3); reading steady.cos_half_theta
-    sin_half_theta = X_im  # (3); reading steady.sin_half_theta
-    r1 = sin_half_theta * axis1  # (37); definition steady.r1
-    r2 = sin_half_theta * axis2  # (37); definition steady.r2
-    r3 = sin_half_theta * axis3  # (37); definition steady.r3
-    q0 = p0 * cos_half_theta - p1 * r1 - p2 * r2 - p3 * r3  # (37); definition steady.q0
-    q1 = p0 * r1 + p1 * cos_half_theta + p2 * r3 - p3 * r2  # (37); definition steady.q1
-    q2 = p0 * r2 + p2 * cos_half_theta + p3 * r1 - p1 * r3  # (37); definition steady.q2
-    q3 = p0 * r3 + p3 * cos_half_theta + p1 * r2 - p2 * r1  # (37); definition steady.q3
+    cos_half_theta = X_re  # fact: reading steady.cos_half_theta; (3)
+    sin_half_theta = X_im  # fact: reading steady.sin_half_theta; (3)
+    r1 = sin_half_theta * axis1  # fact: definition steady.r1; (37)
+    r2 = sin_half_theta * axis2  # fact: definition steady.r2; (37)
+    r3 = sin_half_theta * axis3  # fact: definition steady.r3; (37)
+    q0 = p0 * cos_half_theta - p1 * r1 - p2 * r2 - p3 * r3  # fact: definition steady.q0; (37)
+    q1 = p0 * r1 + p1 * cos_half_theta + p2 * r3 - p3 * r2  # fact: definition steady.q1; (37)
+    q2 = p0 * r2 + p2 * cos_half_theta + p3 * r1 - p1 * r3  # fact: definition steady.q2; (37)
+    q3 = p0 * r3 + p3 * cos_half_theta + p1 * r2 - p2 * r1  # fact: definition steady.q3; (37)
     return q0, q1, q2, q3
 
 
 INITIAL_STATE = {
     'constants': _initial_state,
-    'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a', 'Omega_b', 'Omega_d', 'E_b', 'epsilon', 'sigma', 'rho', 'chi'),
-    'names': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'd'),
+    'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a', 'Omega_b', 'Omega_d', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
+    'names': ('K', 'A_a', 'A_b', 'A_d', 'B_a', 'B_d', 'k_1', 'kc_1', 'mu', 'psi_0', 's', 'c', 'd', 'epsilon', 'sigma', 'rho', 'chi'),
 }
 BRANCHES = {
     'circular': {
@@ -952,6 +965,7 @@ DECISIVE = 2.0**-70  # of others' share in a tilt, below which those may be take
 MIN_DISCRIMINANT = 2.0**-900  # of E_b in inner units; nearer to the separatrix is taken for it
 TOLERATED = 2.0**-60  # of the momentum, by which that, or middle-axis spin, may be wrong
 MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
+MAX_CIRCULAR = 2.0**-1  # of k_1^2 on the circular branch; above it, the hyperbolic one
 MAX_ANGLE = 2.0**46  # of |omega0 t|, rad
 MAX_RATE = 2.0**990  # of a rate, rad/s: exact products with it are still held
 # States computed at a time: their intermediate arrays fit the cache.
@@ -1028,9 +1042,13 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
     omega = _DoubleDouble(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
-    axes, discriminant = _axes(c, apart, omega, discriminant)
-    axes, omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
-    steady = _is_steady(apart, omega)
+    axes = _sorted(apart)
+    if discriminant is None:
+        discriminant = _exact_discriminant(c.hi, omega.hi, axes)
+    omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
+    side = _sides(apart, omega, axes, discriminant)
+    axes = np.where(side[:, None] < 0, axes[:, ::-1], axes)
+    steady = side == 0
     made = {
         "shape": shape,
         # Nothing turns at rest, however long it takes.
@@ -1058,20 +1076,16 @@ def _add_moving(made, index, c, apart, omega, q, discriminant, refused):
     rates = [omega[index, axes[:, k]] for k in range(3)]
     parts = np.stack([x.hi for x in q], -1), np.stack([x.lo for x in q], -1)
     vector = [_DoubleDouble(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
-    epsilon = np.where((axes[:, 1] - axes[:, 0]) % 3 == 1, 1.0, -1.0)
-    sigma = np.where(rates[0].hi < 0, -1.0, 1.0)
-    rho = np.where(differences[1].hi < 0, -1.0, 1.0)
-    chi = np.where(-rho * epsilon * sigma * rates[2].hi < 0, -1.0, 1.0)
-    signs = {"epsilon": epsilon, "sigma": sigma, "rho": rho, "chi": chi}
     known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
     known |= dict(zip(("c_ab", "c_ad", "c_bd"), differences, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= signs | {"E_b": discriminant[index], "unit": made["unit"][index]}
+    known |= dict(zip(("axis_a", "axis_b", "axis_d"), axes.T, strict=True))
+    known |= {"E_b": discriminant[index], "unit": made["unit"][index]}
     if len(index) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(INITIAL_STATE, known)
-    small = known["k_1"].hi ** 2 <= 0.5
+    small = known["k_1"].hi ** 2 <= MAX_CIRCULAR
     for name, chosen in (("circular", small), ("hyperbolic", np.logical_not(small))):
         if np.any(chosen):
             some = np.flatnonzero(chosen)
@@ -1121,7 +1135,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 
@@ -1340,7 +1354,7 @@ def _refuse(field, rule, bodies, refused):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Axes, rates and E_b of the motions that are followed, and up to which inner times (B,).
+    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -1352,7 +1366,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
     faint = (discriminant.hi != 0) & (np.abs(discriminant.hi) < MIN_DISCRIMINANT)
     at = np.flatnonzero(distinct & (lost | faint))
     if not at.size:
-        return axes, omega, discriminant, reach
+        return omega, discriminant, reach
     inertia = np.take_along_axis(c.hi[at], axes[at], -1)
     between = _differences(apart[at], axes[at])
     rates = np.take_along_axis(given.hi[at], axes[at], -1)
@@ -1367,11 +1381,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
         part[at] = np.where(zero, 0.0, part[at])
     for part in (discriminant.hi, discriminant.lo):
         part[at] = np.where(turns, 0.0, part[at])
-    # On the separatrix, a is the axis of largest inertia.
-    upside_down = turns & (between[1].hi < 0)
-    axes = axes.copy()
-    axes[at] = np.where(upside_down[:, None], axes[at, ::-1], axes[at])
-    return axes, omega, discriminant, reach
+    return omega, discriminant, reach
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
@@ -1427,19 +1437,21 @@ def _differences(apart, axes):
     return found
 
 
-def _is_steady(apart, omega):
-    """True where M and Omega are parallel, decided without rounding."""
-    still = (apart.hi == 0) | (omega.hi == 0) | (np.roll(omega.hi, -1, -1) == 0)
-    return np.all(still, -1)
-
-
-def _axes(c, apart, omega, discriminant):
-    """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
+def _sorted(apart):
+    """The indices of the axes by their moments, largest first."""
     # By how many moments are below each, less those above.
     order = np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")
-    if discriminant is None:
-        discriminant = _exact_discriminant(c.hi, omega.hi, order[:, ::-1])
-    return np.where(discriminant.hi[:, None] >= 0, order[:, ::-1], order), discriminant
+    return order[:, ::-1]
+
+
+def _sides(apart, omega, axes, discriminant):
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
+    rates = np.take_along_axis(omega.hi, axes, -1)
+    asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
+    given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]
+    if len(axes) == 1:
+        given = [float(x[0]) for x in given]
+    return np.reshape(_circulation(*given), -1)
 
 
 def _exact_discriminant(c, omega, axes):

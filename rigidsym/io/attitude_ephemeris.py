@@ -8,6 +8,7 @@ scalar last.  Angular velocities are of B against A (annex F4), here along the a
 
 import re
 from collections.abc import Iterable, Sequence
+from datetime import UTC, datetime
 from itertools import pairwise
 
 import numpy as np
@@ -47,8 +48,8 @@ def aem(
     ones.  object_name, object_id: UNKNOWN where there is none (table 4-3).  originator: who makes
     the message (table 4-2).  ref_frame_a: the inertial frame of the attitudes; ref_frame_b: the
     axes of the body, which are ANGVEL_FRAME too.  rates: ATTITUDE_TYPE is QUATERNION/ANGVEL with
-    them and QUATERNION without.  creation_date: in UTC; the text of `epoch` where it is None, so
-    that the same input makes the same message.
+    them and QUATERNION without.  creation_date: in UTC; now where it is None: a message that has to
+    be the same byte for byte needs one.
 
     Numbers have 16 digits, the most that 6.8.4 allows: 1e-15 rad of attitude, and of the rates
     1e-15 of their size.  A time is its shortest decimal, which a reader gets back as the double it
@@ -70,14 +71,14 @@ def aem(
         raise InputError("ref_frame_b", repr(ref_frame_b), "must not be frame A as well")
     header = [
         ("CCSDS_AEM_VERS", "2.0"),
-        ("CREATION_DATE", _creation_date(epoch, creation_date)),
-        ("ORIGINATOR", _value("originator", originator)),
+        ("CREATION_DATE", _creation_date(creation_date)),
+        ("ORIGINATOR", text_value("originator", originator)),
     ]
     names = {
-        "OBJECT_NAME": _value("object_name", object_name),
-        "OBJECT_ID": _value("object_id", object_id),
-        "REF_FRAME_A": _value("ref_frame_a", ref_frame_a),
-        "REF_FRAME_B": _value("ref_frame_b", ref_frame_b),
+        "OBJECT_NAME": text_value("object_name", object_name),
+        "OBJECT_ID": text_value("object_id", object_id),
+        "REF_FRAME_A": text_value("ref_frame_a", ref_frame_a),
+        "REF_FRAME_B": text_value("ref_frame_b", ref_frame_b),
         "TIME_SYSTEM": time_system,
     }
     lines = _fields(header)
@@ -109,7 +110,7 @@ def _check_order(instants: Sequence[Sequence[int]]) -> None:
             raise InputError(f"track[{k}]", "too early", "must not begin before the last one ends")
 
 
-def _value(field: str, text: str) -> str:
+def text_value(field: str, text: str) -> str:
     """A text value: 6.6.3, 6.8.6 to 6.8.8, and short enough for any keyword (6.6.1)."""
     if not isinstance(text, str) or not _PRINTABLE.fullmatch(text):
         raise InputError(field, ascii(text), "must be printable ASCII characters on one line")
@@ -123,10 +124,10 @@ def _value(field: str, text: str) -> str:
     return text
 
 
-def _creation_date(epoch: str, given: str | None) -> str:
-    """4.2.2.2: a date in UTC; an epoch in another system stands for itself there."""
+def _creation_date(given: str | None) -> str:
+    """4.2.2.2: a date in UTC, the time of writing unless it is given."""
     if given is None:
-        return epoch
+        return datetime.now(UTC).strftime("%Y-%m-%dT%H:%M:%S")
     epochs.parse("creation_date", given, "UTC")
     return given
 

@@ -1,28 +1,35 @@
 """Case files: one motion and the times at which it is wanted, as TOML."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from importlib import resources
 from pathlib import Path
 
 from rigidsym import inputs
 from rigidsym.errors import InputError, written
+from rigidsym.io import messages
 from rigidsym.io import toml as toml_file
 from rigidsym.io.files import read_text
 from rigidsym.motion import IDENTITY, TorqueFreeMotion
 from rigidsym.view.html.motions import case_html
 
 PAPER = "paper.toml"
-_KEYS = {"inertia", "omega0", "attitude0", "times"}
+_KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
 
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion and its times, both exact."""
+    """A motion and its times, both exact, and what a message of it says: see `messages`."""
 
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
+    message: messages.Message = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        from rigidsym.view.text import case_text
+
+        return case_text(self)
 
     def _repr_html_(self) -> str:
         return case_html(self)
@@ -47,8 +54,9 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
         data["omega0"],
         data.get("attitude0", IDENTITY),
         allow_nonphysical=allow_nonphysical,
+        degrees=data.get("degrees", False),
     )
-    return Case(motion, _times(data["times"]))
+    return Case(motion, _times(data["times"]), messages.read(data.get("message", {})))
 
 
 def _times(value: inputs.Times | toml_file.TomlTable) -> tuple[Fraction, ...]:

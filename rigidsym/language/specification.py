@@ -273,6 +273,8 @@ def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
     rates = context["rates"]
     if (rates is None) != (theorem.moving is None):
         yield "it is about one instant, or about a motion, where the ledger has the other"
+    for text in (*context["start"], *context["thetas"].values()):
+        yield f"{text}: the ledger declares this beyond it"
     there = {
         "names": {*context["generators"]},
         "zero": {*map(_spaceless, context["relations"])},

@@ -8,7 +8,12 @@ from rigidsym.manoeuvre.manoeuvre import Manoeuvre, load, parse
 
 PAPER = "paper.toml"
 # What `rigidsym.manoeuvre.flight.settings.Flight` consists of; those who only plan pass it by.
-FLIGHT = frozenset({"orbit", "wheels", "controller", "spacecraft", "disturbances", "run"})
+FLIGHT = frozenset(
+    {
+        *("orbit", "wheels", "thrusters", "controller", "spacecraft", "disturbances", "run"),
+        "message",
+    }
+)
 
 
 def open_manoeuvre(name: str) -> tuple[Manoeuvre, toml_file.TomlTable]:

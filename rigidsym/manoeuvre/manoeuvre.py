@@ -1,6 +1,6 @@
 """What is asked of a manoeuvre: from one attitude to another in a given time, within limits."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations
@@ -15,7 +15,7 @@ from rigidsym.io.files import read_text
 
 REST = (0, 0, 0)
 _NEEDED = ("inertia", "start", "target")
-_OWN = {*_NEEDED, "duration", "spin", "limits"}
+_OWN = {*_NEEDED, "duration", "spin", "limits", "degrees"}
 # What doubles can hold, and the products of three of them too.
 _LARGEST = 10**60
 
@@ -58,6 +58,11 @@ class Manoeuvre:
     target_spin: tuple[Fraction, ...] = (Fraction(0),) * 3
     limits: Limits = Limits()
 
+    def __repr__(self) -> str:
+        from rigidsym.view.text import manoeuvre_text
+
+        return manoeuvre_text(self)
+
     @property
     def trivial(self) -> bool:
         """Whether start equals target, of either sign and any length, at rest: nothing to do."""
@@ -92,20 +97,27 @@ def manoeuvre(
     target_spin: Vector3 = REST,
     max_rate: ExactNumber | None = None,
     max_burst: ExactNumber | None = None,
+    degrees: bool = False,
 ) -> Manoeuvre:
-    """A manoeuvre from numbers as users give them; raises InputError for the first bad one."""
+    """A manoeuvre from numbers as users give them; raises InputError for the first bad one.
+
+    degrees: spins and `max_rate` are in deg/s, and are rounded to doubles in rad/s.
+    """
+    turned = inputs.is_true("degrees", degrees)
     given = {"max_rate": max_rate, "max_burst": max_burst, "duration": duration}
     exact = {name: None if x is None else above_zero(name, x) for name, x in given.items()}
+    if turned and exact["max_rate"] is not None:
+        (exact["max_rate"],) = _in_radians([exact["max_rate"]])
     length, limits = exact["duration"], Limits(exact["max_rate"], exact["max_burst"])
     if length is None and limits == Limits():
         raise InputError("duration", "missing", "give one, or a limit that decides it")
+    spins = _spin("spin.start", start_spin), _spin("spin.target", target_spin)
     return Manoeuvre(
         _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia, way_out=""))),
         inputs.certain("start", inputs.attitude(start, "start")),
         inputs.certain("target", inputs.attitude(target, "target")),
         length,
-        _spin("spin.start", start_spin),
-        _spin("spin.target", target_spin),
+        *(_in_radians(spin) if turned else spin for spin in spins),
         limits,
     )
 
@@ -123,6 +135,12 @@ def _spin(field: str, values: Vector3) -> tuple[Fraction, ...]:
     if any(abs(x) > _LARGEST for x in spin):
         raise InputError(field, inputs.shown(spin), "must not be beyond 1e60")
     return spin
+
+
+def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    """Doubles, which files can hold in a few digits."""
+    exact = inputs.certain("degrees", inputs.in_radians(values))
+    return tuple(Fraction(float(x)) for x in exact)
 
 
 def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
@@ -154,6 +172,7 @@ def parse(tables: toml_file.TomlTable, others: frozenset[str] = frozenset()) -> 
         start_spin=spin.get("start", REST),
         target_spin=spin.get("target", REST),
         **limits,
+        degrees=tables.get("degrees", False),
     )
 
 

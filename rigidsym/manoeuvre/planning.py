@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import dataclass, replace
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from rigidsym import engines, inputs
 from rigidsym.errors import InputError, PrecisionError
 from rigidsym.inputs import ExactNumber, Quaternion, Vector3
-from rigidsym.io.files import remove, write_text
+from rigidsym.io.files import remove, write_bytes, write_text
 from rigidsym.manoeuvre.bursts import Bursts
 from rigidsym.manoeuvre.cheapest import cheapest
 from rigidsym.manoeuvre.limits import refuse, shortest
@@ -84,16 +85,26 @@ class Plan:
         return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
 
     def write(self, directory: Path) -> list[Path]:
-        """Write plan.json, and each transfer as a case file for `rigidsym propagate`.
+        """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
 
-        Case files of a plan that was there before go.
+        Case files of a plan that was there before go.  Without matplotlib there is no picture.
         """
         texts = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
         paths = [write_text(directory / name, text) for name, text in texts.items()]
         for path in directory.glob("transfer-*.toml"):
             if path.name not in texts:
                 remove(path)
-        return [write_text(directory / "plan.json", self.to_json()), *paths]
+        return [write_text(directory / "plan.json", self.to_json()), *paths, *self._draw(directory)]
+
+    def _draw(self, directory: Path) -> list[Path]:
+        """transfers.svg and transfers.png."""
+        if find_spec("matplotlib") is None:
+            return []
+        from rigidsym.view.plots.histories import rendered
+        from rigidsym.view.plots.transfers import transfers
+
+        files = rendered(transfers(self.transfers)).items()
+        return [write_bytes(directory / f"transfers.{suffix}", data) for suffix, data in files]
 
     def to_json(self) -> str:
         """The plan as JSON, schema rigidsym.plan/1."""
@@ -104,6 +115,11 @@ class Plan:
             "transfers": [transfer.to_data() for transfer in self.transfers],
         }
         return json.dumps(data, indent=1) + "\n"
+
+    def __repr__(self) -> str:
+        from rigidsym.view.text import plan_text
+
+        return plan_text(self)
 
     def _repr_html_(self) -> str:
         from rigidsym.view.html.plans import plan_html
@@ -121,6 +137,7 @@ def plan(
     target_spin: Vector3 = REST,
     max_rate: ExactNumber | None = None,
     max_burst: ExactNumber | None = None,
+    degrees: bool = False,
     families: int = 1,
     engine: str = "c",
 ) -> Plan:
@@ -129,9 +146,9 @@ def plan(
     inertia (3,): principal moments, kg m^2.  start, target (4,): quaternions, scalar first, body
     to inertial; either sign of the target is reached.  duration: s; None for the shortest that the
     limits allow.  start_spin, target_spin (3,): body rates before and after, rad/s.  max_rate:
-    of |omega| on the way, rad/s.  max_burst: of either burst, N m s.  families: how many
-    transfers to give, the cheapest first; there are infinitely many.  engine: as for
-    `TorqueFreeMotion`.
+    of |omega| on the way, rad/s.  max_burst: of either burst, N m s.  degrees: spins and max_rate
+    are in deg/s.  families: how many transfers to give, the cheapest first; there are infinitely
+    many.  engine: as for `TorqueFreeMotion`.
 
     Every transfer misses the target by at most 1e-12 rad, by the derived solution at thirty
     digits.  Raises InputError for bad input, for limits that cannot be kept, with the limit that
@@ -152,6 +169,7 @@ def plan(
         target_spin=target_spin,
         max_rate=max_rate,
         max_burst=max_burst,
+        degrees=degrees,
     )
     return solve(asked, families, engine)
 

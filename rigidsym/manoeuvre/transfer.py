@@ -124,6 +124,11 @@ class Transfer:
             "residual": self.residual,
         }
 
+    def __repr__(self) -> str:
+        from rigidsym.view.text import transfer_text
+
+        return transfer_text(self)
+
     def _repr_html_(self) -> str:
         from rigidsym.view.html.plans import transfer_html
 

@@ -5,14 +5,22 @@ elliptic integral of the first kind, is Carlson's R_F by SciPy.
 """
 
 from dataclasses import dataclass
+from itertools import combinations
 
 import numpy as np
 from scipy.special import elliprf
 
 from rigidsym.manoeuvre.problem import Problem
+from rigidsym.solution.decisions import GIVEN, ONES
 from rigidsym.solution.formulas import sequence
+from rigidsym.solution.partition import ROOT
+from rigidsym.solution.polhode import discriminant
+from rigidsym.solution.signs import SIGNS, handedness
 
-_FUNCTIONS = {"sqrt": np.sqrt, "power": np.power}
+_FUNCTIONS = {
+    **{"sqrt": np.sqrt, "power": np.power},
+    "choose": lambda x, y, one, other: np.where(x <= y, one, other),
+}
 _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
 
@@ -39,41 +47,46 @@ class Phases:
 def phases(problem: Problem, momenta: np.ndarray) -> Phases:
     """Of momenta (N, 3) of size 1; not a number where the momentum does not move."""
     low, middle, high = problem.axes
-    c, rates = problem.inertia, momenta / problem.inertia
-    # The sign of E_b = K^2 - 2 H c_b tells the circulations apart.
-    about_high = (
-        c[high] * (c[high] - c[middle]) * rates[:, high] ** 2
-        >= c[low] * (c[middle] - c[low]) * rates[:, low] ** 2
-    )
-    found = np.empty((4, len(momenta)))
-    for chosen, axes in ((about_high, (high, middle, low)), (~about_high, (low, middle, high))):
+    rates = momenta / problem.inertia
+    sides = _sides(problem.inertia, rates, (high, middle, low))
+    found = np.full((4, len(momenta)), np.nan)
+    for side, axes in ((1, (high, middle, low)), (-1, (low, middle, high))):
+        chosen = sides == side
         if chosen.any():
-            found[:, chosen] = _circulating(c, rates[chosen], axes, problem.axes)
+            found[:, chosen] = _circulating(problem.inertia, rates[chosen], axes)
     return Phases(*found)
 
 
-def _circulating(
-    c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int], order: tuple[int, int, int]
-) -> np.ndarray:
-    about_high = axes[0] == order[2]
-    known = _constants(c, rates, axes, 1 if about_high else -1)
+def _sides(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -> np.ndarray:
+    """1 or -1 where rates (N, 3) circulate about the axis of largest or smallest moment, 0 where
+    they are constant; axes are sorted by their moments, largest first."""
+    differences = [c[j] - c[k] for j, k in combinations(axes, 2)]
+    asked = [*differences, *(rates[:, k] for k in axes)]
+    signs = [*(np.sign(np.abs(x)) for x in asked), discriminant([*c], [*rates.T])]
+    known: dict[str, np.ndarray | int] = dict(zip(GIVEN, signs, strict=True)) | ONES
+    return np.asarray(sequence("decisions").evaluate(known, _FUNCTIONS)[ROOT])
+
+
+def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -> np.ndarray:
+    known = _constants(c, rates, axes)
     sn, cn, dn = known["sn"], known["cn"], known["dn"]
     quarter = elliprf(0.0, np.clip(known["m_1"], 0.0, 1.0), 1.0)
     within = sn * elliprf(cn * cn, dn * dn, 1.0)
     u = np.where(cn < 0, np.copysign(2 * quarter, sn) - within, within)
-    return np.array([u, quarter, known["lambda_"], known["sigma"] * (2 if about_high else 1)])
+    return np.array([u, quarter, known["lambda_"], known["sigma"] * (1.5 + 0.5 * known["rho"])])
 
 
 def _constants(
-    c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int], rho: int
+    c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]
 ) -> dict[str, np.ndarray | int]:
     """What the ledger's formulas of a plan give for arrays; chi is 1 for all, so that phases are
     counted from the same point."""
-    known: dict[str, np.ndarray | int] = {"chi": 1, "rho": rho}
-    known["epsilon"] = 1 if axes in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) else -1
-    known["sigma"] = np.where(rates[:, axes[0]] < 0, -1, 1)
+    known: dict[str, np.ndarray | int] = {}
     for name, k in zip("abd", axes, strict=True):
         known |= {f"c_{name}": c[k], f"Omega_{name}": rates[:, k]}
+    begin = {"epsilon": handedness(*axes), "c_ad": c[axes[0]] - c[axes[2]]}
+    signs = sequence("signs").evaluate(known | begin, _FUNCTIONS)
+    known |= {name: signs[name] for name in SIGNS} | {"chi": 1}
     return sequence("constants").up_to(_WANTED).evaluate(known, _FUNCTIONS)
 
 

@@ -70,6 +70,17 @@ class Comparison:
     by_digits: tuple[Measurement, ...]
     by_distance: tuple[Measurement, ...]
 
+    @property
+    def conclusion(self) -> str:
+        """What was found, in a sentence: who is quickest at each number of digits."""
+        found: dict[int, Measurement] = {}
+        for one in self.by_digits:
+            before = found.get(one.digits)
+            if one.seconds is not None and (not before or _cost(one) < _cost(before)):
+                found[one.digits] = one
+        each = (f"{m.method} at {n} ({_milliseconds(_cost(m))})" for n, m in found.items())
+        return f"The cheapest for one more state, by digits: {', '.join(each)}."
+
     def to_json(self) -> str:
         """The schema rigidsym.methods/1."""
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
@@ -77,11 +88,18 @@ class Comparison:
     def to_svg(self) -> str:
         """Seconds and errors against digits, and against the distance where that is not zero."""
         near = [m for m in self.by_distance if m.distance != "0"]
-        halves = [("digits", self.by_digits), ("distance from the separatrix", near)]
+        halves = [
+            ("by digits", "digits", self.by_digits),
+            (
+                f"near the separatrix, {DISTANCE_DIGITS} digits",
+                "distance from the separatrix",
+                near,
+            ),
+        ]
         drawn = [("Cost of one more state", "seconds", _seconds), ("Error", UNITS, _units)]
         panels = [
-            _panel(title, x_label, y_label, measured, value)
-            for x_label, measured in halves
+            _panel(f"{title}, {where}", x_label, y_label, measured, value)
+            for where, x_label, measured in halves
             for title, y_label, value in drawn
         ]
         return svg([panel for panel in panels if any(map(any, panel.lines.values()))])
@@ -222,7 +240,7 @@ def _panel(
     found = {(m.method, float(m.distance or m.digits)): value(m) for m in measured}
     xs = sorted({x for _, x in found})
     lines = {name: [found[name, x] for x in xs] for name in NAMES}
-    return Panel(title, x_label, y_label, xs, lines, log=True)
+    return Panel(title, x_label, y_label, xs, lines, log=True, marked=True)
 
 
 def _milliseconds(seconds: float) -> str:
@@ -231,6 +249,10 @@ def _milliseconds(seconds: float) -> str:
 
 def _seconds(measurement: Measurement) -> float | None:
     return measurement.seconds_more or measurement.seconds
+
+
+def _cost(measurement: Measurement) -> float:
+    return _seconds(measurement) or 0.0
 
 
 def _units(measurement: Measurement) -> float | None:

@@ -10,10 +10,13 @@ from flint import arb
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.inputs import Number, Uncertain
-from rigidsym.precise.balls import ball, difference, working
-from rigidsym.solution.polhode import Polhode, Regime, classify
+from rigidsym.precise.balls import ball, difference, power, working
+from rigidsym.solution.decisions import SIGNED
+from rigidsym.solution.formulas import sealed, sequence
+from rigidsym.solution.polhode import Polhode, classify
 
 BITS = 4096
+_E_B = frozenset({"E_b"})
 
 
 def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
@@ -30,37 +33,39 @@ def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Po
 def _deciding(
     polhode: Polhode, inertia: Sequence[Number], omega: Sequence[Number]
 ) -> Iterator[tuple[str, arb]]:
-    """What has to be exactly zero, or to keep its sign."""
+    """What has to be exactly zero, or to keep its sign: the order of the moments, what the ledger's
+    partition asks on the way to this leaf, and the rate that sigma is the sign of."""
     w = list(map(ball, omega))
-    pairs = [*combinations(range(3), 2)]
-    gaps = {(j, k): difference(inertia[j], inertia[k]) for j, k in pairs}
+    gaps = {(j, k): difference(inertia[j], inertia[k]) for j, k in combinations(range(3), 2)}
     yield from ((f"inertia[{j}] - inertia[{k}]", gap) for (j, k), gap in gaps.items())
+    path = dict(sealed().partition.path(polhode.leaf))
+    if path["turning"] == 0:
+        yield from ((f"omega0[{k}], of a body at rest,", x) for k, x in enumerate(w))
+        return
     if polhode.regime.steady:
         products = ((j, k, gap * w[j] * w[k]) for (j, k), gap in gaps.items())
         yield from ((f"the torque by omega0[{j}] and omega0[{k}]", x) for j, k, x in products)
-        yield from _resting(polhode, w)
+        yield "omega0", _surest(*w)
         return
     a, b, d = polhode.axes
     if inputs.is_uncertain(*inertia, omega[a], omega[d]):
-        if polhode.regime != Regime.SYMMETRIC:
-            yield "K^2 - 2 H c_b", _excess(inertia, w, polhode.axes)
+        if SIGNED in path:
+            yield "K^2 - 2 H c_b", _discriminant(inertia, w, polhode.axes)
         yield f"omega0[{a}], about the circulation axis,", w[a]
     yield f"omega0[{b}] or omega0[{d}], at right angles to a spin,", _surest(w[b], w[d])
 
 
-def _resting(polhode: Polhode, w: Sequence[arb]) -> Iterator[tuple[str, arb]]:
-    if polhode.regime == Regime.REST:
-        yield from ((f"omega0[{k}], of a body at rest,", x) for k, x in enumerate(w))
-    else:
-        yield "omega0", _surest(*w)
-
-
-def _excess(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[int]) -> arb:
+def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[int]) -> arb:
+    """E_b by the ledger's formula, with differences that are exactly zero where moments agree."""
+    known = {}
+    for x, k in zip("abd", axes, strict=True):
+        known |= {f"c_{x}": ball(inertia[k]), f"Omega_{x}": w[k]}
     a, b, d = axes
-    return (
-        ball(inertia[a]) * difference(inertia[a], inertia[b]) * w[a] * w[a]
-        + ball(inertia[d]) * difference(inertia[d], inertia[b]) * w[d] * w[d]
-    )
+    known |= {
+        "c_ab": difference(inertia[a], inertia[b]),
+        "c_bd": difference(inertia[b], inertia[d]),
+    }
+    return sequence("constants").up_to(_E_B).evaluate_exactly(known, {"power": power}, ball)["E_b"]
 
 
 def _surest(*values: arb) -> arb:

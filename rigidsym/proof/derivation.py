@@ -41,6 +41,9 @@ class Chapter:
         found = {step.fact.id for step in self.steps}
         return sum(fact.id in found for fact in self.facts)
 
+    def __repr__(self) -> str:
+        return f"<Chapter {self.name}: {self.title}, {len(self.facts)} facts>"
+
     def _repr_html_(self) -> str:
         facts = Claims(Claim(asdict(fact)) for fact in self.facts)
         return chapter_html(self, facts._repr_html_())
@@ -69,6 +72,10 @@ class Derivation:
             for chapter in self.chapters
         ]
         return json.dumps({"schema": "rigidsym.derive/2", "chapters": chapters}, indent=1) + "\n"
+
+    def __repr__(self) -> str:
+        facts = sum(len(chapter.facts) for chapter in self.chapters)
+        return f"<Derivation: {facts} facts in {len(self.chapters)} chapters>"
 
     def _repr_html_(self) -> str:
         return derivation_html(self)

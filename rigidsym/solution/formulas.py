@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any, TypedDict
 
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_data, ledger_text, specification_text
+from rigidsym.io.ledger import ledger_data, sealed_text, specification_text
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -24,7 +24,10 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.language.sequence import FormulaSequence
-from rigidsym.language.specification import Unproved, require
+from rigidsym.language.specification import Unproved, read, require
+from rigidsym.solution import signs
+from rigidsym.solution.decisions import decisions
+from rigidsym.solution.formula import Formula
 from rigidsym.solution.partition import Partition, partition_of
 
 AXES = ("a", "b", "d")
@@ -65,6 +68,12 @@ INPUTS = {
     "circular_state": (*_BY_FUNCTIONS, "g", "nome_1", "nome_m"),
     "hyperbolic": ("k_1", "beta", "rho", "mu", "psi_0"),
     "hyperbolic_state": (*_BY_FUNCTIONS, "gc", "nome_c"),
+    "ascent": ("k_next", "s_next", "c_next", "d_next", "x_next"),
+    "pi_circular": ("psi_0", "kappa", "mu", "j", "J", "u_1", "J_0", "phase"),
+    "pi_hyperbolic": (
+        *("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j"),
+        *("s", "c", "d", "X_re", "X_im"),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
     "momentum": (
         *(f"c_{x}" for x in AXES),
@@ -163,31 +172,11 @@ class Entry(TypedDict, total=False):
 
 
 @dataclass(frozen=True, slots=True)
-class Formula:
-    """name = expression, by what the ledger has it from; `source` lists equations of the paper.
-
-    `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
-    that context says so; `context` has its hypotheses.  Functions of a parameter m take its
-    complement 1 - m as their last argument.
-    """
-
-    name: str
-    expression: Expression
-    fact: str
-    context: str
-    source: tuple[str, ...]
-
-    @property
-    def is_reading(self) -> bool:
-        """Whether the expression is the standard function that a name stands for."""
-        return self.fact.startswith("reading ")
-
-
-@dataclass(frozen=True, slots=True)
 class Solution:
     """The sequences by name, a digest of all their statements, and what evaluates them.
 
-    partition: by which signs the kinds of motions are told apart.
+    partition: by which signs the kinds of motions are told apart.  Two sequences are not published:
+    `decisions` is the partition as formulas, and `signs` what the theorem about them says of each.
     """
 
     sequences: Mapping[str, tuple[Formula, ...]]
@@ -195,11 +184,16 @@ class Solution:
     evaluated: Mapping[str, FormulaSequence] = field(repr=False, compare=False)
     partition: Partition = field(repr=False, compare=False)
 
+    def __repr__(self) -> str:
+        count = sum(map(len, self.sequences.values()))
+        sequences = f"{count} formulas in {len(self.sequences)} sequences"
+        return f"<Solution: {sequences}, digest {self.digest[:12]}>"
+
 
 @cache
 def sealed() -> Solution:
     """The solution of the sealed ledger."""
-    return load(ledger_text())
+    return load(sealed_text())
 
 
 def sequence(name: str) -> FormulaSequence:
@@ -220,18 +214,21 @@ def load(text: str) -> Solution:
             if name in published
         }
     except (KeyError, TypeError, AttributeError) as error:
-        raise LedgerError(f"ledger: not readable as rigidsym.ledger/3: {error!r}") from None
+        raise LedgerError(f"ledger: not readable as rigidsym.ledger/4: {error!r}") from None
     for name in INPUTS:
         if name not in sequences:
             raise LedgerError(f"ledger: it does not publish the formula sequence {name}")
         _check_order(name, sequences[name])
         _check_together(name, sequences[name], facts)
     _check_specified(data)
+    specified = read(specification_text())
+    partition = partition_of(facts.values(), contexts, specified)
+    sequences["decisions"] = decisions(partition)
+    sequences["signs"] = _signs(specified[signs.THEOREM].nonnegative, sequences["constants"], facts)
     evaluated = {
         name: FormulaSequence((f.name, f.expression) for f in formulas)
         for name, formulas in sequences.items()
     }
-    partition = partition_of(facts.values(), contexts)
     return Solution(sequences, _digest(sequences), evaluated, partition)
 
 
@@ -241,6 +238,20 @@ def _check_specified(data: Mapping[str, Any]) -> None:
         require(specification_text(), data)
     except Unproved as error:
         raise LedgerError(f"ledger: {error}") from None
+
+
+def _signs(
+    nonnegative: Iterable[str], constants: Iterable[Formula], facts: Mapping[str, Fact]
+) -> tuple[Formula, ...]:
+    """The signs in their order; tau, which chi is by, is the published one."""
+    place = signs.THEOREM
+    (source,) = (x["source"] for x in facts.values() if x["context"] == place)
+    *first, last = (
+        Formula(name, expression, f"choice {place}.{name}", place, tuple(source))
+        for name, expression in signs.rules(nonnegative).items()
+    )
+    (tau,) = (formula for formula in constants if formula.name == "tau")
+    return (*first, tau, last)
 
 
 def _formula(entry: Entry, facts: Mapping[str, Fact], contexts: Mapping[str, Context]) -> Formula:

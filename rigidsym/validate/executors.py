@@ -98,13 +98,13 @@ def local(workers: int | None = None) -> Generator[Place]:
 @contextmanager
 def cluster(address: str) -> Generator[Place]:
     """A Dask cluster; raises InputError where its scheduler cannot be reached, or has no worker."""
+    if not re.fullmatch(r"(tcp|tls|ucx|ws|wss)://[^\s/]+:\d+", address):
+        raise InputError("scheduler", address, "must be an address such as tcp://host:8786")
     try:
         from distributed import Client
     except ImportError:
         rule = "needs the package distributed (extra cluster)"
         raise InputError("scheduler", address, rule) from None
-    if not re.fullmatch(r"(tcp|tls|ucx|ws|wss)://[^\s/]+:\d+", address):
-        raise InputError("scheduler", address, "must be an address such as tcp://host:8786")
     # What it would say of lost connections is said in one line here.
     for name in ("distributed", "tornado", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)

@@ -16,12 +16,24 @@ Implementation = Engine | Peer
 
 def check_target(target: str) -> None:
     """Raise InputError for a target there is no module of, or that does not compile here."""
-    if target not in engines.ENGINES:
-        raise InputError("target", target, f"must be one of: {', '.join(engines.ENGINES)}")
+    if target not in engines.EVERY:
+        raise InputError("target", target, f"must be one of: {', '.join(engines.EVERY)}")
     try:
         engines.exactly(target)
     except InputError as error:
         raise InputError("target", target, error.rule) from None
+
+
+def missing() -> dict[str, str]:
+    """Every target, with the reason why it cannot be measured on this machine; "" where it can."""
+    found = {}
+    for target in engines.ENGINES:
+        try:
+            check_target(target)
+            found[target] = ""
+        except InputError as error:
+            found[target] = error.rule
+    return found
 
 
 def implementation(name: str) -> Implementation:

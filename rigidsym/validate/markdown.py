@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from rigidsym.validate.bounds import CONDITIONED, MEASURES, ULP
 from rigidsym.validate.tally import DRAWN
+from rigidsym.view.markdown import table
 from rigidsym.view.report_data import Cell, Failure, Figure, Implementation, Report, Stratum
 
 HEADS = ("angle", "omega", "norm", "H", "K^2", "residual", "jump", "start", "entry points")
@@ -20,11 +21,12 @@ def markdown(data: Report) -> str:
         "number there: how many times a relative change of the inputs comes out.  Share: the "
         "largest part of a documented bound that is used.",
         "",
-        "| measure | meaning | bound |",
-        "|---|---|---|",
-        *(
-            f"| {head} | {data['meanings'][name]} | {_bound(data, name)} |"
-            for head, name in zip(HEADS, MEASURES, strict=True)
+        *table(
+            ("measure", "meaning", "bound"),
+            (
+                (head, data["meanings"][name], _bound(data, name))
+                for head, name in zip(HEADS, MEASURES, strict=True)
+            ),
         ),
     ]
     lines += ["", "The second oracle, Taylor series, agrees with the enclosures to "]
@@ -54,18 +56,18 @@ def _failures(failures: Sequence[Failure]) -> list[str]:
 
 def _implementation(implementation: Implementation, strata: Iterable[Stratum]) -> list[str]:
     columns = ["stratum", "cases", "states", *HEADS, "share", ""]
-    lines = ["", f"## {implementation['name']}", ""]
-    lines += [f"| {' | '.join(columns)} |", "|---" * len(columns) + "|"]
-    for stratum in strata:
-        name = stratum["name"]
-        found = implementation["strata"].get(name, {})
-        share = float(implementation["share"][name])
-        cells = [_shown(found.get(measure), measure in DRAWN) for measure in MEASURES]
-        beyond = "beyond" if implementation["peer"] else "BROKEN"
-        mark = "ok" if share <= 1 else beyond if found else "not asked"
-        row = [name, str(stratum["cases"]), str(stratum["states"]), *cells, f"{share:.2g}", mark]
-        lines.append(f"| {' | '.join(row)} |")
-    return lines
+    rows = (_stratum(implementation, stratum) for stratum in strata)
+    return ["", f"## {implementation['name']}", "", *table(columns, rows)]
+
+
+def _stratum(implementation: Implementation, stratum: Stratum) -> list[str]:
+    name = stratum["name"]
+    found = implementation["strata"].get(name, {})
+    share = float(implementation["share"][name])
+    cells = [_shown(found.get(measure), measure in DRAWN) for measure in MEASURES]
+    beyond = "beyond" if implementation["peer"] else "BROKEN"
+    mark = "ok" if share <= 1 else beyond if found else "not asked"
+    return [name, str(stratum["cases"]), str(stratum["states"]), *cells, f"{share:.2g}", mark]
 
 
 def _regimes(implementations: Sequence[Implementation]) -> list[str]:
@@ -74,15 +76,18 @@ def _regimes(implementations: Sequence[Implementation]) -> list[str]:
     regimes = sorted(
         {regime for implementation in implementations for regime in implementation["regimes"]}
     )
-    lines = ["", "## By regime", "", "Angle, and rates after the stroke.", ""]
-    lines += [f"| regime | {' | '.join(names)} |", "|---" * (len(names) + 1) + "|"]
-    for regime in regimes:
-        cells = [
-            " / ".join(_shown(found["regimes"].get(regime, {}).get(m), False) for m in DRAWN)
-            for found in implementations
+    rows = (
+        [
+            regime,
+            *(
+                " / ".join(_shown(found["regimes"].get(regime, {}).get(m), False) for m in DRAWN)
+                for found in implementations
+            ),
         ]
-        lines.append(f"| {regime} | {' | '.join(cells)} |")
-    return lines
+        for regime in regimes
+    )
+    head = ["", "## By regime", "", "Angle, and rates after the stroke.", ""]
+    return [*head, *table(["regime", *names], rows)]
 
 
 def _shown(cell: Cell | None, conditioned: bool) -> str:

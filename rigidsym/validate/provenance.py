@@ -2,7 +2,6 @@
 
 import os
 import platform
-import resource
 import sys
 from importlib.metadata import PackageNotFoundError, version
 
@@ -31,8 +30,12 @@ def environment(
     }
 
 
-def _peak() -> int:
-    """Of this process and of its children, the largest."""
+def _peak() -> int | None:
+    """Of this process and of its children, the largest; None where the system does not say."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return None
     who = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
     # Kilobytes, except on macOS.
     unit = 2**20 if sys.platform == "darwin" else 2**10

@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 from typing import TypedDict
 
-from rigidsym.codegen import generate
+from rigidsym.codegen import forms, generate
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.errors import InputError
 from rigidsym.io.files import write_text
@@ -37,9 +37,11 @@ def record(report: ValidationReport) -> Path:
     if len(campaign.strata) < len(STRATA):
         raise InputError("record", ", ".join(campaign.strata), "the heads speak of all strata")
     for target, ran in zip(campaign.targets, campaign.digests, strict=True):
-        digest = generate(target).manifest["digest"]
+        module, form = forms.split(target)
+        digest = generate(module, form=form).manifest["digest"]
         if ran != digest:
-            rule = f"is not the module that `rigidsym codegen {target}` writes now: run that first"
+            command = f"rigidsym codegen {module}{forms.option(form)} --in-place"
+            rule = f"is not the module that `{command}` writes now: run that first"
             raise InputError("record", ran[:12], rule)
         views = [report.tally.view(target, measure, "stratum") for measure in DRAWN]
         worst = [

@@ -215,6 +215,17 @@ class ValidationReport:
             if stratum in cells
         }
 
+    @property
+    def conclusion(self) -> str:
+        """What was found, in a sentence."""
+        campaign = self.campaign
+        strata = campaign.strata
+        shares = {name: max(self.share(name, x) for x in strata) for name in campaign.judged}
+        used = ", ".join(f"{name} uses {share:.0%}" for name, share in shares.items())
+        states = sum(self.tally.states.values())
+        kept = "Every bound is kept" if self.passed else "BOUNDS ARE BROKEN"
+        return f"{kept} at {states} states of {len(strata)} strata: of what is allowed, {used}."
+
     def __repr__(self) -> str:
         return f"<ValidationReport, {PASSED if self.passed else BROKEN}: {self.command}>"
 

@@ -33,12 +33,39 @@ class Motion(Protocol):
         ...
 
 
+class Burns(Protocol):
+    """Torques of one size, on or off."""
+
+    @property
+    def begin(self) -> float:
+        """When the first one begins, s."""
+        ...
+
+    @property
+    def end(self) -> float:
+        """When the last one is over, s."""
+        ...
+
+    def pieces(self, begin: float, end: float) -> list[tuple[float, float]]:
+        """The spans between two times in which the torque is constant, s."""
+        ...
+
+    def between(self, begin: float, end: float) -> np.ndarray:
+        """The mean torque (3,) from one time to another, N m."""
+        ...
+
+
 class Track(Protocol):
-    """Attitudes along a flight."""
+    """Attitudes and rates along a flight."""
 
     @property
     def q(self) -> np.ndarray:
         """(N, 4)."""
+        ...
+
+    @property
+    def omega(self) -> np.ndarray:
+        """(N, 3), rad/s."""
         ...
 
 
@@ -61,8 +88,33 @@ class Flight(Protocol):
         ...
 
     @property
+    def omega(self) -> np.ndarray:
+        """Body rates flown (N, 3), rad/s."""
+        ...
+
+    @property
     def track(self) -> Track:
-        """What was to be followed."""
+        """The motion that was to be followed, on beyond its arrival."""
+        ...
+
+    @property
+    def reference(self) -> Track:
+        """What was to be followed: the track, then the target."""
+        ...
+
+    @property
+    def error(self) -> np.ndarray:
+        """Angle between what was flown and what was to be followed (N,), rad."""
+        ...
+
+    @property
+    def wheel_momentum(self) -> np.ndarray:
+        """(N, 3), N m s."""
+        ...
+
+    @property
+    def burns(self) -> Burns | None:
+        """Of the thrusters; None where there are none."""
         ...
 
     @property

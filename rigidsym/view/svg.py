@@ -17,6 +17,8 @@ class Panel:
     """Lines over common abscissae, with a title and axis labels in units.
 
     With `log`, both axes are logarithmic, and a line leaves out what it has no number for (None).
+    colours: of the lines, in their order, begun anew where they are too few.
+    With `marked`, what was measured is a dot, and lines only lead from one to the next.
     """
 
     title: str
@@ -25,6 +27,8 @@ class Panel:
     x: Sequence[float]
     lines: Mapping[str, Sequence[float | None]]
     log: bool = False
+    colours: Sequence[str] = SERIES
+    marked: bool = False
 
 
 def svg(panels: Sequence[Panel]) -> str:
@@ -65,10 +69,15 @@ def _panel(panel: Panel, offset: int) -> str:
     parts.append(_text(16, middle, panel.y_label, "middle", turned))
     for k, (name, line) in enumerate(lines.items()):
         points = " ".join(f"{x_of(x):.2f},{y_of(y):.2f}" for x, y in line)
-        colour = SERIES[k % len(SERIES)]
+        colour = panel.colours[k % len(panel.colours)]
         parts.append(
             f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="1.5"/>'
         )
+        if panel.marked:
+            parts += [
+                f'<circle cx="{x_of(x):.2f}" cy="{y_of(y):.2f}" r="3" fill="{colour}"/>'
+                for x, y in line
+            ]
         legend = _text(WIDTH - RIGHT + 10, offset + TOP + 16 + 18 * k, name, "start")
         parts.append(legend.replace("<text", f'<text fill="{colour}"'))
     return "\n".join(parts)

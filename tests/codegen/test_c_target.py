@@ -210,6 +210,7 @@ def test_arbitrary_bits_are_refused_or_move(flags, here):
     assert all(count > 50 for code, count in enumerate(counts) if code != 4), counts
 
 
+@pytest.mark.slow  # a C library for 32 bits is compiled first
 def test_on_32_bits_with_sse_states_are_right(here, motions):
     flags = ("-std=c99", "-O2", "-msse2", "-mfpmath=sse")
     sources = ("driver.c", "torque_free.c")

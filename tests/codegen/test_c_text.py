@@ -17,7 +17,7 @@ from rigidsym.solution import sealed
 
 HOME = Path(rigidsym.__path__[0]) / "generated"
 GENERATED = generate("c")
-SOURCE = GENERATED.files[module.SOURCE]
+SOURCE = GENERATED.files[module.SOURCES["theta"]]
 FUNCTIONS = functions(sealed())
 
 
@@ -62,20 +62,21 @@ def test_constants_are_written_to_the_last_digit():
 def test_every_derived_line_has_its_equations_and_facts():
     lines = SOURCE.splitlines()
     known = {formula.fact for p in sealed().sequences.values() for formula in p}
-    places = GENERATED.map[module.SOURCE]
+    places = GENERATED.map[module.SOURCES["theta"]]
     (twice,) = (f for f in FUNCTIONS if f.name == "_discriminant")
     assert len(places) == sum(len(f.lets) for f in FUNCTIONS) + len(twice.lets)
     for place in places:
         assert lines[place["line"] - 1].startswith("    ")
         assert set(place["facts"]) <= known
-        assert place["equations"]
+        assert (place["kind"] == "fact") == bool(place["facts"])
+        assert place["kind"] == "arithmetic" or place["facts"] or place["equations"]
         for equation in place["equations"]:
             assert equation in lines[place["line"] - 1]
 
 
 def test_one_digest_covers_both_files():
     digest = GENERATED.manifest["digest"]
-    assert f"digest {digest}" in GENERATED.files[module.HEADER]
+    assert f"digest {digest}" in GENERATED.files[module.HEADERS["theta"]]
     assert f'return "{digest}";' in SOURCE
     for name, text in GENERATED.files.items():
         assert GENERATED.manifest["sha256"][name] == hashlib.sha256(text.encode()).hexdigest()

@@ -6,7 +6,7 @@ from rigidsym.codegen import targets
 from rigidsym.codegen.functions import functions
 from rigidsym.solution import sealed
 
-HOW_TO = Path(__file__).parents[2] / "notebooks" / "howto_add_a_target.py"
+HOW_TO = Path(__file__).parents[2] / "notebooks" / "text" / "howto_add_a_target.py"
 
 
 def test_the_how_to_adds_a_target_and_takes_it_away(capsys):

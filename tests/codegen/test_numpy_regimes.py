@@ -6,22 +6,23 @@ import numpy as np
 import pytest
 from regimes import cases, errors
 
-from rigidsym.generated import torque_free
+from rigidsym.generated import torque_free, torque_free_pi
 
 BOUND = 2e-15
 MOST = 1.7e308
 
 
 @pytest.mark.parametrize("case", cases(), ids=lambda case: case.name)
-def test_states_are_right_in_every_regime(case):
-    prepared = torque_free.prepare(case.inertia, case.omega0, case.attitude0)
+def test_states_are_right_in_every_regime_and_form(case):
     exact = case.exact()
-    one_by_one = [torque_free.states(prepared, float(t)) for t in case.times]
-    together = torque_free.states(prepared, np.array(case.times))
-    for q, omega in (together, tuple(map(np.array, zip(*one_by_one, strict=True)))):
-        angle, rate = errors(np.hstack((q, omega)), exact)
-        assert angle <= BOUND
-        assert rate <= BOUND
+    for module in (torque_free, torque_free_pi):
+        prepared = module.prepare(case.inertia, case.omega0, case.attitude0)
+        one_by_one = [module.states(prepared, float(t)) for t in case.times]
+        together = module.states(prepared, np.array(case.times))
+        for q, omega in (together, tuple(map(np.array, zip(*one_by_one, strict=True)))):
+            angle, rate = errors(np.hstack((q, omega)), exact)
+            assert angle <= BOUND
+            assert rate <= BOUND
 
 
 def test_many_bodies_are_each_right():

@@ -135,7 +135,7 @@ def test_the_flags_are_those_of_the_engine():
 
 @pytest.mark.parametrize("stem", ["08_code_you_can_fly", "howto_c_for_my_flight_code"])
 def test_so_are_those_of_notebooks(stem):
-    text = (ROOT / "notebooks" / f"{stem}.py").read_text("utf-8")
+    text = (ROOT / "notebooks" / "text" / f"{stem}.py").read_text("utf-8")
     (flags,) = re.findall(r"^FLAGS = (.*)$", text, re.MULTILINE)
     assert ast.literal_eval(flags) == COMPILED_WITH
     assert stem.startswith("08") or f"`{' '.join(COMPILED_WITH)}`" in text

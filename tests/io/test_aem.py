@@ -2,6 +2,7 @@
 
 import math
 import re
+from datetime import UTC, datetime
 
 import numpy as np
 import pytest
@@ -9,8 +10,13 @@ import pytest
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.io import Track, aem, sampled
 
-NAMES = {"object_name": "MY SAT", "object_id": "2026-001A", "originator": "RIGIDSYM"}
 EPOCH = "2026-03-01T12:00:00"
+NAMES = {
+    "object_name": "MY SAT",
+    "object_id": "2026-001A",
+    "originator": "RIGIDSYM",
+    "creation_date": EPOCH,
+}
 MOTION = TorqueFreeMotion(("0.0109", "0.04", "0.0506"), (0.05, 0.03, -0.02), (1, 2, -3, 4))
 THREE = Track(
     [-0.5, 0, 43200],
@@ -144,6 +150,13 @@ def test_the_same_input_makes_the_same_message():
     first, again = (aem(sampled(MOTION, range(30)), EPOCH, **NAMES) for _ in range(2))
     assert first == again
     assert ("CREATION_DATE", EPOCH) in fields(first)
+
+
+def test_a_message_is_of_the_time_of_writing_unless_it_says_another():
+    names = {name: text for name, text in NAMES.items() if name != "creation_date"}
+    before = datetime.now(UTC).replace(microsecond=0)
+    found = dict(fields(aem(THREE, EPOCH, **names)))["CREATION_DATE"]
+    assert before <= datetime.fromisoformat(f"{found}+00:00") <= datetime.now(UTC)
 
 
 def matrix_of_annex_f(q1, q2, q3, qc):

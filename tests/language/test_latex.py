@@ -196,9 +196,10 @@ def test_what_facts_state_and_suppose_can_be_rendered():
         formulas |= {*statements(claim.fact)}
         formulas |= {text for texts in hypotheses(claim.context).values() for text in texts}
     found = {part for text in formulas for part in parts(text) if len(part) < 250}
-    for part in sorted(found):
+    # Every fourth, and of whole texts every twentieth: neighbours in this order are much alike.
+    for part in sorted(found)[::4]:
         reader.parse(f"${part}$")
-    for whole in sorted(text for text in formulas if len(text) < 250)[::10]:
+    for whole in sorted(text for text in formulas if len(text) < 250)[::20]:
         reader.parse(f"${whole}$")
     assert len(formulas) > 1000
     assert all(text.count("{") == text.count("}") for text in formulas)

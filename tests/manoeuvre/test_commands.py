@@ -19,6 +19,9 @@ target = [0.9, 0.1, -0.2, 0.3]
 duration = 20
 [run]
 length = 50
+
+[message]
+creation_date = 2026-01-01T00:00:00Z
 """
 
 

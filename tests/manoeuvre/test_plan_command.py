@@ -53,6 +53,16 @@ def test_its_case_files_reach_the_target(short, tmp_path, capsys):
     assert abs(np.array(numbers[1:5]) @ target) == pytest.approx(1, abs=1e-9)
 
 
+def test_its_picture_has_a_row_for_each_of_the_cheapest(short, tmp_path, capsys):
+    for count in (2, 8):
+        assert main(["plan", str(short), "--all", str(count), "-o", str(tmp_path)]) == 0
+        text = (tmp_path / "transfers.svg").read_text("utf-8")
+        titles = [f"transfer {k}: " in text for k in range(1, 9)]
+        assert titles == [True] * min(count, 6) + [False] * (8 - min(count, 6))
+        assert (tmp_path / "transfers.png").stat().st_size > 10_000
+    capsys.readouterr()
+
+
 def test_the_file_of_the_package_can_be_planned(capsys):
     assert main(["plan", "paper", "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["transfers"][0]["residual"] <= 1e-12

@@ -17,6 +17,7 @@ START = (1, 0, 0, 0)
 TARGET = (0.5, 0.5, 0.5, 0.5)
 AXES = np.eye(3)
 KINDS = len(BODIES) * len(TARGETS)
+PICTURE = ("transfers.svg", "transfers.png")
 
 
 def turn(axis, angle):
@@ -130,8 +131,9 @@ def test_case_files_lead_to_the_target(tmp_path):
     assert [path.name for path in paths] == [
         "plan.json",
         *(f"transfer-{k}.toml" for k in (1, 2, 3)),
+        *PICTURE,
     ]
-    for path in paths[1:]:
+    for path in paths[1:4]:
         case = parse_case(path.read_text())
         q, _ = case.motion(case.times[-1])
         assert abs(q @ target) / np.linalg.norm(target) == pytest.approx(1, abs=1e-14)
@@ -181,7 +183,11 @@ def test_what_costs_nothing_says_why():
 def test_case_files_of_an_earlier_plan_go(tmp_path):
     for families in (3, 1):
         plan(BODY, START, TARGET, 180, families=families).write(tmp_path)
-    assert {path.name for path in tmp_path.iterdir()} == {"plan.json", "transfer-1.toml"}
+    assert {path.name for path in tmp_path.iterdir()} == {
+        "plan.json",
+        "transfer-1.toml",
+        *PICTURE,
+    }
 
 
 @pytest.mark.parametrize(

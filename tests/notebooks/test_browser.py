@@ -15,12 +15,14 @@ from pathlib import Path
 import pytest
 from browsers import chromium, needs_browser
 
-from executed import is_current
+from support.executed import is_current
 
 nbformat = pytest.importorskip("nbformat", reason="needs nbformat (extra lab)")
 # Looked for, not imported: they run in a process of their own.
 MISSING = [
-    name for name in ("jupyterlab", "plotly", "ipykernel") if importlib.util.find_spec(name) is None
+    name
+    for name in ("jupyterlab", "plotly", "ipykernel", "ipywidgets")
+    if importlib.util.find_spec(name) is None
 ]
 pytestmark = [
     needs_browser,
@@ -32,7 +34,7 @@ ROOT = Path(__file__).parents[2]
 # What is opened of the notebooks that are there, unless they are as they were when they were
 # executed; a sample is opened in any case.
 STEMS = ("05_edges", "10_a_manoeuvre_from_start_to_stop")
-SAMPLE = "sample"
+SAMPLE, PLAY = "sample", "00_start_here"
 SETTINGS = {
     # The question whether news are wanted would lie over the page.
     "@jupyterlab/apputils-extension:notification": {
@@ -69,6 +71,16 @@ app.shell.activateById(panel.id);
 return (async () => {{
   await app.commands.execute('notebook:clear-all-cell-outputs');
   await app.commands.execute('notebook:run-all-cells');
+}})();
+"""
+RUN_FIRST = f"""{PANEL}
+const app = window.jupyterapp;
+app.shell.activateById(panel.id);
+const first = [...panel.content.model.cells].findIndex(cell => cell.type === 'code');
+panel.content.activeCellIndex = first;
+return (async () => {{
+  await app.commands.execute('notebook:clear-all-cell-outputs');
+  await app.commands.execute('notebook:run-cell');
 }})();
 """
 DIALOGS = "return [...document.querySelectorAll('.jp-Dialog-content')].map(x => x.innerText);"
@@ -118,9 +130,10 @@ def free_port():
 def folder(tmp_path_factory):
     """Copies of the notebooks, so that running them changes nothing, and the sample."""
     place = tmp_path_factory.mktemp("notebooks")
-    for path in (ROOT / "notebooks").glob("*"):
-        if path.is_file():
-            shutil.copyfile(path, place / path.name)
+    for path in (ROOT / "notebooks").glob("*.ipynb"):
+        shutil.copyfile(path, place / path.name)
+    for name in ("text", "support"):
+        shutil.copytree(ROOT / "notebooks" / name, place / name)
     from sample_notebook import notebook
 
     nbformat.write(notebook(), place / f"{SAMPLE}.ipynb")
@@ -240,6 +253,38 @@ def test_a_notebook_runs_in_jupyterlab(browser, lab, folder, stem):
     assert browser.execute_script(DIALOGS) == []
     check_mathematics(browser, stem)
     check_pictures(browser, stem, cells)
+    check_log(browser, lab)
+
+
+# What the sliders' notebook says, and whether the scenes below have a size.
+SAID = """
+const said = document.querySelector('.jp-Notebook .widget-html-content b')?.innerText;
+const scenes = document.querySelectorAll('.jp-Notebook .js-plotly-plot .gl-container canvas');
+return [said ?? '', [...scenes].filter(x => x.getBoundingClientRect().width > 100).length];
+"""
+
+
+@pytest.mark.parametrize(
+    "stem", [pytest.param(PLAY, marks=pytest.mark.slow if is_current(PLAY) else ())]
+)
+def test_sliders_change_the_motion(browser, lab, folder, stem):
+    """The last slider to its end: the body turns about another axis, and the pictures follow."""
+    source_of(folder, stem)
+    opened(browser, lab, stem)
+    # Without the checks, which let go of the sliders.
+    until(lambda: browser.execute_script(RUN_FIRST) or True, 5, stem)
+
+    def said(words, scenes):
+        found = browser.execute_script(SAID)
+        return words in found[0] and found[1] >= scenes
+
+    until(lambda: said("smallest inertia", 2), RUN, f"{stem}: a motion")
+    handles = browser.find_elements("css selector", ".jp-Notebook .noUi-handle")
+    assert len(handles) == 6
+    handles[-1].send_keys("\ue011")  # Home
+    until(lambda: said("largest inertia", 2), 60, f"{stem}: another motion")
+    handles[2].send_keys("\ue010")  # End: c3 is more than c1 + c2
+    until(lambda: said("larger than the sum", 2), 60, f"{stem}: a body that cannot be")
     check_log(browser, lab)
 
 

@@ -118,7 +118,7 @@ def test_every_order_of_axes_and_every_sign(order):
 
 
 @pytest.mark.parametrize("case", ["paper", *EDGES])
-@pytest.mark.parametrize("time", ["-1e15", "12345.678"])
+@pytest.mark.parametrize("time", ["-1e15", pytest.param("12345.678", marks=pytest.mark.slow)])
 def test_methods_agree_at_long_times(case, time):
     motion = TorqueFreeMotion(*EDGES.get(case, PAPER), ATTITUDE)
     found = [numbers(motion.enclose(time, DIGITS, method=method)) for method in METHODS]

@@ -2,41 +2,107 @@
 
 import copy
 import json
+from dataclasses import replace
 from fractions import Fraction
+from itertools import permutations, product
 
 import pytest
 
+from rigidsym.codegen.seal import is_equal
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_text
+from rigidsym.io.ledger import ledger_text, specification_text
+from rigidsym.language.expression import names, parse, put
+from rigidsym.language.sequence import FormulaSequence
+from rigidsym.language.specification import read
 from rigidsym.solution import load, polhode, sealed
+from rigidsym.solution.decisions import GIVEN, ONES, decisions
+from rigidsym.solution.partition import ROOT
+from rigidsym.solution.signs import handedness
 
 LEDGER = json.loads(ledger_text())
 
 
-def test_every_leaf_has_a_regime_and_an_axis():
-    assert set(sealed().partition.leaves) == set(polhode._LEAVES)
-    assert {regime for regime, _ in polhode._LEAVES.values()} == set(polhode.Regime)
+PARTITION = sealed().partition
 
 
-@pytest.mark.parametrize("leaf", [x for x in polhode._LEAVES if not polhode._LEAVES[x][0].steady])
-def test_the_axis_of_a_moving_leaf_is_that_of_its_squares(leaf):
+def test_every_leaf_has_a_regime():
+    assert set(PARTITION.leaves) == set(polhode._REGIMES)
+    assert set(polhode._REGIMES.values()) == set(polhode.Regime)
+
+
+@pytest.mark.parametrize("leaf", PARTITION.leaves.values(), ids=str)
+def test_the_side_of_a_leaf_is_that_of_its_squares(leaf):
     """The first is A_a^2 = E_d/(c_a c_ad), shown nonnegative with that axis as a."""
-    (squares,) = (fact for fact in LEDGER["facts"] if fact["id"] == f"{leaf}.squares")
-    a, d = (1, 3) if polhode._LEAVES[leaf][1] == 1 else (3, 1)
-    assert squares["grade"] == "PROVED"
-    assert squares["lhs"][0].endswith(f"/(c_{a}*(c_{a} - c_{d}))")
+    (fact,) = (fact for fact in LEDGER["facts"] if fact["id"] == leaf.fact)
+    assert (fact["context"], fact["grade"]) == (leaf.name, "PROVED")
+    assert polhode._REGIMES[leaf.name].steady == (leaf.side == 0)
+    ends = {1: "/(c_1*(c_1 - c_3))", -1: "/(c_3*(c_3 - c_1))"}
+    assert [side for side, end in ends.items() if fact["lhs"][0].endswith(end)] == [
+        *filter(None, [leaf.side])
+    ]
+
+
+# Moments for every pattern of equal ones, and rates that decide, each with its exact E_2.
+MOTIONS = [
+    ((2 + high, 2, 2 - low), rates)
+    for high, low in product((0, Fraction(1, 4), 1), (0, 1))
+    for rates in product((-4, 0, 1), (-1, 0, 1), (-3, -1, 0, 1, 6))
+]
+
+
+def decided(moments, rates):
+    """The side by the formulas of the table."""
+    c_1, c_2, c_3 = moments
+    given = [c_1 - c_2, c_1 - c_3, c_2 - c_3, *rates]
+    e_2 = c_1 * (c_1 - c_2) * rates[0] ** 2 - c_3 * (c_2 - c_3) * rates[2] ** 2
+    known = dict(zip(GIVEN, [*(int(x != 0) for x in given), e_2], strict=True))
+    functions = {"choose": lambda x, y, one, other: one if x <= y else other, "power": pow}
+    return sealed().evaluated["decisions"].evaluate(known | ONES, functions)[ROOT]
+
+
+def test_the_table_decides_by_zeros_what_the_partition_does_by_numbers():
+    leaves = [PARTITION.leaf(*motion) for motion in MOTIONS]
+    assert [decided(*motion) for motion in MOTIONS] == [leaf.side for leaf in leaves]
+    assert {leaf.name for leaf in leaves} == set(PARTITION.leaves)
+
+
+def test_a_quantity_that_is_not_seen_to_have_one_sign_is_no_row_of_the_table():
+    formulas = [
+        (name, parse("c_12*Omega_2**2 - c_13*Omega_3**2") if name == "E_1" else expression)
+        for name, expression in PARTITION.quantities.formulas
+    ]
+    other = replace(PARTITION, quantities=FormulaSequence(formulas))
+    with pytest.raises(LedgerError, match=r"Omega_3.* is not seen to have one sign"):
+        decisions(other)
+
+
+@pytest.mark.parametrize("axes", [*permutations(range(3))])
+def test_epsilon_makes_the_equations_of_axes_a_b_d_those_of_axes_1_2_3(axes):
+    """The specification has Euler's equations and the kinematics both ways."""
+    blocks = read(specification_text())
+    laws, steady = (
+        {lhs: rhs for _, lhs, rhs in blocks[name].then if lhs.startswith("D(")}
+        for name in ("motion_laws", "steady")
+    )
+    numbered = {"q_0": "q0", "epsilon": str(handedness(*axes))}
+    for x, k in zip("abd", axes, strict=True):
+        numbered |= {f"{name}_{x}": f"{name}{k + 1}" for name in ("c", "q", "Omega")}
+    meaning = {name: parse(text) for name, text in numbered.items()}
+    for lhs, rhs in laws.items():
+        (name,) = names(put(parse(lhs.removeprefix("D")), meaning))
+        assert is_equal(put(parse(rhs), meaning), parse(steady[f"D({name})"])), lhs
 
 
 def test_signs_of_differences_decide():
     decide = sealed().partition.leaf
     half = Fraction(1, 2)
-    assert decide((3, 2, 1), (0, 0, 0)) == "rest"
-    assert decide((2, 2, 2), (1, 0, 0)) == "spherical"
-    assert decide((3, 2, 1), (1, half, 0)) == "largest"
-    assert decide((3, 2, 1), (0, half, 1)) == "smallest"
-    assert decide((3, 2, 1), (1, 0, 1)) == "largest"
-    assert decide((Fraction(9, 4), 2, 1), (4, 1, Fraction(3, 2))) == "largest"
-    assert decide((Fraction(9, 4), 2, 1), (4, 1, 3)) == "separatrix_motion"
+    assert decide((3, 2, 1), (0, 0, 0)).name == "rest"
+    assert decide((2, 2, 2), (1, 0, 0)).name == "spherical"
+    assert decide((3, 2, 1), (1, half, 0)).name == "largest"
+    assert decide((3, 2, 1), (0, half, 1)).name == "smallest"
+    assert decide((3, 2, 1), (1, 0, 1)).name == "largest"
+    assert decide((Fraction(9, 4), 2, 1), (4, 1, Fraction(3, 2))).name == "largest"
+    assert decide((Fraction(9, 4), 2, 1), (4, 1, 3)).name == "separatrix_motion"
 
 
 def altered(change):

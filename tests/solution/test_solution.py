@@ -62,25 +62,27 @@ def test_complements_are_taken_off_not_computed():
     assert complement(Name("m")) == parse("1 - m")
 
 
-def test_every_formula_is_a_proved_fact_a_definition_or_a_reading():
+def test_every_formula_is_a_proved_fact_a_definition_a_reading_or_a_choice():
     facts = {fact["id"]: fact for fact in LEDGER["facts"]}
     contexts = {context["name"]: context for context in LEDGER["contexts"]}
     kinds = set()
-    for formula in (f for formulas in sealed().sequences.values() for f in formulas):
+    for sequence, formula in ((n, f) for n, every in sealed().sequences.items() for f in every):
         kind, _, place = formula.fact.rpartition(" ")
         kinds.add(kind)
         context, name = place.split(".")
         assert formula.context == context
-        assert formula.source
+        assert formula.source or sequence == "decisions"
         if kind == "definition":
             assert formula.name == name
             assert formula.expression == parse(contexts[context]["definitions"][name])
         elif kind == "reading":
             assert name in contexts[context]["reading"]
+        elif kind == "choice":
+            assert any(text.startswith(f"{name}*") for text in contexts[context]["nonnegative"])
         else:
             assert facts[place]["grade"] == "PROVED"
             assert facts[place]["context"] == context
-    assert kinds == {"", "definition", "reading"}
+    assert kinds == {"", "definition", "reading", "choice"}
 
 
 def test_no_published_fact_restates_a_definition():

@@ -43,8 +43,14 @@ def _section(name: str, parser: argparse.ArgumentParser) -> str:
             plain(_sentence(parser.description or "")) + "\n",
             fenced("text", usage),
             _arguments(rows),
+            f"For example: {code(_example(parser))}.\n",
         ]
     )
+
+
+def _example(parser: argparse.ArgumentParser) -> str:
+    """What the help ends with."""
+    return (parser.epilog or "").splitlines()[-1].strip()
 
 
 def _arguments(rows: list[tuple[str, str, str]]) -> str:

@@ -57,15 +57,17 @@ def badge(ruling: Ruling) -> str:
 
 
 def _link(verdict: Verdict) -> str:
-    return f"[{_title(verdict)}](#{_label(verdict)})"
+    return f"[{title(verdict)}](#{label(verdict)})"
 
 
-def _label(verdict: Verdict) -> str:
+def label(verdict: Verdict) -> str:
+    """What links to an equation's section name."""
     kept = "".join(x if x.isalnum() else "-" for x in verdict.equation.number.lower())
     return f"printed-{kept}"
 
 
-def _title(verdict: Verdict) -> str:
+def title(verdict: Verdict) -> str:
+    """What an equation is called."""
     number = verdict.equation.number
     if number[0].isdigit():
         return f"({number})"
@@ -76,7 +78,7 @@ def _section(verdict: Verdict) -> str:
     return (
         "\n\n".join(
             [
-                f"({_label(verdict)})=\n## {_title(verdict)} {badge(verdict.ruling)}",
+                f"({label(verdict)})=\n## {title(verdict)} {badge(verdict.ruling)}",
                 *_parts(verdict),
             ]
         )
@@ -86,12 +88,12 @@ def _section(verdict: Verdict) -> str:
 
 def _parts(verdict: Verdict) -> Iterator[str]:
     equation = verdict.equation
-    yield _display(equation.latex)
+    yield display(equation.latex)
     if equation.reading:
         yield plain(f"{_capital(equation.reading)}.")
     if equation.repair:
         yield "**Repaired:**"
-        yield _display(equation.repair)
+        yield display(equation.repair)
     if verdict.repairs:
         yield f"Found by search: {', '.join(map(code, verdict.repairs))}."
     if verdict.conditions:
@@ -149,8 +151,8 @@ def _facts(verdict: Verdict) -> str:
     return f":::{{container}} facts\n{_capital('; '.join([*said, *mutants]))}.\n:::"
 
 
-def _display(latex: str) -> str:
-    """Formulas that stand in one line where there is room, and else below each other."""
+def display(latex: str) -> str:
+    """Formulas in one line where there is room, and else below each other."""
     shown = "\n\n".join(f"$$\n{part}\n$$" for part in statements(latex))
     return f":::{{container}} statements\n{shown}\n:::"
 

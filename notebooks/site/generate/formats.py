@@ -96,6 +96,10 @@ _CASE = {
     "omega0": "three body rates at t = 0, rad/s",
     "attitude0": "quaternion, scalar first, body to inertial, normalised; the identity if absent",
     "times": "seconds: a list, or a table of `start`, `stop` and `count`, both ends included",
+    "degrees": "optional: true where `omega0` is in deg/s",
+    "message": "optional, for `--format aem`, under options of the command line: `epoch`, "
+    "`time_system`, `object_name`, `object_id`, `originator`, `creation_date`, `ref_frame_a`, "
+    "`ref_frame_b`",
 }
 
 
@@ -309,6 +313,8 @@ FORMATS = (
             "contexts[].relations": "zero",
             "contexts[].rates": "d/dt of the generators that are not constant; `null`: one instant",
             "contexts[].nonnegative": "at least zero",
+            "contexts[].start": "zero at one instant",
+            "contexts[].thetas": "generators that are parts of theta functions, and of which",
             "contexts[].reading": "what the names stand for; proves nothing",
             "facts[].id": "context and name",
             "facts[].context": "its hypotheses",
@@ -320,7 +326,8 @@ FORMATS = (
             "facts[].grade": "of the rule and the weakest premise",
             "facts[].premises": "facts it rests on",
             "facts[].source": "equations of the paper that it is about",
-            "facts[].certificate": "what the rule checks: cofactors, a point, cases or a reference",
+            "facts[].certificate": "what the rule checks: cofactors, a point, cases, "
+            "an identity of theta functions with its arguments, or a reference",
             "published": "for readers; proves nothing",
             "published.sequences": "formulas in order of evaluation, by the name of the whole",
             "published.sequences.NAME[].fact": "the id of a proved formula, or instead of it",

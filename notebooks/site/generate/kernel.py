@@ -8,7 +8,7 @@ _HEAD = """# Rules and assumptions
 
 What [every fact](../trust.md) rests on.
 
-## The six rules
+## The eight rules
 
 As the docstrings of `rigidsym.proof.kernel.rules` draw them: premises above the line, conclusion
 below.

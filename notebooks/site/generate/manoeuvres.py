@@ -21,12 +21,18 @@ _KEYS = {
     "spin": "optional: body rates before (`start`) and after (`target`), rad/s",
     "limits": "optional: `max_rate` of |omega| on the way, rad/s, and `max_burst` of either "
     "burst, N m s",
+    "degrees": "optional: true where spins and `max_rate` are in deg/s",
     "orbit": "circular: altitude, angles, and the instant of t = 0",
     "wheels": "three, along the principal axes: what each can do, and what it stores at t = 0",
-    "controller": "gains, and whether to cancel the wheels' gyroscopic torque",
+    "thrusters": "optional: pairs along the principal axes that burn the bursts; without "
+    "`controller` nothing else steers",
+    "controller": "gains, whether to cancel the wheels' gyroscopic torque, and whether to exert "
+    "the torque of the track, bursts included, ahead of errors",
     "spacecraft": "what the environment acts upon",
     "disturbances": "which of them act",
     "run": "how long, how often, how exactly; what counts as settled",
+    "message": "optional, of the attitude ephemeris message: `object_name`, `object_id`, "
+    "`originator`, `creation_date`, `ref_frame_b`",
 }
 
 
@@ -108,11 +114,18 @@ FORMATS = (
             "target.final_error": "angle from the target at the end, rad",
             "target.greatest_error": "the largest since it was reached, rad",
             "target.settled_at": "since when it stays within `flight.run.settled`, s; or `null`",
+            "thrusters": "`null` without them; else when each axis burns for each burst "
+            "(`spans`, s), its `impulses` (N m s), and the `error` (rad) and `rate` (rad/s) of "
+            "the `last` sample, when all burns are over",
+            "saturation.torque": "how long each wheel is at its limit of torque, s",
+            "saturation.momentum": "and of momentum, s",
+            "saturation.momentum_needed": "what each wheel would store at most if what is wanted "
+            "were flown exactly, N m s",
             "torque_peak": "of each wheel, N m",
             "torque_integral": "of its size over time, N m s",
             "wheel_momentum_peak": "stored at most by each wheel, N m s",
             "disturbance_peak": "the greatest size of each disturbing torque, N m",
-            "checks.momentum_defect": "change of momentum that no disturbance explains, N m s",
+            "checks.momentum_defect": "change of momentum that nothing outside explains, N m s",
             "checks.energy_defect": "change of energy that is no torque's work, J",
             "manoeuvre": _ASKED,
             "flight": "all settings, as in the file, in its units",

@@ -6,40 +6,90 @@ the rest.  States are doubles, in two functions for each branch: `_<branch>_angl
 changes with time, and `_<branch>_state` the state from that.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
 import mpmath
 
+from rigidsym.codegen.forms import PI, THETA
 from rigidsym.codegen.functions.circular import circular
 from rigidsym.codegen.functions.hyperbolic import hyperbolic
-from rigidsym.codegen.functions.initial_state import discriminant, start
+from rigidsym.codegen.functions.initial_state import circulation, discriminant, start
+from rigidsym.codegen.functions.pi import circular as pi_circular
+from rigidsym.codegen.functions.pi import common
+from rigidsym.codegen.functions.pi import hyperbolic as pi_hyperbolic
 from rigidsym.codegen.functions.steady import steady
-from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.ir import Constant, Function, Let
+from rigidsym.codegen.names import INITIAL
 from rigidsym.codegen.passes import live, products, share
-from rigidsym.codegen.special_functions import angles, exponential, landen, nome, reduction
+from rigidsym.codegen.special_functions import (
+    angles,
+    carlson,
+    complete,
+    exponential,
+    landen,
+    nome,
+    reduction,
+)
 from rigidsym.solution import Solution
 
 
-def functions(solution: Solution) -> tuple[Function, ...]:
-    """All functions, in an order in which each calls those before it."""
-    return tuple(map(finished, stated(solution)))
+def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
+    """All functions of a form, in an order in which each calls those before it."""
+    return tuple(map(finished, stated(solution, form)))
 
 
-def stated(solution: Solution) -> tuple[Function, ...]:
+def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
     """All functions as they are stated, before anything is left out or shared."""
+    carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
+    return tuple(_cited(function, carried) for function in _stated(solution, form))
+
+
+def _cited(function: Function, carried: Mapping[str, tuple[str, ...]]) -> Function:
+    """The function whose lines name the equations that their facts carry, before references."""
+    return replace(function, lets=tuple(_with_equations(let, carried) for let in function.lets))
+
+
+def _with_equations(let: Let, carried: Mapping[str, tuple[str, ...]]) -> Let:
+    equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
+    return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
+
+
+def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
+    own = _pi(solution) if form == PI else _theta(solution)
     return (
         exponential.function(),
         discriminant(solution),
-        start(solution),
+        circulation(solution),
+        start(solution, common.GIVEN if form == PI else INITIAL),
         landen.step(solution),
         landen.ladder(),
+        *own,
+        *steady(solution),
+    )
+
+
+def _theta(solution: Solution) -> tuple[Function, ...]:
+    """What is the theta form's own."""
+    return (
         nome.root_ratio(),
         angles.half_turns(),
         angles.logarithm(),
         *circular(solution),
         *hyperbolic(solution),
-        *steady(solution),
+    )
+
+
+def _pi(solution: Solution) -> tuple[Function, ...]:
+    """What is the Pi form's own."""
+    return (
+        angles.half_turns(),
+        angles.logarithm(),
+        complete.complete(),
+        carlson.third_kind(),
+        *pi_circular.circular(solution),
+        *pi_hyperbolic.hyperbolic(solution),
     )
 
 
@@ -71,6 +121,7 @@ def constants() -> tuple[Constant, ...]:
         *angles.constants(),
         *reduction.constants(),
         *exponential.constants(),
+        *pi_hyperbolic.numbers(),
     )
 
 

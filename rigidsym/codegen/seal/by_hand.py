@@ -6,8 +6,9 @@ from rigidsym.errors import InputError
 
 
 class Between(NamedTuple):
-    """The text between two parts written by hand, and the number of its first line."""
+    """The text of a file between two parts written by hand, and the number of its first line."""
 
+    file: str
     line: int
     text: str
 
@@ -29,7 +30,7 @@ def between(file: str, text: str, first: str, last: str) -> Between:
     if len(head) + len(tail) > len(lines):
         raise InputError(file, f"{len(lines)} lines", "are too few for what is written by hand")
     middle = lines[len(head) : len(lines) - len(tail)]
-    return Between(len(head) + 1, "".join(f"{line}\n" for line in middle))
+    return Between(file, len(head) + 1, "".join(f"{line}\n" for line in middle))
 
 
 def _check(file: str, lines: list[str], number: int, wanted: str) -> None:

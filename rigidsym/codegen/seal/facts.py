@@ -1,64 +1,31 @@
-"""A formula that names what the ledger has it from is that, under names declared here.
-
-The renaming in `rigidsym.codegen` is what is decided: this table is written down apart from it.
-"""
+"""A formula that names what the ledger has it from is that, under the names of `meanings`."""
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from rigidsym.codegen.forms import THETA
 from rigidsym.codegen.ir import Function, Let
-from rigidsym.codegen.names import GAINS, ROWS, STATE
+from rigidsym.codegen.seal import meanings
 from rigidsym.codegen.seal.claims import DIFFERS, Claim
+from rigidsym.codegen.seal.meanings import Meanings
 from rigidsym.codegen.special_functions import landen
 from rigidsym.errors import InputError
-from rigidsym.language.expression import Expression, Name, parse, put
+from rigidsym.language.expression import Expression, Name, children, parse, put, rebuild
 from rigidsym.solution import Formula, Solution
 
-# By function and the context of the fact: what the fact's names are there.
-_MEANINGS = {
-    # The first step down: from k_c and the functions at t = 0.
-    ("_initial_state", "landen"): {
-        **{"k_next": "k_1", "kc": "k_c", "kc_next": "kc_1"},
-        **{"s": "sn", "c": "cn", "d": "dn"},
-        **{"s_next": "s", "c_next": "c", "d_next": "d"},
-    },
-    # At t = 0 the phase has not turned.
-    ("_circular_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
-    ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
-}
-# Formulas that are a part of their fact; `states` puts the parts together and decides the whole.
-_PARTS_OF_FACTS = {
-    **{f"_{branch}_constants": (*ROWS, *GAINS) for branch in ("circular", "hyperbolic")},
-    **{f"_{branch}_state": STATE for branch in ("circular", "hyperbolic")},
-    "_steady_state": ("cos_half_theta", "sin_half_theta"),
-}
-# The formula sequences that a function is made from: what they prove is named with its fact there.
-_MADE_FROM = {
-    "_discriminant": ("constants",),
-    "_initial_state": ("constants", "theta", "landen"),
-    "_landen": ("landen",),
-    "_circular_constants": ("constants", "scaling", "pull_back", "circular", "circular_state"),
-    "_circular_state": ("circular_state", "rates"),
-    "_hyperbolic_constants": ("constants", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
-    "_hyperbolic_state": ("hyperbolic_state", "rates"),
-    "_steady_constants": ("steady",),
-    "_steady_state": ("steady",),
-}
 
-
-def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]:
+def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
     """Each formula that names a fact, and the fact."""
-    ledger = by_fact(solution)
+    ledger, names = by_fact(solution), meanings.OF[form]
     for function in functions:
-        parts = _PARTS_OF_FACTS.get(function.name, ())
-        proved = _proved(solution, function.name) | {*parts}
+        parts = names.parts.get(function.name, ())
+        proved = _proved(solution, function.name, names) | {*parts}
         for let in function.formulas:
-            if not let.facts and (not let.source or let.targets[0] in proved):
+            _check_equations(function.name, let, ledger)
+            if not let.facts and let.targets[0] in proved:
                 raise InputError(function.name, let, "does not say what it comes from")
             for fact in let.facts:
-                if fact not in ledger:
-                    raise InputError(function.name, let, f"{fact}: the ledger has no such formula")
                 if let.targets[0] not in parts:
-                    yield _claim(function.name, let, ledger[fact])
+                    yield _claim(function.name, let, ledger[fact], names)
 
 
 def by_fact(solution: Solution) -> dict[str, Formula]:
@@ -66,30 +33,54 @@ def by_fact(solution: Solution) -> dict[str, Formula]:
     return {formula.fact: formula for every in solution.sequences.values() for formula in every}
 
 
-def _proved(solution: Solution, place: str) -> set[str]:
+def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
     """What the names of the ledger that a function may set are called there."""
     if place == "_ladder":
         return {f"K{n}" for n in range(landen.STEPS)}
     found = set()
-    for sequence in _MADE_FROM.get(place, ()):
+    for sequence in names.made_from.get(place, ()):
         for formula in solution.sequences[sequence]:
             if not formula.is_reading:
-                meaning = _MEANINGS.get((place, formula.context), {})
+                meaning = names.by_context.get((place, formula.context), {})
                 found.add(meaning.get(formula.name, formula.name))
     return found
 
 
-def _claim(place: str, let: Let, formula: Formula) -> Claim:
-    meaning = _meaning(place, let, formula.context)
+def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
+    """A line names equations of the paper by facts alone that carry them."""
+    for fact in let.facts:
+        if fact not in ledger:
+            raise InputError(place, let, f"{fact}: the ledger has no such formula")
+    carried = {equation for fact in let.facts for equation in ledger[fact].source}
+    for source in let.source:
+        if source[0].isdigit() and source not in carried:
+            raise InputError(place, let, f"({source}): no fact of this line carries it")
+
+
+def _claim(place: str, let: Let, formula: Formula, names: Meanings) -> Claim:
+    meaning = _meaning(place, let, formula, names)
+    said = names.values.get((place, formula.context), {})
+    values = {parse(call): parse(value) for call, value in said.items()}
     if (put(Name(formula.name), meaning),) != tuple(map(Name, let.targets)):
         raise InputError(place, let, f"{formula.fact}: {DIFFERS}")
-    return Claim(place, f"{formula.fact}: {let}", put(formula.expression, meaning), let.expression)
+    derived = _valued(put(formula.expression, meaning), values)
+    return Claim(place, f"{formula.fact}: {let}", derived, let.expression)
 
 
-def _meaning(place: str, let: Let, context: str) -> Mapping[str, Expression]:
+def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """The expression with what calls of standard functions are in place of them."""
+    if expression in values:
+        return values[expression]
+    return rebuild(expression, tuple(_valued(part, values) for part in children(expression)))
+
+
+def _meaning(place: str, let: Let, formula: Formula, names: Meanings) -> Mapping[str, Expression]:
     if place == "_ladder":
         return _rung(place, let)
-    return {name: parse(text) for name, text in _MEANINGS.get((place, context), {}).items()}
+    said = names.by_context.get((place, formula.context), {})
+    if (place, formula.context) in names.letters:
+        said = meanings.level(let.targets[0], formula.name, names.letters[place, formula.context])
+    return {name: parse(text) for name, text in said.items()}
 
 
 def _rung(place: str, let: Let) -> Mapping[str, Expression]:

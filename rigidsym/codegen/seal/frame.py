@@ -6,27 +6,39 @@ names.  The table is written down apart from the functions.
 
 from collections.abc import Iterable, Mapping
 
+from rigidsym.codegen.forms import PI, THETA
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.lines import flat_results
 from rigidsym.errors import InputError
 
 _MOTION = (
     *("c_a", "c_b", "c_d", "c_ab", "c_ad", "c_bd", "Omega_a", "Omega_b", "Omega_d", "E_b"),
-    *("epsilon", "sigma", "rho", "chi", "q_0", "q_a", "q_b", "q_d", "unit"),
+    *("axis_a", "axis_b", "axis_d", "q_0", "q_a", "q_b", "q_d", "unit"),
 )
 _PARAMETERS = {
     "_discriminant": ("c_a", "c_d", "c_ab", "c_bd", "Omega_a", "Omega_d"),
+    "_circulation": ("c_12", "c_13", "c_23", "Omega_1", "Omega_2", "Omega_3", "E_2"),
     "_steady_constants": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3"),
 }
 _STATE = ("q_0", "q_a", "q_b", "q_d", "Omega_a", "Omega_b", "Omega_d")
 _RESULTS = {
     "_discriminant": ("E_b",),
-    "_circular_angles": ("sin_v", "cos_v", "X_im", "X_re"),
-    "_hyperbolic_angles": ("w", "p", "side", "flip", "X_im", "X_re"),
+    "_circulation": ("sorted_body",),
     "_steady_angles": ("X_im", "X_re"),
     "_circular_state": _STATE,
     "_hyperbolic_state": _STATE,
     "_steady_state": ("q0", "q1", "q2", "q3"),
+}
+# The first four are sines and cosines.
+_ANGLES = {
+    THETA: {
+        "_circular_angles": ("sin_v", "cos_v", "X_im", "X_re"),
+        "_hyperbolic_angles": ("w", "p", "side", "flip", "X_im", "X_re"),
+    },
+    PI: {
+        "_circular_angles": ("s", "c", "X_im", "X_re", "d"),
+        "_hyperbolic_angles": ("s", "c", "X_im", "X_re", "d"),
+    },
 }
 # What the runtimes read of constants, by these names.
 _READ = {
@@ -37,12 +49,12 @@ _READ = {
 }
 
 
-def check(functions: Iterable[Function]) -> None:
+def check(functions: Iterable[Function], form: str = THETA) -> None:
     """Raises InputError, naming the function, where one is not what the runtimes count on."""
     by_name = {function.name: function for function in functions}
     for name, parameters in _PARAMETERS.items():
         _same(name, "takes", by_name[name].parameters, parameters)
-    for name, results in _RESULTS.items():
+    for name, results in (_RESULTS | _ANGLES[form]).items():
         _same(name, "returns", by_name[name].results, results)
     for name, read in _READ.items():
         _among(name, "returns", read, flat_results(by_name[name]))

@@ -7,6 +7,7 @@ quotients of thetas, and rates are in the unit.
 
 from collections.abc import Iterable, Iterator, Mapping
 
+from rigidsym.codegen.forms import THETA
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.names import ATTITUDE, PARTS, RATES
 from rigidsym.codegen.seal.claims import Claim, formulas_of
@@ -43,11 +44,11 @@ _QUOTIENTS = {
 _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 
-def claims(solution: Solution, functions: Iterable[Function]) -> Iterator[Claim]:
-    """Attitude, norm, phase and rates of each branch."""
+def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
+    """Attitude, norm, phase and rates of each branch: the Pi form has them in one fact each."""
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
     rates = {formula.name: formula for formula in solution.sequences["rates"]}
-    for branch in ("circular", "hyperbolic"):
+    for branch in ("circular", "hyperbolic") if form == THETA else ():
         constants, state = emitted[f"_{branch}_constants"], emitted[f"_{branch}_state"]
         ledger = {formula.name: formula for formula in solution.sequences[f"{branch}_state"]}
         yield from _attitude(branch, ledger, constants, state)

@@ -7,16 +7,17 @@ from rigidsym.codegen.passes import select
 from rigidsym.solution import Solution
 from rigidsym.solution.formulas import INPUTS
 
-STEPS = 5
+# In the plan, and in a state of the Pi form.
+STEPS, STATE_STEPS = 5, 4
 _GIVEN = ("k", "kc", "s", "c", "d", "r", "Y")
 _AFTER = tuple(f"{name}_next" for name in _GIVEN)
 
 
-def modulus_left() -> Fraction:
+def modulus_left(steps: int = STEPS) -> Fraction:
     """A bound for the square of the modulus after the last step: k_next <= (k/(1 + kc))^2."""
     # k_next <= k^2/4/(1 - k^2/4)^2 follows from kc >= 1 - k^2, in rational numbers.
     k = Fraction(70711, 100000)
-    for _ in range(STEPS):
+    for _ in range(steps):
         k = k * k / (2 - k * k) ** 2
     return k * k
 

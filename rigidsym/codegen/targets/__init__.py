@@ -2,10 +2,11 @@
 
 The folder of a target `x` has
 
-    module.py      build(functions, constants).  Input: functions of lets and the numbers they
-                   name.  Output: the module, its files and the let behind each derived line.
-    read_back.py   check(files, functions, constants).  Input: the files as printed, and what they
-                   print.  Output: how many lines read back as their lets.
+    module.py      build(functions, constants, form).  Input: functions of lets, the numbers they
+                   name, and the form of the solution that they are.  Output: the module, its files
+                   and the let behind each derived line.
+    read_back.py   check(files, functions, constants, form).  Input: the files as printed, and what
+                   they print.  Output: how many lines read back as their lets.
 
 and whatever these use: an emitter, a runtime written by hand.  TARGETS lists it.
 """
@@ -17,8 +18,8 @@ from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.lines import Module
 from rigidsym.errors import InputError
 
-Build = Callable[[tuple[Function, ...], tuple[Constant, ...]], Module]
-Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...]], int]
+Build = Callable[[tuple[Function, ...], tuple[Constant, ...], str], Module]
+Check = Callable[[Mapping[str, str], tuple[Function, ...], tuple[Constant, ...], str], int]
 
 TARGETS = ["numpy", "c"]
 

@@ -1,8 +1,9 @@
 """Ways to the target, each flown by the same actuators, through the same disturbances.
 
-Wheels fly as `rigidsym track` does.  Thrusters are flown with wheels that cancel what is felt of
-their own momentum (`feedforward`): the body moves as if they stored none, and what is counted is
-the torque without that part, which is what thrusters would exert.
+Wheels fly as `rigidsym track` does; what is known of a track ahead, its torque and its bursts, is
+fed forward, but where feedback alone is looked at.  Thrusters are flown with wheels that cancel
+what is felt of their own momentum (`feedforward`): the body moves as if they stored none, and what
+is counted is the torque without that part, which is what thrusters would exert.
 """
 
 from collections.abc import Callable, Mapping
@@ -48,14 +49,22 @@ class Ways:
         controller = Controller(feedforward=self.actuators is Model.THRUSTERS)
         return Flight(run=Timing(length=length, period=PERIOD), controller=controller)
 
+    @property
+    def foreseen(self) -> Flight:
+        """The same with the torque of the track, bursts included, fed forward."""
+        controller = Controller(feedforward=True, track_feedforward=True)
+        return replace(self.flight, controller=controller)
+
 
 @dataclass(frozen=True, slots=True)
 class Flown:
-    """torque_integral: of |torque|, summed over the axes, N m s.  torque_peak: of any axis, N m.
+    """torque_integral: of |torque|, summed over the axes, N m s.  torque_square: the integral of
+    torque^2, summed as well, N^2 m^2 s.  torque_peak: of any axis, N m.
     errors: degrees from the target when the duration is over, and at the end of the hold.
     saturated: whether a wheel reached its limit."""
 
     torque_integral: float
+    torque_square: float
     torque_peak: float
     error_at_duration: float
     error_after_hold: float
@@ -68,6 +77,11 @@ class Flown:
 
 def natural(ways: Ways) -> tuple[Track, Flight]:
     """The cheapest natural motion."""
+    return ways.transfer, ways.foreseen
+
+
+def pursued(ways: Ways) -> tuple[Track, Flight]:
+    """The same by feedback alone, which falls behind each burst and catches up."""
     return ways.transfer, ways.flight
 
 
@@ -75,17 +89,17 @@ def optimum(ways: Ways) -> tuple[Track, Flight]:
     """The motion of least fuel, by collocation."""
     case = ways.case
     driven = Driven(ways.actuators, case.inertia / case.inertia.max(), ways.impulses, Mesh())
-    return tracks.Followed(case.duration, tracks.placed(case, driven)), ways.flight
+    return tracks.Followed(case.duration, tracks.placed(case, driven)), ways.foreseen
 
 
 def eigenaxis(ways: Ways) -> tuple[Track, Flight]:
     """The eigenaxis at constant rate."""
-    return tracks.eigenaxis(ways.case, tracks.constant), ways.flight
+    return tracks.eigenaxis(ways.case, tracks.constant), ways.foreseen
 
 
 def smooth(ways: Ways) -> tuple[Track, Flight]:
     """The eigenaxis by a cubic, from rest to rest."""
-    return tracks.eigenaxis(ways.case, tracks.smooth), ways.flight
+    return tracks.eigenaxis(ways.case, tracks.smooth), ways.foreseen
 
 
 def step(ways: Ways) -> tuple[Track, Flight]:
@@ -106,6 +120,7 @@ def slow_step(ways: Ways) -> tuple[Track, Flight]:
 
 METHODS: Mapping[str, Callable[[Ways], tuple[Track, Flight]]] = {
     "natural": natural,
+    "natural, feedback alone": pursued,
     "eigenaxis": eigenaxis,
     "eigenaxis, smooth": smooth,
     "optimum": optimum,
@@ -127,6 +142,7 @@ def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
     errors = np.degrees(angle(run.reference.q[-1], run.q))
     return Flown(
         torque_integral=float(np.trapezoid(size, run.t, axis=0).sum()),
+        torque_square=float(np.trapezoid(size**2, run.t, axis=0).sum()),
         torque_peak=float(size.max()),
         error_at_duration=float(errors[np.searchsorted(run.t, run.arrival)]),
         error_after_hold=float(errors[-1]),

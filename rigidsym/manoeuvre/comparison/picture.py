@@ -22,7 +22,8 @@ def picture(records: Sequence[Record]) -> "Figure":
         for model in reversed(Model)
     ]
     solved = f"optimal control: {_SHOWN.name}"
-    return spreads([*costs, Panel(solved, "iterations of IPOPT", _iterations(records), False)])
+    panels = [*costs, Panel(solved, "iterations of IPOPT", _iterations(records), False)]
+    return spreads(panels, "one manoeuvre", "the least fuel")
 
 
 def _costs(records: Sequence[Record], model: Model) -> Mapping[str, list[float]]:

@@ -80,6 +80,11 @@ class Comparison:
         """Titles, columns and rows for reading."""
         return tables.brief(self.summary)
 
+    @property
+    def conclusion(self) -> str:
+        """What was found, in a sentence."""
+        return tables.conclusion(self.summary, len(self.records))
+
     def write(self, directory: Path) -> list[Path]:
         """Write comparison.json, comparison.md and the picture; raises InputError."""
         text = page(self.command, len(self.records), self.summary)

@@ -17,11 +17,13 @@ class FlownSpread(TypedDict):
     """Of the flights by one method: spreads, and in how many manoeuvres something was so."""
 
     torque_integral: Spread
+    torque_square: Spread
     torque_peak: Spread
     error_at_duration: Spread
     error_after_hold: Spread
     over_natural: Spread
     over_least_fuel: Spread
+    over_least_square: Spread
     cheaper_than_natural: int
     dearer_than_natural: int
     saturated: int
@@ -75,9 +77,9 @@ def summary(records: Sequence[Record]) -> Summary:
     }
 
 
-def least(record: Record, model: Model, limited: bool) -> float:
-    """The least fuel that was found for a manoeuvre, N m s."""
-    return record.solved[Task(model, Cost.FUEL, limited).name].best
+def least(record: Record, model: Model, limited: bool, cost: Cost = Cost.FUEL) -> float:
+    """The least cost that was found for a manoeuvre, N m s of fuel, N^2 m^2 s of energy."""
+    return record.solved[Task(model, cost, limited).name].best
 
 
 def _flown(records: Sequence[Record], model: Model) -> dict[str, FlownSpread]:
@@ -91,12 +93,17 @@ def _method(records: Sequence[Record], model: Model, method: str) -> FlownSpread
     ratios = [one.torque_integral / x for one, x in zip(flown, natural, strict=True)]
     return {
         "torque_integral": spread(one.torque_integral for one in flown),
+        "torque_square": spread(one.torque_square for one in flown),
         "torque_peak": spread(one.torque_peak for one in flown),
         "error_at_duration": spread(one.error_at_duration for one in flown),
         "error_after_hold": spread(one.error_after_hold for one in flown),
         "over_natural": spread(ratios),
         "over_least_fuel": spread(
             one.torque_integral / least(record, model, limited=True)
+            for one, record in zip(flown, records, strict=True)
+        ),
+        "over_least_square": spread(
+            one.torque_square / least(record, model, limited=True, cost=Cost.ENERGY)
             for one, record in zip(flown, records, strict=True)
         ),
         "cheaper_than_natural": sum(x < 1 for x in ratios),

@@ -16,6 +16,8 @@ _FLOWN = (
     "way",
     "torque integral, 1e-3 N m s",
     "over natural's",
+    "torque^2, 1e-7 N^2 m^2 s",
+    "over the least",
     "torque peak, 1e-4 N m",
     "error at duration, deg",
     "after hold, deg",
@@ -31,6 +33,23 @@ def brief(summary: Summary) -> list[Table]:
     return [*parts, ideal(summary["ideal"]), optimal(summary["optimal"])]
 
 
+def conclusion(summary: Summary, manoeuvres: int) -> str:
+    """Whom the natural motion costs less than, and what it costs over the least fuel."""
+    parts = []
+    for model, methods in summary["flown"].items():
+        others = {name: one for name, one in methods.items() if name != "natural"}
+        beaten = (
+            f"{one['dearer_than_natural']} of {manoeuvres} times less than {name}"
+            for name, one in others.items()
+        )
+        over = methods["natural"]["over_least_fuel"]["median"]
+        parts.append(
+            f"With {model} a natural motion, flown, costs {over:.3g} times the least fuel "
+            f"(median), {', '.join(beaten)}."
+        )
+    return "  ".join(parts)
+
+
 def flown(model: str, methods: Mapping[str, FlownSpread], told: Callable[..., str]) -> Table:
     """Ways flown with the same actuators; `told` shows spreads of peaks and errors."""
     rows = [
@@ -38,6 +57,8 @@ def flown(model: str, methods: Mapping[str, FlownSpread], told: Callable[..., st
             method,
             spread(one["torque_integral"], 1e-3),
             spread(one["over_natural"]),
+            told(one["torque_square"], 1e-7),
+            told(one["over_least_square"]),
             told(one["torque_peak"], 1e-4),
             told(one["error_at_duration"]),
             told(one["error_after_hold"]),

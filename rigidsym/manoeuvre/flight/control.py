@@ -42,42 +42,73 @@ class Reference:
     omega: np.ndarray
 
 
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """At one sample: attitude (4,), rates (3,), and the torque (3,) that the track takes at the
+    next, which is when the wheels exert it."""
+
+    q: np.ndarray
+    omega: np.ndarray
+    torque: np.ndarray
+
+
 def along(track: Track, t: np.ndarray) -> Reference:
     """The track at times (N,), on beyond the end of the manoeuvre."""
     return Reference(*track.motion(t))
 
 
 def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
-    """The track until the target is reached; then the target.
+    """The start until t = 0, the track until the target is reached; then the target.
 
-    A target that spins goes on as a free body does.  The attitudes are continuous in the double
+    A start and a target that spin do so as free bodies.  The attitudes are continuous in the double
     cover: of the two quaternions of the target it is the one at which the track arrives.
     """
     arrived = track.motion(track.duration)[0]
     target = np.array([float(x) for x in manoeuvre.target])
     held = target if arrived @ target >= 0 else -target
+    before = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
     after = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.target_spin, held.tolist())
-    late = t >= track.duration
-    ahead, then = track.motion(t[~late]), after(t[late] - track.duration)
-    return Reference(*(np.concatenate(pair) for pair in zip(ahead, then, strict=True)))
+    early, late = t < 0, t >= track.duration
+    parts = before(t[early]), track.motion(t[~early & ~late]), after(t[late] - track.duration)
+    return Reference(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
 
-def command(
-    controller: Controller,
-    inertia: np.ndarray,
-    state: tuple[np.ndarray, np.ndarray, np.ndarray],
-    wanted: tuple[np.ndarray, np.ndarray],
-) -> np.ndarray:
-    """The torque (3,), N m, for q, omega and the wheels' momentum, where q and omega are wanted.
+def torques(inertia: np.ndarray, track: Track, t: np.ndarray) -> np.ndarray:
+    """I omega' + omega x I omega (N, 3) of a track at evenly spaced times, N m.
 
-    -2 Kp sign(d0) d - Kd (omega - omega wanted) with d the error's quaternion: the way back is
-    the shorter one.  With `feedforward`, omega x h of the wheels' momentum h on top: the body
-    then feels them as if they were not there, and needs no torque on a natural motion.
+    None on a natural motion.  Means about each time, so that lines between them have the track's
+    impulse; between its own times alone, so that its bursts are left out.
     """
-    q, omega, momentum = state
-    error = relative(wanted[0], q)
-    slip = omega - wanted[1] @ matrix(error)
+    half = (t[1] - t[0]) / 2
+    low, now, high = (np.clip(x, 0.0, track.duration) for x in (t - half, t, t + half))
+    (_, begin), (_, omega), (_, end) = (track.motion(x) for x in (low, now, high))
+    share = ((high - low) / (2 * half))[:, None]
+    return inertia * (end - begin) / (2 * half) + share * np.cross(omega, inertia * omega)
+
+
+def feedback(
+    controller: Controller, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, wanted: Wanted
+) -> np.ndarray:
+    """-2 Kp sign(d0) d - Kd (omega - omega wanted), N m, with d the error's quaternion: the way
+
+    back is the shorter one."""
+    error = relative(wanted.q, q)
+    slip = omega - wanted.omega @ matrix(error)
     towards = np.copysign(2.0, error[0]) * error[1:]
     frequency, damping = controller.natural_frequency, controller.damping_ratio
-    torque = -inertia * (frequency**2 * towards + 2 * damping * frequency * slip)
-    return torque + cross(omega, momentum) if controller.feedforward else torque
+    return -inertia * (frequency**2 * towards + 2 * damping * frequency * slip)
+
+
+def feedforward(
+    controller: Controller, q: np.ndarray, omega: np.ndarray, momentum: np.ndarray, wanted: Wanted
+) -> np.ndarray:
+    """What is known without looking at errors, N m.
+
+    With `feedforward`, omega x h of the wheels' momentum h: the body then feels them as if they
+    were not there, and needs no torque on a natural motion.  With `track_feedforward`, the torque
+    that the track takes.
+    """
+    torque = cross(omega, momentum) if controller.feedforward else np.zeros(3)
+    if controller.track_feedforward:
+        torque = torque + wanted.torque @ matrix(relative(wanted.q, q))
+    return torque

@@ -36,11 +36,11 @@ Torque = Callable[[Surroundings], np.ndarray]
 
 
 class Environment:
-    """The disturbances of a flight that are switched on, as torques by name."""
+    """The disturbances of a flight from `begin` (s) on that are switched on, as torques by name."""
 
-    def __init__(self, flight: Flight, inertia: np.ndarray) -> None:
+    def __init__(self, flight: Flight, inertia: np.ndarray, begin: float = 0.0) -> None:
         self._path = earth.Path(flight.orbit)
-        self._sky = _sky(flight, self._path)
+        self._sky = _sky(flight, self._path, begin)
         self.torques = _torques(flight, inertia)
 
     def at(self, t: float, q: np.ndarray) -> Surroundings:
@@ -68,10 +68,10 @@ class Environment:
         }
 
 
-def _sky(flight: Flight, path: earth.Path) -> CubicSpline:
+def _sky(flight: Flight, path: earth.Path, begin: float) -> CubicSpline:
     """The Sun's position (m) and the Earth's field (T), inertial, (2, 3) at a time in s."""
-    count = max(4, int(np.ceil(float(flight.run.length) / GRID)) + 1)
-    t = GRID * np.arange(count)
+    count = max(4, int(np.ceil((float(flight.run.length) - begin) / GRID)) + 1)
+    t = begin + GRID * np.arange(count)
     position = np.array([path(time)[0] for time in t.tolist()])
     sun = sky.sun_position(flight.orbit.epoch, t)
     field = np.zeros_like(position)

@@ -1,25 +1,29 @@
-"""The closed loop: sampled control, wheels that ramp between samples, a rigid body between."""
+"""The closed loop: sampled control, wheels that ramp, thrusters that burn, a rigid body between."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
+from math import ceil
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import control
+from rigidsym.manoeuvre.flight.burns import Burns, of_thrusters, of_wheels
 from rigidsym.manoeuvre.flight.environment import Environment
-from rigidsym.manoeuvre.flight.rotation import cross, matrix
+from rigidsym.manoeuvre.flight.rotation import cross, matrix, size
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
 from rigidsym.manoeuvre.flight.wheels import next_torque
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.motion import TorqueFreeMotion
 
-# What is integrated: attitude (4), rates (3), impulse of the disturbances (3), work of all (1).
+# What is integrated: attitude (4), rates (3), impulse from outside (3), work of all (1).
 _Q, _OMEGA, _IMPULSE, _WORK = slice(0, 4), slice(4, 7), slice(7, 10), 10
 # Sizes of these numbers, for the absolute tolerance.
 _SIZES = np.array([1.0] * 4 + [1e-2] * 3 + [1e-5] * 3 + [1e-6])
+_NONE = np.zeros(3)
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,22 +64,31 @@ def fly(
     the torques are continuous, their limits hold exactly, and between the samples the equations
     are smooth: I omega' = -omega x (I omega + h) + torque + disturbances and h' = -torque, with h
     what the wheels store, and I the spacecraft with its wheels locked.  They are integrated anew
-    from each sample by SciPy's DOP853, together with the impulse of the disturbances (inertial
-    axes) and the work of all torques, which the checks of a `Run` need.  `progress` is called with
-    the samples done and all of them.  Raises InputError for torques too wild to follow, and names
-    the greatest.
+    from each sample by SciPy's DOP853, together with the impulse from outside (inertial axes) and
+    the work of all torques, which the checks of a `Run` need.
+
+    Bursts that are known ahead, of thrusters or with `track_feedforward`, are burns centred on
+    their instants: the flight begins when the first does, before t = 0, and feedback waits while
+    one lasts.  Wheels exert the mean of a burn about each sample, so that their straight lines
+    have its impulse; thrusters are on or off, and steps end where they change.
+
+    `progress` is called with the samples done and all of them.  Raises InputError for torques too
+    wild to follow, and names the greatest; and for burns that last too long.
     """
     inertia = np.array([float(x) for x in manoeuvre.inertia])
-    t = _times(flight)
-    wanted = control.reference(manoeuvre, track, t)
-    environment = Environment(flight, inertia)
-    samples = [_first(manoeuvre, flight)]
+    told = of_wheels(flight, manoeuvre, track)
+    burns = of_thrusters(flight, manoeuvre, track)
+    t = _times(flight, burns or told)
+    reference = control.reference(manoeuvre, track, t)
+    needed = control.torques(inertia, track, t)
+    environment = Environment(flight, inertia, float(t[0]))
+    samples = [_first(manoeuvre, flight, float(t[0]))]
     for k, span in enumerate(pairwise(t.tolist())):
-        ramp = _steered(flight, inertia, samples[-1], (wanted.q[k], wanted.omega[k]), span)
-        equations = _equations(inertia, ramp, environment)
-        state = _advance(equations, samples[-1].state, span, flight.run.tolerance)
+        wanted = control.Wanted(reference.q[k], reference.omega[k], needed[k + 1])
+        ramp = _steered(flight, inertia, samples[-1], wanted, span, told or burns)
+        state = _flown(inertia, ramp, environment, burns, flight.run.tolerance)
         if state is None:
-            raise _too_fast(_causes(flight, environment, ramp, wanted.omega[k]), span[0])
+            raise _too_fast(_causes(flight, environment, ramp, wanted.omega), span[0])
         samples.append(_Sample(state, ramp.then, ramp.at(span[1])[1]))
         progress(k + 1, len(t) - 1)
     states = np.array([sample.state for sample in samples])
@@ -85,13 +98,14 @@ def fly(
         t=t,
         q=states[:, _Q],
         omega=states[:, _OMEGA],
-        reference=wanted,
+        reference=reference,
         track=control.along(track, t),
         torque=np.array([sample.torque for sample in samples]),
         wheel_momentum=np.array([sample.momentum for sample in samples]),
         disturbances=environment.each(t, states[:, _Q]),
         impulse=states[:, _IMPULSE],
         work=states[:, _WORK],
+        burns=burns,
     )
 
 
@@ -99,39 +113,66 @@ def _steered(
     flight: Flight,
     inertia: np.ndarray,
     now: _Sample,
-    wanted: tuple[np.ndarray, np.ndarray],
+    wanted: control.Wanted,
     span: tuple[float, float],
+    burns: Burns | None,
 ) -> _Ramp:
     """What the wheels do until the next sample, so that q and omega become what is wanted."""
     begin, end = span
-    state = now.state[_Q], now.state[_OMEGA], now.momentum
-    told = control.command(flight.controller, inertia, state, wanted)
+    q, omega, controller = now.state[_Q], now.state[_OMEGA], flight.controller
+    told = control.feedforward(controller, q, omega, now.momentum, wanted)
+    half = (end - begin) / 2
+    burst = burns.between(end - half, end + half) if burns else np.zeros(3)
+    if not burst.any():
+        told = told + control.feedback(controller, inertia, q, omega, wanted)
+    elif flight.thrusters is None:
+        told = told + burst
     then = next_torque(flight.wheels, now.torque, now.momentum, told, end - begin)
     return _Ramp(begin, end, now, then)
 
 
-def _times(flight: Flight) -> np.ndarray:
-    """All samples, the first at zero."""
-    count = flight.run.length // flight.run.period
-    return np.array([float(k * flight.run.period) for k in range(count + 1)])
+def _times(flight: Flight, burns: Burns | None) -> np.ndarray:
+    """All samples, whole periods from t = 0; the first before all burns, or at zero."""
+    run = flight.run
+    early = ceil(-burns.begin / float(run.period)) if burns else 0
+    return np.array([float(k * run.period) for k in range(-early, run.length // run.period + 1)])
 
 
-def _first(manoeuvre: Manoeuvre, flight: Flight) -> _Sample:
-    q = np.array([float(x) for x in manoeuvre.start])
-    omega = [float(x) for x in manoeuvre.start_spin]
-    state = np.concatenate([q / np.linalg.norm(q), omega, np.zeros(4)])
+def _first(manoeuvre: Manoeuvre, flight: Flight, begin: float) -> _Sample:
+    """At a time until which the body has been turning freely."""
+    still = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
+    state = np.concatenate([*still(begin), np.zeros(4)])
     return _Sample(state, np.zeros(3), np.array(flight.wheels.momentum))
 
 
+def _flown(
+    inertia: np.ndarray,
+    ramp: _Ramp,
+    environment: Environment,
+    burns: Burns | None,
+    tolerance: float,
+) -> np.ndarray | None:
+    """The state at the next sample; None where it is lost."""
+    state, pieces = ramp.now.state, [(ramp.begin, ramp.end)]
+    if burns:
+        pieces = burns.pieces(ramp.begin, ramp.end)
+    for piece in pieces:
+        burning = burns.between(*piece) if burns else _NONE
+        state = _advance(_equations(inertia, ramp, environment, burning), state, piece, tolerance)
+        if state is None:
+            return None
+    return state
+
+
 def _equations(
-    inertia: np.ndarray, ramp: _Ramp, environment: Environment
+    inertia: np.ndarray, ramp: _Ramp, environment: Environment, burning: np.ndarray
 ) -> Callable[[float, np.ndarray], np.ndarray]:
-    """The right-hand side between two samples."""
+    """The right-hand side between two samples, while thrusters exert one torque (3,)."""
 
     def derivative(t: float, state: np.ndarray) -> np.ndarray:
         q, omega = state[_Q], state[_OMEGA]
         torque, stored = ramp.at(t)
-        outer = environment.total(t, q)
+        outer = environment.total(t, q) + burning
         both = torque + outer
         turning = (both - cross(omega, inertia * omega + stored)) / inertia
         return np.concatenate([_turn(q, omega), turning, matrix(q) @ outer, [omega @ both]])
@@ -192,15 +233,11 @@ def _causes(
     each = environment.each(np.array([ramp.begin]), q[None])
     stored = float(np.linalg.norm(flight.wheels.momentum))
     found = {
-        "control (lower gains or limits)": max(map(_size, (ramp.now.torque, ramp.then))),
-        "wheels.momentum": stored * _size(turning),
-        **{name.replace("_", " "): _size(torque) for name, torque in each.items()},
+        "control (lower gains or limits)": max(map(size, (ramp.now.torque, ramp.then))),
+        "wheels.momentum": stored * size(turning),
+        **{name.replace("_", " "): size(torque) for name, torque in each.items()},
     }
     return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}
-
-
-def _size(torque: np.ndarray) -> float:
-    return float(np.linalg.norm(torque))
 
 
 def _too_fast(causes: dict[str, float], begin: float) -> InputError:

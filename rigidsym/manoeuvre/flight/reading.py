@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.inputs import ExactNumber, Vector3
+from rigidsym.io import messages
 from rigidsym.io import toml as toml_file
 from rigidsym.manoeuvre.flight.settings import (
     Controller,
@@ -15,6 +16,7 @@ from rigidsym.manoeuvre.flight.settings import (
     Flight,
     Orbit,
     Spacecraft,
+    Thrusters,
     Timing,
     Wheels,
 )
@@ -43,10 +45,14 @@ Reader = Callable[[str, Any], Setting]
 def read(tables: toml_file.TomlTable) -> Flight:
     """A flight from the tables [orbit], [wheels], ... as TOML gives them; missing: the paper's.
 
+    With [thrusters] and no [controller] nothing but their burns steers.
+
     Raises InputError about the first key that is not known or value that cannot be.
     """
     made = {name: _table(name, tables[name]) for name in _READERS if name in tables}
-    flight = Flight(**made)
+    if "thrusters" in made:
+        made.setdefault("controller", Controller(natural_frequency=0.0))
+    flight = Flight(**made, message=messages.read(tables.get("message", {}), messages.MISSION))
     _check_sunlight(flight.spacecraft)
     _check_wheels(flight.wheels)
     _check_samples(flight.run)
@@ -187,7 +193,12 @@ _READERS: dict[str, tuple[type, Mapping[str, Reader[object]]]] = {
                 open_below=True,
             ),
             "momentum": _triple(MOST_MOMENTUM, "N m s"),
+            "rotor_inertia": _ABOVE,
         },
+    ),
+    "thrusters": (
+        Thrusters,
+        {"torque": _ABOVE, "min_impulse": _NOT_NEGATIVE, "centred": _switch},
     ),
     "controller": (
         Controller,
@@ -195,6 +206,7 @@ _READERS: dict[str, tuple[type, Mapping[str, Reader[object]]]] = {
             "natural_frequency": _NOT_NEGATIVE,
             "damping_ratio": _NOT_NEGATIVE,
             "feedforward": _switch,
+            "track_feedforward": _switch,
         },
     ),
     "spacecraft": (

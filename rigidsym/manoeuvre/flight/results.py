@@ -14,13 +14,16 @@ import numpy as np
 
 from rigidsym.io import Track, aem
 from rigidsym.io.files import remove, write_bytes
+from rigidsym.io.messages import UNNAMED
+from rigidsym.manoeuvre.flight import saturation
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
-from rigidsym.manoeuvre.flight.summary import Effort, Holding, Tracking, checks, rows
+from rigidsym.manoeuvre.flight.summary import Arrival, Effort, Holding, Tracking, checks, rows
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre, ManoeuvreTables
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.view.plots import flights as pictures
 from rigidsym.view.plots import histories as drawing
+from rigidsym.view.text import columns
 
 SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972
@@ -41,6 +44,8 @@ Setting = (
 Plain = dict[str, "Plain"] | list["Plain"] | float | str | None
 _PICTURES = {
     "attitude": pictures.attitude,
+    "error": pictures.error,
+    "rates": pictures.rates,
     "torques": pictures.torques,
     "disturbances": pictures.disturbances,
 }
@@ -55,6 +60,14 @@ class TransferData(TypedDict):
     regime: str
 
 
+class BurnsData(TypedDict):
+    """What thrusters burn, by burst and axis: when (s) and how much (N m s); and where it leads."""
+
+    spans: list[list[list[float]]]
+    impulses: list[list[float]]
+    last: Arrival | None
+
+
 class Summary(Effort):
     """The schema rigidsym.track/1."""
 
@@ -62,6 +75,8 @@ class Summary(Effort):
     transfer: TransferData
     tracking_error: Tracking
     target: Holding
+    thrusters: "BurnsData | None"
+    saturation: saturation.Saturation
     disturbance_peak: dict[str, float]
     checks: dict[str, float]
     manoeuvre: ManoeuvreTables
@@ -104,6 +119,8 @@ class Tracked:
             },
             "tracking_error": run.tracking(),
             "target": run.holding(radians(self.flight.run.settled)),
+            "thrusters": self._burns(),
+            "saturation": saturation.saturation(run, self.flight.wheels),
             **run.effort(),
             "disturbance_peak": run.disturbance_peak(),
             "checks": {
@@ -114,14 +131,27 @@ class Tracked:
             "flight": _plain(asdict(self.flight)),
         }
 
+    def _burns(self) -> BurnsData | None:
+        burns = self.run.burns
+        if burns is None:
+            return None
+        spans, impulses = burns.spans.tolist(), burns.impulses.tolist()
+        return {"spans": spans, "impulses": impulses, "last": self.run.last_burn()}
+
     def to_json(self) -> str:
         """The summary, as the schema rigidsym.track/1."""
         return json.dumps(self.summary(), indent=1) + "\n"
 
     @property
     def missed(self) -> bool:
-        """Whether there was time to settle at the target, and it did not."""
-        target = self.run.holding(radians(self.flight.run.settled))
+        """Whether there was time to settle at the target, and it did not.
+
+        Of thrusters alone, which nobody corrects: whether their last burn leads beside it.
+        """
+        settled, last = radians(self.flight.run.settled), self.run.last_burn()
+        if last is not None and not self.flight.controller.natural_frequency:
+            return last["error"] > settled
+        target = self.run.holding(settled)
         return target["final_error"] is not None and target["settled_at"] is None
 
     def rows(self) -> list[tuple[str, str]]:
@@ -130,8 +160,12 @@ class Tracked:
 
     def _told(self) -> list[tuple[str, str]]:
         told = rows(self.run, self.flight.run.settled)
+        told += saturation.rows(self.run, self.flight.wheels, self.missed)
         nothing = ("start equals target", "nothing to do: the target is held")
         return [nothing, *told] if self.manoeuvre.trivial else told
+
+    def __repr__(self) -> str:
+        return columns("Flight: missed" if self.missed else "Flight", ("", ""), self.rows())
 
     def _repr_html_(self) -> str:
         from rigidsym.view.html.flights import tracked_html
@@ -169,14 +203,9 @@ class Tracked:
         """
         run, epoch = self.run, self.flight.orbit.epoch.replace(tzinfo=None).isoformat()
         track = Track(run.t, run.q, run.omega)
-        return aem(
-            track,
-            epoch,
-            object_name="UNKNOWN",
-            object_id="UNKNOWN",
-            originator="RIGIDSYM",
-            ref_frame_a=_FRAME,
-        )
+        # Any, because `aem` has an argument by name of another type.
+        names: dict[str, Any] = {**UNNAMED, **self.flight.message}
+        return aem(track, epoch, ref_frame_a=_FRAME, **names)
 
     def contents(self) -> dict[str, bytes]:
         """By file name: run.npz, from 1972 on attitude.aem, pictures, summary.json.
@@ -186,8 +215,10 @@ class Tracked:
         found = {"run.npz": self.to_npz()}
         if self.flight.orbit.epoch.year >= _UTC_BEGINS:
             found[_MESSAGE] = self.to_aem().encode()
-        for name, draw in _PICTURES.items():
-            for suffix, data in drawing.rendered(draw(self.run)).items():
+        drawn = {name: draw(self.run) for name, draw in _PICTURES.items()}
+        drawn["wheels"] = pictures.wheels(self.run, self.flight.wheels.rotor_inertia)
+        for name, figure in drawn.items():
+            for suffix, data in drawing.rendered(figure).items():
                 found[f"{name}.{suffix}"] = data
         return found | {"summary.json": self.to_json().encode()}
 

@@ -4,10 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rigidsym.manoeuvre.flight.burns import Burns
 from rigidsym.manoeuvre.flight.control import Reference
-from rigidsym.manoeuvre.flight.rotation import angle, matrix
-from rigidsym.manoeuvre.flight.summary import Effort, Holding, Tracking, rows
+from rigidsym.manoeuvre.flight.rotation import angle, matrix, relative, size
+from rigidsym.manoeuvre.flight.summary import Arrival, Effort, Holding, Tracking, rows
 from rigidsym.view.html.flights import run_html
+from rigidsym.view.text import columns
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,9 +37,11 @@ class Run:
     disturbances: dict[str, np.ndarray]
     "Torques by name, (N, 3) each; what is switched off is missing."
     impulse: np.ndarray
-    "Of all disturbances from t = 0, in inertial axes, as integrated with the motion (N, 3)."
+    "Of disturbances and thrusters from the first sample on, inertial axes, as integrated (N, 3)."
     work: np.ndarray
-    "Of all torques on the body from t = 0 (N,)."
+    "Of all torques on the body from the first sample on (N,)."
+    burns: Burns | None = None
+    "Of the thrusters; None where there are none."
 
     @property
     def error(self) -> np.ndarray:
@@ -45,7 +49,7 @@ class Run:
         return angle(self.reference.q, self.q)
 
     def momentum_defect(self) -> float:
-        """Largest change of body's and wheels' momentum that the disturbances do not explain.
+        """Largest change of body's and wheels' momentum that nothing from outside explains.
 
         In inertial axes, N m s: zero but for rounding and integration.
         """
@@ -81,12 +85,25 @@ class Run:
             "settled_at": float(t[since]) if since < len(t) else None,
         }
 
+    def last_burn(self) -> Arrival | None:
+        """How far the first sample after all burns of thrusters is from what is wanted there.
+
+        None without thrusters, or where the flight ends before.
+        """
+        if self.burns is None or self.t[-1] < self.burns.end:
+            return None
+        k = int(np.searchsorted(self.t, self.burns.end))
+        slip = self.omega[k] - self.reference.omega[k] @ matrix(
+            relative(self.reference.q[k], self.q[k])
+        )
+        return {"t": float(self.t[k]), "error": float(self.error[k]), "rate": size(slip)}
+
     def effort(self) -> Effort:
         """By axis: peak of |torque| (N m), its integral (N m s), peak of the wheels' momentum."""
-        size = np.abs(self.torque)
+        taken = np.abs(self.torque)
         return {
-            "torque_peak": np.max(size, axis=0).tolist(),
-            "torque_integral": np.trapezoid(size, self.t, axis=0).tolist(),
+            "torque_peak": np.max(taken, axis=0).tolist(),
+            "torque_integral": np.trapezoid(taken, self.t, axis=0).tolist(),
             "wheel_momentum_peak": np.max(np.abs(self.wheel_momentum), axis=0).tolist(),
         }
 
@@ -96,6 +113,10 @@ class Run:
             name: float(np.max(np.linalg.norm(torque, axis=1)))
             for name, torque in self.disturbances.items()
         }
+
+    def __repr__(self) -> str:
+        title = f"Flight: {self.t[-1]:g} s, {len(self.t)} samples"
+        return columns(title, ("", ""), rows(self))
 
     def _repr_html_(self) -> str:
         return run_html(self, rows(self))

@@ -4,6 +4,7 @@
 marked so is a choice made here, with its reason.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from fractions import Fraction
@@ -39,6 +40,20 @@ class Wheels:
     "N m s that a wheel can store; None: no limit (the paper gives none)."
     momentum: Triple = (0.0, 0.0, 0.0)
     "Stored at t = 0, N m s (chosen)."
+    rotor_inertia: float = 2e-6
+    "Of a wheel about its own axis, kg m^2, for its speed (chosen: 1e-3 N m s at 4800 rpm)."
+
+
+@dataclass(frozen=True, slots=True)
+class Thrusters:
+    """Pairs along the principal axes that push against the outside, on or off."""
+
+    torque: float = 1e-3
+    "Of a pair while it burns, N m (chosen: as much as the wheels')."
+    min_impulse: float = 1e-6
+    "Minimum impulse bit of a pair, N m s (chosen: 1 ms of it)."
+    centred: bool = True
+    "Whether burns are centred on the instants of the bursts; else they begin there."
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +70,8 @@ class Controller:
     "Critical: the fastest return without oscillation (chosen)."
     feedforward: bool = False
     "Whether to cancel the wheels' gyroscopic torque as well (the paper has PD alone)."
+    track_feedforward: bool = False
+    "Whether to exert the torque of the track, bursts included, ahead of errors (the paper: no)."
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,3 +126,7 @@ class Flight:
     spacecraft: Spacecraft = field(default_factory=Spacecraft)
     disturbances: Disturbances = field(default_factory=Disturbances)
     run: Timing = field(default_factory=Timing)
+    thrusters: Thrusters | None = None
+    "None: wheels alone, as in the paper.  With them bursts are theirs."
+    message: Mapping[str, str] = field(default_factory=dict)
+    "What a message of the flight says of itself: see `rigidsym.io.messages`."

@@ -25,6 +25,14 @@ class Holding(TypedDict):
     settled_at: float | None
 
 
+class Arrival(TypedDict):
+    """When all burns are over (s), the angle from what is wanted (rad), and the rate (rad/s)."""
+
+    t: float
+    error: float
+    rate: float
+
+
 class Effort(TypedDict):
     """By axis: peak of |torque| (N m), its integral (N m s), peak of the wheels' momentum."""
 
@@ -57,6 +65,10 @@ class Measured(Protocol):
         """The greatest size of each disturbing torque, N m."""
         ...
 
+    def last_burn(self) -> Arrival | None:
+        """How far from what is wanted the last burn of thrusters leads; None where none does."""
+        ...
+
     def momentum_defect(self) -> float:
         """What the disturbances leave unexplained, N m s."""
         ...
@@ -73,6 +85,7 @@ def rows(run: Measured, settled: float = _SETTLED) -> list[tuple[str, str]]:
         ("natural motion", f"{run.arrival:g} s"),
         ("tracking error, greatest and rms", f"{_deg(error['max'])}, {_deg(error['rms'])}"),
         ("error at arrival", _deg(error["last"])),
+        *_burnt(run.last_burn()),
         ("settled at the target", _settled(target, settled)),
         ("error at the end", _deg(target["final_error"])),
         ("torque peaks", _three(effort["torque_peak"], "N m")),
@@ -91,6 +104,13 @@ def checks(run: Measured) -> list[tuple[str, str]]:
         ("momentum unexplained", f"{run.momentum_defect():.1e} N m s"),
         ("energy unexplained", f"{run.energy_defect():.1e} J"),
     ]
+
+
+def _burnt(last: Arrival | None) -> list[tuple[str, str]]:
+    if last is None:
+        return []
+    off = f"{_deg(last['error'])} off, {degrees(last['rate']):.4f} deg/s left"
+    return [("when thrusters end", f"{last['t']:g} s: {off}")]
 
 
 def _deg(angle: float | None) -> str:

@@ -1,7 +1,7 @@
 """What derivations are written with: su(2), quaternions, and the differential rings of the
 rigid body, trigonometric and Jacobi functions.  Every claim ends in the kernel."""
 
-from rigidsym.proof.algebra.book import Book, equal, names, text
+from rigidsym.proof.algebra.book import Book, equal, text
 from rigidsym.proof.algebra.parts import (
     Part,
     circle,
@@ -24,7 +24,6 @@ __all__ = [
     "half_angle",
     "jacobi",
     "join",
-    "names",
     "part_of",
     "sign",
     "text",

@@ -9,8 +9,8 @@ from typing import Any, TypeAlias, TypeVar
 
 from sympy import Expr
 
-from rigidsym.proof.algebra.enclosures import encloses
-from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.algebra.normal_form import divide, nested
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
@@ -112,17 +112,44 @@ class Book:
         for value in ("2", "1/2", "-1", "3"):
             yield from ({name: value} for name in witness)
 
+    def theta(
+        self,
+        fact_id: str,
+        equations: Equations,
+        identity: str,
+        forms: Mapping[str, str],
+        source: Iterable[str] = (),
+    ) -> Fact:
+        """Prove equations by an identity of theta functions, with forms in place of its names."""
+        fact = _fact(fact_id, "equal", equations, "theta", source)
+        certificate = {"identity": identity, "forms": dict(forms)}
+        return self.ledger.add(replace(fact, certificate=certificate))
+
+    def start(self, fact_id: str, equations: Equations, source: Iterable[str] = ()) -> Fact:
+        """Prove equations that hold where the context starts, and so always."""
+        return self.ledger.add(_fact(fact_id, "equal", equations, "start", source))
+
     def model(self, context: str, source: str, premises: Iterable[str] = ()) -> Fact:
         """Show that one context is, by the premises, a model of another."""
         name = f"{context}.models_{source}"
         return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
 
     def assume(
-        self, fact_id: str, equations: Equations, reference: str, points: Iterable[Point]
+        self,
+        fact_id: str,
+        equations: Equations,
+        reference: str,
+        points: Iterable[Point],
+        whole: Iterable[str] = (),
     ) -> Fact:
-        """State somebody else's result, graded ENCLOSED where balls agree with it at the points."""
+        """State somebody else's result, graded ENCLOSED where balls agree with it at the points.
+
+        They also look at points drawn by a hash, where names are `whole` numbers, or any.
+        """
         fact = _fact(fact_id, "equal", equations, "assumption", [reference])
-        certificate = {"reference": reference, "points": list(points)}
+        certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
+        if names := list(whole):
+            certificate["whole"] = names
         grade = Grade.ENCLOSED if certificate["points"] else Grade.ASSUMED
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 
@@ -180,7 +207,7 @@ class Book:
         divided = [divide(ring, difference) for difference in differences(ring, fact)]
         if any(remainder for _, remainder in divided):
             raise KernelError(f"fact {fact.id}: undecided: the normal form of lhs - rhs is not 0")
-        cofactors = [[str(quotient) for quotient in quotients] for quotients, _ in divided]
+        cofactors = [[*map(nested, quotients)] for quotients, _ in divided]
         return self.ledger.add(replace(fact, certificate={"cofactors": cofactors}))
 
     def _conclude(self, fact: Fact, *premises: str) -> Fact:
@@ -219,16 +246,10 @@ def text(side: Side) -> str:
     """What the kernel reads back as this: a text or a number itself, an expression, an element."""
     if not isinstance(side, Element):
         return str(side)
-    factors = zip(side.ring.units, side.powers, strict=True)
-    below = "*".join(f"({unit})**{power}" for unit, power in factors if power)
+    below = "*".join(f"({unit})**{power}" for unit, power in side.below.items())
     return f"({side.numerator})/({below})" if below and side.numerator else str(side.numerator)
 
 
 def equal(lhs: Iterable[Side], rhs: Iterable[Side]) -> list[tuple[Side, Side]]:
     """Componentwise equations between two vectors or matrices, without those that say nothing."""
     return [(x, y) for x, y in zip(lhs, rhs, strict=True) if text(x) != text(y)]
-
-
-def names(ring: Ring, text: str) -> list[Element]:
-    """Several quantities of a ring at once: `c1, K = names(ring, "c1 K")`."""
-    return [ring.read(name) for name in text.split()]

@@ -12,12 +12,13 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import partial
 from itertools import chain, islice, zip_longest
 
-from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import Context, Element, Fact, KernelError, Ledger, Ring
+from rigidsym.proof.kernel.language import Tree
 from rigidsym.proof.kernel.ring import Number, at
 
 EACH = 16
@@ -77,23 +78,17 @@ def decide(
     Where the sides differ at a point of the context, that refutes them at once.
     """
     try:
-        difference = (_value(ring, lhs) ** power - _value(ring, rhs)).numerator
+        difference = (ring.read(lhs) ** power - ring.read(rhs)).numerator
     except KernelError:
         return "refused"
     differ = point is not None and at(difference, point)
     return "refuted" if differ or divide(ring, difference)[1] else "equivalent"
 
 
-@lru_cache(maxsize=4)
-def _value(ring: Ring, text: str) -> Element:
-    """What a text means: of mutants in a row, one side is the same."""
-    return ring.read(text)
-
-
 def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
     """(lhs, rhs) of one component each, one place changed; kinds of change take turns."""
     kinds: dict[str, list[Callable[[], tuple[str, str]]]] = {}
-    known = ring.names
+    known = ring.values
     sides = list(dict.fromkeys(zip(fact.lhs, fact.rhs, strict=True)))
     for lhs, rhs in sides:
         for kind, edit in _changes(rhs, known):
@@ -109,7 +104,7 @@ def mutants(fact: Fact, ring: Ring) -> Iterator[tuple[str, str]]:
             yield mutant
 
 
-def _changes(text: str, known: Mapping[str, Element]) -> Iterator[tuple[str, Edit]]:
+def _changes(text: str, known: Mapping[Tree, Element]) -> Iterator[tuple[str, Edit]]:
     yield from edits(text, lambda node: variants(node, known))
     yield "factor", lambda: f"2*({text})"
     yield "offset", lambda: f"({text}) + 1"
@@ -123,7 +118,7 @@ def edits(text: str, variants: Variants) -> Iterator[tuple[str, Edit]]:
             yield kind, partial(_replaced, text, place, changed)
 
 
-def variants(node: ast.AST, known: Mapping[str, Element]) -> Iterator[tuple[str, ast.expr]]:
+def variants(node: ast.AST, known: Mapping[Tree, Element]) -> Iterator[tuple[str, ast.expr]]:
     """Slips of the pen at one node: sign, power, factor, term, index, function, derivative."""
     match node:
         case ast.BinOp(left=left, op=ast.Add(), right=right):
@@ -155,7 +150,7 @@ def _less(exponent: int) -> ast.Constant:
     return ast.Constant(exponent - 1)
 
 
-def _others(name: str, known: Mapping[str, Element]) -> Iterator[str]:
+def _others(name: str, known: Mapping[Tree, Element]) -> Iterator[str]:
     """The same quantity of the next axis, and the function that is easily taken for this one."""
     axis = re.fullmatch(r"(.*?)([123]|(?<=_)[abd])(_rate|_squared)?", name)
     candidates = [_PARTNERS.get(name, "")]

@@ -1,12 +1,23 @@
 """Normal forms, and the cofactors that prove them: found here, multiplied out by the kernel."""
 
+from collections.abc import Sequence
 from functools import lru_cache
+from itertools import groupby
 from operator import mul
+from typing import TypeAlias
 
 from sympy.polys.rings import PolyElement
 
 from rigidsym.proof.kernel import Ring
-from rigidsym.proof.kernel.ring import Divided
+
+Divided: TypeAlias = tuple[list[PolyElement], PolyElement]
+
+
+def quotients(polynomial: PolyElement, divisors: Sequence[PolyElement]) -> Divided:
+    """Cofactors of the divisors, and the remainder of plain division by them in turn."""
+    if not divisors or not polynomial:
+        return [polynomial.ring.zero] * len(divisors), polynomial
+    return polynomial.div(list(divisors))
 
 
 def divide(ring: Ring, polynomial: PolyElement) -> Divided:
@@ -16,12 +27,32 @@ def divide(ring: Ring, polynomial: PolyElement) -> Divided:
     that another can reduce may hide that the remainder is zero.  That makes no Groebner basis, so
     a remainder is no proof of anything.
     """
-    quotients, remainder = ring.reduce(polynomial)
+    cofactors, remainder = quotients(polynomial, ring.relations)
     basis, origins = _reduced(ring)
     if not remainder or basis == ring.relations:
-        return quotients, remainder
+        return cofactors, remainder
     parts, remainder = polynomial.div(list(basis))
-    return _combined(parts, origins, quotients), remainder
+    return _combined(parts, origins, cofactors), remainder
+
+
+def nested(polynomial: PolyElement) -> str:
+    """A polynomial by powers of one generator after the other: half as long as all its terms.
+
+    >>> from sympy import QQ, ring
+    >>> _, x, y = ring("x, y", QQ)
+    >>> nested(x**2*y + x**2/2 - 3*x*y**2 - 3*x*y + y)
+    'x**2*(y + 1/2) + x*y*(-3*y - 3) + y'
+    """
+    if len(polynomial) < 2:
+        return str(polynomial)
+    ring, monomials = polynomial.ring, polynomial.monoms()
+    common = tuple(map(min, *monomials))
+    if any(common):
+        factor = ring.from_dict({common: ring.domain.one})
+        return f"{factor}*({nested(polynomial.exquo(factor))})"
+    first = next(k for k, powers in enumerate(zip(*monomials, strict=True)) if any(powers))
+    parts = groupby(polynomial.terms(), key=lambda term: term[0][first])
+    return " + ".join(nested(ring.from_dict(dict(part))) for _, part in parts).replace("+ -", "- ")
 
 
 @lru_cache(maxsize=128)
@@ -30,7 +61,7 @@ def _reduced(ring: Ring) -> tuple[tuple[PolyElement, ...], list[list[PolyElement
     basis: list[PolyElement] = []
     origins: list[list[PolyElement]] = []
     for k, relation in enumerate(ring.relations):
-        parts, reduced = relation.div(basis) if basis else ([], relation)
+        parts, reduced = quotients(relation, basis)
         itself = [ring.poly(int(j == k)) for j in range(len(ring.relations))]
         known = _combined(parts, origins, itself)
         if reduced:

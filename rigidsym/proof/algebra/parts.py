@@ -20,6 +20,8 @@ class Part:
     relations: tuple[str, ...] = ()
     rates: Mapping[str, str] = field(default_factory=dict)
     nonnegative: tuple[str, ...] = ()
+    start: tuple[str, ...] = ()
+    thetas: Mapping[str, str] = field(default_factory=dict)
     reading: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -38,6 +40,8 @@ def part_of(context: Context, *names: str) -> Part:
         relations=context.relations if whole else (),
         rates=among(context.rates),
         nonnegative=context.nonnegative if whole else (),
+        start=context.start if whole else (),
+        thetas=among(context.thetas),
         reading=among(context.reading),
     )
 
@@ -46,7 +50,7 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
     """One context from parts; `static` leaves out the time derivative."""
     merged: dict[str, dict[str, str]] = {
         key: {name: text for part in parts for name, text in getattr(part, key).items()}
-        for key in ("witness", "definitions", "rates", "reading")
+        for key in ("witness", "definitions", "rates", "thetas", "reading")
     }
     rates = None if static else merged["rates"]
     return Context(
@@ -58,6 +62,8 @@ def join(name: str, *parts: Part, static: bool = False) -> Context:
         relations=_once(relation for part in parts for relation in part.relations),
         rates=rates,
         nonnegative=_once(sign for part in parts for sign in part.nonnegative),
+        start=_once(text for part in parts for text in part.start),
+        thetas=merged["thetas"],
         reading=merged["reading"],
     )
 

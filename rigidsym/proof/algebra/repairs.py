@@ -51,7 +51,7 @@ def _edited(printed: str, context: Context, ring: Ring) -> Iterator[str]:
     factors += [ast.Constant(2)]
 
     def wider(node: ast.AST) -> Iterator[tuple[str, ast.expr]]:
-        yield from variants(node, ring.names)
+        yield from variants(node, ring.values)
         if isinstance(node, ast.Name | ast.BinOp | ast.Constant):
             yield "sign", ast.UnaryOp(ast.USub(), node)
             for factor in factors:

@@ -4,7 +4,7 @@ import json
 from dataclasses import dataclass, fields
 from typing import Any, TypeVar
 
-SCHEMA = "rigidsym.ledger/3"
+SCHEMA = "rigidsym.ledger/4"
 KEYS = ["schema", "contexts", "facts", "published"]
 
 
@@ -24,6 +24,8 @@ class Hypotheses:
     relations: list[str]
     rates: dict[str, str] | None
     nonnegative: list[str]
+    start: list[str]
+    thetas: dict[str, str]
     reading: dict[str, str]
 
 

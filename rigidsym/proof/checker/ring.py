@@ -118,13 +118,8 @@ class Ring(Language[Quotient]):
         What is left depends on whose turn it is, so they take turns both ways.
         """
         divisors = [*filter(None, self.relations), *filter(None, given)]
-        for turns in (divisors[::-1], divisors):
-            previous = None
-            while polynomial != previous:
-                previous = polynomial
-                for divisor in turns:
-                    polynomial = polynomial % divisor
-        return polynomial
+        rest = _divided(polynomial, divisors)
+        return rest and _divided(_divided(polynomial, divisors[::-1]), divisors)
 
     def rate(self, quotient: Quotient) -> Quotient:
         """D(a/b): the sum over the generators x of (a_x b - a b_x)/b**2 D(x)."""
@@ -137,3 +132,12 @@ class Ring(Language[Quotient]):
                     raise Refused(f"D({name}) is not known")
                 total += Quotient(slope, below**2) * rate
         return total
+
+
+def _divided(polynomial: fmpq_mpoly, divisors: Sequence[fmpq_mpoly]) -> fmpq_mpoly:
+    previous = None
+    while polynomial != previous:
+        previous = polynomial
+        for divisor in divisors:
+            polynomial = polynomial % divisor
+    return polynomial

@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 
 from flint import fmpq_mpoly
 
+from rigidsym.proof.checker.elsewhere import look_elsewhere
 from rigidsym.proof.checker.enclosures import enclose
 from rigidsym.proof.checker.language import is_name
 from rigidsym.proof.checker.records import Claim, Hypotheses, Refused, fits
@@ -49,7 +50,10 @@ def counterexample(so_far: Accepted, fact: Claim) -> str:
     values: Any = fact.certificate.get("point")
     if not fits(values, dict[str, str]):
         raise Refused("the certificate holds no point")
-    at = so_far.theories[fact.context].point(values)
+    theory = so_far.theories[fact.context]
+    if theory.given.thetas or theory.given.start:
+        raise Refused("not every point is one of the functions that are declared")
+    at = theory.point(values)
     if not any(gap.above(*at) for gap in _gaps(so_far, fact)):
         raise Refused("both sides agree at the point")
     return "PROVED"
@@ -60,6 +64,12 @@ def model(so_far: Accepted, fact: Claim) -> str:
     if fact.lhs or len(fact.rhs) != 1 or fact.rhs[0] not in so_far.theories:
         raise Refused("a model is of exactly one context")
     here, there = so_far.theories[fact.context], so_far.theories[fact.rhs[0]].given
+    declared = so_far.theories[fact.context].given
+    if (
+        not {*there.start} <= {*declared.start}
+        or not there.thetas.items() <= declared.thetas.items()
+    ):
+        raise Refused("a start, or what is declared a theta function, does not carry over")
     given = [gap.above for equation in _equations(so_far, fact) for gap in _gaps(so_far, equation)]
     if any(here.ring.remainder(zero.above, given) for zero in _zeros(here.ring, there)):
         raise Refused("a relation, definition or rate does not carry over")
@@ -101,6 +111,35 @@ def partition(so_far: Accepted, fact: Claim) -> str:
     return "PROVED"
 
 
+def theta(so_far: Accepted, fact: Claim) -> str:
+    """Each lhs - rhs is, up to sign, a part of an identity of theta functions at certain forms."""
+    theory = so_far.theories[fact.context]
+    identity: Any = fact.certificate.get("identity")
+    forms: Any = fact.certificate.get("forms")
+    if not isinstance(identity, str) or not fits(forms, dict[str, str]):
+        raise Refused("the certificate holds no identity, or no forms")
+    values = theory.thetas.values(identity, forms)
+    for gap in _gaps(so_far, fact):
+        if all(theory.ring.remainder(gap.above + x) for value in values for x in (value, -value)):
+            raise Refused("the identity is not that lhs is rhs")
+    return "PROVED"
+
+
+def start(so_far: Accepted, fact: Claim) -> str:
+    """lhs = rhs holds at the start, and where all these hold they go on to: so they do always.
+
+    The gaps f satisfy f' = A f, whose only solution that is 0 once is 0.
+    """
+    theory, gaps = so_far.theories[fact.context], _gaps(so_far, fact)
+    above = [gap.above for gap in gaps]
+    if not theory.start or any(theory.ring.remainder(gap, theory.start) for gap in above):
+        raise Refused("lhs is not rhs at the start")
+    slopes = [theory.ring.rate(theory.ring.over_one(gap)).above for gap in above]
+    if any(theory.ring.remainder(slope, above) for slope in slopes):
+        raise Refused("lhs = rhs is not closed under d/dt")
+    return "PROVED"
+
+
 def assumption(so_far: Accepted, fact: Claim) -> str:
     """Somebody else's result: it can be read here, says where it is from, and may be enclosed."""
     reference, points = fact.certificate.get("reference"), fact.certificate.get("points", [])
@@ -108,9 +147,14 @@ def assumption(so_far: Accepted, fact: Claim) -> str:
         raise Refused("an assumption needs a reference")
     if not isinstance(points, list) or not all(fits(point, dict[str, str]) for point in points):
         raise Refused("points are a list of names with numbers")
+    whole = fact.certificate.get("whole", [])
+    if not fits(whole, list[str]):
+        raise Refused("whole is no list of names")
     _gaps(so_far, fact)
     for point in points:
         enclose(so_far.theories[fact.context].given, fact, point)
+    if points:
+        look_elsewhere(so_far.theories[fact.context].given, fact, [*points[0]], whole)
     return "ENCLOSED" if points else "ASSUMED"
 
 
@@ -121,6 +165,8 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Accepted, Claim], str
     "model": ({"model"}, range(1000), model),
     "transfer": ({"equal", "root", "nonnegative"}, {2}, transfer),
     "partition": ({"partition"}, range(4), partition),
+    "theta": ({"equal"}, {0}, theta),
+    "start": ({"equal"}, {0}, start),
     "assumption": ({"equal"}, {0}, assumption),
 }
 

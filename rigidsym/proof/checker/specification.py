@@ -135,7 +135,8 @@ class Catalogue:
 
     def _theorem(self, name: str, block: Block) -> None:
         context = self.contexts.get(name)
-        if context is None or _hypotheses(context) != _assumptions(block):
+        declares = context is not None and (context.start or context.thetas)
+        if context is None or declares or _hypotheses(context) != _assumptions(block):
             raise Refused(f"theorem {name}: the ledger has not exactly its hypotheses")
         places = self._places(name)
         holds = {said for fact in self.best if fact.context in places for said in _sayings(fact)}

@@ -6,6 +6,7 @@ from rigidsym.proof.checker.language import Form, Forms, is_name
 from rigidsym.proof.checker.records import Hypotheses, Refused
 from rigidsym.proof.checker.ring import Ring
 from rigidsym.proof.checker.signs import Signs
+from rigidsym.proof.checker.theta import Functions
 
 
 class Theory:
@@ -23,8 +24,13 @@ class Theory:
         for name in given.definitions:  # now, lest one that nothing uses go unread
             ring.name(name)
         self.signs, self.seen = [*map(ring.read, given.nonnegative)], Signs(given)
+        self.start = [ring.read(text).above for text in given.start]
+        self.thetas = Functions(ring, given.thetas)
+        self.thetas.check(given.generators, given.rates)
         self._check_closed()
-        self.point(given.witness)
+        at = self.point(given.witness)
+        if self.start and (given.rates is None or any(zero(*at) for zero in self.start)):
+            raise Refused("it does not start at its witness, or has no time to start at")
 
     def point(self, values: dict[str, str]) -> list[fmpq]:
         """The rational point with these coordinates, seen to satisfy every hypothesis."""

@@ -90,9 +90,9 @@ class Chapter:
         """Whether a text changes in time."""
         return bool(self.moving & {*names_in(parse(text))})
 
-    def say(self, name: str) -> str:
-        """A name as readers see it."""
-        return f"{self.words[name]} X{' t' if name in self.moving else ''}"
+    def say(self, name: str, names: str = "X", module: str = "") -> str:
+        """A name as readers see it: of these names, seen from a file that calls ours so."""
+        return f"{module}{self.words[name]} {names}{' t' if name in self.moving else ''}"
 
     def real(self, tree: Tree) -> str:
         """A text as readers see it."""
@@ -151,26 +151,32 @@ class Chapter:
         return f"Definition {self.words[name]} (X : names){time} : R := {body}.{note}"
 
     def _holds(self) -> str:
-        fields = [f"  {key} : {claim}" for key, claim in self.hypotheses()]
+        fields = [
+            f"  {key} : {'forall t : R, ' if moves else ''}{claim}"
+            for key, moves, claim in self.hypotheses()
+        ]
         body = ";\n".join(fields) or "  nothing_supposed : True"
         record = f"Record holds (X : names) : Prop := suppose {{\n{body}\n}}."
         return f"(* What is supposed of them. *)\n{record}"
 
-    def hypotheses(self) -> Iterable[tuple[str, str]]:
-        """The fields of `holds` and what they say."""
+    def hypotheses(self, names: str = "X", module: str = "") -> Iterable[tuple[str, bool, str]]:
+        """The fields of `holds`, whether they are about every t, and what they say."""
         kinds = (
             ("unit", "units", "{} <> 0"),
             ("relation", "relations", "{} = 0"),
             ("sign", "nonnegative", "0 <= {}"),
         )
+
+        def say(name: str) -> str:
+            return self.say(name, names, module)
+
         for kind, part, form in kinds:
             for k, text in enumerate(getattr(self.context, part)):
-                every = "forall t : R, " if self.moves(text) else ""
-                yield f"{kind}_{k}", every + form.format(self.real(parse(text)))
+                yield f"{kind}_{k}", self.moves(text), form.format(real(parse(text), say))
         for name in self.rated():
-            rate = self.real(parse((self.context.rates or {})[name]))
+            rate = real(parse((self.context.rates or {})[name]), say)
             word = self.words[name]
-            yield f"rate_{word}", f"forall t : R, is_derive ({word} X) t ({rate})"
+            yield f"rate_{word}", True, f"is_derive ({module}{word} {names}) t ({rate})"
 
     def rated(self) -> list[str]:
         """Names that move, and whose derivative is known."""

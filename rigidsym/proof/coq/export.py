@@ -12,17 +12,32 @@ from rigidsym.proof.coq.theory import NotExportedError
 from rigidsym.proof.kernel import Ledger
 
 # Written by hand; each but the prelude is left out where the ledger has not all of its contexts.
-_FIXED = ("prelude.v", "theorems.v", "assumptions.v")
+_FIXED = (
+    "prelude.v",
+    "theorems/motion.v",
+    "theorems/steady.v",
+    "theorems/pull_back.v",
+    "theorems/symmetric.v",
+    "theorems/asymmetric.v",
+    "theorems/separatrix.v",
+    "theorems/published.v",
+    "assumptions/plain.v",
+    "assumptions/published.v",
+)
 _MAKEFILE = """\
 # make -j2: Coq decides every theorem.  It needs Coq 8.16 or later with Coquelicot 3.2 or later
 # (Debian: apt-get install coq libcoq-coquelicot).
 all: CoqMakefile
 \t$(MAKE) -f CoqMakefile
 
+# The theorems in plain words, and no context but those that they rest on.
+plain: CoqMakefile
+\t$(MAKE) -f CoqMakefile assumptions/plain.vo
+
 CoqMakefile: _CoqProject
 \tcoq_makefile -f _CoqProject -o CoqMakefile
 
-.PHONY: all
+.PHONY: all plain
 """
 
 
@@ -64,9 +79,9 @@ def _fixed(files: Mapping[str, str]) -> dict[str, str]:
 
 def _requires(text: str) -> Iterable[str]:
     """The files of ours that a file needs."""
-    form = r"^From Rigidsym(\.contexts)? Require (?:Import )?(.*)\.$"
+    form = r"^From Rigidsym(?:\.(\w+))? Require (?:Import )?(.*)\.$"
     for folder, names in re.findall(form, text, re.MULTILINE):
-        yield from (f"{'contexts/' if folder else ''}{name}.v" for name in names.split())
+        yield from (f"{folder}/{name}.v" if folder else f"{name}.v" for name in names.split())
 
 
 def _project(files: Iterable[str]) -> dict[str, str]:

@@ -65,6 +65,10 @@ def _component(kind: str, left: Tree, right: Tree) -> list[Claim]:
     return [*smooth, Claim("Equal", (left, right)), *signed]
 
 
+# What Coq takes as a hypothesis: others' results, and what it has no functions for yet.
+SUPPOSED = ("assumption", "theta", "start")
+
+
 def computed(term: str) -> str:
     """A proof whose last step Coq computes."""
     return f"Proof. refine ({term}); vm_cast_no_check (eq_refl true). Qed."
@@ -88,6 +92,8 @@ class Printer:
             "transfer": self._transfer,
             "partition": self._partition,
             "assumption": self._assumption,
+            "theta": self._assumption,
+            "start": self._assumption,
         }
         self.hypotheses[fact.id] = rules[fact.rule](self.chapters[fact.context], fact)
 
@@ -120,9 +126,9 @@ class Printer:
     def _assumption(self, chapter: Chapter, fact: Fact) -> tuple[str, ...]:
         said = [claim.real(chapter) for claims in claims_of(fact) for claim in claims]
         every = "forall t : R,\n  " if chapter.dynamic else ""
-        reference = str(fact.certificate["reference"]).replace("*)", "* )")
+        reference = fact.certificate.get("reference", f"the kernel's rule {fact.rule} has it")
         chapter.write(
-            f"(* Supposed, not proved: {reference} *)",
+            f"(* Supposed, not proved: {str(reference).replace('*)', '* )')} *)",
             f"Definition fact_{word(fact)} (X : names) : Prop :=\n  {every}{_all(said)}.",
         )
         return (f"{chapter.name}.fact_{word(fact)} X",)
@@ -145,16 +151,14 @@ class Printer:
         for name, alias in aliases.items():
             tree = renamed(other.theory.texts[name], aliases)
             theory.alias(alias, name, tree, "fun t => eq_refl")
-        rows, proofs = self._fields(chapter, other, theory, aliases)
         name = other.name
-        values = {g: self._value(chapter, other, g, held) for g in other.context.generators}
         here = f"as_{name} X{at}"
-        more = [
-            f"{name}.{other.words[x]} ({here}){' t' if x in other.moving else ''}" for x in aliases
-        ]
+        rows, proofs = self._fields(chapter, other, theory, aliases)
+        said = [claim for _, _, claim in other.hypotheses(f"({here})", f"{name}.")] or ["True"]
+        values = {g: self._value(chapter, other, g, held) for g in other.context.generators}
+        more = [other.say(x, f"({here})", f"{name}.") for x in aliases]
         binder, passed = _binder(hypotheses)
         who = f"(X : names) (H : holds X){binder}"
-        whole = f"fun t => atoms X t ++ more_{name} X t"
         suppose = f"{name}.suppose ({here}){''.join(proofs)}"
         chapter.write(
             f"(* This is a model of {name}. *)",
@@ -170,7 +174,8 @@ class Printer:
                 f"known X H (more_{name} X)",
             ),
             claims_list(f"claims_{name}", rows),
-            f"Lemma all_{name} {who} (t : R) : all_state ({whole}) t claims_{name}.",
+            f"Lemma all_{name} {who} (t : R) :",
+            f"  {_all(said)}.",
             computed(f"decided _ theory_{name} (known_{name} X H{passed}) claims_{name} t _"),
             f"Theorem models_{name} {who}{time} : {name}.holds ({here}).",
             f"Proof. exact ({suppose.replace('ALL', f'all_{name} X H{passed}')}). Qed.",
@@ -184,20 +189,27 @@ class Printer:
         """What premises say vanishes."""
         for premise in (self.facts[name] for name in fact.premises):
             claims = [claim for component in claims_of(premise) for claim in component]
-            if any(claim.form != "Equal" for claim in claims):
-                raise NotExportedError(f"premise {premise.id} is not a plain equation")
             proof = self._theorem(chapter, premise, hypotheses)
             for k, claim in enumerate(claims):
-                left, right = claim.sides
+                part = path(f"({proof})", k, len(claims))
+                match claim.form:
+                    case "Smooth":
+                        continue
+                    case "Equal":
+                        left, right = claim.sides
+                    case "Derives":
+                        left, right = ("D", "(", claim.sides[0]), claim.sides[1]
+                        part = f"(is_derive_unique _ _ _ {part})"
+                    case _:
+                        raise NotExportedError(f"premise {premise.id} is not a plain equation")
                 if theory.read((left, "-", right)).numerator:
-                    part = path(f"({proof})", k, len(claims))
                     theory.premise((left, "-", right), f"fun t => Rminus_diag_eq _ _ {part}")
 
     def _theorem(self, chapter: Chapter, premise: Fact, hypotheses: tuple[str, ...]) -> str:
         """A fact of this context as a proof at t, from X, H and hypotheses A0, A1, ..."""
         rest = self.hypotheses[premise.id]
         numbers = [hypotheses.index(text) for text in rest]
-        if premise.rule == "assumption":
+        if premise.rule in SUPPOSED:
             return f"A{numbers[0]}{chapter.t}"
         return f"fact_{word(premise)} X H{''.join(f' A{k}' for k in numbers)}{chapter.t}"
 
@@ -281,7 +293,7 @@ class Printer:
         binder, _ = _binder(hypotheses)
         mine = "".join(f" A{hypotheses.index(text)}" for text in model.hypotheses)
         theirs = "".join(f" A{hypotheses.index(text)}" for text in carried)
-        if there.rule == "assumption":
+        if there.rule in SUPPOSED:
             proof = f"{theirs.strip()}{other.t}"
         else:
             models = f"(models_{other.name} X H{mine}{held})"

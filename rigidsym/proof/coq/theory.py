@@ -3,11 +3,13 @@
 The kernel's own ring computes what is handed to Coq; there it is checked again.
 """
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from copy import copy
 
 from sympy.polys.rings import PolyElement
 
+from rigidsym.proof.algebra.normal_form import quotients
 from rigidsym.proof.coq.text import data, derivatives, divisors, listed, names_in, rational, terms
 from rigidsym.proof.kernel import Context, Element, Ring
 from rigidsym.proof.kernel.language import Tree, parse
@@ -51,7 +53,7 @@ class Theory:
         """A copy that can learn more, its steps counted from here."""
         more = copy(self)
         more.ring = copy(self.ring)
-        more.ring.names = dict(self.ring.names)
+        more.ring.values = dict(self.ring.values)
         more.texts, more.index = dict(self.texts), dict(self.index)
         more.steps, more.given = [], []
         more._inverted, more._slopes = set(self._inverted), set(self._slopes)
@@ -102,10 +104,10 @@ class Theory:
             self._step(
                 f"Rename {place} {text} (Var {self.index[own]}) {self.gap(tree, own)}", proof
             )
-            value = self.ring.name(own)
+            value = self.ring.read(own)
         else:
             self._step(f"Define {place} {text}", proof)
-        self.ring.names[name] = value
+        self.ring.values[name] = value
         self.texts[name] = tree
         self._defined.add(name)
 
@@ -123,7 +125,7 @@ class Theory:
                 self.ready(tree)
                 constant = "fun t => eq_refl"
                 self._step(f"Define {self.index[name]} {data(tree, self.index)}", constant)
-                self.ring.name(name)
+                self.ring.read(name)
 
     def ready(self, tree: Tree) -> None:
         """Make sure that Coq can read a text: names, inverses and derivatives in it."""
@@ -136,24 +138,23 @@ class Theory:
     def read(self, tree: Tree) -> Element:
         """What a text means, once Coq can read it."""
         self.ready(tree)
-        return self.ring._value(tree)
+        return self.ring.value(tree)
 
     def invert(self, tree: Tree) -> None:
         """Coq may divide by this: a number times a product of units, but for what vanishes."""
         if isinstance(tree, int) or tree in self._inverted:
             return
         value = self.read(tree)
-        powers, rest = self.ring._factors(value.numerator)
+        below, rest = self.ring._factors(value.numerator)
         cofactors: Sequence[PolyElement] = ()
         if not rest.is_ground:
-            cofactors, remainder = self.ring.reduce(value.numerator)
-            powers, rest = self.ring._factors(remainder)
+            cofactors, remainder = quotients(value.numerator, self.ring.relations)
+            below, rest = self.ring._factors(remainder)
         if not rest or not rest.is_ground:
             raise NotExportedError(f"1/({value.numerator!s:.60}): no product of units")
         self._inverted.add(tree)
-        number, exponents = f"(ratio {rational(rest.LC)})", f"{listed(powers)}%nat"
-        what = data(tree, self.index)
-        self._step(f"Invert {what} {number} {exponents} {self.rows(cofactors)}")
+        number, what = f"(ratio {rational(rest.LC)})", data(tree, self.index)
+        self._step(f"Invert {what} {number} {self.powers(below)} {self.rows(cofactors)}")
 
     def differentiate(self, tree: Tree) -> None:
         """Coq may use the derivative of this, in the form in which the kernel has it."""
@@ -165,13 +166,13 @@ class Theory:
             raise NotExportedError(f"D({tree}) is not known")
         for name in names_in(body):
             self.differentiate(name)
-        target = self.ring.rate(self.ring._value(tree))
+        target = self.ring.rate(self.ring.value(tree))
         gap = self._slope(body) - target
         cofactors, remainder = self.reduce(gap.numerator)
         if remainder:
             raise NotExportedError(f"the derivative of {tree!s:.60} has no certificate")
         self._slopes.add(tree)
-        form = f"{terms(target.numerator, self.index)} {listed(target.powers)}%nat"
+        form = f"{terms(target.numerator, self.index)} {self.powers(target.below)}"
         what = data(tree, self.index)
         self._step(f"Differentiate {what} {form} {self.rows(cofactors)}")
 
@@ -180,20 +181,20 @@ class Theory:
         ring = self.ring
         match tree:
             case int():
-                return ring.element(0)
+                return ring.value(0)
             case str():
-                return ring.rate(ring.name(tree))
+                return ring.rate(ring.value(tree))
             case ("D", "(", _):
                 raise NotExportedError("a second derivative")
             case ("-", argument):
-                return self._slope(argument) * -1
+                return -self._slope(argument)
             case (base, "**", int(exponent)):
-                value = ring._value(base)
-                lower = value ** (exponent - 1) if exponent > 1 else ring.element(1)
-                return self._slope(base) * exponent * lower
-        total, rate = ring._value(tree[0]), self._slope(tree[0])
+                value = ring.value(base)
+                lower = value ** (exponent - 1) if exponent > 1 else ring.value(1)
+                return self._slope(base) * ring.value(exponent) * lower
+        total, rate = ring.value(tree[0]), self._slope(tree[0])
         for operator, operand in zip(tree[1::2], tree[2::2], strict=True):
-            value, slope = ring._value(operand), self._slope(operand)
+            value, slope = ring.value(operand), self._slope(operand)
             match operator:
                 case "+":
                     total, rate = total + value, rate + slope
@@ -209,7 +210,7 @@ class Theory:
 
     def reduce(self, polynomial: PolyElement) -> tuple[list[PolyElement], PolyElement]:
         """Cofactors of the relations, then of premises, and what remains."""
-        cofactors, remainder = self.ring.reduce(polynomial, *self.extra)
+        cofactors, remainder = quotients(polynomial, self.extra + self.ring.relations)
         count = len(self.extra)
         return [*cofactors[count:], *cofactors[:count]], remainder
 
@@ -219,6 +220,11 @@ class Theory:
         while kept and not kept[-1]:
             kept.pop()
         return listed(terms(polynomial, self.index) for polynomial in kept)
+
+    def powers(self, below: Counter[PolyElement]) -> str:
+        """How often each unit is a factor of a denominator; one declared twice counts once."""
+        left = Counter(below)
+        return f"{listed(left.pop(unit, 0) for unit in self.ring.units)}%nat"
 
     def gap(self, left: Tree, right: Tree) -> str:
         """Cofactors that show two texts to be equal, found by division."""

@@ -2,7 +2,7 @@
 
 It imports `sympy.polys` and the standard library.  What a replayed ledger grades PROVED follows by
 polynomial arithmetic over Q from a context; whether that says what is meant, `reading` must tell.
-To be read in this order: `language`, `ring`, `statement`, `rules`, `ledger`.
+To be read in this order: `language`, `ring`, `theta`, `statement`, `rules`, `ledger`.
 """
 
 from rigidsym.proof.kernel.language import KernelError

@@ -13,6 +13,7 @@ Spaces may stand between these, nothing else may.  A text has at most 20,000 cha
 """
 
 import re
+from functools import cache
 from keyword import iskeyword
 from typing import Any, TypeAlias
 
@@ -31,9 +32,10 @@ class KernelError(ValueError):
 
 def is_name(text: str) -> bool:
     """Whether a text is a name."""
-    return re.fullmatch(_NAME, text) is not None and not iskeyword(text)
+    return text.isascii() and text.isidentifier() and not iskeyword(text)
 
 
+@cache
 def parse(text: str) -> Tree:
     """The tree of an expression, which is all of a text; KernelError for any other text."""
     if not isinstance(text, str) or len(text) > LONGEST:
@@ -80,12 +82,11 @@ def _quantity(tokens: list[str], room: int) -> Tree:
 
 
 def _natural(tokens: list[str]) -> int:
-    if not tokens[-1].isdigit():
-        raise KernelError(f"{tokens[-1]!r} stands where a quantity is due")
-    return int(tokens.pop())
+    if not (token := tokens.pop()).isdigit():
+        raise KernelError(f"{token!r} stands where a quantity is due")
+    return int(token)
 
 
 def _take(tokens: list[str], due: str) -> None:
-    if tokens[-1] != due:
-        raise KernelError(f"{tokens[-1]!r} stands where {due!r} is due")
-    tokens.pop()
+    if (token := tokens.pop()) != due:
+        raise KernelError(f"{token!r} stands where {due!r} is due")

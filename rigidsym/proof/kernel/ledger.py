@@ -4,16 +4,17 @@
 """
 
 import json
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
-from rigidsym.proof.kernel.language import KernelError, is_name, parse
+from rigidsym.proof.kernel.language import KernelError, is_name
 from rigidsym.proof.kernel.ring import Ring
-from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses, check_news, said
+from rigidsym.proof.kernel.rules import RULES, Admitted, Encloses, check_news
 from rigidsym.proof.kernel.statement import Context, Fact, Grade, weakest
 
-SCHEMA = "rigidsym.ledger/3"
-_LISTS = {"generators", "units", "relations", "nonnegative", "lhs", "rhs", "premises", "source"}
+SCHEMA = "rigidsym.ledger/4"
+_LISTS = {"generators", "units", "relations", "nonnegative", "start"}
+_LISTS |= {"lhs", "rhs", "premises", "source"}
 
 
 @dataclass(slots=True)
@@ -28,7 +29,6 @@ class Ledger(Admitted):
             raise KernelError(f"context {context.name} is already there")
         self.rings[context.name] = context.open()
         self.contexts[context.name] = context
-        self.said[context.name] = {(parse(a), parse(b)) for a, b in said(context).items()}
         return self.rings[context.name]
 
     def add(self, fact: Fact) -> Fact:
@@ -58,10 +58,9 @@ class Ledger(Admitted):
 
     def to_text(self) -> str:
         """The ledger as JSON text, the same on every machine."""
-        contexts = [asdict(context) for context in self.contexts.values()]
-        facts = [asdict(fact) for fact in self.facts.values()]
+        contexts, facts = [*self.contexts.values()], [*self.facts.values()]
         data = {"schema": SCHEMA, "contexts": contexts, "facts": facts, "published": self.published}
-        return json.dumps(data, indent=1, ensure_ascii=False) + "\n"
+        return json.dumps(data, indent=1, ensure_ascii=False, default=_fields) + "\n"
 
 
 def replay(text: str, encloses: Encloses | None = None) -> Ledger:
@@ -81,6 +80,10 @@ def replay(text: str, encloses: Encloses | None = None) -> Ledger:
     if ledger.to_text() != text:
         raise KernelError("not a ledger as this kernel writes it")
     return ledger
+
+
+def _fields(record: Context | Fact) -> dict[str, Any]:
+    return {each.name: getattr(record, each.name) for each in fields(record)}
 
 
 def _frozen(fields: dict[str, Any]) -> dict[str, Any]:

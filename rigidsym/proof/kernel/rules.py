@@ -8,9 +8,10 @@ from dataclasses import dataclass, field, replace
 
 from sympy.polys.rings import PolyElement
 
-from rigidsym.proof.kernel.language import KernelError, Tree, is_name, parse
-from rigidsym.proof.kernel.ring import Ring, at
+from rigidsym.proof.kernel.language import KernelError, is_name, parse
+from rigidsym.proof.kernel.ring import Element, Ring, at
 from rigidsym.proof.kernel.statement import Context, Fact, Grade
+from rigidsym.proof.kernel.theta import Thetas
 
 # Whether balls agree with a fact of a context at points; it is trusted with grade ENCLOSED.
 Encloses = Callable[[Context, Fact, Sequence[Mapping[str, str]]], bool]
@@ -24,7 +25,6 @@ class Admitted:
     contexts: dict[str, Context] = field(default_factory=dict)
     facts: dict[str, Fact] = field(default_factory=dict)
     rings: dict[str, Ring] = field(default_factory=dict)
-    said: dict[str, set[tuple[Tree, Tree]]] = field(default_factory=dict)
 
 
 def identity(admitted: Admitted, fact: Fact) -> Grade:
@@ -41,7 +41,10 @@ def identity(admitted: Admitted, fact: Fact) -> Grade:
     _check_signs(visible[fact.kind], admitted.contexts[fact.context])
     for difference, row in zip(differences(ring, fact), fact.certificate["cofactors"], strict=True):
         for cofactor, relation in zip(map(ring.read, row), ring.relations, strict=True):
-            difference -= cofactor.over((0,) * len(ring.units)) * relation
+            if cofactor.below:
+                raise KernelError("a cofactor is no polynomial")
+            if cofactor.numerator:
+                difference -= cofactor.numerator * relation
         if difference:
             raise KernelError("the cofactors do not give lhs - rhs")
     return Grade.PROVED
@@ -53,8 +56,10 @@ def counterexample(admitted: Admitted, fact: Fact) -> Grade:
     -------------------------------------------------------
     Gamma |- lhs != rhs at some point
     """
-    ring = admitted.rings[fact.context]
-    point = admitted.contexts[fact.context].check_point(ring, fact.certificate["point"])
+    ring, context = admitted.rings[fact.context], admitted.contexts[fact.context]
+    if context.thetas or context.start:
+        raise KernelError("what is declared of functions may exclude the point")
+    point = context.check_point(ring, fact.certificate["point"])
     if not any(at(difference, point) for difference in differences(ring, fact)):
         raise KernelError("both sides agree at this point")
     return Grade.PROVED
@@ -75,10 +80,12 @@ def model(admitted: Admitted, fact: Fact) -> Grade:
             raise KernelError(f"{premise.id} is not an equation of {fact.context}")
         given += filter(None, differences(ring, premise))
     for generator in gamma.generators:
-        ring.name(generator)
+        ring.read(generator)
+    if not gamma.thetas.items() <= delta.thetas.items() or not {*gamma.start} <= {*delta.start}:
+        raise KernelError(f"what {gamma.name} declares of functions is not declared here")
     zeros = [f"{name} - ({text})" for name, text in said(gamma).items() - said(delta).items()]
     for zero in sorted({*zeros, *gamma.relations} - {*delta.relations}):
-        if ring.reduce(ring.read(zero).numerator, *given)[1]:
+        if ring.remainder(ring.read(zero).numerator, *given):
             raise KernelError(f"{zero} = 0 of {gamma.name} does not hold")
     for unit in gamma.units:
         ring.inverse(ring.read(unit))
@@ -124,6 +131,40 @@ def partition(admitted: Admitted, fact: Fact) -> Grade:
     return Grade.PROVED
 
 
+def theta(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    a sum of products of theta functions is 0, by its Fourier coefficients, at all z_1, ..., z_r
+    --------------------------------------------------------------------------------------------
+    Gamma |- lhs = rhs     where each lhs_k - rhs_k is +- a part of it at certain z_1, ..., z_r
+    """
+    ring, thetas = admitted.rings[fact.context], admitted.contexts[fact.context].thetas
+    identity, forms = (fact.certificate[key] for key in ("identity", "forms"))
+    parts = [part.numerator for part in Thetas(ring, thetas).at(identity, forms)]
+    for gap in differences(ring, fact):
+        if all(ring.remainder(x) for part in parts for x in (gap - part, gap + part)):
+            raise KernelError("the identity does not give lhs - rhs")
+    return Grade.PROVED
+
+
+def start(admitted: Admitted, fact: Fact) -> Grade:
+    """
+    Gamma |- lhs = rhs at the start        Gamma, lhs = rhs |- D(lhs - rhs) = 0
+    ---------------------------------------------------------------------------
+    Gamma |- lhs = rhs
+
+    D(f) = A f, with A made of what Gamma may divide by, has no solution but 0 that is 0 anywhere.
+    """
+    ring = admitted.rings[fact.context]
+    begun = [ring.read(text).numerator for text in admitted.contexts[fact.context].start]
+    gaps = differences(ring, fact)
+    for gap in gaps:
+        if not begun or ring.remainder(gap, *begun):
+            raise KernelError("this does not hold at the start")
+        if ring.remainder(ring.rate(Element(gap)).numerator, *filter(None, gaps)):
+            raise KernelError("this is not closed under d/dt")
+    return Grade.PROVED
+
+
 def assumption(admitted: Admitted, fact: Fact) -> Grade:
     """
     a reference that states it, and points where balls, if there are points, do not exclude it
@@ -147,6 +188,8 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
     "model": ({"model"}, range(1000), model),
     "transfer": ({"equal", "root", "nonnegative"}, {2}, transfer),
     "partition": ({"partition"}, range(4), partition),
+    "theta": ({"equal"}, {0}, theta),
+    "start": ({"equal"}, {0}, start),
     "assumption": ({"equal"}, {0}, assumption),
 }
 
@@ -160,9 +203,10 @@ def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
 
 def check_news(admitted: Admitted, fact: Fact) -> None:
     """Refuse two sides that are the same, or that the context says are the same."""
+    same = [(parse(a), parse(b)) for a, b in said(admitted.contexts[fact.context]).items()]
     for sides in zip(fact.lhs, fact.rhs, strict=True):
         lhs, rhs = map(parse, sides)
-        if lhs == rhs or {(lhs, rhs), (rhs, lhs)} & admitted.said[fact.context]:
+        if lhs == rhs or (lhs, rhs) in same or (rhs, lhs) in same:
             raise KernelError(f"{sides[0]:.80} and {sides[1]:.80} are the same by {fact.context}")
 
 

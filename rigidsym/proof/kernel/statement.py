@@ -10,7 +10,10 @@ from enum import StrEnum
 from typing import Any
 
 from rigidsym.proof.kernel.language import KernelError, is_name
-from rigidsym.proof.kernel.ring import Number, Ring, at
+from rigidsym.proof.kernel.ring import Element, Number, Ring, at
+from rigidsym.proof.kernel.theta import Thetas
+
+_NUMBERS = Ring((), {})  # without generators only rational numbers can be read
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +21,8 @@ class Context:
     """generators, relations = 0, units != 0, nonnegative names >= 0  |-  ...
 
     `definitions` abbreviate expressions.  `rates` maps generators to time derivatives: what it does
-    not name is constant, "?" says unknown, None is an instant.  `reading` proves nothing.
+    not name is constant, "?" says unknown, None is an instant.  What is in `start` is zero at one
+    instant.  `thetas` says which generators are theta functions.  `reading` proves nothing.
     """
 
     name: str
@@ -29,6 +33,8 @@ class Context:
     relations: tuple[str, ...] = ()
     rates: Mapping[str, str] | None = None
     nonnegative: tuple[str, ...] = ()
+    start: tuple[str, ...] = ()
+    thetas: Mapping[str, str] = field(default_factory=dict)
     reading: Mapping[str, str] = field(default_factory=dict)
 
     def open(self) -> Ring:
@@ -45,10 +51,13 @@ class Context:
         if self.rates is not None:
             ring.rates = {n: None if t == "?" else ring.read(t) for n, t in self.rates.items()}
         for name in self.definitions:
-            ring.name(name)
-        self.check_point(ring, self.witness)
+            ring.read(name)
+        point = self.check_point(ring, self.witness)
+        if any(self.rates is None or at(ring.read(text).numerator, point) for text in self.start):
+            raise KernelError(f"context {self.name}: its witness is not where it starts")
+        Thetas(ring, self.thetas).check(self.rates)
         for relation in ring.relations if self.rates is not None else ():
-            if ring.reduce(ring.rate(ring.element(relation)).numerator)[1]:
+            if ring.remainder(ring.rate(Element(relation)).numerator):
                 raise KernelError(f"context {self.name}: {relation} = 0 is not closed under d/dt")
         return ring
 
@@ -56,13 +65,13 @@ class Context:
         """The rational point, if it gives every generator and satisfies all hypotheses."""
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
-        number = Ring((), {}).read  # without generators only rational numbers can be read
-        point = [number(values[str(name)]).numerator.coeff(1) for name in ring.poly.gens]
+        given = (values[name] for name in reversed(self.generators))
+        point = [_NUMBERS.read(text).numerator.coeff(1) for text in given]
         broken = [f"{unit} = 0" for unit in ring.units if not at(unit, point)]
         broken += [f"{relation} != 0" for relation in ring.relations if at(relation, point)]
         for text in self.nonnegative:
             sign = ring.read(text)
-            if at(sign.over(tuple(2 * power for power in sign.powers)), point) < 0:  # p/u as p*u
+            if at(sign.over(sign.below + sign.below), point) < 0:  # p/u as p*u
                 broken.append(f"{text} < 0")
         if broken:
             raise KernelError(f"context {self.name}: {broken[0]} at {dict(values)}")

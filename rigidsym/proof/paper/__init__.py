@@ -4,7 +4,6 @@ from rigidsym.proof.paper.counterexample import Counterexample
 from rigidsym.proof.paper.equation import Condition, Equation, Flaw, Reading, Root, Sense
 from rigidsym.proof.paper.equations import EQUATIONS
 from rigidsym.proof.paper.prose import Judged, judged
-from rigidsym.proof.paper.table import row
 from rigidsym.proof.paper.verdicts import Ruling, Verdict, verdicts
 
 __all__ = [
@@ -20,6 +19,5 @@ __all__ = [
     "Sense",
     "Verdict",
     "judged",
-    "row",
     "verdicts",
 ]

@@ -107,6 +107,9 @@ class Equation:
     roots: tuple[Root, ...] = ()
     with_mended: Mapping[str, tuple[Sense, ...]] = field(default_factory=dict)
 
+    def __repr__(self) -> str:
+        return f"<Equation ({self.number}): {self.reading}>"
+
     def _repr_latex_(self) -> str:
         return f"${self.latex}$"
 

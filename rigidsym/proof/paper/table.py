@@ -1,48 +1,79 @@
-"""A verdict as one row of text: equation, verdict and flaws, cause, what mends it, a point."""
+"""Verdicts as text: a row each for an overview, and all that is known of one."""
 
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Collection, Iterator, Sequence
 
+from rigidsym.language.unicode import in_unicode
 from rigidsym.proof.paper.counterexample import Counterexample
+from rigidsym.proof.paper.equation import Flaw
 from rigidsym.proof.paper.verdicts import Ruling, Verdict
 
-
-def row(verdict: Verdict) -> tuple[str, str, str, str, str]:
-    """The five columns of `rigidsym errata`."""
-    point = verdict.counterexample
-    return (
-        f"({verdict.equation.number})",
-        "\n".join(_ruling(verdict)),
-        "\n".join(verdict.roots),
-        "\n".join(_explanation(verdict)),
-        "\n".join(_point(point)) if point else "",
-    )
+COLUMNS = ("equation", "verdict", "repair, or how it is read", "fails at")
+_COUNTED = {
+    Ruling.HOLDS: "{} hold",
+    Ruling.CONDITIONAL: "{} hold under a condition",
+    Ruling.MISPRINT: "{} are misprints",
+    Ruling.AMBIGUOUS: "{} ambiguous",
+    Ruling.OPEN: "{} open",
+}
 
 
-def _ruling(verdict: Verdict) -> Iterator[str]:
-    conditional = verdict.ruling == Ruling.CONDITIONAL
-    yield " ".join((verdict.ruling, *([", ".join(verdict.conditions)] if conditional else [])))
-    for flaw, text in verdict.equation.flaws.items():
-        yield f"* {flaw}: {text}"
+def counted(ruled: Sequence[Verdict]) -> str:
+    """How many of each ruling there are."""
+    counts = Counter(verdict.ruling for verdict in ruled)
+    said = (form.format(counts[ruling]) for ruling, form in _COUNTED.items() if counts[ruling])
+    return ", ".join(said)
 
 
-def _explanation(verdict: Verdict) -> Iterator[str]:
+def row(verdict: Verdict) -> tuple[str, str, str, str]:
+    """The columns of an overview."""
+    point, misprint = verdict.counterexample, verdict.ruling == Ruling.MISPRINT
+    shown = in_unicode(verdict.equation.repair) if misprint else verdict.equation.reading
+    fails = "" if point is None else str(point.motion) if point.motion else _values(point)
+    return f"({verdict.equation.number})", _ruling(verdict), shown, fails
+
+
+def details(verdict: Verdict) -> Iterator[tuple[str, str]]:
+    """What is said of one equation, by what it is."""
     equation = verdict.equation
-    if verdict.ruling != Ruling.MISPRINT:
-        yield equation.reading
-    else:
-        yield equation.repair
-        if verdict.conditions:
-            yield f"if {', '.join(verdict.conditions)}"
-        yield from (f"found: {repair}" for repair in verdict.repairs)
+    yield "printed", in_unicode(equation.latex)
+    yield "verdict", _ruling(verdict)
+    yield "read as", equation.reading
+    if equation.repair:
+        yield "as derived", in_unicode(equation.repair)
+    if verdict.ruling == Ruling.MISPRINT and verdict.conditions:
+        yield "which holds if", ", ".join(verdict.conditions)
+    for repair in verdict.repairs:
+        yield "found by search", repair
+    yield from (("root cause", root) for root in verdict.roots)
     for number in verdict.right_with:
-        yield f"right as printed once ({number}) is mended"
+        yield "right as printed", f"once ({number}) is mended"
+    if found := verdict.counterexample:
+        motion = [f"in the motion {found.motion}"] if found.motion else []
+        yield "fails at", "\n".join([_values(found), *motion, *found.sides])
     for read in verdict.readings:
         fate = "holds" if read.holds else "fails"
-        yield f"* {read.reading.text}: {fate}; {read.reading.implies}"
+        yield "reading", f"{read.reading.text}: {fate}; {read.reading.implies}"
+    for flaw, text in equation.flaws.items():
+        yield "flaw", f"{flaw}: {in_unicode(text) if flaw == Flaw.UNDEFINED else text}"
+    yield from _facts(verdict)
 
 
-def _point(found: Counterexample) -> Iterator[str]:
-    if found.motion:
-        yield str(found.motion)
-    yield from found.sides
-    yield ", ".join(f"{name} = {value}" for name, value in found.point.items())
+def _facts(verdict: Verdict) -> Iterator[tuple[str, str]]:
+    needed = dict.fromkeys(name for by in verdict.needed_by.values() for name in by)
+    every: dict[str, Collection[str]] = {
+        "proved by": verdict.proved_by,
+        "refuted by": verdict.refuted_by,
+        "repaired by": verdict.repaired_by,
+        "conditions needed by": needed,
+    }
+    yield from ((what, ", ".join(names)) for what, names in every.items() if names)
+
+
+def _ruling(verdict: Verdict) -> str:
+    conditional = verdict.ruling == Ruling.CONDITIONAL
+    return " ".join((verdict.ruling, *([", ".join(verdict.conditions)] if conditional else [])))
+
+
+def _values(found: Counterexample) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in found.point.items())

@@ -112,6 +112,11 @@ class Verdict:
         for names in self.needed_by.values():
             yield from names
 
+    def __repr__(self) -> str:
+        conditional = self.ruling is Ruling.CONDITIONAL
+        where = f" {' and '.join(self.conditions)}" if conditional else ""
+        return f"<Verdict on ({self.equation.number}): {self.ruling}{where}>"
+
     def _repr_latex_(self) -> str:
         return f"${self.equation.repair or self.equation.latex}$"
 

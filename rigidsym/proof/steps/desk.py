@@ -165,7 +165,7 @@ class Desk:
     def _modulo(self, polynomial: sympy.Expr) -> sympy.Expr:
         """A polynomial modulo the relations, or as it is where that is no longer."""
         numerator = self.ring.read(self.text(sympy.expand(polynomial))).numerator
-        rest = read(str(self.ring.reduce(numerator)[1]))
+        rest = read(str(self.ring.remainder(numerator)))
         return min(polynomial, rest, key=lambda x: sympy.count_ops(sympy.expand(x)))
 
     def divisors(self, *expressions: sympy.Expr) -> tuple[sympy.Expr, ...]:
@@ -179,7 +179,7 @@ class Desk:
             if below.is_Number:
                 continue
             numerator = self.ring.read(self.text(below)).numerator
-            factors = sympy.factor_list(read(str(self.ring.reduce(numerator)[1])))[1]
+            factors = sympy.factor_list(read(str(self.ring.remainder(numerator))))[1]
             unknown = (x for x, _ in factors if x not in STANDING)
             found.update((self.dictionary.meant(positive(x)), None) for x in unknown)
         return tuple(sorted(found, key=sympy.default_sort_key))
@@ -225,7 +225,7 @@ class Desk:
     def _differs(self, pair: tuple[str, str]) -> bool:
         """Whether two texts have different normal forms."""
         left, right = map(self.ring.read, pair)
-        return bool(self.ring.reduce((left - right).numerator)[1])
+        return bool(self.ring.remainder((left - right).numerator))
 
     def at(self, fact_id: str, *nonzero: sympy.Expr) -> "Desk":
         """Where a fact is stated: here, or in a context of its own where these are not zero."""

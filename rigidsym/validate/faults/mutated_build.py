@@ -45,7 +45,7 @@ def _numpy(text: str) -> Engine:
 
 
 def _c(text: str, options: tuple[str, ...]) -> Engine:
-    sources = {name: installed(name) for name in build.FILES} | {FILES["c"]: text}
+    sources = {name: installed(name) for name in build.FILES["c"]} | {FILES["c"]: text}
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
         built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
         return CEngine(load(built, sources))

@@ -7,6 +7,7 @@ from typing import TypedDict
 
 from rigidsym.validate.faults.detection import Detection
 from rigidsym.validate.faults.fault import KINDS, Fault
+from rigidsym.view.markdown import table
 
 SCHEMA = "rigidsym.faults/2"
 # More strata than these are counted, not named.
@@ -88,6 +89,17 @@ class FaultReport:
         """Faults that no stratum caught."""
         return tuple(outcome.fault for outcome in self.outcomes if not outcome.detections)
 
+    @property
+    def conclusion(self) -> str:
+        """What was found, in a sentence."""
+        total, best = len(self.outcomes), max(self.strata, key=self.caught)
+        sharpest = f"{best} alone notices {self.caught(best)}"
+        if self.missed:
+            return f"{len(self.missed)} of {total} faults are NOT noticed; {sharpest}."
+        fewest = min((len(outcome.strata) for outcome in self.outcomes), default=0)
+        strata = "stratum" if fewest == 1 else "strata"
+        return f"Each of {total} faults is noticed, by {fewest} {strata} or more; {sharpest}."
+
     def caught(self, stratum: str) -> int:
         """How many faults a stratum caught."""
         return sum(stratum in outcome.strata for outcome in self.outcomes)
@@ -124,29 +136,27 @@ class FaultReport:
     def to_markdown(self) -> str:
         """Two tables: what each stratum caught, and which strata caught each fault."""
         total = len(self.outcomes)
+        strata = (
+            (name, f"{self.caught(name)} of {total}", str(self.alone(name))) for name in self.strata
+        )
+        faults = ("fault", "kind", "strata", "which", "by")
         return "\n".join(
             [
                 f"{total - len(self.missed)} of {total} faults were caught.",
                 "",
-                "| stratum | caught | by no other |",
-                "|---|---|---|",
-                *(
-                    f"| {name} | {self.caught(name)} of {total} | {self.alone(name)} |"
-                    for name in self.strata
-                ),
+                *table(("stratum", "caught", "by no other"), strata),
                 "",
-                "| fault | kind | strata | which | by |",
-                "|---|---|---|---|---|",
-                *map(self._row, self.outcomes),
+                *table(faults, map(self._row, self.outcomes)),
                 "",
             ]
         )
 
-    def _row(self, outcome: Outcome) -> str:
+    def _row(self, outcome: Outcome) -> tuple[str, ...]:
         fault, strata = outcome.fault, outcome.strata
+        if not strata:
+            return fault.line, fault.kind, "0", "NOT CAUGHT", ""
         which = ", ".join(strata) if len(strata) <= _NAMED else self._all_but(strata)
-        figures = f"{len(strata)} | {which} | {', '.join(outcome.measures)}"
-        return f"| {fault.line} | {fault.kind} | {figures} |" if strata else _uncaught(fault)
+        return fault.line, fault.kind, str(len(strata)), which, ", ".join(outcome.measures)
 
     def _all_but(self, strata: tuple[str, ...]) -> str:
         others = [name for name in self.strata if name not in strata]
@@ -155,10 +165,6 @@ class FaultReport:
         if len(others) <= _NAMED:
             return f"all but {', '.join(others)}"
         return f"{', '.join(strata[:_NAMED])}, ..."
-
-
-def _uncaught(fault: Fault) -> str:
-    return f"| {fault.line} | {fault.kind} | 0 | NOT CAUGHT | |"
 
 
 def _fault(outcome: Outcome) -> FaultData:

@@ -1,13 +1,13 @@
-"""Pictures of a flight: attitude, control torques, disturbances."""
+"""Pictures of a flight: attitude, errors, rates, torques, wheels, disturbances."""
 
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rigidsym.view.labels import ATTITUDE, ATTITUDE_AXIS, TORQUE
-from rigidsym.view.palette import AXES, DISTURBANCES, SCALAR
+from rigidsym.view.labels import ATTITUDE, ATTITUDE_AXIS, RATES, RATES_AXIS, TORQUE
+from rigidsym.view.palette import AXES, DISTURBANCES, MARK, SCALAR
 from rigidsym.view.plots import histories
-from rigidsym.view.protocols import Flight
+from rigidsym.view.protocols import Burns, Flight
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,16 +39,65 @@ def attitude(run: Flight) -> "Figure":
 
 
 @histories.defaults()
-def torques(run: Flight) -> "Figure":
-    """What the wheels exert on the body, by axis."""
+def error(run: Flight) -> "Figure":
+    """The angle from what was to be followed."""
     figure, axes = histories.blank()
-    names = TORQUE
-    histories.lines(axes, run.t, 1e4 * run.torque, names, linewidth=1.4)
+    # What is nought, as the first one is, has no place on this scale.
+    angle = np.degrees(np.where(run.error > 0, run.error, np.nan))
+    axes.semilogy(run.t, angle, color=MARK, linewidth=1.4)
+    axes.set_ylabel("tracking error (degrees)")
+    return _finished(figure, axes, run)
+
+
+@histories.defaults()
+def rates(run: Flight) -> "Figure":
+    """Those of what was to be followed, thin and dashed, and those flown, thick."""
+    figure, axes = histories.blank()
+    names = tuple(f"{name} flown" for name in RATES)
+    histories.lines(axes, run.t, run.omega, names, **histories.FLOWN)
+    names = tuple(f"{name} wanted" for name in RATES)
+    histories.lines(axes, run.t, run.reference.omega, names, **histories.WANTED)
+    axes.set_ylabel(RATES_AXIS)
+    return _finished(figure, axes, run)
+
+
+@histories.defaults()
+def torques(run: Flight) -> "Figure":
+    """What the wheels exert on the body, by axis; dashed, what thrusters do."""
+    figure, axes = histories.blank()
+    histories.lines(axes, run.t, 1e4 * run.torque, TORQUE, linewidth=1.4)
     axes.set_ylabel("control torques ($10^{-4}$ N m)")
-    if np.max(np.abs(run.torque)) <= PAPER_TORQUE:
+    if run.burns:
+        t, burning = _burning(run.burns, run.t)
+        names = tuple(f"{name} thrusters" for name in TORQUE)
+        histories.lines(axes, t, 1e4 * burning, names, **histories.WANTED)
+    elif np.max(np.abs(run.torque)) <= PAPER_TORQUE:
         axes.set_ylim(-5.2, 5.2)
         axes.set_yticks(range(-5, 6))
     return _finished(figure, axes, run)
+
+
+def _burning(burns: Burns, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Corners of the torques of thrusters: times (M,), torques (M, 3)."""
+    pieces = burns.pieces(float(t[0]), float(t[-1]))
+    torque = np.array([burns.between(*piece) for piece in pieces])
+    return np.ravel(pieces), np.repeat(torque, 2, axis=0)
+
+
+@histories.defaults()
+def wheels(run: Flight, rotor: float) -> "Figure":
+    """What each wheel stores, and how fast one of an inertia `rotor` (kg m^2) turns."""
+    figure, axes = histories.blank()
+    names = tuple(f"wheel {k}" for k in (1, 2, 3))
+    histories.lines(axes, run.t, 1e3 * run.wheel_momentum, names, linewidth=1.4)
+    axes.set_ylabel("momentum of the wheels ($10^{-3}$ N m s)")
+    turns = 1e-3 / rotor * 60 / (2 * np.pi)
+    both = (lambda h: np.asarray(h) * turns, lambda n: np.asarray(n) / turns)
+    speed = axes.secondary_yaxis("right", functions=both)
+    speed.set_ylabel(f"speed (rpm) of a rotor of {rotor:g} kg m²")
+    figure = _finished(figure, axes, run)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.06), ncols=3, frameon=False)
+    return figure
 
 
 @histories.defaults()
@@ -68,6 +117,6 @@ def disturbances(run: Flight) -> "Figure":
 def _finished(figure: "Figure", axes: "Axes", run: Flight) -> "Figure":
     if run.t[0] < run.arrival < run.t[-1]:
         histories.mark(axes, run.arrival, "target reached")
-    if axes.lines:
+    if axes.get_legend_handles_labels()[1]:
         histories.legend(axes)
     return figure

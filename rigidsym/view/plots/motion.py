@@ -80,7 +80,7 @@ def _sphere(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
         _polhode(axes, motion, omega)
     _body_axes(axes, radius)
     _dress(axes, radius)
-    axes.set_title(f"momentum sphere, body axes\n|M| = {size:.4g} kg m²/s", fontsize=10)
+    axes.set_title(f"momentum sphere, body axes\n|M| = {size:.4g} kg m²/s", fontsize=10, y=1.06)
 
 
 def _polhode(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
@@ -95,7 +95,7 @@ def _polhode(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
 
 def _body_axes(axes: "Axes3D", radius: float) -> None:
     for k, colour in enumerate(AXES):
-        tip = np.eye(3)[k] * radius * 1.25
+        tip = np.eye(3)[k] * radius * 1.2
         axes.plot(*zip(np.zeros(3), tip, strict=True), color=colour, linewidth=1.2)
         axes.text(*(1.1 * tip), MOMENTUM[k], color=colour, ha="center", va="center")
 
@@ -104,7 +104,7 @@ def _dress(axes: "Axes3D", radius: float) -> None:
     axes.set_xlim(-radius, radius)
     axes.set_ylim(-radius, radius)
     axes.set_zlim(-radius, radius)
-    axes.set_box_aspect((1, 1, 1), zoom=1.25)
+    axes.set_box_aspect((1, 1, 1), zoom=1.1)
     axes.view_init(elev=22, azim=38)
     axes.set_axis_off()
     handles, labels = axes.get_legend_handles_labels()

@@ -16,7 +16,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """Rows of figures by name, one figure a case; `ratio` marks 1 on an axis of logarithms."""
+    """Rows of figures by name, one figure a case; `ratio` marks 1 on an axis of logarithms.
+
+    A panel with the rows of the one before it has no names of its own.
+    """
 
     title: str
     label: str
@@ -25,13 +28,19 @@ class Panel:
 
 
 @histories.defaults()
-def spreads(panels: Sequence[Panel]) -> "Figure":
-    """A dot for each case, a bar at the median."""
+def spreads(panels: Sequence[Panel], case: str, one: str) -> "Figure":
+    """A dot for each case, a bar at the median, and below what both are: `case` says what a dot
+
+    stands for, `one` what a ratio of 1 is."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(11.0, 4.6), layout="constrained")
+    figure = Figure(figsize=(11.0, 4.9), layout="constrained")
+    names: list[str] = []
     for axes, panel in zip(figure.subplots(1, len(panels)), panels, strict=True):
         _dots(axes, panel.rows)
+        if names == [*panel.rows]:
+            axes.set_yticklabels([])
+        names = [*panel.rows]
         axes.set_title(panel.title, fontsize=10)
         axes.set_xlabel(panel.label)
         if panel.ratio:
@@ -40,7 +49,20 @@ def spreads(panels: Sequence[Panel]) -> "Figure":
             _plain_ticks(axes)
         else:
             axes.set_xlim(left=0)
+    _explain(figure, case, one)
     return figure
+
+
+def _explain(figure: "Figure", case: str, one: str) -> None:
+    from matplotlib.lines import Line2D
+
+    dot = Line2D([], [], marker="o", color=BLUE, markersize=4, linestyle="none", label=case)
+    bar = Line2D([], [], marker="|", color=ORANGE, markersize=12, linestyle="none", label="median")
+    bar.set_markeredgewidth(2)
+    unit = Line2D([], [], color="0.4", linewidth=1.0, linestyle=":", label=one)
+    figure.legend(
+        handles=[dot, bar, unit], loc="outside lower center", ncols=3, frameon=False, fontsize=9
+    )
 
 
 def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:

@@ -17,7 +17,9 @@ if TYPE_CHECKING:
     from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure as Figure
 
-WIDTH, HEIGHT = 760, 620
+WIDTH, HEIGHT = 760, 680
+_HEAD = 108
+"Pixels above the axes, for the title and three rows of the legend."
 _FRAME_MS = 60
 # As plotly takes it: by name, nested.
 Layout = dict[str, object]
@@ -113,17 +115,28 @@ def figure(traces: Sequence["Trace"], title: str, labels: Sequence[str], half: f
     return Picture(
         data=list(traces),
         layout={
-            "title": {"text": title, "x": 0.01, "font": {"size": 15}},
+            "title": {"text": title, "x": 0.01, "y": 0.975, "yanchor": "top", "font": {"size": 15}},
             "scene": scene,
             "width": WIDTH,
             "height": HEIGHT,
-            "margin": {"l": 0, "r": 0, "t": 48, "b": 0},
+            "margin": {"l": 0, "r": 0, "t": _HEAD, "b": 0},
             "paper_bgcolor": "rgba(0,0,0,0)",
             "font": {"color": GREY},
-            "legend": {"x": 0, "y": 1, "itemsizing": "constant", "bgcolor": "rgba(0,0,0,0)"},
+            "legend": _LEGEND,
             "template": "none",
         },
     )
+
+
+# Above the axes, where it hides nothing.
+_LEGEND: Layout = {
+    "orientation": "h",
+    "x": 0.0,
+    "y": 1.0,
+    "yanchor": "bottom",
+    "itemsizing": "constant",
+    "bgcolor": "rgba(0,0,0,0)",
+}
 
 
 def _axis(label: str, half: float) -> Layout:

@@ -16,22 +16,28 @@ if TYPE_CHECKING:
     from plotly.graph_objects import Figure, Mesh3d, Scatter3d, Surface
     from plotly.graph_objs.layout import Scene
 
-SIZE, DPI = (6.6, 5.4), 90
+SIZE, DPI = (6.6, 5.8), 90
 # plotly's widths are in pixels, matplotlib's in points; on a smaller picture lines are thinner.
 _THINNER = 0.4
 
 
 def still(picture: "Figure") -> bytes:
-    """JPEG of a plotly figure made of lines, points, surfaces and triangles in one scene, as it is
-    before anything is turned or moved; raises ImportError without matplotlib."""
-    figure = package("matplotlib.figure", "still").Figure(figsize=SIZE, layout="constrained")
-    axes = figure.add_subplot(projection="3d")
-    for trace in picture.data:
-        _DRAWN[trace.type](axes, trace)
-    _dress(axes, picture.layout.scene)
-    axes.set_title(picture.layout.title.text or "", color=GREY, size=11)
-    if axes.get_legend_handles_labels()[1]:
-        axes.legend(loc="upper left", frameon=False, labelcolor=GREY, fontsize=8)
+    """JPEG of a plotly figure made of lines, points, surfaces and triangles, its scenes beside each
+    other, as it is before anything is turned or moved; raises ImportError without matplotlib."""
+    scenes = sorted({trace.scene or "scene" for trace in picture.data}) or ["scene"]
+    size = SIZE[0] * (1.5 if len(scenes) > 1 else 1.0), SIZE[1]
+    figure = package("matplotlib.figure", "still").Figure(figsize=size, layout="constrained")
+    for place, scene in enumerate(scenes, 1):
+        axes = figure.add_subplot(1, len(scenes), place, projection="3d")
+        for trace in picture.data:
+            if (trace.scene or "scene") == scene:
+                _DRAWN[trace.type](axes, trace)
+        _dress(axes, picture.layout[scene])
+    figure.suptitle(picture.layout.title.text or "", color=GREY, size=11)
+    if any(axes.get_legend_handles_labels()[1] for axes in figure.axes):
+        figure.legend(
+            loc="outside lower center", ncols=3, frameon=False, labelcolor=GREY, fontsize=8
+        )
     buffer = io.BytesIO()
     figure.savefig(buffer, format="jpeg", dpi=DPI, pil_kwargs={"quality": 80})
     return buffer.getvalue()

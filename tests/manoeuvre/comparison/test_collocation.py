@@ -1,5 +1,6 @@
 """Collocation against what is known by hand, and natural motions against its constraints."""
 
+import extra_optimal  # noqa: F401
 import numpy as np
 import pytest
 

@@ -6,6 +6,7 @@ import sys
 from fractions import Fraction
 from functools import partial
 
+import extra_optimal  # noqa: F401
 import pytest
 
 from rigidsym.cli import main

@@ -4,8 +4,10 @@ from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 
+import extra_optimal  # noqa: F401
 import numpy as np
 import pytest
+from manoeuvre_flights import NOTHING
 
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.comparison import flights, tracks
@@ -21,6 +23,7 @@ from rigidsym.manoeuvre.manoeuvre import manoeuvre
 
 CASE = Case(0, "paper", manoeuvre(PAPER, (1, 0, 0, 0), (0.8, 0.4, -0.2, 0.3), 60))
 STEPS = ("step", "step, slow")
+BY_FEEDBACK = (*STEPS, "natural, feedback alone")
 
 
 @pytest.fixture(autouse=True)
@@ -48,6 +51,9 @@ def test_ways_differ_in_their_tracks_alone(method, actuators):
         run=replace(Flight().run, length=Fraction(90), period=Fraction(1, 2)),
         controller=Controller(feedforward=actuators is Model.THRUSTERS),
     )
+    if method not in BY_FEEDBACK:
+        ahead = Controller(feedforward=True, track_feedforward=True)
+        expected = replace(expected, controller=ahead)
     if method == "step, slow":
         frequency = flight.controller.natural_frequency
         assert 0.05 < frequency < 0.3
@@ -86,7 +92,8 @@ def test_limits_of_the_wheels_are_kept(method):
     rates = np.abs(np.diff(run.torque, axis=0)) / np.diff(run.t)[:, None]
     assert rates.max() <= flight.wheels.max_torque_rate * (1 + 1e-9)
     found = measured(run, flight, Model.WHEELS)
-    assert found.saturated == (method == "step")
+    # The optimum of least fuel is all the wheels can give, at its ends.
+    assert found.saturated == (method in ("step", "optimum"))
     assert found.torque_integral == pytest.approx(sum(run.effort()["torque_integral"]))
     assert found.error_at_duration == pytest.approx(np.degrees(run.error[run.t >= 60][0]))
     assert found.error_after_hold < (1.0 if method == "step, slow" else 0.05)
@@ -97,9 +104,22 @@ def test_thrusters_are_not_told_of_gyroscopic_torques():
     for actuators in Model:
         track, flight = METHODS["natural"](ways(actuators))
         run = fly(CASE.manoeuvre, flight, track)
-        coast = (run.t > 30) & (run.t < 60)
+        coast = (run.t > 30) & (run.t < 55)
         found[actuators] = np.abs(exerted(run, actuators)[coast]).max()
     assert found[Model.THRUSTERS] < 0.2 * found[Model.WHEELS]
+
+
+def test_fed_forward_a_natural_motion_costs_its_bursts():
+    """And by feedback alone more: what nobody disturbs needs nothing else of a controller."""
+    costs = {}
+    for method in ("natural", "natural, feedback alone"):
+        track, flight = METHODS[method](ways(Model.THRUSTERS))
+        still = replace(flight, disturbances=NOTHING)
+        run = fly(CASE.manoeuvre, still, track)
+        costs[method] = measured(run, still, Model.THRUSTERS).torque_integral
+    bursts = np.abs(solve(CASE.manoeuvre).best.bursts).sum()
+    assert costs["natural"] == pytest.approx(bursts, rel=0.05)
+    assert costs["natural, feedback alone"] > 1.15 * bursts
 
 
 def test_a_slow_step_comes_within_what_counts_as_settled():

@@ -1,20 +1,26 @@
 """Settings from files, and one clear line for what cannot be."""
 
+import re
 import tomllib
 from datetime import UTC, datetime
 from fractions import Fraction
+from importlib import resources
 
 import pytest
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre.files import FLIGHT, open_manoeuvre
+from rigidsym.io.messages import UNNAMED
+from rigidsym.manoeuvre.files import FLIGHT, PAPER, open_manoeuvre
 from rigidsym.manoeuvre.flight.reading import read
-from rigidsym.manoeuvre.flight.settings import Flight
+from rigidsym.manoeuvre.flight.settings import Flight, Thrusters
+
+COMMENTED = {"thrusters", "message"}
 
 
 def test_the_shipped_file_is_what_is_default():
     asked, tables = open_manoeuvre("paper")
-    assert set(tables) >= FLIGHT == set(Flight.__slots__)
+    assert set(tables) >= FLIGHT - COMMENTED
+    assert set(Flight.__slots__) == FLIGHT
     assert read(tables) == read({}) == Flight()
     assert asked.duration == 120
     assert sum(x * x for x in asked.target) == 1
@@ -22,9 +28,24 @@ def test_the_shipped_file_is_what_is_default():
 
 def test_the_shipped_file_names_every_setting():
     _, tables = open_manoeuvre("paper")
-    for name in FLIGHT:
+    for name in FLIGHT - COMMENTED:
         known = set(getattr(Flight(), name).__slots__) - {"max_momentum"}
         assert set(tables[name]) == known
+
+
+def test_what_the_shipped_file_has_commented_is_what_is_default():
+    text = resources.files("rigidsym.manoeuvre").joinpath(PAPER).read_text("utf-8")
+    tables = tomllib.loads(re.sub("^# ", "", text[text.index("# [thrusters]") :], flags=re.M))
+    assert set(tables) == COMMENTED
+    found = read(tables)
+    assert found.thrusters == Thrusters()
+    assert set(tables["thrusters"]) == set(Thrusters.__slots__)
+    assert found.message == {**UNNAMED, "creation_date": "2013-07-17T12:00:00"}
+    assert not found.controller.natural_frequency
+
+
+def test_thrusters_leave_the_controller_that_is_given():
+    assert read({"thrusters": {}, "controller": {}}).controller == Flight().controller
 
 
 def test_numbers_may_be_strings():
@@ -42,6 +63,14 @@ def test_epochs_are_in_utc(text):
 
 
 BAD = {
+    "thrust": ("[thrusters]\ntorque = 0", "thrusters.torque = 0: must be above zero"),
+    "bit": ("[thrusters]\nmin_impulse = -1", "thrusters.min_impulse = -1: must not be negative"),
+    "centre": ("[thrusters]\ncentred = 1", "thrusters.centred = 1: must be true or false"),
+    "name": ('[message]\nobject_name = "Nano"', "message.object_name = 'Nano': must be all upper"),
+    "number": ("[message]\nobject_id = 1", "message.object_id = 1: must be text"),
+    "frame": ('[message]\nepoch = "x"', "message = epoch: is not one of: creation_date, object_id"),
+    "written": ('[message]\ncreation_date = "x"', "message.creation_date = 'x': must be YYYY-MM"),
+    "plain": ("message = 1", "message = 1: must be a table of creation_date, object_id"),
     "orbit.height": ("[orbit]\nheight = 1", "orbit = height: is not one of: altitude, epoch"),
     "below": ("[orbit]\naltitude = -10", "orbit.altitude = -10: must be above the surface, km"),
     "on": ("[orbit]\naltitude = 0", "orbit.altitude = 0: must be above the surface, km"),

@@ -14,12 +14,15 @@ from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
 from rigidsym.manoeuvre.flight.results import Tracked
 from rigidsym.manoeuvre.flight.rotation import angle
+from rigidsym.manoeuvre.flight.settings import Thrusters
 from rigidsym.manoeuvre.manoeuvre import manoeuvre
+
+DATED = {"creation_date": "2026-01-01T00:00:00"}
 
 
 def tracked(length=40, **parts):
     asked, transfer = known(duration=10, omega0=(0.01, 0.02, -0.01))
-    flight = short(length, **parts)
+    flight = replace(short(length, **parts), message=DATED)
     return Tracked(asked, flight, transfer, fly(asked, flight, transfer))
 
 
@@ -30,7 +33,8 @@ def found():
 
 def test_the_files(found, tmp_path):
     names = {path.name for path in found.write(tmp_path)}
-    pictures = {f"{p}.{s}" for p in ("attitude", "torques", "disturbances") for s in ("svg", "png")}
+    drawn = ("attitude", "error", "rates", "torques", "wheels", "disturbances")
+    pictures = {f"{picture}.{suffix}" for picture in drawn for suffix in ("svg", "png")}
     assert names == pictures | {"run.npz", "summary.json", "attitude.aem"}
     assert all((tmp_path / name).stat().st_size > 500 for name in names)
 
@@ -81,6 +85,43 @@ def test_the_summary(found):
     assert summary["wheel_momentum_peak"] == np.abs(run.wheel_momentum).max(axis=0).tolist()
     assert summary["flight"]["orbit"]["altitude"] == 600
     assert summary["manoeuvre"]["inertia"] == ["0.0109", "0.04", "0.0506"]
+
+
+def test_a_message_of_a_mission(found):
+    names = {"object_name": "NANO", "object_id": "2013-001A", "originator": "US", **DATED}
+    lines = replace(found, flight=replace(found.flight, message=names)).to_aem().splitlines()
+    for line in ("OBJECT_NAME = NANO", "OBJECT_ID = 2013-001A", "ORIGINATOR = US",
+                 "CREATION_DATE = 2026-01-01T00:00:00"):  # fmt: skip
+        assert line in lines
+
+
+def test_full_wheels_are_named():
+    flown = tracked(60, wheels={"max_momentum": 1e-4})
+    told = dict(flown.rows())
+    assert flown.missed
+    assert told["wheels at their limit of momentum"].startswith("1 for")
+    needed = flown.summary()["saturation"]["momentum_needed"]
+    # At rest before: the wheels turn against the body, with the whole of its momentum.
+    assert max(needed) == pytest.approx(
+        np.abs(flown.run.inertia * flown.run.track.omega[flown.run.t < 10]).max(), rel=1e-6
+    )
+    assert f"{max(needed):.2e}" in told["why it misses"]
+
+
+def test_wheels_within_their_limits_say_nothing(found):
+    assert not any("limit" in name or "misses" in name for name, _ in found.rows())
+    assert found.summary()["saturation"]["momentum"] == [0, 0, 0]
+
+
+def test_thrusters_say_where_they_lead():
+    still = {"natural_frequency": 0.0}
+    flown = tracked(11, thrusters=Thrusters(), controller=still, disturbances=NOTHING)
+    told = dict(flown.rows())
+    assert "deg off" in told["when thrusters end"]
+    summary = json.loads(flown.to_json())["thrusters"]
+    assert np.shape(summary["spans"]) == (2, 3, 2)
+    assert summary["last"]["error"] == pytest.approx(flown.run.last_burn()["error"])
+    assert flown.missed == (summary["last"]["error"] > np.radians(0.1))
 
 
 def test_a_flight_that_does_not_settle():

@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from rigidsym.proof.algebra import Book
-from rigidsym.proof.algebra.normal_form import divide
+from rigidsym.proof.algebra.normal_form import divide, nested
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel.ring import at
 
@@ -55,10 +55,19 @@ def test_what_relations_generate_is_zero_and_the_cofactors_say_how(name, seed):
     assert multiplied_out(ring, cofactors) == made
 
 
+@pytest.mark.parametrize("name", RINGS)
+@pytest.mark.parametrize("seed", range(12))
+def test_a_nested_text_is_its_polynomial(name, seed):
+    ring = RINGS[name]
+    polynomial = some_polynomial(ring, Random(seed), degree=1 + seed % 3)
+    for each in (polynomial, -polynomial, polynomial * ring.poly.gens[0], polynomial - polynomial):
+        assert ring.read(nested(each)).numerator == each
+
+
 def test_plain_division_misses_what_reduced_relations_find():
     ring = RINGS["hidden"]
     polynomial = ring.read("w*x**2 - 1").numerator
-    assert ring.reduce(polynomial)[1]
+    assert ring.remainder(polynomial)
     cofactors, remainder = divide(ring, polynomial)
     assert not remainder
     assert multiplied_out(ring, cofactors) == polynomial

@@ -187,7 +187,7 @@ def test_refuses_what_has_the_wrong_shape(path, value, culprit):
         SMALL[:-200],
         SMALL + SMALL,
         written(json.loads(SMALL)).replace("\n ", "\n  "),
-        SMALL.replace('"schema"', '"schema": "rigidsym.ledger/3",\n "schema"'),
+        SMALL.replace('"schema"', '"schema": "rigidsym.ledger/4",\n "schema"'),
         SMALL.replace('"s": "0"', '"s": "0",\n    "s": "0"'),
     ],
     ids=range(9),

@@ -15,8 +15,8 @@ PLANE = Context(
     name="plane",
     generators=("x", "y", "r"),
     witness={"x": "3", "y": "4", "r": "5"},
-    units=("r", "x - y"),
-    definitions={"cosine": "x/r", "sine": "y/r", "t": "2*r"},
+    units=("r", "x - y", "radius"),  # one of them twice
+    definitions={"cosine": "x/r", "sine": "y/radius", "t": "2*r", "radius": "r"},
     relations=("r**2 - x**2 - y**2",),
     rates={"x": "-y", "y": "x"},
     nonnegative=("r",),
@@ -28,7 +28,10 @@ CIRCLE = replace(
     generators=("c", "s"),
     witness={"c": "3/5", "s": "4/5"},
     units=("c - s",),
-    definitions={"x": "c", "y": "s", "r": "1", "cosine": "c", "sine": "s/r", "t": "2"},
+    definitions={
+        **{"x": "c", "y": "s", "r": "1", "radius": "r"},
+        **{"cosine": "c", "sine": "s/r", "t": "2"},
+    },
     relations=("c**2 + s**2 - 1",),
     rates={"c": "-s", "s": "c"},
     nonnegative=(),

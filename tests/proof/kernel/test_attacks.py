@@ -264,7 +264,7 @@ def test_every_section_must_be_there(honest, key):
 
 def test_another_schema_is_refused(honest):
     with pytest.raises(KernelError, match="schema"):
-        replay(honest.replace("rigidsym.ledger/3", "rigidsym.ledger/2"))
+        replay(honest.replace("rigidsym.ledger/4", "rigidsym.ledger/3"))
 
 
 TEXTS = ["lhs", "rhs", "premises"], ["generators", "units", "relations", "nonnegative"]
@@ -361,6 +361,17 @@ def test_an_id_is_made_of_names(prefix, fact_id):
         prove(ledger, equation(prefix + fact_id, "line", "2*x", "x + x"))
     assert str(refusal.value).isascii()
     assert str(refusal.value).isprintable()
+
+
+@pytest.mark.parametrize("cofactor", ["1/w", "w/w", "0/w", "1 + w/w**2"])
+def test_a_cofactor_is_a_polynomial(cofactor):
+    """Denominators of cofactors are nowhere in the sum that has to give the difference."""
+    ledger = Ledger()
+    ledger.open(CIRCLE)
+    sides = "(c**2 + s**2)*w", "w"
+    ledger.add(equation("honest", "circle", *sides, certificate={"cofactors": [["w"]]}))
+    with pytest.raises(KernelError, match="a cofactor is no polynomial"):
+        ledger.add(equation("e", "circle", *sides, certificate={"cofactors": [[cofactor]]}))
 
 
 @pytest.mark.parametrize("premises", [("first",), ("first", "first")])

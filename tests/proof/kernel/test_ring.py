@@ -78,9 +78,8 @@ def test_the_rate_obeys_leibniz(a, b):
 def test_printing_and_reading_again_changes_nothing(text):
     element = RING.read(text)
     again = RING.read(spelled(element))
-    zero = (0,) * len(element.powers)  # 0/u prints as 0
     assert again.numerator == element.numerator
-    assert again.powers == (element.powers if element.numerator else zero)
+    assert again.below == (element.below if element.numerator else {})  # 0/u prints as 0
 
 
 def test_elements_are_exact():
@@ -131,4 +130,6 @@ def test_the_kernel_runs_no_text_as_code(path):
 
 
 def test_the_kernel_can_be_read_in_one_sitting():
-    assert sum(len(path.read_text("utf-8").splitlines()) for path in FILES) <= 650
+    lines = {path.stem: len(path.read_text("utf-8").splitlines()) for path in FILES}
+    assert lines.pop("theta") <= 230
+    assert sum(lines.values()) <= 700

@@ -47,7 +47,7 @@ def fate(equation, forward):
     before, data = forward
     book = Book()
     book.ledger.contexts, book.ledger.facts = dict(before.contexts), dict(before.facts)
-    book.ledger.rings, book.ledger.said = dict(before.rings), dict(before.said)
+    book.ledger.rings = dict(before.rings)
     every = [equation if e.number == equation.number else e for e in EQUATIONS]
     by_number = {e.number: e for e in every}
     for latex, sense in asked(equation):

@@ -10,11 +10,12 @@ import pytest
 import derivations
 from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import replay
-from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, row, verdicts
+from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, verdicts
 from rigidsym.proof.paper.answers import Answers
 from rigidsym.proof.paper.questions import question
+from rigidsym.proof.paper.table import counted, details, row
 from rigidsym.proof.paper.verdicts import needed_units, ruling_of
 from rigidsym.proof.paper.verdicts import verdict as verdict_on
 
@@ -237,7 +238,7 @@ def _repair(equation, left, place):
 
 def _same(ring, left, right):
     try:
-        return not ring.reduce((ring.read(left) - ring.read(right)).numerator)[1]
+        return not ring.remainder((ring.read(left) - ring.read(right)).numerator)
     except ValueError:
         return False
 
@@ -258,7 +259,7 @@ def test_only_four_slips_are_independent():
 @pytest.mark.parametrize("number", ["10", "11", "12", "16", "20", "21"])
 def test_lines_on_the_roots_are_right_as_printed_once_14_is_mended(number):
     assert RULED[number].right_with == ("14",)
-    assert "right as printed once (14) is mended" in row(RULED[number])[3]
+    assert ("right as printed", "once (14) is mended") in details(RULED[number])
 
 
 # Statements about all motions, and what speaks of none: quaternions, footnote 1.
@@ -271,8 +272,10 @@ def test_counterexamples_are_motions_with_printed_and_true_value(number):
     assert found.left != found.right
     motion = TorqueFreeMotion([*map(str, found.motion.inertia)], [*map(str, found.motion.omega)])
     assert motion.regime
-    assert str(found.motion) in row(RULED[number])[4]
-    assert str(found.left) in row(RULED[number])[4]
+    assert str(found.motion) in row(RULED[number])[3]
+    (fails,) = (text for name, text in details(RULED[number]) if name == "fails at")
+    assert str(found.motion) in fails
+    assert str(found.left) in fails
 
 
 @pytest.mark.parametrize("name", ["printed_sine", "printed_20", "printed_35", "printed_36"])
@@ -327,14 +330,35 @@ def test_footnote_3_is_a_judgement_and_the_mended_theorem_says_where_q_jumps():
     assert "phi3 passes pi" in RULED["Theorem 1"].equation.flaws[Flaw.JUMP]
 
 
-def test_a_row_shows_flaws_causes_readings_and_repairs():
-    _, verdict, cause, repair, point = row(ruling("36"))
-    assert "wrong left side" in verdict
-    assert "mu^2 is printed for mu" in cause
-    assert "found: D(phi1) = K / c1 + sigma_printed" in repair
-    assert "mu = 49/225" in point
-    assert "fails" in row(ruling("Remark 3"))[3]
-    assert row(ruling("29"))[1].startswith("holds if sin_phi2 != 0, cos_phi3 != 0")
+def test_a_row_shows_the_verdict_and_what_mends_it():
+    number, verdict, repair, fails = row(ruling("36"))
+    assert (number, verdict) == ("(36)", "misprint")
+    assert repair.startswith("φ₁(t)=∫(K/c₁)dt+")
+    assert str(ruling("36").counterexample.motion) == fails
+    assert row(ruling("29"))[1] == "holds if sin_phi2 != 0, cos_phi3 != 0"
+    assert row(ruling("29"))[2] == ruling("29").equation.reading
+
+
+def test_details_show_flaws_causes_readings_and_repairs():
+    told = [*details(ruling("36"))]
+    said = dict(told)
+    assert said["printed"].startswith("φ̇₁=∫(K/c₁)dt+")
+    assert any("mu^2 is printed for mu" in text for name, text in told if name == "root cause")
+    assert said["found by search"].startswith("D(phi1) = K / c1 + sigma_printed")
+    assert "mu = 49/225" in said["fails at"]
+    assert any(text.startswith("wrong left side") for name, text in told if name == "flaw")
+    assert any("fails" in x for name, x in details(ruling("Remark 3")) if name == "reading")
+
+
+def test_nothing_is_left_of_the_latex():
+    """Every print, repair and symbol has a form in plain text."""
+    for verdict in RULED.values():
+        for _, text in details(verdict):
+            assert not set("\\{}$") & set(text)
+
+
+def test_rulings_are_counted():
+    assert counted([ruling("36"), ruling("35"), ruling("6")]) == "1 hold, 2 are misprints"
 
 
 def test_35_is_a_misprint_and_its_counterexample_tells_why():

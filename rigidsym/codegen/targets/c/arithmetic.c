@@ -65,7 +65,9 @@ static int angles_hold(void)
     static const double cosines[] = {1.0, 0.5, -0.5, -1.0, -0.5, 0.5};
     enum { TIMES = 8 };
     const volatile double from = 35184372088829.0;
-    double t[TIMES], t_lo[TIMES], sin_v[TIMES], cos_v[TIMES], X_im[TIMES], X_re[TIMES];
+    enum { COSINE = TIMES, TURNED = 3 * TIMES };
+    const size_t s = TIMES;
+    double t[TIMES], t_lo[TIMES], to[6 * TIMES];
     torque_free_circular motion;
     int holds = 1;
     memset(&motion, 0, sizeof motion);
@@ -75,10 +77,10 @@ static int angles_hold(void)
         t[i] = from + (double)i;
         t_lo[i] = 0.0;
     }
-    circular_angles(&motion, TIMES, t, t_lo, sin_v, cos_v, X_im, X_re);
+    circular_angles(&motion, TIMES, t, t_lo, @circular rows of to@);
     for (int i = 0; i < TIMES; i++) {
-        holds &= fabs(cos_v[i] - cosines[i % 6]) <= 1e-15;
-        holds &= fabs(X_re[i] - cosines[(i + 5) % 6]) <= 1e-15;
+        holds &= fabs(to[COSINE + i] - cosines[i % 6]) <= 1e-15;
+        holds &= fabs(to[TURNED + i] - cosines[(i + 5) % 6]) <= 1e-15;
     }
     return holds;
 }

@@ -40,8 +40,8 @@ def lowered(expression: Expression, extended: frozenset[str], number: str) -> Ex
             lifted = tuple(_lifted(value, extended, number) for value in values)
             return Call(f"{number}_choose", condition + lifted)
         case Call(function, arguments) if function.startswith("_"):
-            given = tuple(_lifted(argument, extended, number) for argument in arguments)
-            return Call(function[1:], given)
+            lift = _lifted if is_extended(expression, extended) else lowered
+            return Call(function[1:], tuple(lift(each, extended, number) for each in arguments))
         case Call(function, arguments) if function in CALLS:
             given = tuple(lowered(argument, extended, number) for argument in arguments)
             if any(is_extended(argument, extended) for argument in arguments):
@@ -113,8 +113,8 @@ def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
         return [_valued(every, number, f"discriminant_{number}") for number in ("dd", "exact")]
     if function.rounds:
         return [_constants(function)]
-    if len(function.parameters) == 1 and not function.extended:
-        return [_valued(function, "double", function.name[1:], "inline double")]
+    if len(function.results) == 1 and not function.extended:
+        return [_valued(function, "double", function.name[1:], "INLINED double")]
     if function.extended:
         return [_extended_function(function)]
     return [_loop(function, with_time)]
@@ -166,7 +166,9 @@ def _extended_function(function: Function) -> Lines:
     if len(results) == 1:
         head = _head(_TYPES["dd"], name, _parameters(function), function.summary)
         return function_lines(function, "dd", head, [f"    return {results[0]};", "}", ""])
-    outputs = [f"double_double *{result}_out" for result in results]
+    extended = function.all_extended()
+    kinds = {True: "double_double", False: "double"}
+    outputs = [f"{kinds[result in extended]} *{result}_out" for result in results]
     head = _head("void", name, _parameters(function) + outputs, function.summary)
     ends = [f"    *{result}_out = {result};" for result in results]
     return function_lines(function, "dd", head, [*ends, "}", ""])

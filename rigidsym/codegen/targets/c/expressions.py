@@ -74,7 +74,8 @@ class Reader:
         if function in self.functions:
             called = self.functions[function]
             kinds = "".join("x" if name in called.extended else "d" for name in called.parameters)
-            return Call(called.name, self._all(arguments, kinds, function)), "x"
+            value = "x" if called.extended else "d"
+            return Call(called.name, self._all(arguments, kinds, function)), value
         raise InputError(self.place, function, "called and not known")
 
     def _extended(

@@ -32,8 +32,8 @@ def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
             every = replace(function, extended=frozenset(function.parameters))
             yield _valued(f"{name}_dd", every, "double_double", "dd")
             yield _valued(f"{name}_exact", every, "exact", "exact")
-        elif name == "exponential":
-            yield _valued(name, function, "double", "dd", "static inline")
+        elif len(function.results) == 1 and not function.extended:
+            yield _valued(name, function, "double", "dd", "static INLINED")
         elif name.endswith("_constants"):
             yield _constants(name, function)
         elif name.endswith(("_angles", "_state")) and name != "initial_state":
@@ -61,7 +61,9 @@ def _valued(
 
 
 def _handing_out(name: str, function: Function) -> Frame:
-    outputs = [f"double_double *{result}_out" for result in function.results]
+    extended = function.all_extended()
+    kinds = {True: "double_double", False: "double"}
+    outputs = [f"{kinds[result in extended]} *{result}_out" for result in function.results]
     stores = [f"*{result}_out = {result};" for result in function.results]
     head = _head("static void", name, [*_given(function), *outputs])
     return Frame(name, function, "dd", (head,), (*stores, "}"))

@@ -7,10 +7,12 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import astuple
 
-from rigidsym.codegen import header
+from rigidsym.codegen import header, shares
+from rigidsym.codegen.forms import THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import comment
+from rigidsym.codegen.names import SIGNS
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
@@ -28,34 +30,42 @@ _CALL = re.compile(r"(\w+\([^&]*), &(\w+(?:, &\w+)*)\);")
 
 
 def check(
-    files: Mapping[str, str], functions: tuple[Function, ...], constants: tuple[Constant, ...]
+    files: Mapping[str, str],
+    functions: tuple[Function, ...],
+    constants: tuple[Constant, ...],
+    form: str = THETA,
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    _check_header(files[module.HEADER], functions)
-    derived = _derived(files[module.SOURCE], functions)
-    given = statements(module.SOURCE, derived)
+    source = module.SOURCES[form]
+    _check_header(files[module.HEADERS[form]], functions, form)
+    derived = _derived(files[source], functions, form)
+    given = statements(source, derived)
     for number in _numbers(functions, constants):
-        _expect(module.SOURCE, given, number)
+        _expect(source, given, number)
     known: dict[str, Function] = {}
     decided = 0
     for frame in frames(functions):
         _check_function(frame, given, known, derived)
         known[frame.name] = frame.function
         decided += len(frame.function.lets)
-    _expect_end(module.SOURCE, given)
+    _expect_end(source, given)
     return decided
 
 
-def _check_header(text: str, functions: tuple[Function, ...]) -> None:
-    first = header.filled(module.header_first(), "c", header.digest_in(module.HEADER, text))
+def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:
+    file = module.HEADERS[form]
+    kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
+    counts = shares.text(shares.shares(kinds, "c"))
+    said = module.header_first(form).replace(header.SHARES, counts)
+    first = header.filled(said, key("c", form), header.digest_in(file, text))
     last = _filled(module.header_last(), functions)
-    structs = statements(module.HEADER, between(module.HEADER, text, first, last))
+    structs = statements(file, between(file, text, first, last))
     given = iter(_without_rows(structs))
     for function in functions:
         if function.rounds:
             for line in struct(function):
-                _expect(module.HEADER, given, line)
-    _expect_end(module.HEADER, given)
+                _expect(file, given, line)
+    _expect_end(file, given)
 
 
 def _without_rows(given: Iterator[Statement]) -> list[Statement]:
@@ -70,11 +80,12 @@ def _without_rows(given: Iterator[Statement]) -> list[Statement]:
     return rows
 
 
-def _derived(text: str, functions: tuple[Function, ...]) -> Between:
+def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
-    digest = header.digest_in(module.SOURCE, text)
-    last = header.filled(_filled(module.source_last(), functions), "c", digest)
-    return between(module.SOURCE, text, module.source_first(), last)
+    file = module.SOURCES[form]
+    digest = header.digest_in(file, text)
+    last = header.filled(_filled(module.source_last(form), functions), key("c", form), digest)
+    return between(file, text, module.source_first(form), last)
 
 
 def _filled(text: str, functions: tuple[Function, ...]) -> str:
@@ -82,7 +93,8 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
     by_name = {function.name: function for function in functions}
     start = by_name["_initial_state"]
     marks = {
-        "initial": ", ".join(start.results),
+        "initial": ", ".join(x for x in start.results if x not in SIGNS),
+        "signs": ", ".join(SIGNS),
         "initial given": ", ".join(start.parameters),
         "initial out": ", ".join(f"&{name}" for name in start.results),
         "circular given": ", ".join(by_name["_circular_constants"].parameters),
@@ -96,6 +108,12 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
         ),
     }
     marks |= {limit.name: str(limit.exponent) for limit in LIMITS}
+    for name in ("circular", "hyperbolic"):
+        count = len(by_name[f"_{name}_angles"].results)
+        for array in ("in", "to"):
+            rows = [f"{array} + {k} * s" for k in range(count)]
+            rows[:2] = [array, f"{array} + s"]
+            marks[f"{name} rows of {array}"] = ", ".join(rows)
     for mark, meaning in marks.items():
         text = text.replace(f"@{mark}@", meaning)
     return text
@@ -133,14 +151,14 @@ def _check_function(
     frame: Frame, given: Iterator[Statement], known: Mapping[str, Function], derived: Between
 ) -> None:
     for statement in frame.before:
-        _expect(module.SOURCE, given, statement)
+        _expect(derived.file, given, statement)
     function = frame.function
     extended = function.all_extended()
     reader = Reader(frame.name, frame.number, extended, known)
     for let, fused in zip(function.lets, fuse(function), strict=True):
         if len(let.targets) > 1:
-            _expect(module.SOURCE, given, f"double_double {', '.join(let.targets)};")
-        line, text = _next(module.SOURCE, given, let)
+            _expect(derived.file, given, f"double_double {', '.join(let.targets)};")
+        line, text = _next(derived.file, given, let)
         _check_line(reader, text, fused)
         _, _, note = derived.at(line).partition("; /* ")
         if note.removesuffix(" */") != comment(let):
@@ -148,7 +166,7 @@ def _check_function(
         if not is_equal(unfused(fused.expression), let.expression):
             raise InputError(frame.name, fused, f"{let}: not what was fused")
     for statement in frame.after:
-        _expect(module.SOURCE, given, statement)
+        _expect(derived.file, given, statement)
 
 
 def _check_line(reader: Reader, line: str, let: Let) -> None:

@@ -28,15 +28,6 @@ static double_double difference(const double_double apart[3], int j, int k)
     return k == (j + 1) % 3 ? apart[j] : dd_neg(apart[k]);
 }
 
-/* True where momentum and rates are parallel. */
-static int is_steady(const double_double apart[3], const double_double omega[3])
-{
-    for (int j = 0; j < 3; j++)
-        if (!is_zero(apart[j]) && !is_zero(omega[j]) && !is_zero(omega[(j + 1) % 3]))
-            return 0;
-    return 1;
-}
-
 /* The axes by their moments, largest first; equal ones stay in their order. */
 static void sorted(const double_double apart[3], int axis[3])
 {
@@ -49,6 +40,16 @@ static void sorted(const double_double apart[3], int axis[3])
                 axis[k] = axis[k + 1];
                 axis[k + 1] = first;
             }
+}
+
+/* 1 or -1 where a is the axis of largest or smallest moment, 0 where rates are constant; the axes are
+   sorted by their moments. */
+static double side_of(const double_double apart[3], const double_double omega[3], const int axis[3], double E_2)
+{
+    const int j = axis[0], k = axis[1], l = axis[2];
+    return circulation(!is_zero(difference(apart, j, k)), !is_zero(difference(apart, j, l)),
+                       !is_zero(difference(apart, k, l)), !is_zero(omega[j]), !is_zero(omega[k]),
+                       !is_zero(omega[l]), E_2);
 }
 
 /* E_b of doubles to all digits of a double_double: in exact arithmetic where its terms cancel. */
@@ -111,29 +112,27 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
     const double_double c_bd = difference(apart, axis[1], axis[2]);
     const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
     const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double epsilon = (axis[1] - axis[0] + 3) % 3 == 1 ? 1.0 : -1.0;
-    const double sigma = Omega_a.hi < 0.0 ? -1.0 : 1.0;
-    const double rho = c_ad.hi < 0.0 ? -1.0 : 1.0;
-    const double chi = -rho * epsilon * sigma * Omega_d.hi < 0.0 ? -1.0 : 1.0;
+    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
     const double unit = motion->unit, *constants;
-    size_t n;
+    size_t held;
     double_double @initial@;
+    double @signs@;
     initial_state(@initial given@, @initial out@);
-    if (k_1.hi * k_1.hi <= 0.5) {
+    if (k_1.hi * k_1.hi <= max_circular) {
         motion->branch = 1;
         circular_constants(@circular given@, &motion->of.circular);
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
         constants = (const double *)&motion->of.circular;
-        n = sizeof motion->of.circular / sizeof *constants;
+        held = sizeof motion->of.circular / sizeof *constants;
     } else {
         motion->branch = 2;
         hyperbolic_constants(@hyperbolic given@, &motion->of.hyperbolic);
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
         constants = (const double *)&motion->of.hyperbolic;
-        n = sizeof motion->of.hyperbolic / sizeof *constants;
+        held = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, n, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -220,19 +219,19 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
-    if (discriminant.hi < 0.0) {
+    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+    if (side < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    const int steady = is_steady(apart, omega);
     int code = TORQUE_FREE_OK;
     if (!is_rounded_once())
         return TORQUE_FREE_ARITHMETIC;
-    if (steady)
-        steady_init(&made, omega, unit_q);
-    else
+    if (side < 0.0 || side > 0.0)
         code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    else
+        steady_init(&made, omega, unit_q);
     if (code == TORQUE_FREE_OK)
         *motion = made;
     return code;
@@ -346,8 +345,8 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
     }
 }
 
-/* n states from what changes with time: two rows on the steady branch, four on the circular one, six
-   on the hyperbolic one.  Rows are s apart; `out` has room for seven. */
+/* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
+   others; `out` has room for seven. */
 static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
@@ -367,12 +366,11 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
         row[4 + axis[k]] = out + (4 + k) * s;
     }
     if (motion->branch == 1)
-        circular_state(&motion->of.circular, n, in, in + s, in + 2 * s, in + 3 * s, out, out + s,
-                       out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
+        circular_state(&motion->of.circular, n, @circular rows of in@,
+                       out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     else
-        hyperbolic_state(&motion->of.hyperbolic, n, in, in + s, in + 2 * s, in + 3 * s, in + 4 * s,
-                         in + 5 * s, out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s,
-                         out + 6 * s);
+        hyperbolic_state(&motion->of.hyperbolic, n, @hyperbolic rows of in@,
+                         out, out + s, out + 2 * s, out + 3 * s, out + 4 * s, out + 5 * s, out + 6 * s);
     interleaved4(n, row[0], row[1], row[2], row[3], q);
     interleaved(n, row[4], row[5], row[6], omega);
 }
@@ -384,10 +382,9 @@ static void block_angles(const torque_free_motion *motion, size_t n, size_t s, c
     if (motion->branch == 0)
         steady_angles(&motion->of.steady, n, t, t_lo, to, to + s);
     else if (motion->branch == 1)
-        circular_angles(&motion->of.circular, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s);
+        circular_angles(&motion->of.circular, n, t, t_lo, @circular rows of to@);
     else
-        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, to, to + s, to + 2 * s, to + 3 * s,
-                          to + 4 * s, to + 5 * s);
+        hyperbolic_angles(&motion->of.hyperbolic, n, t, t_lo, @hyperbolic rows of to@);
 }
 
 /* Asks for the lines that the next block of rows will be written to, so that they are there in time. */
@@ -537,7 +534,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
     }
 }
 
-/* The states of the hyperbolic branch, where what changes with time is more than sines and cosines. */
+/* The same where what changes with time is more than sines and cosines. */
 static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
@@ -572,7 +569,7 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     const size_t most = BLOCK * BLOCK;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
         return too_late(motion);
-    if (motion->branch == 2) {
+    if (motion->branch >= @one by one@) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
         grid_table(motion, inner_step, table);

@@ -25,7 +25,7 @@ class Statement(NamedTuple):
 def statements(file: str, derived: Between) -> Iterator[Statement]:
     """Raises InputError, naming the line, for a character that derived text does not have."""
     _refuse(file, derived, _STRANGE)
-    blank = Between(derived.line, _COMMENT.sub(_spaces, derived.text))
+    blank = Between(file, derived.line, _COMMENT.sub(_spaces, derived.text))
     _refuse(file, blank, _FOREIGN)
     begin = 0
     while blank.text[begin:].strip():

@@ -146,12 +146,11 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    if type(x) is float and type(y) is float:
-        return one if x <= y else other
+    first = x <= y
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
-        return _DoubleDouble(np.where(x <= y, one.hi, other.hi), np.where(x <= y, one.lo, other.lo))
-    return np.where(x <= y, one, other)
+        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+    return (one if first else other) if type(first) is bool else np.where(first, one, other)
 
 
 def _rounded(x):

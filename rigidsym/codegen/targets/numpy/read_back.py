@@ -4,7 +4,8 @@ import ast
 from collections.abc import Collection, Iterator, Mapping
 from copy import copy
 
-from rigidsym.codegen import header
+from rigidsym.codegen import header, shares
+from rigidsym.codegen.forms import THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import comment, flat_results
@@ -21,57 +22,65 @@ _BRANCHES = ("circular", "hyperbolic", "steady")
 
 
 def check(
-    files: Mapping[str, str], functions: tuple[Function, ...], constants: tuple[Constant, ...]
+    files: Mapping[str, str],
+    functions: tuple[Function, ...],
+    constants: tuple[Constant, ...],
+    form: str = THETA,
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    derived, functions = _derived(files[module.FILE]), emit.own(functions)
+    file, functions = module.FILES[form], emit.own(functions)
+    derived = _derived(files[file], functions, form)
     statements = iter(_statements(derived))
     for expected in _numbers(functions, constants):
-        _check_statement(_next(statements, expected), expected)
+        _check_statement(_next(statements, file, expected), file, expected)
     known: set[str] = set()
     for function in functions:
-        _check_function(function, _next(statements, f"def {function.name}"), known, derived)
+        node = _next(statements, file, f"def {function.name}")
+        _check_function(function, node, known, derived)
         known.add(function.name)
     for expected in (*_tables(functions), *_limits()):
-        _check_statement(_next(statements, expected), expected)
+        _check_statement(_next(statements, file, expected), file, expected)
     for left in statements:
-        raise InputError(_place(left), ast.unparse(left), "is no statement of this module")
+        raise InputError(_place(file, left), ast.unparse(left), "is no statement of this module")
     return sum(len(function.lets) for function in functions)
 
 
-def _derived(text: str) -> Between:
+def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
-    digest = header.digest_in(module.FILE, text)
-    first = header.filled(module.first(), "numpy", digest)
-    return between(module.FILE, text, first, module.last())
+    file = module.FILES[form]
+    kinds = (let.kind for function in functions for let in function.lets)
+    counts = shares.text(shares.shares(kinds, "numpy"))
+    said = module.first(form).replace(header.SHARES, counts)
+    first = header.filled(said, key("numpy", form), header.digest_in(file, text))
+    return between(file, text, first, module.last())
 
 
 def _statements(derived: Between) -> list[ast.stmt]:
     try:
         tree = ast.parse(derived.text)
     except SyntaxError as error:
-        place = f"{module.FILE}:{derived.line - 1 + (error.lineno or 1)}"
+        place = f"{derived.file}:{derived.line - 1 + (error.lineno or 1)}"
         raise InputError(place, (error.text or "").strip(), f"is no Python: {error.msg}") from None
     except ValueError as error:
-        raise InputError(module.FILE, "its text", f"is no Python: {error}") from None
+        raise InputError(derived.file, "its text", f"is no Python: {error}") from None
     return list(ast.increment_lineno(tree, derived.line - 1).body)
 
 
-def _next(statements: Iterator[ast.stmt], expected: str) -> ast.stmt:
+def _next(statements: Iterator[ast.stmt], file: str, expected: str) -> ast.stmt:
     for statement in statements:
         return statement
-    raise InputError(module.FILE, expected, "is not there")
+    raise InputError(file, expected, "is not there")
 
 
-def _place(node: ast.stmt) -> str:
-    return f"{module.FILE}:{node.lineno}"
+def _place(file: str, node: ast.stmt) -> str:
+    return f"{file}:{node.lineno}"
 
 
-def _check_statement(node: ast.stmt, expected: str) -> None:
+def _check_statement(node: ast.stmt, file: str, expected: str) -> None:
     (wanted,) = ast.parse(expected).body
     if ast.dump(node) != ast.dump(wanted):
         found, wanted = map(ast.unparse, _difference(node, wanted))
-        raise InputError(_place(node), found, f"is not {wanted:.80}")
+        raise InputError(_place(file, node), found, f"is not {wanted:.80}")
 
 
 def _difference(found: ast.AST, wanted: ast.AST) -> tuple[ast.AST, ast.AST]:
@@ -142,10 +151,12 @@ def _check_function(
     parameters = ", ".join(name for name in function.parameters if name != "t_lo")
     head = f"def {function.name}({parameters}):"
     if not isinstance(node, ast.FunctionDef) or _head(node) != head:
-        raise InputError(_place(node), _head(node), f"is not {head}")
+        raise InputError(_place(derived.file, node), _head(node), f"is not {head}")
     said, *lines, last = node.body
     if not _says(said, function.summary):
-        raise InputError(_place(said), ast.unparse(said), f"is not {function.summary!r}")
+        raise InputError(
+            _place(derived.file, said), ast.unparse(said), f"is not {function.summary!r}"
+        )
     if len(lines) != len(function.lets):
         raise InputError(function.name, f"{len(lines)} lines", f"has {len(function.lets)} lets")
     for line, let in zip(lines, function.lets, strict=True):

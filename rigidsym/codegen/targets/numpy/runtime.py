@@ -11,11 +11,13 @@ from rigidsym.codegen.targets.numpy.stubs import (
     DECISIVE,
     INITIAL_STATE,
     MAX_ANGLE,
+    MAX_CIRCULAR,
     MAX_RATE,
     MIN_DISCRIMINANT,
     MIN_MOMENT_RATIO,
     NEGLIGIBLE,
     TOLERATED,
+    _circulation,
     _discriminant,
     _DoubleDouble,
     _steady_constants,
@@ -97,9 +99,13 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
     q = [q[:, k] / length for k in range(4)]
     kept = np.abs(given.hi) >= NEGLIGIBLE
     omega = _DoubleDouble(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
-    axes, discriminant = _axes(c, apart, omega, discriminant)
-    axes, omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
-    steady = _is_steady(apart, omega)
+    axes = _sorted(apart)
+    if discriminant is None:
+        discriminant = _exact_discriminant(c.hi, omega.hi, axes)
+    omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
+    side = _sides(apart, omega, axes, discriminant)
+    axes = np.where(side[:, None] < 0, axes[:, ::-1], axes)
+    steady = side == 0
     made = {
         "shape": shape,
         # Nothing turns at rest, however long it takes.
@@ -127,20 +133,16 @@ def _add_moving(made, index, c, apart, omega, q, discriminant, refused):
     rates = [omega[index, axes[:, k]] for k in range(3)]
     parts = np.stack([x.hi for x in q], -1), np.stack([x.lo for x in q], -1)
     vector = [_DoubleDouble(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
-    epsilon = np.where((axes[:, 1] - axes[:, 0]) % 3 == 1, 1.0, -1.0)
-    sigma = np.where(rates[0].hi < 0, -1.0, 1.0)
-    rho = np.where(differences[1].hi < 0, -1.0, 1.0)
-    chi = np.where(-rho * epsilon * sigma * rates[2].hi < 0, -1.0, 1.0)
-    signs = {"epsilon": epsilon, "sigma": sigma, "rho": rho, "chi": chi}
     known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
     known |= dict(zip(("c_ab", "c_ad", "c_bd"), differences, strict=True))
     known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
     known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= signs | {"E_b": discriminant[index], "unit": made["unit"][index]}
+    known |= dict(zip(("axis_a", "axis_b", "axis_d"), axes.T, strict=True))
+    known |= {"E_b": discriminant[index], "unit": made["unit"][index]}
     if len(index) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(INITIAL_STATE, known)
-    small = known["k_1"].hi ** 2 <= 0.5
+    small = known["k_1"].hi ** 2 <= MAX_CIRCULAR
     for name, chosen in (("circular", small), ("hyperbolic", np.logical_not(small))):
         if np.any(chosen):
             some = np.flatnonzero(chosen)
@@ -190,7 +192,7 @@ def _plain(value):
 
 def _filled(constants, size):
     return {
-        name: np.full(size, value) if np.ndim(value) == 0 else value
+        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
         for name, value in constants.items()
     }
 
@@ -409,7 +411,7 @@ def _refuse(field, rule, bodies, refused):
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Axes, rates and E_b of the motions that are followed, and up to which inner times (B,).
+    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
@@ -421,7 +423,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
     faint = (discriminant.hi != 0) & (np.abs(discriminant.hi) < MIN_DISCRIMINANT)
     at = np.flatnonzero(distinct & (lost | faint))
     if not at.size:
-        return axes, omega, discriminant, reach
+        return omega, discriminant, reach
     inertia = np.take_along_axis(c.hi[at], axes[at], -1)
     between = _differences(apart[at], axes[at])
     rates = np.take_along_axis(given.hi[at], axes[at], -1)
@@ -436,11 +438,7 @@ def _followed(c, apart, axes, omega, given, discriminant):
         part[at] = np.where(zero, 0.0, part[at])
     for part in (discriminant.hi, discriminant.lo):
         part[at] = np.where(turns, 0.0, part[at])
-    # On the separatrix, a is the axis of largest inertia.
-    upside_down = turns & (between[1].hi < 0)
-    axes = axes.copy()
-    axes[at] = np.where(upside_down[:, None], axes[at, ::-1], axes[at])
-    return axes, omega, discriminant, reach
+    return omega, discriminant, reach
 
 
 def _blurred(inertia, between, rates, lost, discriminant, faint):
@@ -496,19 +494,21 @@ def _differences(apart, axes):
     return found
 
 
-def _is_steady(apart, omega):
-    """True where M and Omega are parallel, decided without rounding."""
-    still = (apart.hi == 0) | (omega.hi == 0) | (np.roll(omega.hi, -1, -1) == 0)
-    return np.all(still, -1)
-
-
-def _axes(c, apart, omega, discriminant):
-    """The indices of the axes (a, b, d), and E_b, whose sign chooses a."""
+def _sorted(apart):
+    """The indices of the axes by their moments, largest first."""
     # By how many moments are below each, less those above.
     order = np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")
-    if discriminant is None:
-        discriminant = _exact_discriminant(c.hi, omega.hi, order[:, ::-1])
-    return np.where(discriminant.hi[:, None] >= 0, order[:, ::-1], order), discriminant
+    return order[:, ::-1]
+
+
+def _sides(apart, omega, axes, discriminant):
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
+    rates = np.take_along_axis(omega.hi, axes, -1)
+    asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
+    given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]
+    if len(axes) == 1:
+        given = [float(x[0]) for x in given]
+    return np.reshape(_circulation(*given), -1)
 
 
 def _exact_discriminant(c, omega, axes):

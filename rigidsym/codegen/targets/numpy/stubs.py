@@ -12,12 +12,14 @@ __all__ = [
     "DECISIVE",
     "INITIAL_STATE",
     "MAX_ANGLE",
+    "MAX_CIRCULAR",
     "MAX_RATE",
     "MIN_DISCRIMINANT",
     "MIN_MOMENT_RATIO",
     "NEGLIGIBLE",
     "TOLERATED",
     "_DoubleDouble",
+    "_circulation",
     "_discriminant",
     "_steady_constants",
     "_two_sum",
@@ -48,11 +50,16 @@ class Branch(Step):
 
 
 INITIAL_STATE: Step = {"constants": lambda: (), "given": (), "names": ()}
-NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = MAX_ANGLE = MAX_RATE = 1.0
+NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = 1.0
+MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = 1.0
 BRANCHES: dict[str, Branch] = {}
 
 
 def _discriminant(*values: Value) -> Value:
+    raise NotImplementedError
+
+
+def _circulation(*values: float | np.ndarray) -> np.ndarray:
     raise NotImplementedError
 
 

@@ -16,6 +16,8 @@ _STEADY_PLAN = "static void steady_constants("
 _STEADY_STATE = "static void steady_state("
 _DISCRIMINANT = "static double_double discriminant_of("
 _MOVING = "static int moving_init("
+_START = "static void initial_state("
+_CIRCULATION = "static INLINED double circulation("
 _INIT = "static int init("
 _UNTOLD = "-U__ASSOCIATIVE_MATH__"
 
@@ -78,30 +80,30 @@ _GEOMETRY = (
     _fault(
         "axis",
         "axes in cyclic order taken for the others",
-        _MOVING,
-        "(axis[1] - axis[0] + 3) % 3 == 1",
-        "(axis[1] - axis[0] + 3) % 3 != 1",
+        _START,
+        "(axis_d - axis_b) / 2.0",
+        "(axis_b - axis_d) / 2.0",
     ),
     _fault(
         "sign",
         "sigma never negative",
-        _MOVING,
-        "sigma = Omega_a.hi < 0.0 ? -1.0",
-        "sigma = Omega_a.hi < 0.0 ? 1.0",
+        _START,
+        "sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0)",
+        "sigma = choose(0.0, dd_rounded(Omega_a), 1.0, 1.0)",
     ),
     _fault(
         "sign",
         "rho turned",
-        _MOVING,
-        "rho = c_ad.hi < 0.0 ? -1.0 : 1.0",
-        "rho = c_ad.hi < 0.0 ? 1.0 : -1.0",
+        _START,
+        "rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0)",
+        "rho = choose(0.0, dd_rounded(c_ad), -1.0, 1.0)",
     ),
     _fault(
         "sign",
         "chi never negative",
-        _MOVING,
-        "* Omega_d.hi < 0.0 ? -1.0 : 1.0",
-        "* Omega_d.hi < 0.0 ? 1.0 : 1.0",
+        _START,
+        "tau * dd_rounded(Omega_d), 1.0, -1.0)",
+        "tau * dd_rounded(Omega_d), 1.0, 1.0)",
     ),
     _fault(
         "attitude",
@@ -131,22 +133,22 @@ _DECISIONS = (
         "branch",
         "the circular branch taken up to k_1^2 = 0.9",
         _MOVING,
-        "k_1.hi * k_1.hi <= 0.5",
+        "k_1.hi * k_1.hi <= max_circular",
         "k_1.hi * k_1.hi <= 0.9",
     ),
     _fault(
         "branch",
         "the hyperbolic branch taken from k_1^2 = 0.1",
         _MOVING,
-        "k_1.hi * k_1.hi <= 0.5",
+        "k_1.hi * k_1.hi <= max_circular",
         "k_1.hi * k_1.hi <= 0.1",
     ),
     _fault(
         "branch",
         "the wrong side of the separatrix",
         _INIT,
-        "if (discriminant.hi < 0.0) {",
-        "if (discriminant.hi > 0.0) {",
+        "if (side < 0.0) {",
+        "if (side > 0.0) {",
     ),
     _fault(
         "branch",
@@ -157,10 +159,17 @@ _DECISIONS = (
     ),
     _fault(
         "branch",
-        "steady decided without the last two axes",
-        "static int is_steady(",
-        "!is_zero(apart[j])",
-        "!is_zero(apart[j]) && j != 2",
+        "the largest moments taken for equal",
+        "static double side_of(",
+        "!is_zero(difference(apart, j, k))",
+        "0.0",
+    ),
+    _fault(
+        "branch",
+        "a prolate body circulating about the axis of largest inertia",
+        _CIRCULATION,
+        "prolate_motion = -1.0",
+        "prolate_motion = 1.0",
     ),
     _fault(
         "branch",

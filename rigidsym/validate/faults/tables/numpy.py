@@ -18,6 +18,8 @@ _STEADY_ANGLES = "def _steady_angles("
 _STEADY_STATE = "def _steady_state("
 _PREPARATION = "    apart (B, 3): what each moment is"
 _MOVING = "def _add_moving("
+_START = "def _initial_state("
+_CIRCULATION = "def _circulation("
 
 _SERIES = (
     _fault(
@@ -61,37 +63,37 @@ _GEOMETRY = (
     _fault(
         "axis",
         "axes a and d not swapped below the separatrix",
-        "def _axes(",
-        "discriminant.hi[:, None] >= 0, order[:, ::-1], order)",
-        "discriminant.hi[:, None] >= 0, order[:, ::-1], order[:, ::-1])",
+        _PREPARATION,
+        "np.where(side[:, None] < 0, axes[:, ::-1], axes)",
+        "np.where(side[:, None] < 0, axes, axes)",
     ),
     _fault(
         "sign",
         "axes always right-handed",
-        _MOVING,
-        "% 3 == 1, 1.0, -1.0)",
-        "% 3 == 1, 1.0, 1.0)",
+        _START,
+        "(axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2",
+        "1.0",
     ),
     _fault(
         "sign",
         "sigma never negative",
-        _MOVING,
-        "sigma = np.where(rates[0].hi < 0, -1.0, 1.0)",
-        "sigma = np.where(rates[0].hi < 0, 1.0, 1.0)",
+        _START,
+        "sigma = _choose(0, _rounded(Omega_a), 1, -1)",
+        "sigma = _choose(0, _rounded(Omega_a), 1, 1)",
     ),
     _fault(
         "sign",
         "rho never negative",
-        _MOVING,
-        "rho = np.where(differences[1].hi < 0, -1.0, 1.0)",
-        "rho = np.where(differences[1].hi < 0, 1.0, 1.0)",
+        _START,
+        "rho = _choose(0, _rounded(c_ad), 1, -1)",
+        "rho = _choose(0, _rounded(c_ad), 1, 1)",
     ),
     _fault(
         "sign",
-        "chi without rho",
-        _MOVING,
-        "chi = np.where(-rho * epsilon",
-        "chi = np.where(-epsilon",
+        "chi without tau",
+        _START,
+        "chi = _choose(0, tau * _rounded(Omega_d)",
+        "chi = _choose(0, _rounded(Omega_d)",
     ),
     _fault(
         "attitude",
@@ -121,21 +123,21 @@ _DECISIONS = (
         "branch",
         "the branches swapped",
         _MOVING,
-        'small = known["k_1"].hi ** 2 <= 0.5',
-        'small = known["k_1"].hi ** 2 >= 0.5',
+        'small = known["k_1"].hi ** 2 <= MAX_CIRCULAR',
+        'small = known["k_1"].hi ** 2 >= MAX_CIRCULAR',
     ),
     _fault(
         "branch",
         "the circular branch taken up to k_1^2 = 0.8",
         _MOVING,
-        'small = known["k_1"].hi ** 2 <= 0.5',
+        'small = known["k_1"].hi ** 2 <= MAX_CIRCULAR',
         'small = known["k_1"].hi ** 2 <= 0.8',
     ),
     _fault(
         "branch",
         "the hyperbolic branch taken from k_1^2 = 0.05",
         _MOVING,
-        'small = known["k_1"].hi ** 2 <= 0.5',
+        'small = known["k_1"].hi ** 2 <= MAX_CIRCULAR',
         'small = known["k_1"].hi ** 2 <= 0.05',
     ),
     _fault(
@@ -148,16 +150,23 @@ _DECISIONS = (
     _fault(
         "branch",
         "moments that nearly agree taken for equal",
-        "def _is_steady(",
-        "(apart.hi == 0)",
-        "(np.abs(apart.hi) < 1e-12)",
+        "def _sides(",
+        "np.sign(np.abs(x))",
+        "np.sign(np.abs(x) // 1e-12)",
+    ),
+    _fault(
+        "branch",
+        "a prolate body circulating about the axis of largest inertia",
+        _CIRCULATION,
+        "prolate_motion = -1",
+        "prolate_motion = 1",
     ),
     _fault(
         "branch",
         "moments sorted as doubles",
-        "def _axes(",
-        'np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")',
-        "np.argsort(c.hi, axis=-1, kind='stable')",
+        _PREPARATION,
+        "axes = _sorted(apart)",
+        "axes = np.argsort(c.hi, axis=-1, kind='stable')[:, ::-1]",
     ),
     _fault(
         "branch",

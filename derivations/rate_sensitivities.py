@@ -1,0 +1,165 @@
+"""Sensitivities of the rates: how they move with the rates at t = 0 and the moments of inertia.
+
+A change of the rates at t = 0 and of the moments is written d; it is the derivative by a parameter
+on which all of them depend.  In `perturbed` D is that derivative: the change of each
+quantity of the addition form follows by the chain rule.  In `varied` D is the time derivative
+again, and the changes satisfy the variation of Euler's equations.  They need those of S_t, C_t and
+D_t with p and r: where p != r these are elementary in the functions, t and the integral of S_t^2;
+on the separatrix, where p = r, and where both vanish, each has a form of its own.
+"""
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import sympy
+
+from derivations.addition_form import (
+    COEFFICIENTS,
+    EULER,
+    FORCES,
+    FUNCTIONS,
+    GIVEN,
+    OTHERS,
+    RATES,
+    SQUARED,
+    START,
+    TIME,
+)
+from derivations.attitude import HANDEDNESS, INERTIA
+from rigidsym.proof.algebra import Book, Part, join
+from rigidsym.proof.steps.names import Dictionary, read, symbol
+
+Texts: TypeAlias = dict[str, str]
+
+MOVED = (*GIVEN.witness, *FORCES, *FUNCTIONS.witness)
+# The variation of S_t' = C_t D_t and the other two, and of the relations between them.
+VARIED_FUNCTIONS = Part(
+    witness={"dS_t": "0", "dC_t": "0", "dD_t": "0"},
+    relations=("2*C_t*dC_t + dp*S_t**2 + 2*p*S_t*dS_t", "2*D_t*dD_t + dr*S_t**2 + 2*r*S_t*dS_t"),
+    rates={
+        "dS_t": "dC_t*D_t + C_t*dD_t",
+        "dC_t": "-dp*S_t*D_t - p*dS_t*D_t - p*S_t*dD_t",
+        "dD_t": "-dr*S_t*C_t - r*dS_t*C_t - r*S_t*dC_t",
+    },
+    reading={f"d{x}": f"the change of {x}" for x in FUNCTIONS.witness},
+)
+PARAMETERS = Part(
+    witness={"p": "2", "r": "1", "dp": "1", "dr": "1"},
+    reading={"p": "lambda^2", "r": "m lambda^2", "dp": "a change of p", "dr": "a change of r"},
+)
+# What S_t, C_t and D_t change by, in each of the cases.
+CASES: Mapping[str, Part] = {
+    "varied_general": Part(
+        units=("p - r",),
+        definitions={
+            "X_p": "t - r*E_t",
+            "X_r": "t - p*E_t",
+            "dS_t": "(dr*(S_t*C_t**2 - C_t*D_t*X_r) - dp*(S_t*D_t**2 - C_t*D_t*X_p))/(2*(p - r))",
+            "dC_t": "(p*dr*(S_t*D_t*X_r - S_t**2*C_t) - dp*(p*S_t*D_t*X_p - r*S_t**2*C_t))"
+            "/(2*(p - r))",
+            "dD_t": "(dr*(r*S_t*C_t*X_r - p*S_t**2*D_t) - r*dp*(S_t*C_t*X_p - S_t**2*D_t))"
+            "/(2*(p - r))",
+        },
+    ),
+    "varied_separatrix": Part(
+        units=("p", "C_t"),
+        definitions={
+            "dS_t": "-(dp + dr)*(S_t - C_t**2*t)/(4*p)",
+            "dC_t": "-(2*dp*S_t**2 - (dp + dr)*S_t*(S_t - C_t**2*t))/(4*C_t)",
+            "dD_t": "-(2*dr*S_t**2 - (dp + dr)*S_t*(S_t - C_t**2*t))/(4*C_t)",
+        },
+        relations=("p - r", "C_t - D_t"),
+    ),
+    "varied_constant": Part(
+        definitions={"dS_t": "-(dp + dr)*t**3/6", "dC_t": "-dp*t**2/2", "dD_t": "-dr*t**2/2"},
+        relations=("p", "r", "C_t - 1", "D_t - 1", "S_t - t"),
+    ),
+}
+WITNESSES = {
+    "varied_general": {},
+    "varied_separatrix": {"p": "1", "r": "1"},
+    "varied_constant": {"p": "0", "r": "0"},
+}
+
+
+def derive(book: Book) -> None:
+    """The changes of the rates, and of the functions that they are made of."""
+    changes = _changes({**GIVEN.definitions, **RATES.definitions})
+    _perturbed(book, changes)
+    _moving(book, changes)
+    _functions(book)
+
+
+def _changes(definitions: Mapping[str, str]) -> Texts:
+    """The change of each definition by those of the names in it: the chain rule."""
+    texts = Dictionary(join("changes", GIVEN, static=True)).text
+    return {f"d{name}": texts(_change(name, text)) for name, text in definitions.items()}
+
+
+def _change(name: str, text: str) -> sympy.Expr:
+    """Of N/d it is (dN - (N/d) dd)/d, with the quotient by its name."""
+    above, below = sympy.fraction(read(text))
+    found = _total(above)
+    return found if below == 1 else (found - symbol(name) * _total(below)) / below
+
+
+def _total(polynomial: sympy.Expr) -> sympy.Expr:
+    # The handedness of the axes does not change.
+    names = sorted(polynomial.free_symbols - {symbol("epsilon")}, key=str)
+    return sympy.Add(*(sympy.diff(polynomial, x) * symbol(f"d{x}") for x in names))
+
+
+def _perturbed(book: Book, changes: Texts) -> None:
+    """D is the derivative by a parameter: what is called a change is one."""
+    small = Part(
+        witness={f"d{name}": "1" for name in MOVED},
+        rates={name: f"d{name}" for name in MOVED},
+        definitions=changes,
+        reading={f"d{name}": f"the change of {name}" for name in MOVED},
+    )
+    still = Part(FUNCTIONS.witness, reading=FUNCTIONS.reading)
+    book.open(join("perturbed", COEFFICIENTS, GIVEN, still, RATES, small))
+    book.claim("perturbed.changes", {f"D({name[1:]})": name for name in changes}, ["5"])
+    moments = Part(
+        witness={f"d{c}": "1" for c in INERTIA.witness},
+        rates={c: f"d{c}" for c in INERTIA.witness},
+        definitions={**FORCES, **_changes(FORCES)},
+    )
+    book.open(join("perturbed_moments", HANDEDNESS, INERTIA, moments))
+    by_moments = {f"D({name})": f"d{name}" for name in FORCES}
+    book.claim("perturbed_moments.changes", by_moments, ["5"])
+
+
+def _moving(book: Book, changes: Texts) -> None:
+    """D is the time derivative: the changes satisfy the variation of Euler's equations."""
+    constant = Part(
+        witness={f"d{name}": "1" for name in (*GIVEN.witness, *FORCES)}, definitions=changes
+    )
+    parts = (COEFFICIENTS, GIVEN, FUNCTIONS, RATES, constant)
+    book.open(join("varied", *parts, VARIED_FUNCTIONS))
+    book.claim("varied.euler", EULER, ["5"])
+    varied = {
+        f"D(dOmega_{x})": f"dalpha_{x}*Omega_{y}*Omega_{z}"
+        f" + alpha_{x}*(dOmega_{y}*Omega_{z} + Omega_{y}*dOmega_{z})"
+        for x, (y, z) in OTHERS.items()
+    }
+    book.claim("varied.variation", varied, ["5"])
+    still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, VARIED_FUNCTIONS)]
+    start = Part(relations=("S_t", "C_t - 1", "D_t - 1", *VARIED_FUNCTIONS.witness))
+    parts = (COEFFICIENTS, GIVEN, *still, RATES, constant, start)
+    book.open(join("varied_start", *parts, static=True))
+    book.claim("varied_start.rates", {f"dOmega_{x}": f"dOmega_{x}0" for x in "abd"}, ["12"])
+
+
+def _functions(book: Book) -> None:
+    """In each case the changes of S_t, C_t, D_t satisfy the varied equations, from 0."""
+    varied = {f"D({name})": rate for name, rate in VARIED_FUNCTIONS.rates.items()}
+    relations = dict.fromkeys(VARIED_FUNCTIONS.relations, "0")
+    still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
+    for name, case in CASES.items():
+        at = Part(WITNESSES[name])
+        book.open(join(name, PARAMETERS, FUNCTIONS, TIME, SQUARED, case, at))
+        book.claim(f"{name}.variation", varied | relations, ["5", "10"])
+        book.open(join(f"{name}_start", PARAMETERS, *still, case, START, at, static=True))
+        start = dict.fromkeys(VARIED_FUNCTIONS.witness, "0")
+        book.claim(f"{name}_start.functions", start, ["12"])

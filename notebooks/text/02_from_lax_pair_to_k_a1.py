@@ -1,0 +1,546 @@
+# ---
+# jupyter:
+#   jupytext:
+#     cell_metadata_filter: tags,-all
+#     formats: ipynb,text//py:percent
+#     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#       format_version: '1.3'
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # 2. From the Lax pair to $KA_1$
+#
+# The attitude of a free body has three degrees of freedom, and one would expect three integrations.
+# The paper needs one. The reason is the conservation of angular momentum *as a vector in space*: turn
+# the frame so that this vector lies along an axis, and the momentum in the body hands over two of the
+# three angles by mere comparison of matrices.
+#
+# This notebook *derives* equations (3) to (9) and (22) to (29), from a basis of matrices and a kinetic
+# energy. Each line is a **step** that runs in its cell: SymPy goes forward, it multiplies out, solves
+# or differentiates; then a small kernel decides whether what it found is true. What a cell shows is
+# what came out: what was done, the equation, the paper's number, what was divided by, and on
+# the right the name under which the kernel keeps the fact.
+#
+# The steps are those of the chapters `derivations/lie_algebra.py`, `euler_lax.py` and `conjugacy.py`.
+# The verdicts on the printed lines are in [notebook 1](01_the_paper_line_by_line.ipynb).
+
+# %% tags=["hide-input"]
+import matplotlib.pyplot as plt
+import numpy as np
+import sympy
+from IPython.display import Math, display
+
+from derivations.conjugacy import (
+    MOMENTUM,
+    PHI,
+    TURNING,
+    K,
+    Reduction,
+    by_angles,
+    rotation,
+    turns,
+)
+from derivations.euler_lax import MOMENTA, RATES, Dynamics, parameters
+from derivations.lie_algebra import (
+    PAIR,
+    UNIT_QUATERNION,
+    UNITS,
+    A,
+    Algebra,
+    M,
+    Omega,
+    R,
+    combination,
+    commutator,
+    e,
+    from_quaternion,
+)
+from derivations.setting import Setting
+from rigidsym.io.cases import paper_case
+from rigidsym.proof.algebra import Book, Part, circle
+from rigidsym.proof.kernel import Grade
+from rigidsym.proof.steps import (
+    Desk,
+    Rate,
+    StepError,
+    coordinates,
+    determinant,
+    differentiate,
+    matrix,
+    multiply,
+    rewrite,
+    solve,
+    solve_family,
+    vary,
+)
+from rigidsym.proof.steps.names import symbol, symbols
+from support import equation, grades, printed
+from support.figures import curve, label, momentum_sphere
+
+# %% [markdown]
+# ## What is chosen
+#
+# A derivation starts from choices: which axes the body is turned about, and in which order; onto
+# which axis the momentum is turned; the basis of the Lie algebra; the Lagrangian. `Setting()` has
+# those of the paper. **Change them here and run on**: `Setting(sequence=(3, 1, 3))` takes the turns of
+# celestial mechanics, `Setting(axis=2)` turns the momentum onto another axis, `Setting(sign=-1)` or
+# `Setting(factor=1)` takes another basis. All that follows is computed again, the pictures too.
+
+# %%
+setting = Setting()
+
+book = Book()
+book.keep(setting)
+
+# %% [markdown]
+# The *book* takes down every step, and the facts of the kernel.
+#
+# ## A basis whose bracket is the cross product
+#
+# $SU(2)$ is the group of unit quaternions written as $2\times2$ matrices. Its Lie algebra is spanned
+# by three matrices, and the factor $\tfrac12$ is chosen so that $[A_1,A_2]=A_3$ and cyclically, just
+# as $e_1\times e_2=e_3$. A vector $v$ in $\mathbb R^3$ and the matrix $v_1A_1+v_2A_2+v_3A_3$ are then
+# two notations for the same thing.
+
+# %%
+basis = dict(zip(("A1", "A2", "A3"), setting.basis(), strict=True))
+for name, value in basis.items():
+    display(equation(matrix(name), value))
+
+# %% [markdown]
+# One works at a *desk*: a context with names of numbers (here the components of two quaternions and of
+# a velocity), and of matrices made from them. $P$ and $Q$ are quaternions, $e_0,\dots,e_3$ are
+# $1,\mathrm i,\mathrm j,\mathrm k$. The first step asks for the coordinates of each bracket.
+
+# %%
+matrices = {
+    "P": from_quaternion("p"),
+    "Q": from_quaternion("q"),
+    **UNITS,
+    **basis,
+    "Omega": combination("Omega1 Omega2 Omega3"),
+}
+desk = Desk.open(book, "quaternions", PAIR, matrices=matrices, static=True)
+
+constants = [[(sympy.S.Zero,) * 3 for _ in A] for _ in A]
+for i, j in ((0, 1), (1, 2), (0, 2)):
+    fact, why = (
+        f"quaternions.bracket_{i + 1}{j + 1}",
+        f"the bracket of A{i + 1} and A{j + 1}, read off",
+    )
+    step = coordinates(desk, fact, commutator(A[i], A[j]), A, why, ["4"])
+    constants[i][j], constants[j][i] = step.value, tuple(-x for x in step.value)
+    display(step)
+
+# %% [markdown]
+# The coordinates are the structure constants; they are kept, since the equations of motion will be
+# made of them. By the same step, $\dot R=R\,\Omega$ becomes the four rates of a quaternion:
+
+# %%
+why = "R' = R Omega in the components of a quaternion"
+kinematics = coordinates(desk, "quaternions.kinematics", matrix("Q") * Omega, e, why, ["3"])
+algebra = Algebra(setting, constants, kinematics.value)
+book.keep(algebra)
+kinematics
+
+# %% [markdown]
+# (The kernel has not seen SymPy's result alone. It was handed the product $Q\,\Omega$, entry by entry
+# as sums of products, and multiplied for itself. Complex entries are pairs of real ones there, so
+# that it never meets $\mathrm i$.)
+#
+# ## Euler's equations from the kinetic energy
+#
+# Vary the motion: if $R$ becomes $R+\delta R$ with $\delta R=R\,\eta$, then the velocity changes by
+# $\delta\Omega=\dot\eta+[\Omega,\eta]$. The change of $L$ is $\sum M_k\,\delta\Omega_k$ with
+# $M_k=\partial L/\partial\Omega_k$; integrate by parts, and what stands before $\eta_k$ has to vanish.
+# It is the structure constants that enter, so this is Newton's law in whatever basis was chosen.
+
+# %%
+given, lagrangian = parameters(setting), setting.energy()
+display(equation("L", lagrangian))
+why = "vary the attitude in the Lagrangian: M' by the momenta and the rates"
+varied = vary(book, "variation", lagrangian, constants, given, why, ["5", "7"])
+varied.step
+
+# %%
+unknown = symbols("Omega1_rate Omega2_rate Omega3_rate")
+why = "Euler's equations: solve for the rates of the rates"
+euler = solve(varied.desk, "variation.euler", varied.equations, unknown, why, ["5"])
+euler
+
+# %% [markdown]
+# ## What can be conserved
+#
+# The matrix $M=\sum M_kA_k$ has trace zero, so that its eigenvalues are $\pm\sqrt{-\det M}$:
+
+# %%
+momenta = Part(witness=dict.fromkeys(map(str, MOMENTA), "1"))
+named = {**basis, "M": combination("M1 M2 M3")}
+desk = Desk.open(book, "spectrum", momenta, matrices=named, static=True)
+why = "the spectrum of M, whose trace is zero, is in its determinant"
+spectrum = determinant(desk, "spectrum.determinant", M, why, ["6", "7"])
+spectrum
+
+# %% [markdown]
+# They are multiples of $K$ with $K^2=M_1^2+M_2^2+M_3^2$. The other quantity of (6) is the energy
+# $H=\sum M_k\Omega_k-L$. With Euler's equations for the rates, this is a *body that moves*: a context
+# in which a time derivative can be taken.
+
+# %%
+square = sympy.expand(spectrum.value / setting.factor**2)
+pairs = zip(varied.momenta, RATES, strict=True)
+energy = sympy.factor(sympy.expand(sum(m * w for m, w in pairs) - lagrangian))
+body = Part(
+    witness={"Omega1": "1", "Omega2": "2", "Omega3": "3"},
+    definitions={
+        **{str(name): str(value) for name, value in zip(MOMENTA, varied.momenta, strict=True)},
+        "H": str(energy),
+        "K_squared": str(square),
+    },
+    rates={str(w): str(euler[symbol(f"{w}_rate")]) for w in RATES},
+    reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in (1, 2, 3)},
+)
+gaps = [name - value for name, value in zip(MOMENTA, varied.momenta, strict=True)]
+velocities = sympy.solve(gaps, RATES)
+book.keep(Dynamics(given, body, varied.momenta, velocities))
+display(equation("H", energy), equation("K^2", square))
+
+# %% [markdown]
+# ## Euler's equations as one matrix equation
+#
+# The three right sides above look like a bracket. They are one, and so the equations of motion
+# are $\dot M=[M,\Omega]$.
+
+# %%
+pair = {**named, "Omega": combination("Omega1 Omega2 Omega3")}
+desk = Desk.open(book, "body", given, body, matrices=pair)
+why = "the bracket of M with the velocity"
+bracket = coordinates(desk, "body.euler", commutator(M, Omega), A, why, ["5", "7"])
+why = "M and Omega are a Lax pair"
+lax = multiply(desk, "body.lax", Rate(M), commutator(M, Omega), why, ["7"])
+display(bracket, lax)
+
+# %% [markdown]
+# Such a pair $(M,\Omega)$ is called a **Lax pair**, and its gift is that the spectrum of $M$ cannot
+# change: $\frac{d}{dt}\operatorname{tr}M^2=2\operatorname{tr}M[M,\Omega]=0$. That is the
+# conservation of $K$. Energy is conserved as well, for another reason.
+
+# %%
+display(differentiate(desk, "body.energy", symbol("H"), "energy is conserved", ["6", "15"]))
+why = "and so is the spectrum of M"
+display(differentiate(desk, "body.momentum", symbol("K_squared"), why, ["6", "7", "15"]))
+
+# %% [markdown]
+# Did one have to know the partner $\Omega$? No. Suppose any matrix $B=\sum b_kA_k$, ask for
+# $\dot M=[M,B]$, and solve for the $b_k$. Three linear equations, and one direction is left free.
+
+# %%
+unknown = symbols("b1 b2 b3")
+ansatz = Part(witness={**dict.fromkeys(map(str, unknown), "1"), "b_free": "1"})
+B, partner = matrix("B"), {**pair, "B": combination("b1 b2 b3")}
+desk = Desk.open(book, "partner", given, body, ansatz, matrices=partner)
+why = "which matrices B have M' = [M, B]?"
+wanted = coordinates(desk, "partner.bracket", commutator(M, B), A, why, ["7"])
+equations = list(zip(wanted.value, bracket.value, strict=True))
+why = "Omega, up to a multiple of M"
+free = symbol("b_free")
+display(wanted, solve_family(desk, "partner.found", equations, unknown, free, why, ["7"]))
+
+# %% [markdown]
+# ## As seen from space, the momentum stands still
+#
+# With the kinematics $\dot R=R\,\Omega$ of (3),
+#
+# $$\frac{d}{dt}\left(RMR^{-1}\right)=R\left(\Omega M+\dot M-M\Omega\right)R^{-1}
+# =R\left(\dot M-[M,\Omega]\right)R^{-1}=0 .$$
+#
+# The kernel does not take that from us; it differentiates and multiplies the four entries.
+
+# %%
+parts = (given, body, UNIT_QUATERNION, algebra.attitude)
+desk = Desk.open(book, "moving_body", *parts, matrices={**pair, "R": from_quaternion("q")})
+why = "the attitude turns with the body"
+display(multiply(desk, "moving_body.kinematics", Rate(R), R * Omega, why, ["3"]))
+nothing, why = sympy.ZeroMatrix(2, 2), "the momentum in space is constant"
+fact = "moving_body.momentum_is_constant"
+display(multiply(desk, fact, Rate(R * M * R.I), nothing, why, ["9", "22"]))
+
+# %% [markdown]
+# The paper calls the constant $M(0)$. It is $R(0)M(0)R(0)^{-1}$; that is the same only when $R(0)$ and
+# $M(0)$ commute, say at $R(0)=e$.
+
+# %%
+printed("9", "22")
+
+# %% [markdown]
+# ## Turning the momentum onto an axis
+#
+# Since the momentum in space is constant, choose the axes in space so that it lies along one of
+# them, the first in the paper: look for a solution $\bar R$ with
+#
+# $$\bar RM\bar R^{-1}=KA_1 .$$
+#
+# Any motion is a constant rotation away from such a one (37). Now write $\bar R$ as three turns,
+#
+# $$\bar R=\exp(\phi_1A_1)\exp(\phi_2A_2)\exp(\phi_3A_1),$$
+#
+# called $E_1$, $E_2$ and $E_3$ here. From $A^2=-\frac14$ follows
+# $\exp(\phi A)=\cos\frac\phi2+2A\sin\frac\phi2$. (Where the momentum is to be turned onto another axis
+# than that of the outer turns, a constant rotation $T$ comes before them.)
+
+# %%
+factors, axis = rotation(setting), A[setting.target - 1]
+outer, parts = A[setting.sequence[0] - 1], turns(setting)
+desk = Desk.open(book, "three_angles", MOMENTUM, TURNING, *parts, matrices={**basis, **factors})
+display(equation("R", factors["R"]))
+E1, why = matrix("E1"), "a turn about a fixed axis"
+turning = symbol("phi1_rate") * outer * E1
+display(multiply(desk, "three_angles.exponential", Rate(E1), turning, why, ["25"]))
+one, why = sympy.Identity(2), "R is unitary"
+display(multiply(desk, "three_angles.inverse", R * R.adjoint(), one, why, ["1", "25"]))
+
+# %% [markdown]
+# In space the first factor is a turn about the momentum itself. It commutes with $A_1$, and therefore
+# drops out of $M=K\bar R^{-1}A_1\bar R$: **the momentum in the body knows $\phi_2$ and $\phi_3$, and
+# nothing of $\phi_1$.** That is the whole trick.
+
+# %%
+why = "the first turn leaves its own axis where it is"
+display(multiply(desk, "three_angles.stabiliser", E1 * outer * E1.I, outer, why, ["25"]))
+why = "the momentum that is turned onto the axis, seen in the body: phi1 has gone"
+seen = coordinates(desk, "three_angles.momentum", R.I * axis * R, A, why, ["24", "26"])
+display(seen, printed("26"))
+
+# %% [markdown]
+# ### How the kernel knows
+#
+# Not by simplifying. In the ring of the cosines and sines of three angles the relations are
+# $\cos^2+\sin^2-1=0$, three times over. The difference of both sides is divided by them, and remainder
+# zero leaves three *cofactors* that prove it: the difference **is** the sum of cofactor times relation,
+# which polynomial multiplication confirms. Here is one of the entries.
+
+# %%
+ring, fact = desk.ring, seen.fact
+differences = [ring.read(x) - ring.read(y) for x, y in zip(fact.lhs, fact.rhs, strict=True)]
+entry = next(k for k, difference in enumerate(differences) if len(difference.numerator) > 0)
+cofactors = [ring.read(text).numerator for text in fact.certificate["cofactors"][entry]]
+print("terms of left minus right:", len(differences[entry].numerator))
+for k, (relation, cofactor) in enumerate(zip(ring.relations, cofactors, strict=True), start=1):
+    display(equation(f"r_{k}", desk.read(str(relation))))
+    display(equation(f"a_{k}", desk.read(str(cofactor))))
+display(Math(r"\text{left} - \text{right} = a_1r_1 + a_2r_2 + a_3r_3"))
+
+# %% [markdown]
+# A claim that is not true leaves a remainder, and no cofactors can be found. The kernel then refuses
+# it, and so a step whose SymPy went astray ends here. *Undecided* is what it says, not *false*: only a
+# counterexample makes a statement false.
+
+# %%
+try:
+    rewrite(desk, "three_angles.wrong", sympy.cos(PHI[1]), sympy.sin(PHI[1]), "wrong")
+except StepError as refusal:
+    print(refusal)
+
+# %% [markdown]
+# ## With these components, $\bar R$ does what was asked
+#
+# Put $K$ times the coordinates found for the momentum, and multiply out once more: it is turned
+# onto the axis. No time has passed in this; it is a statement about one instant.
+
+# %%
+circles = tuple(
+    circle(f"cos_phi{k}", f"sin_phi{k}", str(2 * setting.factor * PHI[k - 1])) for k in (2, 3)
+)
+reduction = Reduction(seen.value, varied.momenta, {**basis, **factors}, parts, circles)
+book.keep(reduction)
+there = (given, MOMENTUM, *parts)
+named = {**reduction.matrices, "M": combination("M1 M2 M3")}
+desk = Desk.open(
+    book, "reduced", *there, by_angles(book, reduction, *there), matrices=named, static=True
+)
+why = "with these components of M, R turns M onto the axis"
+display(multiply(desk, "reduced.conjugate", R * M * R.I, K * axis, why, ["23"]))
+display(multiply(desk, "reduced.momentum", M, K * (R.I * axis * R), "and back", ["24"]))
+
+# %% [markdown]
+# ## Reading off two angles
+#
+# What is left is to compare: three components of the momentum, two angles. The component along the
+# outer axis gives $\phi_2$; the other two are linear in $\cos\phi_3$ and $\sin\phi_3$ and give
+# $\phi_3$. Nothing is lost on the way: `solve` has the kernel decide both directions.
+
+# %%
+w = 2 * setting.factor  # exp(phi A) turns by w phi
+first, second, third = (k - 1 for k in setting.axes)
+pole = Part(
+    witness={"M1": "1", "M2": "1", "M3": "1", "sin_phi2": "4/5"},
+    units=("sin_phi2",),
+    reading={"sin_phi2": str(sympy.sin(w * PHI[1]))},
+)
+unknown = [sympy.cos(w * PHI[1]), sympy.cos(w * PHI[2]), sympy.sin(w * PHI[2])]
+names = ("cos_phi2", "cos_phi3", "sin_phi3")
+angles = Part(
+    witness=dict.fromkeys(names, "1"), reading=dict(zip(names, map(str, unknown), strict=True))
+)
+desk = Desk.open(book, "compared", MOMENTUM, pole, angles, static=True)
+compared = [(MOMENTA[k], K * seen[k]) for k in (first, second, third)]
+why = "the component along the outer axis gives phi2"
+phi2 = solve(desk, "compared.phi2", compared[:1], unknown[:1], why, ["27"])
+why = "the other two give phi3"
+phi3 = solve(desk, "compared.phi3", compared[1:], unknown[1:], why, ["28"])
+display(phi2, phi3)
+
+# %% [markdown]
+# Their quotient is (29). It divides by $\cos\phi_3$ as well, and it forgets a sign: it gives $\phi_3$
+# up to half a turn.
+
+# %%
+there = (given, MOMENTUM, *circles)
+desk = Desk.open(book, "phi3", *there, by_angles(book, reduction, *there), static=True)
+cosine, sine = unknown[1:]
+known = dict(zip(MOMENTA, varied.momenta, strict=True))
+quotient = sympy.cancel(phi3[sine] / phi3[cosine]).subs(known)
+why = "their quotient, where it is one; it gives phi3 up to half a turn"
+tangent = rewrite(desk, "tangent.phi3", sine / cosine, quotient, why, ["29"], "quotient")
+display(tangent, printed("29"))
+
+# %% [markdown]
+# In geometry, $\phi_2$ is the angle between the momentum and the first body axis, a colatitude, and
+# $\phi_3$ the longitude around that axis, counted from axis 3 towards axis 2. At the poles a
+# longitude means nothing, and its *tangent* has a pole of its own wherever $\Omega_3$ passes zero.
+#
+# ## The same on the paper's spacecraft
+#
+# *An illustration in floating point, not a proof.* The momentum in the body runs along a curve, a
+# **polhode**, on the sphere of radius $K$: the sphere is $K=\text{const}$, and each curve on it is
+# $H=\text{const}$. The thick one is the motion of the paper's spacecraft, the dashed ones are the
+# separatrices that divide circulation about the axis of smallest inertia from that about the axis
+# of largest inertia. The angles are computed by the equations that `solve` has just found.
+
+# %%
+motion = paper_case().motion
+inertia = np.array(list(map(float, motion.inertia)))
+t = np.linspace(0, 300, 1201)
+q, omega = motion(t)
+momentum = omega * inertia
+size = np.linalg.norm(momentum[0])
+unit = momentum / size
+
+
+def numbers(expressions, names, *values):
+    """Expressions at arrays of values of names, one below the other in the last axis."""
+    found = sympy.lambdify(names, list(expressions), "numpy")(*values)
+    return np.stack(np.broadcast_arrays(*found), axis=-1)
+
+
+turned = float(w)
+sine_of_phi2 = sympy.sin(w * PHI[1])
+inputs = (*momentum.T, size)
+(colatitude,) = np.arccos(numbers([phi2[unknown[0]]], (*MOMENTA, K), *inputs)).T
+longitude = numbers(
+    [x.subs(sine_of_phi2, symbol("s")) for x in (phi3[cosine], phi3[sine])],
+    (*MOMENTA, K, symbol("s")),
+    *inputs,
+    np.sin(colatitude),
+)
+longitude = np.unwrap(np.arctan2(longitude[:, 1], longitude[:, 0]))
+
+# %% tags=["hide-input"]
+figure = plt.figure(figsize=(10, 5.2))
+axes = momentum_sphere(figure, 121, motion)
+axes.set_title("the momentum in the body, $M/K$", size=11)
+curve(axes, unit, color="C0", lw=2.5)
+curve(axes, [0 * unit[0], unit[0]], color="C0", lw=1.5)
+share = np.linspace(0, 1, 30)
+arcs = {
+    r"$\phi_2$": (share * colatitude[0], 0 * share + longitude[0], "C1"),
+    r"$\phi_3$": (0 * share + np.pi / 2, share * longitude[0], "C2"),
+}
+for name, (down, around, colour) in arcs.items():
+    arc = 0.55 * numbers(seen.value, PHI[1:], down / turned, around / turned)
+    curve(axes, arc, color=colour, lw=2)
+    label(axes, 1.3 * arc[15], name, color=colour, size=13)
+
+above = figure.add_subplot(2, 2, 2)
+above.plot(t, np.degrees(colatitude), color="C1", label=r"$\phi_2$ (deg)")
+above.plot(t, np.degrees(longitude) / 10, color="C2", label=r"$\phi_3/10$ (deg), unwrapped")
+above.legend(fontsize=9)
+below = figure.add_subplot(2, 2, 4, sharex=above)
+slope = np.tan(longitude)
+below.plot(t, np.where(abs(slope) < 12, slope, np.nan), color="C2")
+below.set(xlabel="time (s)", ylim=(-10, 10), ylabel=r"$\tan\phi_3$")
+figure.tight_layout()
+
+# %% [markdown]
+# Left: the orange arc is $\phi_2$ at $t=0$, the green one $\phi_3$. Right: both angles are smooth,
+# while the tangent of (29) has a pole at every zero of $\Omega_3$. To take $\phi_3$ from $y=\tan\phi_3$
+# alone is to lose half of the circle, and that is where Theorem 1's signs come from.
+#
+# And the numbers agree with the statements: $RMR^{-1}$ stands still, and with $\phi_2$ and $\phi_3$
+# so found the three turns take $M$ to $KA_1$, whatever $\phi_1$ is.
+
+# %%
+A_numbers = [np.array(a.tolist(), dtype=complex) for a in setting.basis()]
+e_numbers = [np.array(UNITS[f"e{k}"].tolist(), dtype=complex) for k in range(4)]
+
+
+def combined(coefficients, matrices):
+    """Sums of matrices with rows of coefficients."""
+    return np.einsum("nk,kij->nij", coefficients, np.array(matrices))
+
+
+def conjugated(turns, matrices):
+    """R M R^-1 for unitary R."""
+    return turns @ matrices @ np.conj(np.swapaxes(turns, 1, 2))
+
+
+in_space = conjugated(combined(q, e_numbers), combined(momentum, e_numbers[1:]))
+explicit = Desk.open(Book(), "R", *parts, matrices={**basis, **factors}, static=True).explicit(R)
+entries = numbers(explicit, PHI, 0 * t + 0.7, colatitude / turned, longitude / turned)
+reduced = conjugated(entries.reshape(-1, 2, 2), combined(momentum, A_numbers))
+onto = size * A_numbers[setting.target - 1]
+print("R M R^-1 stands still to 1e-14 K:", bool(np.ptp(in_space, axis=0).max() < 1e-14 * size))
+print("it becomes K A to 1e-14 K:       ", bool(abs(reduced - onto).max() < 1e-14 * size))
+
+# %% [markdown]
+# ## What has been earned
+#
+# Two of three angles, and no integration yet. The third is what
+# [the next notebook](03_the_phi1_integral_and_pi.ipynb) is about. The last cell, folded, checks what
+# was said. (That the facts above are, side by side, those of the chapters, is tested elsewhere.)
+
+# %% tags=["hide-cell"]
+ledger = book.ledger
+assert grades(ledger, *ledger.facts) == {Grade.PROVED}
+assert len(ledger.facts) == len(book.steps) >= 20
+assert "three_angles.wrong" not in ledger.facts
+products = [c * relation for c, relation in zip(cofactors, ring.relations, strict=True)]
+assert differences[entry].numerator == sum(products)
+assert ledger.contexts["tangent"].units[-2:] == ("sin_phi2", "cos_phi3")
+earned = {
+    "3": ["quaternions.kinematics", "moving_body.kinematics"],
+    "4": ["quaternions.bracket_12", "quaternions.bracket_23", "quaternions.bracket_13"],
+    "5": ["variation.by_parts", "variation.euler", "body.euler"],
+    "6": ["spectrum.determinant", "body.energy", "body.momentum"],
+    "7": ["body.lax", "partner.found"],
+    "9": ["moving_body.momentum_is_constant"],
+    "23": ["reduced.conjugate"],
+    "24": ["reduced.momentum"],
+    "25": ["three_angles.exponential", "three_angles.stabiliser"],
+    "26": ["three_angles.momentum"],
+    "27": ["compared.phi2"],
+    "28": ["compared.phi3"],
+    "29": ["tangent.phi3"],
+}
+for number, facts in earned.items():
+    assert all(number in ledger.facts[fact].source for fact in facts), number
+# The illustration agrees with the facts.
+assert np.ptp(in_space, axis=0).max() < 1e-14 * size
+assert abs(reduced - onto).max() < 1e-14 * size

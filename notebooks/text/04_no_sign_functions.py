@@ -1,0 +1,585 @@
+# ---
+# jupyter:
+#   jupytext:
+#     cell_metadata_filter: tags,-all
+#     formats: ipynb,text//py:percent
+#     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#       format_version: '1.3'
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # 4. No more sign functions
+#
+# Theorem 1 of the paper writes the attitude of a free rigid body with four half-angle functions
+# $F_1,\dots,F_4$, and each of them carries a sign $S_i=\pm1$ that is to be chosen once, at $t=0$.
+# In this notebook we follow the paper's own spacecraft until its attitude, computed so,
+# **jumps**; we find the line that makes it jump; and then we write the same solution in a form
+# that has no signs to choose, no square root that changes branch and no denominator that vanishes:
+# the *regular form*, from which every number in this project is computed.
+#
+# | | |
+# |---|---|
+# | chapters used | `theorem1`, `equivalence`, `attitude`, `regular_form`, `regimes` |
+# | mathematics needed | quaternions or Euler angles, and a first course in rigid body mechanics |
+# | units | body rates $\Omega_i$ in rad/s, moments $c_i$ in kg m² |
+# | quaternions | scalar first, from body to inertial axes, $\dot q=\tfrac12\,q\,(0,\Omega)$ |
+
+# %%
+import matplotlib.pyplot as plt
+import numpy as np
+import sympy
+from IPython.display import display
+
+import rigidsym
+from derivations.conjugacy import MOMENTUM, PHI, K, Reduction, by_angles
+from derivations.euler_lax import MOMENTA, RATES, Dynamics
+from derivations.kinematics import UNKNOWN, Phi1
+from derivations.lie_algebra import UNITS, A, M, combination, e
+from derivations.setting import Setting
+from rigidsym.io.cases import paper_case
+from rigidsym.proof.algebra import Part
+from rigidsym.proof.kernel import Grade
+from rigidsym.proof.steps import Desk, coordinates, eliminate, matrix, multiply, rewrite
+from rigidsym.proof.steps.names import symbols
+from support import begun, definitions, grades, sealed, show, step
+
+BLUE, RED, GREEN, PINK, BROWN = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#806000"
+plt.rcParams |= {"figure.dpi": 110, "axes.grid": True, "grid.color": "#e5e5e5", "font.size": 9}
+plt.rcParams |= {"axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False}
+
+# %% [markdown]
+# What is new here is derived in its cells, step by step, from where [notebook
+# 3](03_the_phi1_integral_and_pi.ipynb) had $\dot\phi_1$; **another setting** in the next cell, such as
+# `Setting(sequence=(3, 1, 3))`, changes these lines. (The pictures are of the paper's.) What is
+# quoted from later chapters comes with the name of its fact, from the project's ledger, whose
+# certificates the same cell has a fresh kernel decide once more.
+
+# %%
+setting = Setting()
+
+book = begun(setting, "kinematics")
+dynamics, reduction, phi1_found = map(book.found, (Dynamics, Reduction, Phi1))
+outer = setting.axes[0] - 1
+ledger = sealed()
+
+# %% [markdown]
+# ## What is printed
+#
+# The momentum $M$, seen from the body, is taken to $K A_1$ by three turns, (25):
+#
+# $$\bar R=e^{\phi_1A_1}\,e^{\phi_2A_2}\,e^{\phi_3A_1},\qquad
+# \cos\phi_2=\frac{c_1\Omega_1}{K}=x,\qquad \tan\phi_3=\frac{c_2\Omega_2}{c_3\Omega_3}=y .$$
+#
+# As a quaternion this is (18), and it needs $\cos$ and $\sin$ of $\phi_2/2$ and $\phi_3/2$.
+# Equation (19) makes these from $x$ and $y$:
+#
+# $$F_1=S_1\sqrt{\tfrac{1+x}2},\qquad F_2=S_2\sqrt{\tfrac{1-x}2},\qquad
+# F_3=\frac{S_3}{\sqrt{1+y^{\star2}}},\qquad F_4=\frac{S_4\,y^\star}{\sqrt{1+y^{\star2}}},$$
+#
+# $$y^\star=\frac{y}{1+\sqrt{1+y^2}},\qquad S_i=\pm1 .$$
+#
+# Remark 2 adds that the $S_i=\pm1$ are *constants*, set by the motion at $t=0$.
+#
+# Look at $y^\star$. It is the textbook formula $\tan\frac\phi2=\frac{\tan\phi}{1+\sec\phi}$, with
+# $\sec\phi_3$ replaced by $+\sqrt{1+\tan^2\phi_3}$, and that is right only where
+# $\cos\phi_3>0$, that is, where $c_3\Omega_3>0$.
+
+# %%
+phi3 = np.linspace(-np.pi, np.pi, 1602)[1:-1]
+y = np.tan(phi3)
+y_star = y / (1 + np.sqrt(1 + y**2))
+y_star[np.abs(np.diff(y_star, prepend=y_star[0])) > 1] = np.nan
+
+figure, axis = plt.subplots(figsize=(7, 3.2), layout="constrained")
+for side in (-1, 1):
+    axis.axvspan(side * 90, side * 180, color="#f3f3f3", zorder=0)
+axis.plot(np.degrees(phi3), np.tan(phi3 / 2), color=BLUE, lw=1.6, label=r"$\tan(\phi_3/2)$")
+axis.plot(np.degrees(phi3), y_star, color=RED, lw=2, ls="--", label=r"$y^\star$ of (19)")
+axis.set(ylim=(-4, 4), xlim=(-180, 180), xticks=range(-180, 181, 45))
+axis.set(xlabel=r"$\phi_3$ (degrees)", ylabel="dimensionless")
+axis.set_title(r"The half-angle step; shaded: $c_3\Omega_3<0$")
+axis.legend(loc="upper left")
+plt.show()
+
+# %% [markdown]
+# Where does the wrong half come from? Nothing was done that is not algebra: $\tau=\tan\frac{\phi_3}2$
+# satisfies $y=2\tau/(1-\tau^2)$, a quadratic equation. It has *two* roots, with `root` the square root
+# $\sqrt{1+y^2}$. (19) takes one of them for all times, and it is $\cos\phi_3$ that tells which.
+
+# %%
+y_, tau, root = symbols("y tau root")
+tangent = Part(
+    witness={"y": "3/4", "root": "5/4", "tau": "1/3"},
+    units=("y",),
+    relations=("root**2 - y**2 - 1",),
+    reading={"y": "tan(phi3)", "tau": "tan(phi3/2)", "root": "sqrt(1 + y**2) or less that"},
+)
+desk = Desk.open(book, "half_tangent", tangent, static=True)
+quadratic = sympy.expand(-sympy.numer(sympy.together(2 * tau / (1 - tau**2) - y_)))
+quadratic *= 1 if quadratic.coeff(tau) > 0 else -1
+solutions = [x.subs(sympy.sqrt(y_**2 + 1), root) for x in sympy.solve(quadratic, tau)]
+factors = sympy.Mul(y_, *(tau - x for x in solutions), evaluate=False)
+why = "a quadratic for tau, the tangent of half of phi3, and its two roots"
+rewrite(desk, "half_tangent.roots", quadratic, factors, why, ["19"], "roots")
+
+# %% [markdown]
+# In the shaded half the printed step is not slightly off: it is $-\cot(\phi_3/2)$. The kernel says
+# the same, and gives an exact point where the equation
+# $y^\star\cos\frac{\phi_3}2=\sin\frac{\phi_3}2$ fails. (The context `half_angle_right` supposes
+# $c_3\Omega_3>0$ and `half_angle_left` the opposite; `half_angle_step` supposes neither.)
+
+# %%
+steps = ("half_angle_right.tangent", "half_angle_left.cotangent", "printed_star.print_theorem_1")
+show(ledger, *steps)
+
+# %% [markdown]
+# ## The paper's spacecraft, half a turn later
+#
+# Now an illustration in numbers. The rates of the motion come from the project's generated code, so
+# that nothing below is an integrator's error. From them we make
+# $x$, $y$ and, by Gauss's quadrature of (33),
+#
+# $$\phi_1=\int_0^t K\,\frac{2H-c_1\Omega_1^2}{K^2-(c_1\Omega_1)^2}\,dt .$$
+
+# %%
+motion = paper_case().motion
+c = np.array([float(x) for x in motion.inertia])
+t = np.linspace(0, 180, 1801)
+q, omega = motion(t)
+momentum = c * omega
+size, H2 = np.linalg.norm(momentum[0]), c @ omega[0] ** 2
+
+
+def integral(rate):
+    """The integral from t[0] to each t of a function of the rates, by ten Gauss points a step."""
+    nodes, weights = np.polynomial.legendre.leggauss(10)
+    step = t[1] - t[0]
+    inside = t[:-1, None] + step * (nodes + 1) / 2
+    values = rate(motion(inside.ravel())[1]).reshape(inside.shape)
+    return np.concatenate([[0], np.cumsum(values @ weights * step / 2)])
+
+
+phi1 = integral(lambda w: size * (H2 - c[0] * w[:, 0] ** 2) / (size**2 - (c[0] * w[:, 0]) ** 2))
+print(motion.regime)
+
+# %% [markdown]
+# Theorem 1 in a few lines: (18), (19) and the pull-back (37), $q=q(0)\,\bar q(0)^{-1}\bar q$. The
+# signs are an argument, since they are what we want to look at.
+
+# %%
+CONJUGATE = np.array([1, -1, -1, -1])
+
+
+def product(p, q):
+    """Quaternions, scalar first, row by row."""
+    (a, *u), (b, *v) = np.moveaxis(p, -1, 0), np.moveaxis(q, -1, 0)
+    u, v = np.stack(u, -1), np.stack(v, -1)
+    a, b = a[..., None], b[..., None]
+    return np.concatenate(
+        [a * b - np.sum(u * v, -1)[..., None], a * v + b * u + np.cross(u, v)], -1
+    )
+
+
+def pulled_back(qbar):
+    """(37)"""
+    return product(product(q[0], CONJUGATE * qbar[0]), qbar)
+
+
+def theorem_1(S2, phi1, y_star):
+    """(18) with (19); S1 = S3 = S4 = 1."""
+    x = momentum[:, 0] / size
+    F1, F2 = np.sqrt((1 + x) / 2), S2 * np.sqrt((1 - x) / 2)
+    F3, F4 = 1 / np.sqrt(1 + y_star**2), y_star / np.sqrt(1 + y_star**2)
+    cosine, sine = np.cos(phi1 / 2), np.sin(phi1 / 2)
+    columns = (
+        F1 * (cosine * F3 - sine * F4),
+        F1 * (sine * F3 + cosine * F4),
+        F2 * (cosine * F3 + sine * F4),
+        F2 * (sine * F3 - cosine * F4),
+    )
+    return pulled_back(np.stack(columns, axis=-1))
+
+
+def angle_between(p, q):
+    """Rotation angle from one attitude to the other, in degrees; blind to the sign of either."""
+    gap = product(CONJUGATE * p, q)
+    return np.degrees(2 * np.arctan2(np.linalg.norm(gap[..., 1:], axis=-1), np.abs(gap[..., 0])))
+
+
+# %% [markdown]
+# First exactly as printed. At $t=0$ the spacecraft has $\Omega_3<0$, and there
+# $S_1S_2=\operatorname{sgn}(c_3\Omega_3)=-1$ gives the right momentum (`matched_signs.side`). So
+# far Remark 2 is in order. Then the motion goes on.
+
+# %%
+y = momentum[:, 1] / momentum[:, 2]
+y_star = y / (1 + np.sqrt(1 + y**2))
+side = np.sign(omega[:, 2])
+constant = theorem_1(side[0], phi1, y_star)
+
+crossings = np.flatnonzero(np.diff(side)) + 1
+figure, (top, middle, bottom) = plt.subplots(3, sharex=True, figsize=(8, 7), layout="constrained")
+for k, colour in enumerate((BLUE, GREEN, RED)):
+    top.plot(t, 1e3 * omega[:, k], color=colour, label=rf"$\Omega_{k + 1}$")
+top.set(ylabel="body rates (mrad/s)", title="The paper's spacecraft: rates")
+top.legend(loc="upper right", ncols=3)
+broken = np.insert(constant, crossings, np.nan, axis=0)
+for k, colour in enumerate((BLUE, GREEN, RED, BROWN)):
+    middle.plot(t, q[:, k], color=colour, lw=3.5, alpha=0.25)
+    middle.plot(np.insert(t, crossings, np.nan), broken[:, k], color=colour, lw=1.1)
+    middle.plot([], [], color=colour, label=f"$q_{k}$")
+middle.set(ylabel="components (dimensionless)")
+middle.set_title("Attitude: broad, the smooth solution; thin, Theorem 1 with constant signs")
+middle.legend(loc="lower left", ncols=4)
+bottom.plot(t, angle_between(q, constant), color=RED, lw=1.5)
+bottom.set(ylabel="angle (degrees)", xlabel="time (s)", title="Rotation angle between the two")
+bottom.set(ylim=(-5, 190), yticks=range(0, 181, 45), xlim=(0, 180))
+for axis in (top, middle, bottom):
+    for k in crossings:
+        axis.axvline(t[k], color="#999999", lw=0.8, ls=":")
+plt.show()
+
+# %% [markdown]
+# At each zero of $\Omega_3$ (dotted) the printed attitude jumps, half a turn from the truth. When
+# $\Omega_3$ is negative again, the formula is right once more (as a rotation: the quaternion has
+# come back with the other sign). Nothing happened to the spacecraft.
+#
+# Can the signs be made to follow? Let $S_2$ change with $\Omega_3$. Then the momentum is right at
+# all times, but `crossing.turned` tells the price: **$\phi_1$ has to jump by $\pi$**, at every
+# crossing, or else the attitude is half a turn about the momentum away from the truth. The right
+# column of the next figure tells the two kinds of half turn apart: in space, the momentum must not
+# move.
+
+# %%
+following = theorem_1(side, phi1, y_star)
+jumps = np.zeros_like(t)
+jumps[crossings] = np.pi * np.sign(y_star[crossings - 1])
+jumping = theorem_1(side, phi1 + np.cumsum(jumps), y_star)
+mended = theorem_1(1, phi1, y / (1 + side * np.sqrt(1 + y**2)))
+
+
+def momentum_drift(candidate):
+    """By what angle the momentum in space has left its direction, in degrees: it must not."""
+    pure = np.concatenate([0 * momentum[:, :1], momentum / size], axis=1)
+    there = product(product(candidate, pure), CONJUGATE * candidate)[:, 1:]
+    across = np.linalg.norm(np.cross(there, there[0]), axis=1)
+    return np.degrees(np.arctan2(across, there @ there[0]))
+
+
+cases = {
+    "as printed: constant signs": (constant, RED),
+    r"$S_2$ follows $\Omega_3$": (following, PINK),
+    r"and $\phi_1$ jumps by $\pi$": (jumping, GREEN),
+    r"$y^\star=y/(1+\mathrm{sgn}(c_3\Omega_3)\sqrt{1+y^2})$": (mended, BLUE),
+}
+figure, axes = plt.subplots(4, 2, sharex=True, figsize=(8.4, 5.4), layout="constrained")
+for row, (label, (candidate, colour)) in zip(axes, cases.items(), strict=True):
+    row[0].plot(t, angle_between(q, candidate), color=colour, lw=2)
+    row[1].plot(t, momentum_drift(candidate), color=colour, lw=2)
+    row[0].set_title(label, loc="left", fontsize=9)
+    for axis in row:
+        axis.set(ylim=(-15, 195), yticks=(0, 90, 180), xlim=(0, 180))
+axes[0, 1].set_title("angle of $RMR^{-1}$ from where it was", loc="left", fontsize=9)
+for axis in axes[-1]:
+    axis.set_xlabel("time (s)")
+figure.supylabel("left: angle from the true attitude; right: momentum's (degrees)", fontsize=9)
+plt.show()
+
+# %% [markdown]
+# The last row is the smallest repair of the print: the sign of $c_3\Omega_3$ goes before the square
+# root. It mends the rotation. It still is a *sign function*, though: its denominator vanishes where
+# $\phi_3=\pi$ (`half_turn.denominator`), the quaternion changes sheet of the double cover there,
+# and a programmer will have to think about what `sgn(0)` should be.
+#
+# ## The idea of the regular form
+#
+# Move one factor from the right of (25) to the left, and put it back:
+#
+# $$e^{\phi_1A_1}e^{\phi_2A_2}e^{\phi_3A_1}
+# =e^{(\phi_1+\phi_3)A_1}\cdot\underbrace{e^{-\phi_3A_1}e^{\phi_2A_2}e^{\phi_3A_1}}_{S}.$$
+#
+# In the language of the derivation: $S$ is a matrix with a name, and the product is multiplied out.
+
+# %%
+E1, E2, E3, S = map(matrix, ("E1", "E2", "E3", "S"))
+matrices = {**reduction.matrices, **UNITS, "S": E3.I * E2 * E3}
+desk = Desk.open(book, "regrouped", *reduction.angles, matrices=matrices, static=True)
+why = "the last factor moved to the first"
+display(multiply(desk, "regrouped.product", E1 * E2 * E3, E1 * E3 * S, why, ["25"]))
+why = "what is left, as a quaternion: nothing along the outer axis"
+display(coordinates(desk, "regrouped.shortest", S, e, why, ["18", "25"]))
+
+# %% [markdown]
+# ($2\cos^2\frac{\phi_3}2-1$ is $\cos\phi_3$.) So $S$ turns by $\phi_2$ about an axis *across* $e_1$, and
+# it takes $M$ to $KA_1$. There is one such rotation
+# that deserves a name: $S$ is the **shortest rotation** that does so. It does not depend on how
+# angles are measured around the axis, so it has no seam; and it can be written without any angle.
+# For two unit vectors $m$ and $a$, as quaternions, $1-am$ turns $m$ to $a$. Try it:
+
+# %%
+parts = (dynamics.parameters, MOMENTUM, *reduction.angles)
+body, named = by_angles(book, reduction, *parts), {"M": combination("M1 M2 M3")}
+desk = Desk.open(book, "shortest", *parts, body, matrices={**matrices, **named}, static=True)
+onto, half = A[outer], setting.factor * PHI[1]
+why = "S turns the momentum onto the axis"
+display(multiply(desk, "shortest.conjugate", S * M * S.I, K * onto, why, ["23"]))
+length, why = 2 * K * sympy.cos(half), "and it is this product, of the length 2 K cos(phi2/2)"
+no_angle = sympy.MatAdd(K * sympy.Identity(2), -onto * M / setting.factor**2, evaluate=False)
+display(multiply(desk, "shortest.form", length * S, no_angle, why, ["23", "25"]))
+
+# %% [markdown]
+# The length is known from the momentum as well: solve the two equations
+# $\cos^2\frac{\phi_2}2+\sin^2\frac{\phi_2}2=1$ and
+# $K(\cos^2\frac{\phi_2}2-\sin^2\frac{\phi_2}2)=M_1$ for the squares.
+
+# %%
+cosine, sine = sympy.cos(half), sympy.sin(half)
+whole = [cosine**2 + sine**2 - 1, K * (cosine**2 - sine**2) - MOMENTA[outer]]
+squares, why = [cosine**2, sine**2], "the square of its first component"
+eliminate(desk, "shortest.cosine", cosine**2, whole, squares, why, ["19", "27"])
+
+# %% [markdown]
+# So half angles are gone, and
+#
+# $$S=\frac{(K+\sigma M_a,\ M\times\sigma e_a)}{\nu},\qquad \nu^2=2K(K+\sigma M_a),$$
+#
+# here with $a=1$ and $\sigma=1$. In general $a$ is the axis which the momentum circulates about and
+# $\sigma$ the sign of $\Omega_a$, so that $\sigma M_a=|M_a|$.
+#
+# What is left is one angle $\psi=\phi_1+\phi_3$ about the momentum. Its rate is the sum of two that
+# notebook 3 has found, with $H$ and $K$ in the place of the angles:
+
+# %%
+circles = (dynamics.parameters, MOMENTUM, *reduction.circles)
+last = step(book, "velocity.phi3").value[UNKNOWN[2]]
+body = by_angles(book, reduction, *circles)
+text = Desk.open(book, "angles", *circles, body, static=True).text
+rates = {str(UNKNOWN[0]): text(phi1_found.by_angles), str(UNKNOWN[2]): str(text(last))}
+desk = Desk.open(book, "turns", *circles, body, Part(definitions=rates), static=True)
+display(step(book, "line32.by_angles"), step(book, "velocity.phi3"))
+along = dynamics.momenta[outer]
+found = sympy.cancel(phi1_found.by_invariants * (1 - along / K) + RATES[outer])
+why = "psi' = phi1' + phi3', by H and K"
+rewrite(desk, "psi.rate", UNKNOWN[0] + UNKNOWN[2], desk.reduced(found), why, ["33"], "substitute")
+
+# %% [markdown]
+# One factor of the denominator of (33) has cancelled. The other vanishes where the momentum points to
+# the opposite pole; there, take the axis with the other sign. In the ledger this is done for any axis
+# $a$ and either sign:
+
+# %%
+definitions(ledger, "attitude", "psi_rate")
+
+# %% [markdown]
+# In (33) the denominator is $K^2-(c_1\Omega_1)^2$, which vanishes when the body spins about axis 1.
+# Here it is $K+|M_a|\ge K$. *Whatever* the motion, it never falls below $K$.
+#
+# Think of a globe. $\phi_1$ and $\phi_3$ are two longitudes, and longitudes go wild near the
+# pole, although nothing is strange about the ground there. Their sum is what a compass needle
+# carried by the shortest way would show, and that is smooth across the pole.
+
+# %%
+show(ledger, "attitude.solution", "both_forms.turn", "both_forms.quaternion")
+
+# %% [markdown]
+# `attitude.solution` is the whole claim: the four components have unit norm and satisfy
+# $\dot q=\frac12q\,(0,\Omega)$ for *any* order of the axes, either handedness $\epsilon$, either
+# sense $\sigma$. The `both_forms` facts say that this is no other solution but Theorem 1 rewritten.
+
+# %% [markdown]
+# ### The pole, in numbers
+#
+# To see the difference, spin the spacecraft about axis 1 and let it wobble less and less.
+# (33) makes $\dot\phi_1$ a mean of $K/c_2$ and $K/c_3$, weighted by where the momentum stands
+# around the pole. However small the wobble, it swings between the same two values; at the
+# pole itself it is $0/0$. $\dot\psi$ does not even notice.
+
+# %%
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.2), layout="constrained")
+times = np.linspace(0, 120, 1201)
+for wobble, colour in ((2e-2, BLUE), (5e-3, GREEN), (1e-12, RED)):
+    _, w = rigidsym.TorqueFreeMotion(motion.inertia, (0.1, wobble, 0))(times)
+    k, h2 = np.linalg.norm(c * w[0]), c @ w[0] ** 2
+    across = (c[1] * w[:, 1]) ** 2 + (c[2] * w[:, 2]) ** 2
+    left.plot(times, k * (c[1] * w[:, 1] ** 2 + c[2] * w[:, 2] ** 2) / across, color=colour)
+    label = rf"$\Omega_2(0)={wobble:g}$ rad/s"
+    psi_rate = (h2 + k * np.abs(w[:, 0])) / (k + c[0] * np.abs(w[:, 0]))
+    right.plot(times, 1e3 * psi_rate, color=colour, label=label)
+left.set(xlabel="time (s)", ylabel=r"$\dot\phi_1$ (rad/s)", title=r"(32): the longitude's rate")
+right.set(xlabel="time (s)", ylabel=r"$\dot\psi$ (mrad/s)", title="the regular form")
+right.ticklabel_format(useOffset=False)
+right.legend(loc="center right")
+plt.show()
+
+# %% [markdown]
+# ## Rates for every order of the axes
+#
+# The paper's Lemma 1 needs a case distinction by moduli and signs, and on the circulation axis its
+# constants are complex. The regular form has the same three formulas for all motions:
+#
+# $$\Omega_a=\sigma A_a\,\mathrm{dn},\qquad \Omega_b=\chi A_b\,\mathrm{sn},\qquad
+# \Omega_d=\chi\tau A_d\,\mathrm{cn}\qquad\text{of}\ (u\,|\,m),\quad \dot u=\lambda>0,\quad
+# 0\le m\le1 .$$
+#
+# $b$ is the middle axis; $a$ is the axis of largest inertia if $K^2\ge2Hc_b$ and of smallest if
+# not; $d$ is the one left over. Since $\mathrm{dn}>0$, $\Omega_a$ never changes sign: $\sigma$ is a
+# constant *by the choice of the axis*, not by luck. The amplitudes, straight from the facts, where
+# $c_{ab}=c_a-c_b$ and so on:
+
+# %%
+names = ("A_a", "A_b", "A_d", "lambda_", "m", "m_1")
+show(ledger, *(f"regular.{name}" for name in names))
+
+# %% [markdown]
+# Here $E_x=\pm(2Hc_x-K^2)$, written in the rates. $E_a$ and $E_d$ are sums of terms of one sign,
+# so that nothing cancels; $E_b$ is a difference, and its sign tells the two circulations apart.
+# That radicands are nonnegative and $0\le m\le1$ is not a hope either: the chapter on regimes
+# splits all bodies and motions by signs into leaves, and proves it leaf by leaf. (There the axes
+# are numbered by size, $c_1\ge c_2\ge c_3$, and $c_{12}=c_1-c_2$ and so on.)
+
+# %%
+show(ledger, "regular.E_a", "regular.E_b", "regular.E_d", "largest.squares")
+
+# %% [markdown]
+# ### A picture to hold on to
+#
+# On the sphere of momenta of length $K$, each motion runs along a closed curve, a *polhode*. Here
+# are polhodes of the spacecraft, coloured by the axis $a$ that they circle, with the separatrix
+# between them; the heavy one is the paper's motion. The thin green arcs are its shortest rotations
+# $S$: from where the momentum is to the pole $\sigma e_a$. Theorem 1 measures around axis 1 for
+# all colours; the regular form takes for each polhode the pole inside it. (Drag to turn the
+# sphere.)
+
+# %%
+from rigidsym.view.scenes import momentum_sphere
+
+scene = momentum_sphere(motion, family=3)
+pole = np.array([1.0, 0, 0])
+gap, arcs = np.full((1, 3), np.nan), []
+for direction in momentum[0:1650:66] / size:  # one period
+    reach = np.arccos(direction @ pole)
+    share = np.linspace(0, 1, 9)[:, None]
+    arcs += [np.sin((1 - share) * reach) * direction + np.sin(share * reach) * pole, gap]
+    arcs[-2] *= size / np.sin(reach)
+x, y, z = np.round(1e6 * np.concatenate(arcs)).T / 1e6
+style = {"color": GREEN, "width": 2}
+scene.add_scatter3d(x=x, y=y, z=z, mode="lines", name="shortest rotations", line=style)
+scene.show()
+
+# %% [markdown]
+# ## The regular form at work
+#
+# The same spacecraft, from the two lines above: $\dot\psi$ by quadrature, $S$ by its formula, then
+# (37). No sign is chosen and none changes.
+
+# %%
+a, b, d = 0, 1, 2  # circulation about axis 1, and (1, 2, 3) is right-handed
+sigma = np.sign(omega[0, a])
+psi = integral(lambda w: (H2 + size * np.abs(w[:, a])) / (size + c[a] * np.abs(w[:, a])))
+turn = np.stack([np.cos(psi / 2), sigma * np.sin(psi / 2), 0 * psi, 0 * psi], axis=-1)
+nu = np.sqrt(2 * size * (size + sigma * momentum[:, a]))
+shortest = np.stack(
+    [size + sigma * momentum[:, a], 0 * psi, sigma * momentum[:, d], -sigma * momentum[:, b]], -1
+)
+regular = pulled_back(product(turn, shortest / nu[:, None]))
+
+phi3 = np.unwrap(np.arctan2(momentum[:, 1], momentum[:, 2]))
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.2), layout="constrained")
+left.plot(t, phi1, color=RED, label=r"$\phi_1$")
+left.plot(t, phi3 - phi3[0], color=GREEN, label=r"$\phi_3-\phi_3(0)$")
+left.plot(t, psi, color=BLUE, lw=2, label=r"$\psi$, their sum")
+left.set(xlabel="time (s)", ylabel="angle (rad)", title="Two longitudes and their sum")
+left.legend()
+half = slice(crossings[0], crossings[1] + 1)  # half a period of the rates
+angles = {r"$\phi_1$": (phi1, RED), r"$\phi_3$": (phi3, GREEN), r"$\psi$": (psi, BLUE)}
+for label, (angle, colour) in angles.items():
+    rate = (angle[half][-1] - angle[half][0]) / (t[half][-1] - t[half][0])
+    right.plot(t, angle - angle[half][0] - rate * (t - t[half][0]), color=colour, label=label)
+right.set(xlabel="time (s)", ylabel="angle (rad)", title="less what is linear in time")
+right.legend(ncols=3)
+plt.show()
+
+# %% [markdown]
+# What is left of an angle when its mean rate is taken away is periodic and, for $\psi$, small: some
+# hundredths of a radian here. [Notebook 6](06_theta_functions.ipynb) finds the mean rate in closed
+# form.
+
+# %% [markdown]
+# ## All orders, all signs
+#
+# Six orders of the axes times eight signs of the rates: 48 motions, among them both circulations
+# about either sense of each axis. The generated code is made from the formulas above; here it is
+# measured against the same solution at thirty digits. (An illustration: `rigidsym validate`
+# does this in earnest.)
+
+# %%
+from itertools import permutations
+from itertools import product as every
+
+worst, seen = 0.0, set()
+for order in permutations(range(3)):
+    for signs in every((1, -1), repeat=3):
+        body = tuple(motion.inertia[k] for k in order)
+        rates = tuple(s * motion.omega0[k] for s, k in zip(signs, order, strict=True))
+        one = rigidsym.TorqueFreeMotion(body, rates)
+        exact = np.array(one.precise(180, digits=30)[0], dtype=float)
+        worst = max(worst, np.linalg.norm(one(180.0)[0] - exact))
+        seen.add((one.regime, order.index(0), bool(rates[order.index(0)] > 0)))
+print(f"{len(seen)} kinds of motion; worst error below 1e-14: {worst < 1e-14}")
+
+# %% [markdown]
+# ## What we have
+#
+# * The printed step from $y$ to $y^\star$ holds only where $c_3\Omega_3>0$; no constant signs carry
+#   Theorem 1 past a zero of $\Omega_3$. Both are refutations with exact points.
+# * $\bar R=\exp(\psi\,\sigma A_a)\cdot S$ is the same solution without sign functions. Its only
+#   denominators are $K$, $K+|M_a|$ and $\nu$, which vanish for no motion.
+# * Three formulas with $\mathrm{dn},\mathrm{sn},\mathrm{cn}$ serve both circulations, all orders
+#   and signs.
+#
+# What happens *on* the boundaries, where $m=1$ or $m=0$ or nothing moves, is the [next
+# notebook](05_edges.ipynb).
+
+# %% tags=["hide-cell"]
+# The lines that were derived here; and the facts that were quoted.
+there = {name: fact for name, fact in book.ledger.facts.items() if fact.grade != Grade.PROVED}
+assert not there
+quoted = (
+    *("attitude.nu", "attitude.solution", "both_forms.turn", "both_forms.quaternion"),
+    *("printed_star.print_theorem_1", "half_angle_step.mended", "half_turn.denominator"),
+    *("half_angle_right.tangent", "half_angle_left.cotangent"),
+    *("crossing.print_theorem_1", "crossing.turned"),
+    *("printed_19_any_outer.print_19", "matched_signs.side", "matched_signs.momentum"),
+    *(f"regular.{name}" for name in ("euler", "differences", *names)),
+    *("largest.squares", "smallest.squares", "sorted_body.cases"),
+)
+assert grades(ledger, *quoted) == {Grade.PROVED}
+refuted = {
+    "printed_star.print_theorem_1",
+    "crossing.print_theorem_1",
+    "printed_19_any_outer.print_19",
+}
+assert {name for name in quoted if ledger.facts[name].kind == "unequal"} == refuted
+assert ledger.facts["both_forms.models_attitude"].kind == "model"
+assert len(ledger.facts["sorted_body.cases"].rhs) == 14, "leaves of the tree of regimes"
+# What is divided by, in all of the chapter on the attitude:
+divisors = {"c_a", "c_b", "c_d", "K", "K + sigma*c_a*Omega_a", "nu"}
+assert set(ledger.contexts["attitude"].units) == divisors
+# The illustrations agree with the facts.
+assert np.max(angle_between(q, mended)) < 1e-5 > np.max(angle_between(q, jumping))
+assert np.min(angle_between(q, following)[side > 0]) > 179.99
+assert np.min(angle_between(q, constant)[side > 0]) > 179.99
+assert np.max(momentum_drift(constant)) > 90
+assert np.max(momentum_drift(following)) < 1e-5
+assert np.max(np.abs(psi - (phi1 + phi3 - phi3[0]))) < 1e-9  # both_forms.turn
+assert np.max(np.abs(regular - q)) < 1e-12  # the same sheet of the double cover, too
+assert np.max(np.linalg.norm(np.diff(regular, axis=0), axis=1)) < 1e-2  # no jump anywhere
+assert len(seen) == 6
+assert worst < 1e-14

@@ -1,0 +1,163 @@
+"""The branch for k_1^2 > 1/2 with the separatrix: psi is measured from the saddle.
+
+u_1 is measured from the nearest crossing of the middle axis' plane, up to half a quarter period;
+past that, where the motion rests near the saddle, from there.
+"""
+
+from collections.abc import Mapping
+
+from rigidsym.codegen.functions.pi.common import HALF, LEVELS, ascent, branch, front, moduli
+from rigidsym.codegen.functions.reduced_time import (
+    hyperbolic_time,
+    hyperbolic_turns,
+    imaginary_phase,
+    period_bounds,
+    phase_at_start,
+)
+from rigidsym.codegen.ir import Constant, Function, Let, let
+from rigidsym.codegen.passes import renamed, select
+from rigidsym.codegen.special_functions import reduction
+from rigidsym.solution import Solution
+from rigidsym.solution.formulas import INPUTS
+
+_SPLIT = ("y_rate", "y0", "period", "Lambda_rate", "jump")
+_MODULI = tuple(f"l_{n}" for n in range(2, LEVELS + 1))
+_COEFFICIENTS = ("g_1", "g_2", "h_2", "alpha", "delta", "spread", "slope", "z", "characteristic")
+_KEPT = ("period_far", "period_inverse", *_MODULI, "gc", "kc_1", "m_c", "rho")
+_KEPT += (*_COEFFICIENTS, "start_rest")
+_LADDER = "K_c, sin_b, cos_b, Y_b = _ladder(kc_1, k_1, 0, 1, 1, kc_1, xi)"
+_THIRD = "DLMF 19.25.14"
+# sn, cn and dn of K - u by those of u, and back.
+_REFLECTED = "DLMF 22.4(iii)"
+_HALF_PERIOD = "DLMF 22.4(i)"
+# s, c and d at the nearer end, and n.
+NEAR = {"s": "near_s", "c": "near_c", "d": "near_d", "n": "characteristic"}
+# The two parts of psi/2 that a state turns by.
+PARTS = {"X_re": "turn_re", "X_im": "turn_im", "T_re": "arc_re", "T_im": "arc_im"}
+
+
+def numbers() -> list[Constant]:
+    """Where functions no longer change, and what is no longer told from zero."""
+    return [
+        Constant("deepest", 100.0, None, "beyond it tanh is 1 and sech is nothing"),
+        Constant("least_c", 1e-45, None, "sech where it is nothing"),
+    ]
+
+
+def hyperbolic(solution: Solution) -> tuple[Function, ...]:
+    """Plan, angles and state."""
+    return branch("hyperbolic", solution, _constants(solution), _angles(solution), _KEPT, _SPLIT)
+
+
+def _constants(solution: Solution) -> list[Let]:
+    given = ("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j")
+    kept = ("Lambda", "delta", "n_2", "g_1", "g_2", "h_2", "slope", "alpha")
+    return [
+        let("l_1 = kc_1", "DLMF 22.7.1"),
+        let("lc_1 = k_1", "DLMF 22.7.1"),
+        *moduli(solution, "l", "lc"),
+        *select(solution.sequences["shift"], ("x", "y", "z"), INPUTS["shift"]),
+        *imaginary_phase(_LADDER),
+        let("gc = pi/(2*K_c)"),
+        let("K_1, total = _complete(kc_1, 1 - n)", "DLMF 19.8.6"),
+        let("characteristic = n"),
+        let("j = total/(2*(1 - n))", "DLMF 19.8.6"),
+        *select(solution.sequences["pi_hyperbolic"], kept, given),
+        let("Lambda_rate = Lambda/pi"),
+        let("spread = n_2*((delta*k_1*x)*(delta*k_1*x))", "DLMF 19.36.1"),
+        # On the separatrix the complement is zero and nothing ever returns.
+        let("kc_d = rounded(kc_1)", _HALF_PERIOD),
+        let("period = choose(kc_d, 0, 0, 2*K_1*gc)", _HALF_PERIOD),
+        *period_bounds("kc_d", _HALF_PERIOD),
+        *phase_at_start(),
+        let("jump = -2*rho*alpha/pi", "DLMF 19.2.7"),
+        *_rest_at_start(),
+        *_turn(solution, {}),
+        let("start_re = choose(far, near, T_re, 1)"),
+        let("start_im = choose(far, near, T_im, 0)"),
+        *renamed(front(solution), dict(zip(HALF, ("start_re", "start_im"), strict=True))),
+    ]
+
+
+def _rest_at_start() -> list[Let]:
+    """What the end of the quarter period that is nearer at t = 0 has added to psi/2."""
+    return [
+        let("near_s = rounded(choose(far, near, size_s, c/d))", _REFLECTED),
+        let("near_c = rounded(choose(far, near, c, kc_1*size_s/d))", _REFLECTED),
+        let("near_d = rounded(choose(far, near, d, kc_1/d))", _REFLECTED),
+        let("cosine = choose(near_c, least_c, least_c, near_c)", _REFLECTED),
+        let("path = cosine*cosine + rounded(delta)*(near_s*near_s)", _THIRD),
+        let("third = _third_kind(near_s, cosine, near_d, path, rounded(spread))", _THIRD),
+        let("w = y_b/gc"),
+        *_rest("far", "near"),
+        let("start_rest = side*rest"),
+    ]
+
+
+def _rest(one: str, other: str) -> list[Let]:
+    """What is left of psi/2 beside the arctangent: from the crossing where one <= other."""
+    return [
+        let("from_crossing = g_1*w + g_2*third"),
+        let("from_saddle = alpha - (g_1*w + h_2*third)"),
+        let(f"rest = choose({one}, {other}, from_crossing, from_saddle)"),
+    ]
+
+
+def _turn(solution: Solution, names: Mapping[str, str]) -> tuple[Let, ...]:
+    """The arctangent's cosine and sine, of functions by other names."""
+    given = ("z", "slope", "delta", "n", "rho", "s", "c", "d")
+    lets = select(solution.sequences["pi_hyperbolic"], ("T_re", "T_im"), given)
+    return renamed(lets, names)
+
+
+def _angles(solution: Solution) -> list[Let]:
+    return [
+        *hyperbolic_time(_HALF_PERIOD),
+        let("side = choose(0, y, 1, -1)", _HALF_PERIOD),
+        let("flip = alternating(periods)", _HALF_PERIOD),
+        let("depth = size(y)", _HALF_PERIOD),
+        let("quarter = period_far/4", _HALF_PERIOD),
+        let("nearer = choose(depth, quarter, depth, 2*quarter - depth)", _REFLECTED),
+        let("bounded = choose(nearer, deepest, nearer, deepest)", "DLMF 4.28"),
+        let("falling = exp(-bounded)", "DLMF 4.28.1"),
+        let(f"x_{LEVELS} = (1 - falling*falling)/(2*falling)", "DLMF 4.28.1"),
+        *ascent(solution, "l", ("x",)),
+        let("size_x = sqrt(1 + x*x)", "DLMF 22.6.1"),
+        let("near_c = 1/size_x", "DLMF 22.6.1"),
+        let("near_size = x*near_c", "DLMF 22.6.1"),
+        let("near_d = near_c*sqrt(1 + m_c*(x*x))", "DLMF 22.6.1"),
+        let("path = near_c*near_c + delta*(near_size*near_size)", _THIRD),
+        let("third = _third_kind(near_size, near_c, near_d, path, spread)", _THIRD),
+        let("w = bounded/gc"),
+        *_rest("depth", "quarter"),
+        let("near_s = side*near_size"),
+        *_turn(solution, NEAR),
+        *hyperbolic_turns(),
+        let("psi_turns = turns - rho*(side*rest - start_rest)/pi_hi"),
+        *reduction.whole("psi", "psi_turns"),
+        let("psi_all = whole + psi_whole", reduction.TURNS),
+        *reduction.sine_and_cosine("psi", "psi_rest", "psi_all", "turn_im", "turn_re"),
+        let("arc_re = choose(depth, quarter, T_re, 1)"),
+        let("arc_im = choose(depth, quarter, T_im, 0)"),
+        *_half_psi(solution),
+        *_functions(),
+    ]
+
+
+def _half_psi(solution: Solution) -> tuple[Let, ...]:
+    """Cosine and sine of psi/2, from those of its two parts."""
+    parts = ("X_re", "X_im", "T_re", "T_im")
+    lets = select(solution.sequences["pi_hyperbolic"], tuple(HALF), parts)
+    return renamed(lets, PARTS | HALF)
+
+
+def _functions() -> list[Let]:
+    """s, c and d of u_1, from those at the nearer end of the quarter period."""
+    return [
+        let("over_d = 1/near_d", _REFLECTED),
+        let("size_s = choose(depth, quarter, near_size, near_c*over_d)", _REFLECTED),
+        let("size_c = choose(depth, quarter, near_c, kc_1*near_size*over_d)", _REFLECTED),
+        let("d = choose(depth, quarter, near_d, kc_1*over_d)", _REFLECTED),
+        let("s = flip*(side*size_s)", _HALF_PERIOD),
+        let("c = flip*size_c", _HALF_PERIOD),
+    ]

@@ -1,0 +1,152 @@
+"""What the ledger's names are called in each function, by form.
+
+The renaming in `rigidsym.codegen` is what is decided: these tables are written down apart from it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from rigidsym.codegen.forms import PI, THETA
+from rigidsym.codegen.names import GAINS, ROWS, STATE
+
+Names = Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Meanings:
+    """by_context: by function and context, what the context's names are there.
+
+    parts: by function, formulas that are a part of their fact; `states` puts the parts together and
+    decides the whole.  made_from: the formula sequences that a function is made from: what they
+    prove is named with its fact there.  letters: modulus and complement of the functions that have
+    Landen's steps written out, by function and context.  values: by function and context, what
+    standard functions, called in a fact, are there; that they are, their bounds say.
+    """
+
+    by_context: Mapping[tuple[str, str], Names]
+    parts: Mapping[str, tuple[str, ...]]
+    made_from: Mapping[str, tuple[str, ...]]
+    letters: Mapping[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
+    values: Mapping[tuple[str, str], Names] = field(default_factory=dict)
+
+
+_FIRST = {
+    # Of moments only whether they are zero counts.
+    ("_circulation", "sorted_body"): {"c_3": "1"},
+    # Signs are those of doubles.
+    ("_initial_state", "start_signs"): {
+        name: f"rounded({name})" for name in ("c_ad", "Omega_a", "Omega_d")
+    },
+    # The first step down: from k_c and the functions at t = 0.
+    ("_initial_state", "landen"): {
+        **{"k_next": "k_1", "kc": "k_c", "kc_next": "kc_1"},
+        **{"s": "sn", "c": "cn", "d": "dn"},
+        **{"s_next": "s", "c_next": "c", "d_next": "d"},
+    },
+}
+_COMMON = {
+    "_discriminant": ("constants",),
+    "_circulation": ("decisions",),
+    "_initial_state": ("signs", "constants", "theta", "landen"),
+    "_landen": ("landen",),
+    "_steady_constants": ("steady",),
+    "_steady_state": ("steady",),
+}
+_STEADY = {"_steady_state": ("cos_half_theta", "sin_half_theta")}
+_THETA = Meanings(
+    by_context={
+        **_FIRST,
+        # At t = 0 the phase has not turned.
+        ("_circular_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
+        ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
+    },
+    parts={
+        **{f"_{branch}_constants": (*ROWS, *GAINS) for branch in ("circular", "hyperbolic")},
+        **{f"_{branch}_state": STATE for branch in ("circular", "hyperbolic")},
+        **_STEADY,
+    },
+    made_from={
+        **_COMMON,
+        "_circular_constants": ("constants", "scaling", "pull_back", "circular", "circular_state"),
+        "_circular_state": ("circular_state", "rates"),
+        "_hyperbolic_constants": (
+            *("constants", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
+        ),
+        "_hyperbolic_state": ("hyperbolic_state", "rates"),
+    },
+    values={
+        ("_circular_constants", "theta_form"): {
+            "elliptic_k(m_c)": "K_1",
+            "theta4(g*u_1, nome_m)": "theta4_v",
+            "re(theta3(g*I*beta, nome_m))": "watson",
+        },
+        ("_hyperbolic_constants", "hyperbolic_form"): {
+            "elliptic_k(k_1**2)": "K_c",
+            "re(theta2(2*gc*I*u_1, nome_c**2))": "theta2_y",
+            "theta3(2*gc*beta, nome_c**2)": "watson",
+        },
+    },
+)
+_INNER = {f"Omega_{x}": f"inner_{x}" for x in "abd"}
+_HALF = {"cos_half_psi": "X_re", "sin_half_psi": "X_im"}
+_NEARER = {"s": "near_s", "c": "near_c", "d": "near_d", "n": "characteristic"}
+_PI = Meanings(
+    by_context={
+        **_FIRST,
+        # At t = 0 psi is zero, or what the arctangent says.
+        ("_circular_constants", "attitude"): {"cos_half_psi": "1", "sin_half_psi": "0"},
+        ("_circular_constants", "pi_form"): {"phase": "u_start"},
+        ("_hyperbolic_constants", "attitude"): {
+            **{"cos_half_psi": "start_re", "sin_half_psi": "start_im"},
+        },
+        ("_hyperbolic_angles", "arctangent"): _NEARER,
+        ("_hyperbolic_angles", "pi_near"): {
+            **_NEARER,
+            **{"X_re": "turn_re", "X_im": "turn_im", "T_re": "arc_re", "T_im": "arc_im"},
+            **_HALF,
+        },
+        **{
+            (f"_{branch}_state", context): {**_INNER, **_HALF}
+            for branch in ("circular", "hyperbolic")
+            for context in ("regular", "attitude")
+        },
+    },
+    parts=_STEADY,
+    made_from={
+        **_COMMON,
+        "_circular_constants": ("constants", "pi_circular"),
+        "_circular_angles": ("pi_circular",),
+        "_circular_state": ("state",),
+        "_hyperbolic_constants": ("constants", "shift", "pi_hyperbolic"),
+        "_hyperbolic_angles": ("pi_hyperbolic",),
+        "_hyperbolic_state": ("state",),
+    },
+    letters={
+        ("_circular_constants", "landen"): ("k", "kc"),
+        ("_circular_angles", "landen"): ("k", "kc"),
+        ("_hyperbolic_constants", "landen"): ("l", "lc"),
+        ("_hyperbolic_angles", "landen"): ("l", "lc"),
+    },
+)
+OF = {THETA: _THETA, PI: _PI}
+# The level on which dn is 1.
+_LAST = 5
+
+
+def level(target: str, name: str, letters: tuple[str, str]) -> Names:
+    """What the names of a Landen step are where it sets a target: levels are numbered from 1.
+
+    >>> level("k_3", "k_next", ("k", "kc"))["kc"], level("s", "s", ("k", "kc"))["s_next"]
+    ('kc_2', 's_2')
+    """
+    number = target.rpartition("_")[2]
+    here = int(number) if number.isdecimal() else 1
+    if name.endswith("_next"):
+        here -= 1
+    modulus, complement = letters
+    said = {"k": f"{modulus}_{here}", "kc": f"{complement}_{here}", "root_kc": f"root_{here}"}
+    said |= {"k_next": f"{modulus}_{here + 1}", "kc_next": f"{complement}_{here + 1}"}
+    for function in ("s", "c", "d", "x", "inside"):
+        said[function] = function if here == 1 else f"{function}_{here}"
+        said[f"{function}_next"] = f"{function}_{here + 1}"
+    return said | ({"d_next": "1"} if here + 1 == _LAST else {})

@@ -1,0 +1,168 @@
+r"""LaTeX in a line of plain text, for terminals: the commands that printed equations use.
+
+Fractions are written with a stroke, in brackets where they need them, matrices row by row; indices
+and powers are small where all their characters have a small form.
+
+>>> print(in_unicode(r"\dot\Omega_1=\frac{c_2-c_3}{c_1}\Omega_2\Omega_3,\ \sqrt{1-\mu^2}"))
+Ω̇₁=((c₂-c₃)/c₁)Ω₂Ω₃, √(1-μ²)
+>>> print(in_unicode(r"y=\frac{\dot q_0}{2\sqrt s}"))
+y=q̇₀/(2√s)
+"""
+
+import re
+import unicodedata
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+# Brackets around a fraction, which go where nothing stands beside it.
+_OPEN, _CLOSE = "\ue000", "\ue001"
+_BARE = [
+    re.compile(rf"(^|[=(\[,;|] ?){_OPEN}([^{_OPEN}{_CLOSE}]*){_CLOSE}($|[=)\],;|])"),
+] * 2
+# A letter with its accents and small characters, or a number.
+_SYMBOL = re.compile(r"(?:\d+|\w[\u0300-\u036f]*)[₀-₎ₐ-ₜᵢ-ᵥⱼ⁰-ⁿ²³¹*]*")
+_TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[{}_^&]|[^\\{}_^&]")
+_SIGNS = {
+    **{"vartheta": "ϑ", "pm": "±", "int": "∫", "nabla": "∇", "partial": "∂", "star": "*"},
+    **{"le": "≤", "ge": "≥", "ne": "≠", "leftrightarrow": "↔", "cdots": "…", "infty": "∞"},
+    **{"cdot": "·", " ": " ", ",": " ", "!": "", ";": " ", "quad": "  "},
+    **{"left": "", "right": "", "displaystyle": "", "{": "{", "}": "}"},
+}
+# Names that are written as they are.
+_FUNCTIONS = {"sin", "cos", "tan", "exp", "log", "arg"}
+_ACCENTS = {"dot": "\u0307", "bar": "\u0304", "ddot": "\u0308"}
+_WORDS = {"mathrm", "text", "operatorname", "mathbf"}
+_SUPER = dict(zip("0123456789+-=()niT*", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿⁱᵀ*", strict=True))
+_SUB = dict(zip("0123456789+-=()aeijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₐₑᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+
+
+def in_unicode(latex: str) -> str:
+    """The same formula in characters; raises ValueError for a command that is not known."""
+    text = _Reader(_TOKEN.findall(latex)).until("")
+    for bare in _BARE:
+        text = bare.sub(r"\1\2\3", text)
+    text = text.replace(_OPEN, "(").replace(_CLOSE, ")")
+    return re.sub(r" +", " ", re.sub(r"(?<=[=(\[,±+-]) +(?=sin|cos|tan|exp)", "", text)).strip()
+
+
+@dataclass(slots=True)
+class _Reader:
+    """Tokens that are still to be read, from `place` on."""
+
+    tokens: list[str]
+    place: int = 0
+
+    def next(self) -> str:
+        """The token here, "" behind the last."""
+        self.place += 1
+        return self.tokens[self.place - 1] if self.place <= len(self.tokens) else ""
+
+    def until(self, end: str) -> str:
+        """All text up to a token, which is read, too."""
+        parts = []
+        while (token := self.next()) not in (end, ""):
+            parts.append(self.written(token))
+        return "".join(parts)
+
+    def argument(self) -> str:
+        """A group, or one token; blanks before it do not count."""
+        while (token := self.next()) == " ":
+            pass
+        return self.until("}") if token == "{" else self.written(token)
+
+    def written(self, token: str) -> str:
+        """What a token stands for, with its arguments."""
+        if token in _ATOMS:
+            return _ATOMS[token](self)
+        name = token.removeprefix("\\")
+        if name is token:
+            return token.strip()
+        if name in _SIGNS:
+            return _SIGNS[name]
+        return self.function(name) if name in _FUNCTIONS else _letter("GREEK {} LETTER {}", name)
+
+    def words(self) -> str:
+        """A group as it is, blanks included."""
+        while (token := self.next()) == " ":
+            pass
+        if token != "{":
+            return token
+        begin = self.place
+        self.place = self.tokens.index("}", begin) + 1
+        return "".join(_SIGNS.get(x[1:], x) for x in self.tokens[begin : self.place - 1])
+
+    def function(self, name: str) -> str:
+        """Its name, between blanks where letters would run into it."""
+        follows = self.tokens[self.place] if self.place < len(self.tokens) else ""
+        return f" {name}" if follows in ("^", "_", "(", "\\left", "") else f" {name} "
+
+    def accented(self, mark: str) -> str:
+        """A letter with its accent, which stands behind the letter and before indices."""
+        text = self.argument()
+        return text[:1] + mark + text[1:]
+
+    def matrix(self) -> str:
+        """Rows behind each other."""
+        self.argument()
+        inside = self.until(r"\end")
+        self.argument()
+        rows = (re.sub(r"\s*&\s*", ", ", row).strip() for row in inside.split("\n"))
+        return f"[{'; '.join(rows)}]"
+
+
+def _letter(form: str, name: str) -> str:
+    """A letter by what Unicode calls it; ValueError where it has none of this name."""
+    size = "CAPITAL" if name[:1].isupper() else "SMALL"
+    known = "LAMDA" if name.lower() == "lambda" else name.upper()
+    try:
+        return unicodedata.lookup(form.format(size, known))
+    except KeyError:
+        raise ValueError(f"{name} has no form in plain text") from None
+
+
+def _fraction(reader: _Reader) -> str:
+    above, below = reader.argument(), reader.argument()
+    over = f"({above})" if re.search(r"[-+=]", _outside(above)) else above
+    under = below if _SYMBOL.fullmatch(below) or not _outside(below).strip("√") else f"({below})"
+    text = f"{over}/{under}"
+    return text if text[0].isdigit() and text[-1].isdigit() else f"{_OPEN}{text}{_CLOSE}"
+
+
+def _root(reader: _Reader) -> str:
+    inside = reader.argument()
+    return f"√{inside}" if len(inside) == 1 else f"√({inside})"
+
+
+def _outside(text: str) -> str:
+    """What of a text is in no brackets."""
+    while (shorter := re.sub(rf"\([^()]*\)|{_OPEN}[^{_OPEN}{_CLOSE}]*{_CLOSE}", "", text)) != text:
+        text = shorter
+    return text
+
+
+def _small(forms: Mapping[str, str], mark: str) -> Callable[[_Reader], str]:
+    def read(reader: _Reader) -> str:
+        text = reader.argument()
+        if all(x in forms for x in text):
+            return "".join(forms[x] for x in text)
+        return f"{mark}{text}" if len(text) == 1 else f"{mark}({text})"
+
+    return read
+
+
+_ATOMS: dict[str, Callable[[_Reader], str]] = {
+    r"\frac": _fraction,
+    r"\tfrac": _fraction,
+    r"\sqrt": _root,
+    r"\begin": _Reader.matrix,
+    r"\\": lambda reader: "\n",
+    r"\mathbb": lambda reader: _letter("DOUBLE-STRUCK {} {}", reader.argument()),
+    "{": lambda reader: reader.until("}"),
+    "_": _small(_SUB, "_"),
+    "^": _small(_SUPER, "^"),
+    **{rf"\{name}": _Reader.words for name in _WORDS},
+    **{
+        rf"\{name}": lambda reader, mark=mark: reader.accented(mark)
+        for name, mark in _ACCENTS.items()
+    },
+}

@@ -1,0 +1,248 @@
+"""The forms side by side on motions nearer and nearer to the separatrix: time, work, size, error.
+
+Times are medians of repetitions on this machine, and mean something next to each other alone: in C
+where a form is generated, and in NumPy for all three.
+"""
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
+from fractions import Fraction
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from rigidsym import engines
+from rigidsym.codegen.forms import PI, THETA, key
+from rigidsym.errors import InputError
+from rigidsym.precise.motion import PreciseMotion
+from rigidsym.validate.forms import cost, fourier
+from rigidsym.view.svg import Panel, svg
+
+SCHEMA = "rigidsym.forms/1"
+FOURIER = "Fourier"
+# The rate about the third axis, off the separatrix of this body by these parts of itself.
+INERTIA, RATES, ATTITUDE = (1.0, 2.0, 2.25), (0.75, 0.5, 1.0), (0.5, 0.5, -0.5, 0.5)
+AWAY = (16.0, 4.0, 1.0, 0.1, 1e-2, 1e-4, 1e-8, 1e-12)
+_TIMES, _CHECKED, _REPEATS, _DIGITS, _SPAN = 4096, 24, 7, 25, 100.0
+# A sum of Clenshaw's recurrence takes a product and two sums a term; there are four series.
+_A_TERM, _SERIES = 3, 4
+
+
+@dataclass(frozen=True, slots=True)
+class FormCost:
+    """One form on one motion; None where it does not serve it, or is not generated in C."""
+
+    form: str
+    away: float
+    parameter: float
+    terms: int | None
+    operations: int | None
+    constant_bytes: int | None
+    plan_us: float | None
+    numpy_ns: float | None
+    c_ns: float | None
+    angle: float | None
+    omega: float | None
+
+    def row(self) -> tuple[str, ...]:
+        """A line of the table."""
+        numbers = (self.operations, self.constant_bytes, self.terms)
+        times = (self.plan_us, self.c_ns, self.numpy_ns)
+        return (
+            f"{self.away:g}",
+            f"{self.parameter:.6g}",
+            self.form,
+            *("" if x is None else str(x) for x in numbers),
+            *("" if x is None else f"{x:.3g}" for x in times),
+            *("" if x is None else f"{x:.1e}" for x in (self.angle, self.omega)),
+        )
+
+
+COLUMNS = (
+    *("away", "k1^2", "form", "operations", "constants, bytes", "terms"),
+    *("plan, us", "C, ns", "NumPy, ns", "angle, rad", "rates"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class FormCosts:
+    """The measurements, and the bytes of generated C by form."""
+
+    code_bytes: dict[str, int]
+    costs: tuple[FormCost, ...]
+
+    @property
+    def conclusion(self) -> str:
+        """Which to fly, in a sentence."""
+        ratio = [one / other for one, other in zip(*map(self._in_c, (PI, THETA)), strict=True)]
+        last = [one for one in self.costs if one.form == FOURIER and one.terms]
+        most = max(last, key=lambda one: one.terms or 0)
+        return (
+            "Fly the theta form: a state of the Pi form takes "
+            f"{min(ratio):.1f} to {max(ratio):.1f} times as long in C, and Fourier series, "
+            f"{min(one.terms or 0 for one in last)} terms far from the separatrix, need "
+            f"{most.terms} at k1^2 = {most.parameter:.6g} and more without end."
+        )
+
+    def _in_c(self, form: str) -> list[float]:
+        return [one.c_ns for one in self.costs if one.form == form and one.c_ns is not None]
+
+    def to_json(self) -> str:
+        """The schema rigidsym.forms/1."""
+        return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
+
+    def to_markdown(self) -> str:
+        """The table, as a page has it."""
+        head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
+        rows = [f"| {' | '.join(one.row())} |" for one in self.costs]
+        sizes = ", ".join(f"{form} {size}" for form, size in self.code_bytes.items())
+        return "\n".join([*head, *rows, "", f"Bytes of C: {sizes}.", "", self.conclusion, ""])
+
+    def to_svg(self) -> str:
+        """Time, work and error against the distance from the separatrix."""
+        drawn: list[tuple[str, str, Callable[[FormCost], float | None]]] = [
+            ("A state in NumPy", "ns", lambda one: one.numpy_ns),
+            ("Operations of a state", "number", lambda one: one.operations),
+            ("Worst angle", "rad", lambda one: one.angle),
+        ]
+        return svg([self._panel(*each) for each in drawn])
+
+    def _panel(self, title: str, label: str, value: Callable[[FormCost], float | None]) -> Panel:
+        found = {(one.form, one.away): value(one) for one in self.costs}
+        xs = sorted({away for _, away in found})
+        lines = {form: [found[form, x] for x in xs] for form in (THETA, PI, FOURIER)}
+        where = "distance from the separatrix"
+        return Panel(title, where, label, xs, lines, log=True, marked=True)
+
+
+def compare_forms(progress: Callable[[int, int], None] = lambda done, total: None) -> FormCosts:
+    """Measure all forms; without a C compiler what is in C is left out."""
+    costs: list[FormCost] = []
+    for done, away in enumerate(AWAY):
+        progress(done, len(AWAY))
+        costs += _measured(away)
+    progress(len(AWAY), len(AWAY))
+    return FormCosts({form: cost.code_bytes(form) for form in (THETA, PI)}, tuple(costs))
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    """One of the motions, and its true states (q, omega) at some times."""
+
+    away: float
+    precise: PreciseMotion
+    parameter: float
+    given: tuple[np.ndarray, ...]
+    times: np.ndarray
+    true: engines.States
+
+    @classmethod
+    def off(cls, away: float) -> "_Motion":
+        given = INERTIA, (*RATES[:2], RATES[2] * (1 + away)), ATTITUDE
+        inertia, omega0, attitude0 = (tuple(map(Fraction, values)) for values in given)
+        precise = PreciseMotion(inertia, omega0, attitude0)
+        modulus = float(precise.constants(("k_1",), _DIGITS)["k_1"])
+        times = np.linspace(-_SPAN, _SPAN, _CHECKED)
+        states = list(precise.states([Fraction(t) for t in times], _DIGITS))
+        q, omega = (np.array([[float(x) for x in row[k]] for row in states]) for k in range(2))
+        return cls(away, precise, modulus**2, tuple(map(np.array, given)), times, (q, omega))
+
+    @property
+    def branch(self) -> str:
+        """By which functions generated modules go."""
+        return "circular" if self.parameter <= 0.5 else "hyperbolic"
+
+
+def _measured(away: float) -> Iterator[FormCost]:
+    motion = _Motion.off(away)
+    for form in (THETA, PI):
+        yield _generated(form, motion)
+    yield _fourier(motion)
+
+
+def _generated(form: str, motion: _Motion) -> FormCost:
+    numpy, fast = engines.exactly(key("numpy", form)), _in_c(key("c", form))
+    prepared = numpy.prepare(*motion.given)
+    in_c: tuple[float | None, float | None] = (None, None)
+    if fast:
+        kept = fast.prepare(*motion.given)
+        in_c = 1e6 * _seconds(lambda: fast.prepare(*motion.given)), _a_state(fast, kept)
+    angle, omega = _errors(numpy.states(prepared, motion.times), motion.true)
+    return FormCost(
+        form=form,
+        away=motion.away,
+        parameter=motion.parameter,
+        terms=None,
+        operations=cost.operations(form, motion.branch),
+        constant_bytes=cost.constant_bytes(form, motion.branch),
+        plan_us=in_c[0],
+        numpy_ns=_a_state(numpy, prepared),
+        c_ns=in_c[1],
+        angle=angle,
+        omega=omega,
+    )
+
+
+def _in_c(name: str) -> engines.Engine | None:
+    try:
+        return engines.exactly(name)
+    except InputError:
+        return None
+
+
+def _fourier(motion: _Motion) -> FormCost:
+    series = fourier.plan(motion.precise)
+    if series is None:
+        return FormCost(FOURIER, motion.away, motion.parameter, *[None] * 8)
+    angle, omega = _errors(series.states(motion.times), motion.true)
+    # Beside its series a state is the Pi form's, after the sines of two angles.
+    others = 2 * cost.operations(PI, "steady", ["angles"])
+    others += cost.operations(PI, "circular", ["state"])
+    numbers = _SERIES * series.terms + len(series.constants) + len(series.v) + len(series.psi)
+    return FormCost(
+        form=FOURIER,
+        away=motion.away,
+        parameter=motion.parameter,
+        terms=series.terms,
+        operations=others + _A_TERM * _SERIES * series.terms,
+        constant_bytes=8 * numbers,
+        plan_us=None,
+        numpy_ns=_a_state(_Series(), series),
+        c_ns=None,
+        angle=angle,
+        omega=omega,
+    )
+
+
+class _Series:
+    """Fourier series, asked as an engine is."""
+
+    def states(self, prepared: fourier.Fourier, t: np.ndarray) -> engines.States:
+        """(q, omega) at times."""
+        return prepared.states(t)
+
+
+def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
+    """The worst angle in rad, and the worst rates over their size."""
+    angle = 2 * np.linalg.norm(found[0] - true[0], axis=-1)
+    rate = np.linalg.norm(found[1] - true[1], axis=-1) / np.linalg.norm(true[1], axis=-1)
+    return float(np.max(angle)), float(np.max(rate))
+
+
+def _a_state(engine: "engines.Engine | _Series", prepared: engines.Prepared) -> float:
+    """Nanoseconds a state, of many at once."""
+    times = np.linspace(0.0, _SPAN, _TIMES)
+    return 1e9 * _seconds(lambda: engine.states(prepared, times)) / _TIMES
+
+
+def _seconds(run: Callable[[], object]) -> float:
+    """The median of some repetitions, after one that is not counted."""
+    run()
+    taken = []
+    for _ in range(_REPEATS):
+        start = perf_counter()
+        run()
+        taken.append(perf_counter() - start)
+    return median(taken)

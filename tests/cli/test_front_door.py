@@ -1,0 +1,228 @@
+"""What a newcomer meets: help, templates, completion, formats by name, errata, conclusions."""
+
+import argparse
+import re
+import shlex
+
+import pytest
+
+from derivations import CHAPTERS
+from rigidsym import engines
+from rigidsym.cli import main, output, parser
+from rigidsym.codegen import TARGETS
+from rigidsym.errors import InputError
+from rigidsym.io.ledger import ledger_text
+from rigidsym.precise import comparison
+from rigidsym.proof.derivation import sealed_path
+from rigidsym.proof.paper import EQUATIONS, Ruling
+from rigidsym.validate import campaign
+from rigidsym.validate.faults import all_faults, detection
+from rigidsym.validate.faults.report import FaultReport
+from rigidsym.validate.faults.report import Outcome as FaultOutcome
+
+(COMMANDS,) = (action.choices for action in parser()._actions if action.dest == "command")
+# Switches, and what is given or not: these have no value by themselves.
+SILENT = {"output", "case", "scheduler", "format", "lagrangian", "equation"}
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_ends_with_an_example_that_is_understood(name):
+    example = COMMANDS[name].format_help().rstrip().splitlines()[-1]
+    told = shlex.split(example.partition(">")[0])
+    assert told[:2] == ["rigidsym", name]
+    assert parser().parse_args(told[1:]).command == name
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_help_says_what_is_so_by_default(name):
+    for action in COMMANDS[name]._actions:
+        takes_value = action.option_strings and action.nargs != 0 and not action.required
+        if takes_value and action.dest not in SILENT:
+            said = COMMANDS[name]._get_formatter()._expand_help(action)
+            assert re.search(r"default|needed", said), (name, action.dest, said)
+        assert action.help is argparse.SUPPRESS or action.help, (name, action.dest)
+
+
+def test_defaults_in_words_are_those_in_the_code():
+    said = {action.dest: str(action.help) for action in COMMANDS["validate"]._actions}
+    for dest, value in (("cases", campaign.CASES), ("digits", campaign.DIGITS),
+                        ("seed", campaign.SEED)):  # fmt: skip
+        assert said[dest].endswith(f"; {value} by default")
+    said = {action.dest: str(action.help) for action in COMMANDS["methods"]._actions}
+    assert said["digits"] == f"{' '.join(map(str, comparison.DIGITS))} by default"
+
+
+@pytest.mark.parametrize("template", ["motion.toml", "slew.toml"])
+def test_a_template_is_a_file_to_begin_with(template, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["init", template]) == 0
+    assert (tmp_path / template).read_text().startswith("# A ")
+    command = "propagate" if template == "motion.toml" else "plan"
+    assert main([command, template]) == 0
+    assert main(["init", template]) == 2
+    assert "is there already" in capsys.readouterr().err
+    assert main(["init", template, "-o", "other.toml"]) == 0
+    assert (tmp_path / template).read_text() == (tmp_path / "other.toml").read_text()
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
+def test_shells_complete_commands_and_options(shell, capsys):
+    pytest.importorskip("shtab", reason="needs shtab (extra completion)")
+    assert main(["completion", shell]) == 0
+    script = capsys.readouterr().out
+    assert all(name in script for name in COMMANDS)
+    assert "verdict" in script
+
+
+def test_completion_without_its_package_is_one_line(monkeypatch, capsys):
+    monkeypatch.setitem(__import__("sys").modules, "shtab", None)
+    assert main(["completion", "bash"]) == 2
+    assert "pip install 'rigidsym[completion]'" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "starts"), [("x.csv", b"t,q0"), ("x.json", b"{"), ("x.JSON", b"{"), ("x.npz", b"PK")]
+)
+def test_the_name_of_a_file_says_its_format(name, starts, tmp_path):
+    assert main(["propagate", "paper", "-o", str(tmp_path / name)]) == 0
+    assert (tmp_path / name).read_bytes().startswith(starts)
+
+
+def test_a_message_is_asked_for_by_its_name_too(tmp_path, capsys):
+    path = tmp_path / "x.aem"
+    assert main(["propagate", "paper", "-o", str(path)]) == 2
+    assert "epoch = missing" in capsys.readouterr().err
+    assert main(["propagate", "paper", "-o", str(path), "--epoch", "2026-01-01T00:00:00"]) == 0
+    assert path.read_text().startswith("CCSDS_AEM_VERS")
+
+
+@pytest.mark.parametrize("name", ["x.dat", "states", ".csv"])
+def test_other_names_are_refused_unless_a_format_is_given(name, tmp_path, capsys):
+    path = tmp_path / name
+    assert main(["propagate", "paper", "-o", str(path)]) == 2
+    assert "ends in none of .csv, .json, .npz, .aem: give --format" in capsys.readouterr().err
+    assert not path.exists()
+    assert main(["propagate", "paper", "-o", str(path), "--format", "csv"]) == 0
+
+
+@pytest.fixture
+def replayed(monkeypatch):
+    """The sealed ledger without replaying it, which other tests do."""
+    monkeypatch.setattr("rigidsym.cli.proofs.replayed", ledger_text)
+
+
+@pytest.mark.usefixtures("replayed")
+def test_errata_begin_with_counts(capsys):
+    assert main(["errata"]) == 0
+    first, *others = capsys.readouterr().out.splitlines()
+    counts = [int(n) for n in re.findall(r"(\d+) (?:hold|are|amb)", first)]
+    assert len(counts) == 4
+    assert sum(counts) == len(EQUATIONS)
+    assert len(others) < 200
+    assert "\\frac" not in "".join(others)
+
+
+@pytest.mark.usefixtures("replayed")
+def test_one_equation_is_told_in_full(capsys):
+    assert main(["errata", "10", "(35)", "lemma 1"]) == 0
+    told = capsys.readouterr().out
+    assert all(f"({number})" in told for number in ("10", "35", "Lemma 1"))
+    assert "Ωᵢ(t)=√(sᵢ) sn(±√(αsⱼ) t+Cᵢ, sᵢ/sⱼ)" in told  # noqa: RUF001
+    assert "(11)" not in told.partition("(35)")[0]
+    assert main(["errata", "99"]) == 2
+    assert "equation = 99: must be one of: 1, 2, " in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("replayed")
+@pytest.mark.parametrize("verdict", ["holds", "holds-if", "misprint", "ambiguous"])
+def test_verdicts_can_be_chosen(verdict, capsys):
+    import json
+
+    assert main(["errata", "--verdict", verdict, "--json"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert {entry["verdict"] for entry in data["equations"]} == {verdict.replace("-", " ")}
+    assert data["prose"] == []
+
+
+def test_every_ruling_can_be_chosen():
+    (action,) = (x for x in COMMANDS["errata"]._actions if x.dest == "verdict")
+    assert [x.replace("-", " ") for x in action.choices] == [str(x) for x in Ruling]
+
+
+def test_long_texts_go_through_the_pager_on_a_terminal(monkeypatch, capsys):
+    seen = []
+    monkeypatch.setattr("pydoc.pager", seen.append)
+    output.page("to a file\n")
+    assert capsys.readouterr().out == "to a file\n"
+    monkeypatch.setattr("sys.stdout.isatty", lambda: True, raising=False)
+    output.page("to a reader\n")
+    assert seen == ["to a reader\n"]
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_code_is_written_where_it_is_asked_for_alone(target, capsys):
+    assert main(["codegen", target]) == 2
+    assert "output = missing: give -o DIR" in capsys.readouterr().err
+
+
+def test_the_sealed_ledger_is_written_in_place_alone(monkeypatch, tmp_path, capsys):
+    from rigidsym.proof import derivation
+    from rigidsym.proof.derivation import Derivation
+
+    sealed, place = sealed_path().read_text("utf-8"), tmp_path / "ledger.json"
+    monkeypatch.setattr(derivation, "sealed_path", lambda: place)
+    for text, word in ((sealed, "the one that is"), (sealed + " ", "NOT the one")):
+        found = Derivation((), text)
+        monkeypatch.setattr(derivation, "derive", lambda *given, found=found: found)
+        assert main(["derive"]) == 0
+        told = capsys.readouterr().err
+        assert word in told
+        assert "not written (-o FILE, or --in-place)" in told
+        assert not place.exists()
+    assert main(["derive", "--in-place"]) == 0
+    assert place.read_text("utf-8") == sealed + " "
+
+
+def test_a_part_of_the_derivation_is_not_for_the_package(capsys):
+    assert main(["derive", CHAPTERS[0], "--in-place"]) == 2
+    assert "in-place = given: is for all chapters" in capsys.readouterr().err
+
+
+def test_without_a_compiler_numpy_is_measured_and_said_to_be_alone(monkeypatch, capsys):
+    had = engines.exactly
+
+    def exactly(name):
+        if name == "c":
+            raise InputError("engine", name, "no C compiler found (cc, gcc, clang)")
+        return had(name)
+
+    monkeypatch.setattr(engines, "exactly", exactly)
+    assert main(["validate", "--stratum", "rest", "--cases", "1"]) == 0
+    told = capsys.readouterr()
+    assert "c is not measured: no C compiler found" in told.err
+    assert "Every bound is kept at " in told.out.splitlines()[-1]
+    assert main(["validate", "c", "--stratum", "rest", "--cases", "1"]) == 2
+
+
+def test_methods_end_with_a_conclusion():
+    measured = (
+        comparison.Measurement("theta", 15, seconds=0.2, seconds_more=0.001),
+        comparison.Measurement("carlson", 15, seconds=0.1, seconds_more=0.002),
+        comparison.Measurement("taylor", 15),
+        comparison.Measurement("taylor", 50, seconds=0.003),
+    )
+    found = comparison.Comparison({}, None, "180", measured, ())
+    said = "theta at 15 (1.00 ms), taylor at 50 (3.00 ms)"
+    assert found.conclusion == f"The cheapest for one more state, by digits: {said}."
+
+
+def test_faults_end_with_a_conclusion():
+    """Who notices how many, and whether any is missed."""
+    fault = all_faults()[0]
+    seen = [detection.Detection(stratum, 0, ("angle",)) for stratum in ("rest", "rod")]
+    outcomes = (FaultOutcome(fault, tuple(seen)), FaultOutcome(fault, (seen[0],)))
+    found = FaultReport(("numpy",), ("rest", "rod"), 1, 20, 1, outcomes)
+    said = "Each of 2 faults is noticed, by 1 stratum or more; rest alone notices 2."
+    assert found.conclusion == said
+    missed = FaultReport(("numpy",), ("rest", "rod"), 1, 20, 1, (FaultOutcome(fault, ()),))
+    assert missed.conclusion.startswith("1 of 1 faults are NOT noticed")
