@@ -336,7 +336,8 @@ class TorqueFreeMotion:
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
         quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
-        twice, and gives the digits on which two of the ledger's forms agree.  Raises
+        twice, and gives the digits on which two of the ledger's forms agree; or theorem1, the
+        paper's own form as mended, for motions that it is about.  Raises
         PrecisionError where `max_seconds` are over before the digits are reached, saying how many
         were, and InputError for bad input.
         """
@@ -397,9 +398,9 @@ class TorqueFreeMotion:
         "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
         other forms, for one that the regime has not, and for uncertain inputs.
 
-        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
-        >>> motion.symbolic().omega().T
-        Matrix([[cos(t), sin(t), 1]])
+        >>> motion = TorqueFreeMotion((1, 2, 2.5), (0, 1, 0))
+        >>> motion.symbolic().q().T
+        Matrix([[cos(t/2), 0, sin(t/2), 0]])
         """
         from rigidsym.solution.symbolic import of_motion
 
