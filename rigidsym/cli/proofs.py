@@ -139,6 +139,7 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     """Write the ledger: of all chapters to its place, else where the user says."""
     from rigidsym.io.files import write_text
+    from rigidsym.io.ledger import SEAL, seal
     from rigidsym.proof.derivation import sealed_path
 
     if options.output is not None:
@@ -146,7 +147,9 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     elif not sealed:
         say("the ledger is sealed by all chapters together: not written")
     elif options.in_place:
-        say(f"ledger: {write_text(sealed_path(), derivation.ledger)}")
+        path = write_text(sealed_path(), derivation.ledger)
+        write_text(path.with_name(SEAL), seal(derivation.ledger))
+        say(f"ledger: {path}")
     else:
         say(f"{_compared(derivation.ledger)}: not written (-o FILE, or --in-place)")
 

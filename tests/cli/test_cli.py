@@ -660,7 +660,7 @@ def test_a_damaged_sealed_ledger_is_one_line(text, monkeypatch, capsys):
     from rigidsym.solution import formulas
 
     monkeypatch.setattr("rigidsym.io.ledger.ledger_text", lambda: text)
-    monkeypatch.setattr(formulas, "ledger_text", lambda: text)
+    monkeypatch.setattr(formulas, "sealed_text", lambda: text)
     formulas.sealed.cache_clear()
     try:
         for arguments in (
