@@ -261,19 +261,21 @@ class TorqueFreeMotion:
         return self._quantities.momentum
 
     @property
-    def parameter(self) -> float:
-        """m of Jacobi's functions: 0 for symmetric bodies, 1 on the separatrix; not a number where
-        the rates are constant."""
+    def parameter(self) -> float | None:
+        """m = k^2 of Jacobi's functions: 0 for symmetric bodies, 1 on the separatrix.
+
+        None where the rates are constant.
+        """
         return self._quantities.parameter
 
     @property
-    def modulus(self) -> float:
-        """k, the square root of the parameter."""
+    def modulus(self) -> float | None:
+        """k of Jacobi's functions; None where the rates are constant."""
         return self._quantities.modulus
 
     @property
-    def period(self) -> float:
-        """After which the rates are back, s: infinite on the separatrix, 0 where they are constant.
+    def period(self) -> float | None:
+        """Of the rates, s: infinite on the separatrix, None where they are constant.
 
         >>> round(TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)).period, 6)
         165.897574
@@ -281,14 +283,21 @@ class TorqueFreeMotion:
         return self._quantities.period
 
     @property
-    def precession_rate(self) -> float:
-        """At which the attitude turns about the momentum, on the average over all times, rad/s."""
+    def precession_rate(self) -> float | None:
+        """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
+
+        Where the rates are constant it is the rate about their axis.
+        """
         return self._quantities.precession_rate
 
     @property
-    def phase_per_period(self) -> float:
-        """The angle about the momentum by which the attitude has turned after a period, rad, whole
-        turns included (Montgomery, American Journal of Physics 59, 394-398)."""
+    def phase_per_period(self) -> float | None:
+        """The angle that the body has turned about its momentum after one period, rad.
+
+        Whole turns included: 2 H period/K less the solid angle that the momentum sweeps in the body
+        (Montgomery, American Journal of Physics 59, 394-398).  None on the separatrix, and where
+        the rates are constant.
+        """
         return self._quantities.phase_per_period
 
     @property
@@ -327,7 +336,8 @@ class TorqueFreeMotion:
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
         quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
-        twice, and gives the digits on which two of the ledger's forms agree.  Raises
+        twice, and gives the digits on which two of the ledger's forms agree; or theorem1, the
+        paper's own form as mended, for motions that it is about.  Raises
         PrecisionError where `max_seconds` are over before the digits are reached, saying how many
         were, and InputError for bad input.
         """
@@ -388,59 +398,13 @@ class TorqueFreeMotion:
         "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
         other forms, for one that the regime has not, and for uncertain inputs.
 
-        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
-        >>> motion.symbolic().omega().T
-        Matrix([[cos(t), sin(t), 1]])
+        >>> motion = TorqueFreeMotion((1, 2, 2.5), (0, 1, 0))
+        >>> motion.symbolic().q().T
+        Matrix([[cos(t/2), 0, sin(t/2), 0]])
         """
         from rigidsym.solution.symbolic import of_motion
 
         return of_motion(form, *self.exact.values())
-
-    @property
-    def energy(self) -> float:
-        """The kinetic energy, J."""
-        return self._quantities["energy"]
-
-    @property
-    def momentum(self) -> float:
-        """The size of the angular momentum, kg m^2 rad/s."""
-        return self._quantities["momentum"]
-
-    @property
-    def parameter(self) -> float | None:
-        """m = k^2 of the Jacobi functions of the rates; None where the rates are constant."""
-        return self._quantities.get("parameter")
-
-    @property
-    def modulus(self) -> float | None:
-        """k of the Jacobi functions of the rates; None where the rates are constant."""
-        return self._quantities.get("modulus")
-
-    @property
-    def period(self) -> float | None:
-        """The period of the rates, s: inf on the separatrix, None where the rates are constant."""
-        return self._quantities.get("period")
-
-    @property
-    def precession_rate(self) -> float | None:
-        """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
-
-        Where the rates are constant it is the rate about their axis.
-        """
-        return self._quantities.get("precession_rate")
-
-    @property
-    def phase_per_period(self) -> float | None:
-        """The angle that the body has turned about its momentum after one period, rad.
-
-        Montgomery's: 2 H period/K less the solid angle that the momentum sweeps in the body.  None
-        on the separatrix, and where the rates are constant.
-        """
-        return self._quantities.get("phase_per_period")
-
-    @cached_property
-    def _quantities(self) -> dict[str, float]:
-        return {name: float(value) for name, value in self.symbolic().quantities.items()}
 
     def rotation(self, t: ArrayLike) -> "Rotation":
         """The attitude as scipy.spatial.transform.Rotation, body to inertial (needs SciPy)."""

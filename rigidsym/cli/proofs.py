@@ -139,6 +139,7 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     """Write the ledger: of all chapters to its place, else where the user says."""
     from rigidsym.io.files import write_text
+    from rigidsym.io.ledger import SEAL, seal
     from rigidsym.proof.derivation import sealed_path
 
     if options.output is not None:
@@ -146,7 +147,9 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     elif not sealed:
         say("the ledger is sealed by all chapters together: not written")
     elif options.in_place:
-        say(f"ledger: {write_text(sealed_path(), derivation.ledger)}")
+        path = write_text(sealed_path(), derivation.ledger)
+        write_text(path.with_name(SEAL), seal(derivation.ledger))
+        say(f"ledger: {path}")
     else:
         say(f"{_compared(derivation.ledger)}: not written (-o FILE, or --in-place)")
 
@@ -247,9 +250,14 @@ def _export(options: Namespace) -> int:
 
 def _exported(written: "Export") -> None:
     """How many facts of each rule are theorems there, and what is not."""
+    from rigidsym.proof.coq import SUPPOSED
+
     total = sum(written.exported.values())
     counts = ", ".join(f"{count} {rule}" for rule, count in sorted(written.exported.items()))
     print(f"{total} facts are stated in Coq: {counts}")
+    if supposed := {rule: n for rule, n in written.exported.items() if rule in SUPPOSED}:
+        rules = ", ".join(sorted(supposed))
+        print(f"{sum(supposed.values())} are hypotheses there of all that rests on them: {rules}")
     reasons: dict[str, list[str]] = {}
     for fact, reason in written.left_out.items():
         reasons.setdefault(reason, []).append(fact)

@@ -178,7 +178,7 @@ def test_a_formula_is_one_that_is_proved():
 def test_commands_replay_and_require(command, monkeypatch, capsys):
     """A_a doubled wherever it is stated: no checker accepts it, and nothing is made of it."""
     text = TEXT.replace('"E_d/(c_a*c_ad)"', '"4*E_d/(c_a*c_ad)"')
-    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.ledger_text"):
+    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.sealed_text"):
         monkeypatch.setattr(place, lambda: text)
     assert main(command) == (1 if command[0] == "check" else 2)
     assert "refused" in capsys.readouterr().err

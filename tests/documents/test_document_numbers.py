@@ -10,6 +10,7 @@ from document_texts import ROOT, TEXTS, blocks, rows, words
 import rigidsym
 from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.codegen.seal import seal
+from rigidsym.codegen.trace import told
 from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.paper import Ruling, verdicts
 from rigidsym.solution import sealed
@@ -82,6 +83,8 @@ def test_the_table_of_the_readme():
     assert table["`rigidsym errata`"][1] == rulings()
     assert numbers(table["`rigidsym derive`"]) == [str(n) for _, n in sorted(GRADES.items())[::-1]]
     assert numbers(table["`rigidsym codegen c --check`"]) == [str(seal(sealed()))]
+    shares = [line.split()[0] for line in told("torque_free.py")[1:]]
+    assert numbers(table["`rigidsym trace torque_free.py`"]) == shares
     errors = [max(column) for column in zip(*worst().values(), strict=True)]
     row = table["`rigidsym validate numpy c --cases 200`"]
     assert [float(number) for number in numbers(row)] == errors

@@ -21,6 +21,8 @@ from rigidsym.precise.motion import PreciseMotion
 from rigidsym.solution import sealed
 
 MOST = 1000
+# What the first term left out is below, of the first of all.
+_BITS = 55
 _DIGITS = 40
 _NAMES = ("k_1", "m", "K", "mu", "phase", "psi_0", "kappa", "n", "A_a", "A_b", "A_d")
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
@@ -76,8 +78,11 @@ def plan(motion: PreciseMotion) -> Fourier | None:
     with mpmath.workdps(_DIGITS):
         known = motion.constants((*_NAMES, *_FRONT), _DIGITS)
         nome = mpmath.qfrom(m=known["m"])
-        terms = 2 + int(mpmath.ceil(55 * mpmath.log(2) / -mpmath.log(nome))) if nome else 2
-        return _planned(motion, known, nome, terms) if terms <= MOST else None
+        falling = mpmath.inf if nome == 0 else -mpmath.log(nome)
+        if falling * MOST < _BITS * mpmath.log(2):
+            return None
+        terms = 2 + int(mpmath.ceil(_BITS * mpmath.log(2) / falling))
+        return _planned(motion, known, nome, terms)
 
 
 def _planned(

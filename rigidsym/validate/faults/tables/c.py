@@ -17,7 +17,7 @@ _STEADY_STATE = "static void steady_state("
 _DISCRIMINANT = "static double_double discriminant_of("
 _MOVING = "static int moving_init("
 _START = "static void initial_state("
-_CIRCULATION = "static inline double circulation("
+_CIRCULATION = "static INLINED double circulation("
 _INIT = "static int init("
 _UNTOLD = "-U__ASSOCIATIVE_MATH__"
 
