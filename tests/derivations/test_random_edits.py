@@ -60,7 +60,7 @@ def test_the_ledger_itself_is_accepted():
 
 
 def test_edits_are_of_all_kinds():
-    kinds = Counter(edited(TEXT, SPECIFICATION, seed)[0].split()[2] for seed in range(60))
+    kinds = Counter(edited(TEXT, SPECIFICATION, seed)[0].split()[2] for seed in range(150))
     assert {"relations", "units", "nonnegative", "rates", "generators"} <= {*kinds}
     assert len(kinds) > 20
 
