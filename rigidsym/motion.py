@@ -261,19 +261,21 @@ class TorqueFreeMotion:
         return self._quantities.momentum
 
     @property
-    def parameter(self) -> float:
-        """m of Jacobi's functions: 0 for symmetric bodies, 1 on the separatrix; not a number where
-        the rates are constant."""
+    def parameter(self) -> float | None:
+        """m = k^2 of Jacobi's functions: 0 for symmetric bodies, 1 on the separatrix.
+
+        None where the rates are constant.
+        """
         return self._quantities.parameter
 
     @property
-    def modulus(self) -> float:
-        """k, the square root of the parameter."""
+    def modulus(self) -> float | None:
+        """k of Jacobi's functions; None where the rates are constant."""
         return self._quantities.modulus
 
     @property
-    def period(self) -> float:
-        """After which the rates are back, s: infinite on the separatrix, 0 where they are constant.
+    def period(self) -> float | None:
+        """Of the rates, s: infinite on the separatrix, None where they are constant.
 
         >>> round(TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)).period, 6)
         165.897574
@@ -281,14 +283,21 @@ class TorqueFreeMotion:
         return self._quantities.period
 
     @property
-    def precession_rate(self) -> float:
-        """At which the attitude turns about the momentum, on the average over all times, rad/s."""
+    def precession_rate(self) -> float | None:
+        """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
+
+        Where the rates are constant it is the rate about their axis.
+        """
         return self._quantities.precession_rate
 
     @property
-    def phase_per_period(self) -> float:
-        """The angle about the momentum by which the attitude has turned after a period, rad, whole
-        turns included (Montgomery, American Journal of Physics 59, 394-398)."""
+    def phase_per_period(self) -> float | None:
+        """The angle that the body has turned about its momentum after one period, rad.
+
+        Whole turns included: 2 H period/K less the solid angle that the momentum sweeps in the body
+        (Montgomery, American Journal of Physics 59, 394-398).  None on the separatrix, and where
+        the rates are constant.
+        """
         return self._quantities.phase_per_period
 
     @property

@@ -250,9 +250,14 @@ def _export(options: Namespace) -> int:
 
 def _exported(written: "Export") -> None:
     """How many facts of each rule are theorems there, and what is not."""
+    from rigidsym.proof.coq import SUPPOSED
+
     total = sum(written.exported.values())
     counts = ", ".join(f"{count} {rule}" for rule, count in sorted(written.exported.items()))
     print(f"{total} facts are stated in Coq: {counts}")
+    if supposed := {rule: n for rule, n in written.exported.items() if rule in SUPPOSED}:
+        rules = ", ".join(sorted(supposed))
+        print(f"{sum(supposed.values())} are hypotheses there of all that rests on them: {rules}")
     reasons: dict[str, list[str]] = {}
     for fact, reason in written.left_out.items():
         reasons.setdefault(reason, []).append(fact)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from functools import cached_property
-from math import atan2, inf, nan, sqrt
+from math import atan2, inf, sqrt
 
 from rigidsym.inputs import decimal
 from rigidsym.precise.motion import PreciseMotion
@@ -41,42 +41,46 @@ class Quantities:
         return _root(sum((c * w) ** 2 for c, w in zip(inertia, rates, strict=True)))
 
     @cached_property
-    def parameter(self) -> float:
-        """m of Jacobi's functions, from 0 for symmetric bodies to 1 on the separatrix; not a number
-        where the rates are constant."""
-        return nan if self._steady else self._constant("m")
+    def parameter(self) -> float | None:
+        """m of Jacobi's functions, from 0 for symmetric bodies to 1 on the separatrix; None where
+        the rates are constant."""
+        return None if self._steady else self._constant("m")
 
     @property
-    def modulus(self) -> float:
+    def modulus(self) -> float | None:
         """k, the square root of the parameter."""
-        return sqrt(self.parameter)
+        return None if self.parameter is None else sqrt(self.parameter)
 
     @cached_property
-    def period(self) -> float:
+    def period(self) -> float | None:
         """The time 4 K(m)/lambda after which the rates come back, s; infinite on the separatrix.
 
-        Zero where the rates are constant.
+        None where the rates are constant.
         """
-        return 0.0 if self._steady else inf if self._separatrix else self._constant("period")
+        if self._steady:
+            return None
+        return inf if self._separatrix else self._constant("period")
 
     @cached_property
-    def precession_rate(self) -> float:
-        """At which the attitude turns about the momentum, on the average over all times, rad/s."""
+    def precession_rate(self) -> float | None:
+        """At which the attitude turns about the momentum, on the average over a period, rad/s; None
+        on the separatrix."""
         if self._steady:
             return _root(sum(w * w for w in self.motion.exact[1]))
         if self._separatrix:
-            return 2 * self.energy / self.momentum
+            return None
         # No nodding, no part of it: J_c is 0/0 there.
         symmetric = self.motion.polhode.regime == Regime.SYMMETRIC
         return self._constant("psi_0" if symmetric else "psi_mean")
 
     @property
-    def phase_per_period(self) -> float:
+    def phase_per_period(self) -> float | None:
         """The angle about the momentum by which the attitude is off after a period, rad.
 
-        Whole turns included; after Montgomery, American Journal of Physics 59 (1991), 394-398.
+        Whole turns included; None without a period, and on the separatrix.
         """
-        return self.precession_rate * self.period
+        rate, period = self.precession_rate, self.period
+        return None if rate is None or period is None else rate * period
 
     @cached_property
     def nutation(self) -> tuple[float, float]:

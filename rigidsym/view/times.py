@@ -26,7 +26,7 @@ def period(motion: Motion) -> float:
 
     Zero where the rates are constant.
     """
-    return Quantities(_precise(motion)).period
+    return Quantities(_precise(motion)).period or 0.0
 
 
 def once(motion: Motion) -> tuple[float, float]:

@@ -77,4 +77,4 @@ def test_no_random_edit_of_many_is_accepted(block):
 
 
 def test_the_page_says_how_many():
-    assert f"Of {MANY} random edits" in words("trust.md")
+    assert f"A campaign makes {MANY} random edits" in words("trust.md")

@@ -122,6 +122,14 @@ def test_a_theorem_for_less_is_another(context, names):
     assert "the ledger assumes this beyond it" in refused(ledger)
 
 
+@pytest.mark.parametrize("context", ["theta_form", "descended", "steady_start"])
+def test_a_theorem_declares_no_functions_and_no_start(context):
+    for field, more in (("start", ["rho"]), ("thetas", {"K": "re(theta3(0, k_1))"})):
+        ledger = data()
+        part(ledger, "contexts", context)[field] = more
+        assert f"theorem {context} (" in refused(ledger)
+
+
 @pytest.mark.parametrize("field", ["units", "nonnegative", "relations"])
 @pytest.mark.parametrize("context", [*theorems(SPECIFICATION)])
 def test_hypotheses_are_exactly_those(context, field):

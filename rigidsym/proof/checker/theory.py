@@ -4,7 +4,7 @@ from flint import fmpq
 
 from rigidsym.proof.checker.language import Form, Forms, is_name
 from rigidsym.proof.checker.records import Hypotheses, Refused
-from rigidsym.proof.checker.ring import Ring
+from rigidsym.proof.checker.ring import Quotient, Ring
 from rigidsym.proof.checker.signs import Signs
 from rigidsym.proof.checker.theta import Functions
 
@@ -43,7 +43,16 @@ class Theory:
             raise Refused("a relation does not hold at the point")
         if any(sign.above(*at) / sign.below(*at) < 0 for sign in self.signs):
             raise Refused("a sign is wrong at the point")
+        if self.ring.rates is not None and any(map(self._moves, self._zeros(at))):
+            raise Refused("a sign is about to be wrong: 0 at the point, and it moves")
         return at
+
+    def _zeros(self, at: list[fmpq]) -> list[Quotient]:
+        return [sign for sign in self.signs if not sign.above(*at)]
+
+    def _moves(self, quotient: Quotient) -> bool:
+        """Whether what is 0 now is not seen to stay so."""
+        return bool(self.ring.remainder(self.ring.rate(quotient).above))
 
     def says(self, lhs: str, rhs: str) -> bool:
         """Whether sides are alike, or one is what the context has for the name or rate opposite."""

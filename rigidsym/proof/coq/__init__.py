@@ -6,5 +6,6 @@ which functions of time are the motion.
 """
 
 from rigidsym.proof.coq.export import Export, export
+from rigidsym.proof.coq.facts import SUPPOSED
 
-__all__ = ["Export", "export"]
+__all__ = ["SUPPOSED", "Export", "export"]

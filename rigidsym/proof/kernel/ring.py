@@ -109,8 +109,7 @@ class Ring:
                     raise KernelError(f"D({name}) is not known in this context")
                 total += Element(slope) * rate
         for unit, power in element.below.items():
-            part = Element(element.numerator * power, Counter([unit]))
-            total -= part * self.rate(Element(unit))
+            total -= Element(element.numerator * power, Counter([unit])) * self.rate(Element(unit))
         return total * Element(self.poly(1), element.below)
 
     def read(self, text: str) -> Element:

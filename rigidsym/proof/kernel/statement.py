@@ -69,10 +69,11 @@ class Context:
         point = [_NUMBERS.read(text).numerator.coeff(1) for text in given]
         broken = [f"{unit} = 0" for unit in ring.units if not at(unit, point)]
         broken += [f"{relation} != 0" for relation in ring.relations if at(relation, point)]
-        for text in self.nonnegative:
-            sign = ring.read(text)
-            if at(sign.over(sign.below + sign.below), point) < 0:  # p/u as p*u
-                broken.append(f"{text} < 0")
+        for sign in map(ring.read, self.nonnegative):
+            value = at(sign.over(sign.below + sign.below), point)  # p/u as p*u
+            still = value or self.rates is None or not ring.remainder(ring.rate(sign).numerator)
+            if value < 0 or not still:
+                broken.append(f"{sign.numerator} < 0, or 0 and about to change,")
         if broken:
             raise KernelError(f"context {self.name}: {broken[0]} at {dict(values)}")
         return point

@@ -217,6 +217,30 @@ def test_neither_takes_an_id_that_is_not_made_of_names(field, name):
         both_refuse(unchecked([PLAIN], [replace(zero("x"), **{field: value})]))
 
 
+@pytest.mark.parametrize(
+    ("nonnegative", "rates", "inhabited"),
+    [
+        (("x", "-x"), {"x": "1"}, False),  # no motion has it for longer than an instant
+        (("x",), {"x": "1"}, False),  # nor did it before
+        (("x",), {"x": "x*y"}, False),  # true, and not seen
+        (("x", "-x"), {"y": "1"}, True),
+        (("x", "-x"), None, True),
+        (("y",), {"x": "1", "y": "-1"}, True),
+    ],
+    ids=str,
+)
+def test_a_moving_context_is_inhabited_by_a_motion(nonnegative, rates, inhabited):
+    moving = Context("c", ("x", "y"), {"x": "0", "y": "1"}, rates=rates, nonnegative=nonnegative)
+    if inhabited:
+        accepted([moving], [])
+    else:
+        for decide, refusal in ((replay, KernelError), (check, Refused)):
+            with pytest.raises(refusal, match="context c"):
+                decide(unchecked([moving], []))
+        still = replace(moving, relations=("x",), rates={"x": "x*y"})
+        accepted([still], [])
+
+
 def test_neither_lets_an_identity_rest_on_premises():
     refused([PLAIN], [zero("x"), replace(zero("2*x"), id="g", premises=("f",))])
 

@@ -9,7 +9,7 @@ from ledgers import prove, unchecked
 
 from rigidsym.cli import main
 from rigidsym.proof.coq import export
-from rigidsym.proof.kernel import Context, Fact, Ledger
+from rigidsym.proof.kernel import Context, Fact, Grade, Ledger
 
 PLANE = Context(
     name="plane",
@@ -63,6 +63,8 @@ def ledger() -> Ledger:
     sides = (("a", "a"), ("square", "1"))
     wrong = Fact("numbers.wrong", "numbers", "unequal", *sides, "counterexample")
     admitted.add(replace(wrong, certificate={"point": {"a": "-2/3"}}))
+    supposed = Fact("numbers.supposed", "numbers", "equal", ("square",), ("a",), "assumption")
+    admitted.add(replace(supposed, grade=Grade.ASSUMED, certificate={"reference": "somebody"}))
     names = ("zero", "positive", "negative")
     split = Fact("numbers.cases", "numbers", "partition", ("a",), names, "partition")
     admitted.add(replace(split, certificate={"cases": list(names)}))
@@ -86,6 +88,7 @@ def test_each_rule_has_its_theorem(ledger):
     written = export(ledger)
     assert written.exported == {
         "identity": 4, "model": 1, "transfer": 1, "counterexample": 1, "partition": 1,
+        "assumption": 1,
     }  # fmt: skip
     assert list(written.left_out) == ["plane.moves"]
     plane = written.files["contexts/plane.v"]
@@ -137,7 +140,8 @@ def test_without_coq_one_line_says_so(ledger, tmp_path, capsys, monkeypatch):
     arguments = ["export", "coq", "-o", str(into), "--ledger", str(path), "--check"]
     assert main(arguments) == 1
     shown = capsys.readouterr()
-    assert "8 facts are stated in Coq" in shown.out
+    assert "9 facts are stated in Coq" in shown.out
+    assert "1 are hypotheses there of all that rests on them: assumption" in shown.out
     assert "1 are not: a point of a context that moves is no motion: plane.moves" in shown.out
     assert shown.err.splitlines()[-1] == (
         "rigidsym export: --check needs coqc (Debian: apt-get install coq libcoq-coquelicot)"

@@ -6,7 +6,7 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Rigidsym.theorems Require Import motion.
-From Rigidsym.contexts Require descended theta_form hyperbolic_form separatrix_form symmetric_form.
+From Rigidsym.contexts Require descended theta_form hyperbolic_form separatrix_form symmetric_form pi_near pi_far.
 Open Scope R_scope.
 
 (* The motion from where it is at t = 0. *)
@@ -78,4 +78,22 @@ Proof.
   intros H; exact (as_in_ledger _ _ _ _ _ _ _ _ _ _ _
     (descended.fact_euler _ (theta_form.models_descended _ (separatrix_form.models_theta_form X H)))
     (separatrix_form.fact_solution X H)).
+Qed.
+
+Theorem pi_near_motion X : pi_near.holds X ->
+  moves (pi_near.epsilon X) (pi_near.c_a X) (pi_near.c_b X) (pi_near.c_d X)
+    (pi_near.Omega_a X) (pi_near.Omega_b X) (pi_near.Omega_d X)
+    (pi_near.q_0 X) (pi_near.q_a X) (pi_near.q_b X) (pi_near.q_d X).
+Proof.
+  intros H; exact (as_in_ledger _ _ _ _ _ _ _ _ _ _ _
+    (descended.fact_euler _ (pi_near.models_descended X H)) (pi_near.fact_solution X H)).
+Qed.
+
+Theorem pi_far_motion X : pi_far.holds X ->
+  moves (pi_far.epsilon X) (pi_far.c_a X) (pi_far.c_b X) (pi_far.c_d X)
+    (pi_far.Omega_a X) (pi_far.Omega_b X) (pi_far.Omega_d X)
+    (pi_far.q_0 X) (pi_far.q_a X) (pi_far.q_b X) (pi_far.q_d X).
+Proof.
+  intros H; exact (as_in_ledger _ _ _ _ _ _ _ _ _ _ _
+    (descended.fact_euler _ (pi_far.models_descended X H)) (pi_far.fact_solution X H)).
 Qed.
