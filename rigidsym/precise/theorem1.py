@@ -25,6 +25,7 @@ from rigidsym.precise.floating import CTX, Floating, Point, quarter_period
 from rigidsym.solution import sines
 from rigidsym.solution.formulas import sequence
 
+_SERVE = "theta and mpmath serve"
 # Axes 1, 2, 3 by the names of the pull-back, which is for axes of either handedness.
 _ABD = ("0", "a", "b", "d")
 
@@ -103,7 +104,7 @@ class Theorem1:
         self.inertia = certain("inertia", given.inertia)
         self.omega0 = certain("omega0", given.omega0)
         self.polhode, self.functions = given.polhode, _Lines().table()
-        sines.check("method", "'theorem1'", self.polhode.regime, self.omega0)
+        sines.check("method", "'theorem1'", self.polhode.regime, self.omega0, _SERVE)
         quaternion = [CTX.convert(x) for x in given.attitude0]
         norm = CTX.norm(quaternion)
         self.start = [x / norm for x in quaternion], [CTX.convert(x) for x in self.omega0]

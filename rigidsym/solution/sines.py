@@ -25,15 +25,17 @@ def half(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -> int
     return -1 if torque < 0 else 1
 
 
-def check(field: str, value: str, regime: Regime, omega0: Sequence[Fraction]) -> None:
+def check(
+    field: str, value: str, regime: Regime, omega0: Sequence[Fraction], others_serve: str
+) -> None:
     """Raise InputError for a motion that Theorem 1 is not about, and for one it cannot start at."""
     if regime not in (Regime.LARGEST, Regime.SMALLEST):
         rule = f"has no sines for this motion ({regime})"
-        raise InputError(field, value, f"{rule}; {serving(regime)} serves")
+        raise InputError(field, value, f"{rule}; {others_serve}")
     _, second, third = omega0
     if third == 0 or (second == 0 and third < 0):
-        rule = "Theorem 1 divides by it, or by cos(phi3/2), at the start; pi and theta serve"
-        raise InputError("omega0", shown(omega0), rule)
+        rule = "Theorem 1 divides by it, or by cos(phi3/2), at the start"
+        raise InputError("omega0", shown(omega0), f"{rule}; {others_serve}")
 
 
 def serving(regime: Regime) -> str:

@@ -13,6 +13,7 @@ from rigidsym.solution.symbolic.symbols import TIME, named
 from rigidsym.solution.symbolic.value import Symbolic, column
 
 _ABD = ("0", "a", "b", "d")
+_SERVE = "pi and theta serve"
 _CYCLIC = ((1, 2), (2, 0), (0, 1))
 _CHOICES = {
     "half_1": "the sign of xi_1 with which Omega1 starts, C_1 being a principal value (Remark 1)",
@@ -62,7 +63,7 @@ def _begin(sheet: Sheet, given: Given | None) -> None:
     if given is None:
         sheet.known |= {name: named(name) for name in names}
         return
-    sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1])
+    sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
     for name, value in zip(names, (*given.inertia, *given.omega0, *given.attitude0), strict=True):
         sheet.name(name, value)
 
