@@ -4,8 +4,8 @@ J of the descended form grows without end.  Its mean slope j = J_c/K_1 goes into
 
     psi/2 = Lambda t + rest - rest_0,    Lambda = (psi_0 + kappa mu j)/2
 
-and rest = kappa (J - j u_1)/2 has the period 2 K_1 (period_functions.integral), so that a state
-needs J for |u_1| <= K_1.  That is for moduli that are not near one.
+and rest = kappa (J - j u_1)/2 has the period 2 K_1 (period_functions.later), so that a state needs
+J for |u_1| <= K_1.  That is for moduli that are not near one.
 
 On the separatrix K_1 is infinite, and near it the rest is a small difference.  So psi/2 is measured
 from what it is on the saddle, H t/K: with x, y, z of the theta form

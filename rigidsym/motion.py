@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.precise.evaluation import State
     from rigidsym.precise.motion import DecimalState
+    from rigidsym.precise.quantities import Quantities
     from rigidsym.solution.mode import Mode
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
-_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed")
+_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
 Value = TypeVar("Value")
@@ -243,6 +244,53 @@ class TorqueFreeMotion:
         polhode = self._by("theta", **self._given).polhode
         return mode(polhode, self.exact["inertia"], self.exact["omega0"])
 
+    @cached_property
+    def _quantities(self) -> "Quantities":
+        from rigidsym.precise.quantities import Quantities
+
+        return Quantities(self._by("theta", **self.exact))
+
+    @property
+    def energy(self) -> float:
+        """The kinetic energy H, J."""
+        return self._quantities.energy
+
+    @property
+    def momentum(self) -> float:
+        """The size K of the angular momentum, N m s."""
+        return self._quantities.momentum
+
+    @property
+    def parameter(self) -> float:
+        """m of Jacobi's functions: 0 for symmetric bodies, 1 on the separatrix; not a number where
+        the rates are constant."""
+        return self._quantities.parameter
+
+    @property
+    def modulus(self) -> float:
+        """k, the square root of the parameter."""
+        return self._quantities.modulus
+
+    @property
+    def period(self) -> float:
+        """After which the rates are back, s: infinite on the separatrix, 0 where they are constant.
+
+        >>> round(TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)).period, 6)
+        165.897574
+        """
+        return self._quantities.period
+
+    @property
+    def precession_rate(self) -> float:
+        """At which the attitude turns about the momentum, on the average over all times, rad/s."""
+        return self._quantities.precession_rate
+
+    @property
+    def phase_per_period(self) -> float:
+        """The angle about the momentum by which the attitude has turned after a period, rad, whole
+        turns included (Montgomery, American Journal of Physics 59, 394-398)."""
+        return self._quantities.phase_per_period
+
     @property
     def nutation(self) -> tuple[float, float]:
         """The least and the largest angle of the circulation axis from the momentum, rad.
@@ -250,9 +298,7 @@ class TorqueFreeMotion:
         The axis of the largest or the smallest moment, at its end that is nearer to the momentum;
         both are equal for symmetric bodies, and zero where the rates are constant.
         """
-        from rigidsym.precise.nutation import nutation
-
-        return nutation(self._by("theta", **self.exact))
+        return self._quantities.nutation
 
     def _by(self, method: str, **given: tuple[Number, ...]) -> "PreciseMotion":
         from rigidsym.precise import ESTIMATED, METHODS, PreciseMotion
@@ -281,7 +327,8 @@ class TorqueFreeMotion:
 
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
         quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
-        twice, and gives the digits on which two of the ledger's forms agree.  Raises
+        twice, and gives the digits on which two of the ledger's forms agree; or theorem1, the
+        paper's own form as mended, for motions that it is about.  Raises
         PrecisionError where `max_seconds` are over before the digits are reached, saying how many
         were, and InputError for bad input.
         """
@@ -342,9 +389,9 @@ class TorqueFreeMotion:
         "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
         other forms, for one that the regime has not, and for uncertain inputs.
 
-        >>> motion = TorqueFreeMotion((1, 1, 2), (1, 0, 1))
-        >>> motion.symbolic().omega().T
-        Matrix([[cos(t), sin(t), 1]])
+        >>> motion = TorqueFreeMotion((1, 2, 2.5), (0, 1, 0))
+        >>> motion.symbolic().q().T
+        Matrix([[cos(t/2), 0, sin(t/2), 0]])
         """
         from rigidsym.solution.symbolic import of_motion
 

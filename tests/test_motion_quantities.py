@@ -1,5 +1,6 @@
-"""Mode and nutation of a motion, and its states as tables."""
+"""Mode, nutation and periods of a motion, and its states as tables."""
 
+import math
 import sys
 from itertools import permutations
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 
 from rigidsym import InputError, TorqueFreeMotion
+from rigidsym.quaternions import product
 from rigidsym.solution.mode import Mode
 
 SHORT, LONG = Mode.SHORT_AXIS, Mode.LONG_AXIS
@@ -54,9 +56,63 @@ def test_small_nutation_keeps_its_digits():
     assert high == pytest.approx(12**0.5 * 1e-100, rel=1e-14)
 
 
-def test_uncertain_motions_have_neither():
+MOVING = [x[:2] for x in MODES if x[0] in ((1, 2, 2), (1, 1, 2), (1, 2, 2.5)) and all(x[1])]
+AT_LARGE = ("energy", "momentum", "parameter", "modulus", "period", "precession_rate",
+            "phase_per_period")  # fmt: skip
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 0, 2)])
+@pytest.mark.parametrize(("body", "rates"), [*MOVING, ((1, 2, 3), (1, 1e-9, -1e-7))])
+def test_after_a_period_rates_are_back_and_the_attitude_has_turned_by_the_phase(body, rates, order):
+    motion = TorqueFreeMotion([body[k] for k in order], [rates[k] for k in order])
+    (start, omega0), (q, omega) = motion(0.0), motion(motion.period)
+    assert np.allclose(omega, omega0, rtol=0, atol=1e-14)
+    axis = np.array([float(x) for x in motion.inertia]) * omega0 / motion.momentum
+    half = motion.phase_per_period / 2
+    turn = np.array([math.cos(half), *(math.sin(half) * axis)])
+    assert np.allclose(q, product(turn, start), rtol=0, atol=2e-14)
+    assert motion.phase_per_period == motion.precession_rate * motion.period
+    # Before that they have not been back: the third of a period is none.
+    assert not np.allclose(motion(motion.period / 3)[1], omega0, rtol=1e-9, atol=0)
+
+
+@pytest.mark.parametrize(("body", "rates"), [MOVING[0], MOVING[2]])
+def test_they_are_those_that_expressions_have(body, rates):
+    motion = TorqueFreeMotion(body, rates)
+    expressions = motion.symbolic().quantities
+    for name in AT_LARGE:
+        assert getattr(motion, name) == pytest.approx(float(expressions[name]), rel=1e-15)
+
+
+def test_the_separatrix_takes_forever():
+    motion = TorqueFreeMotion((4, 5, 9), (3, 1, 1))
+    assert motion.period == motion.phase_per_period == math.inf
+    assert motion.parameter == motion.modulus == 1
+    assert motion.precession_rate == pytest.approx(2 * motion.energy / motion.momentum)
+    angle = TorqueFreeMotion((4, 5, 9), (3, 1, "1.000000000001")).precession_rate
+    assert motion.precession_rate == pytest.approx(angle, rel=0.1)
+
+
+@pytest.mark.parametrize(("rates", "size"), [((0, -2, 0), 2.0), ((0, 0, 0), 0.0)])
+def test_constant_rates_are_back_at_once(rates, size):
+    motion = TorqueFreeMotion((1, 2, 2.5), rates)
+    assert motion.period == motion.phase_per_period == 0.0
+    assert motion.precession_rate == size
+    assert motion.energy == size**2
+    assert motion.momentum == 2 * size
+    assert math.isnan(motion.modulus)
+
+
+def test_quantities_of_extreme_sizes():
+    """Squares of which no double holds."""
+    motion = TorqueFreeMotion(("1e-100",) * 2 + ("1.5e-100",), ("1e-150", 0, "1e-150"))
+    assert motion.momentum == pytest.approx(math.sqrt(3.25) * 1e-250, rel=1e-15, abs=0)
+    assert motion.period == pytest.approx(2 * math.pi / 0.5e-150, rel=1e-14)
+
+
+def test_uncertain_motions_have_none_of_it():
     vague = PAPER.replace(omega0=("0.05 +/- 1e-9", 0.03, -0.02))
-    for name in ("mode", "nutation"):
+    for name in ("mode", "nutation", *AT_LARGE):
         with pytest.raises(InputError, match="is uncertain"):
             getattr(vague, name)
 

@@ -16,7 +16,7 @@ from rigidsym.io.ledger import ledger_text
 from rigidsym.language.latex import latex
 from rigidsym.language.symbols import symbol
 from rigidsym.proof.algebra import Book
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.claims import Claim, claims
 from rigidsym.proof.kernel import Grade, Ledger, replay
 from rigidsym.proof.paper import EQUATIONS

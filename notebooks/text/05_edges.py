@@ -444,7 +444,7 @@ assert flip.regime == Regime.SEPARATRIX
 assert apart < 1e-14
 assert turnovers(exact) == 1 < turnovers(stepped)
 assert grades(ledger, "period.duration", "regular.m_1") == {Grade.PROVED}
-assert grades(ledger, "period_functions.duration") == {Grade.ENCLOSED}  # that K_1 is elliptic_k
+assert grades(ledger, "period_functions.duration") == {Grade.PROVED}
 assert np.allclose(np.diff(flips)[2:], slope * np.diff(exponents)[2:], rtol=1e-6)
 assert grades(ledger, *edge, "symmetric.euler", "symmetric.rate") == {Grade.PROVED}
 assert grades(ledger, "oblate_motion.edge", "prolate_motion.edge") == {Grade.PROVED}

@@ -343,10 +343,9 @@ CROWN = "theta_form.solution"
 show(ledger, "theta_form.qbar_0", "theta_form.phase", "descended.psi_0", "regular.E_b", CROWN)
 
 # %% [markdown]
-# What does one still take on trust? That the contexts mean what their `reading` says, that Arb's
-# balls contain what they should, and that eleven classical identities between theta and elliptic
-# functions hold; the last are graded ENCLOSED, not PROVED, because here they were only held against
-# balls, not derived. They tie the standard functions' *names* to the hypotheses of the proofs.
+# What does one still take on trust? That the contexts mean what their `reading` says, and that Arb's
+# balls contain what they should. One classical identity, of the complete $\Pi$, is graded ENCLOSED,
+# not PROVED, because here it was only held against balls, not derived; no digit rests on it.
 #
 # An independent checker, which shares no code with the kernel, reads the same ledger:
 

@@ -255,7 +255,7 @@ assert apart < 1e-15
 #    `rigidsym validate floats` measures it in every stratum, and with `--record` the heads of its
 #    files say the worst: see [Validation](09_validation.ipynb).
 
-# %%
+# %% tags=["hide-cell"]
 targets.TARGETS.remove("floats")
 _ = targets.__path__.pop()
 home.cleanup()

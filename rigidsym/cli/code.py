@@ -32,10 +32,10 @@ def add(command: Command) -> None:
     trace = command(
         "trace",
         _trace,
-        "a generated line's equations; an equation's generated lines",
+        "a generated line's facts and equations; an equation's lines",
         "trace --equation 32",
     )
-    trace.add_argument("place", metavar="FILE:LINE", nargs="?", help="of a generated file")
+    trace.add_argument("place", metavar="FILE[:LINE]", nargs="?", help="of a generated file")
     trace.add_argument("--equation", metavar="NUMBER", help="as the paper numbers it")
 
 
@@ -87,15 +87,15 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
 
 
 def _trace(options: Namespace) -> int:
-    from rigidsym.codegen.trace import TraceError, lines_of_equation, origin_of_line
+    from rigidsym.codegen.trace import TraceError, lines_of_equation, told
     from rigidsym.proof.paper import EQUATIONS
 
     if (options.place is None) == (options.equation is None):
         given = options.place or options.equation or "nothing"
-        raise InputError("trace", given, "takes either FILE:LINE or --equation NUMBER")
+        raise InputError("trace", given, "takes either FILE:LINE, FILE, or --equation NUMBER")
     try:
         if options.place is not None:
-            found = origin_of_line(options.place)
+            found = told(options.place)
         else:
             found = lines_of_equation(options.equation, {e.number for e in EQUATIONS})
     except TraceError as error:

@@ -139,6 +139,7 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     """Write the ledger: of all chapters to its place, else where the user says."""
     from rigidsym.io.files import write_text
+    from rigidsym.io.ledger import SEAL, seal
     from rigidsym.proof.derivation import sealed_path
 
     if options.output is not None:
@@ -146,7 +147,9 @@ def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
     elif not sealed:
         say("the ledger is sealed by all chapters together: not written")
     elif options.in_place:
-        say(f"ledger: {write_text(sealed_path(), derivation.ledger)}")
+        path = write_text(sealed_path(), derivation.ledger)
+        write_text(path.with_name(SEAL), seal(derivation.ledger))
+        say(f"ledger: {path}")
     else:
         say(f"{_compared(derivation.ledger)}: not written (-o FILE, or --in-place)")
 
@@ -184,7 +187,7 @@ def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
     from collections import Counter
 
     from rigidsym.language.specification import Unproved, require
-    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.kernel import KernelError, replay
 
     try:
@@ -228,7 +231,7 @@ def _ledger_text(path: Path | None) -> str:
 
 def _export(options: Namespace) -> int:
     from rigidsym.io.files import write_text
-    from rigidsym.proof.algebra.enclosures import encloses
+    from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.coq import export
     from rigidsym.proof.kernel import KernelError, replay
 
@@ -277,11 +280,12 @@ def _audit(options: Namespace) -> int:
     import json
     from dataclasses import asdict
 
+    from rigidsym.codegen.shares import RUNTIMES, handwritten
     from rigidsym.io.ledger import ledger_data, specification_text
-    from rigidsym.proof.audit import audit, handwritten, totals
+    from rigidsym.proof.audit import audit, totals
 
     audits = audit(specification_text(), ledger_data(replayed()))
-    counts, lines = totals(audits), handwritten()
+    counts, lines = totals(audits), {target: handwritten(target) for target in RUNTIMES}
     if options.json:
         theorems = [asdict(one) for one in audits]
         data = {

@@ -45,8 +45,8 @@ def add(command: Command) -> None:
     propagate.add_argument(
         "--method",
         metavar="M",
-        help="theta by default, carlson, landen, quadrature, or mpmath (no balls); flow for "
-        "uncertain inputs",
+        help="theta by default, carlson, landen, quadrature, mpmath or theorem1 (both without "
+        "balls); flow for uncertain inputs",
     )
     propagate.add_argument(
         "--max-seconds",

@@ -26,6 +26,7 @@ DIGEST = "@digest@"
 # Written by `rigidsym validate TARGET --record`.
 MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
+SHARES = "@shares@"
 _DOMAIN = """\
 Domain: positive principal moments of inertia, none below 2^{min_moment_ratio} of another; finite
 rates and attitude; |omega0 t| up to 2^{max_angle} rad, and less for motions that binary64 cannot
@@ -35,11 +36,14 @@ Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
 kg m^2; t in s.
 
-A comment gives the equations of the paper that its line corresponds to, or the formulas of the
-Digital Library of Mathematical Functions (DLMF), and the fact of the ledger that proves it (or
-`definition`: what a quantity is short for; `reading`: the standard function that it is); exact
-sums, products and differences of doubles are Knuth's (The Art of Computer Programming, 4.2.2),
-Dekker's (1971) and Sterbenz's (1974).
+A comment says what its line is.  `fact`: the ledger has it, as a proved fact, as `definition` (what
+a quantity is short for), as `reading` (the standard function that it is) or as `choice` (the sign
+that makes a theorem's hypothesis hold); then come equations of the paper that this carries.
+`classical`: a formula of the Digital Library of Mathematical Functions (DLMF).  `arithmetic`: sums,
+products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
+Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
+{shares}
+
 {grades}"""
 _GRADES = {
     THETA: """\
@@ -122,11 +126,11 @@ def _up(value: float) -> str:
 
 
 def text(target: str, form: str) -> str:
-    """The whole paragraph, with places for the digest and what was measured."""
+    """The whole paragraph, with places for shares of lines, the digest and what was measured."""
     bounds = [*special_functions(form), *([_exponential()] if target == "c" else [])]
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
     domain = _DOMAIN.format(
-        grades=_GRADES[form], **{limit.name: limit.exponent for limit in LIMITS}
+        shares=SHARES, grades=_GRADES[form], **{limit.name: limit.exponent for limit in LIMITS}
     )
     return "\n".join([domain, *bounds, "", MEASURED, "", *ends])
 

@@ -34,11 +34,16 @@ CALLS = {
     "exp": "double",
     "power_of_two": "double",
 }
+# References for operations on doubles that leave nothing out.
+EXACT_PRODUCT, EXACT_SUM, EXACT_DIFFERENCE = "Dekker 1971", "Knuth 4.2.2", "Sterbenz 1974"
+_EXACT = {EXACT_PRODUCT, EXACT_SUM, EXACT_DIFFERENCE}
+# What a line is; what no let stands behind is runtime, written by hand.
+KINDS = ("fact", "classical", "arithmetic")
 
 
 @dataclass(frozen=True, slots=True)
 class Let:
-    """targets = expression, with the equations and facts that say so.
+    """targets = expression, with the facts that say so, the equations that these carry, references.
 
     One target, unless the expression calls a function that returns several values.
     """
@@ -47,6 +52,13 @@ class Let:
     expression: Expression
     source: tuple[str, ...]
     facts: tuple[str, ...]
+
+    @property
+    def kind(self) -> str:
+        """One of KINDS: what follows a fact, what a classical formula, and what only computes."""
+        if self.facts:
+            return "fact"
+        return "classical" if self.source and _EXACT.isdisjoint(self.source) else "arithmetic"
 
     def __str__(self) -> str:
         return f"{', '.join(self.targets)} = {to_text(self.expression)}"

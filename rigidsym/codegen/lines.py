@@ -1,6 +1,6 @@
 """Printed lines and the lets behind them, whatever the language."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import TypedDict
 
@@ -8,9 +8,10 @@ from rigidsym.codegen.ir import Function, Let
 
 
 class Place(TypedDict):
-    """A derived line, counted from 1, with its equations and facts, as JSON has them."""
+    """A derived line, counted from 1: what it is, its equations and facts, as JSON has them."""
 
     line: int
+    kind: str
     equations: list[str]
     facts: list[str]
 
@@ -26,6 +27,10 @@ class Lines:
     def plain(cls, text: str) -> "Lines":
         """Text that no let stands behind; a line feed at its end ends the last line."""
         return cls(tuple(text.removesuffix("\n").split("\n")), {})
+
+    def kinds(self) -> Iterator[str]:
+        """What each derived line is."""
+        return (let.kind for let in self.lets.values())
 
 
 def joined(pieces: Iterable[Lines]) -> Lines:
@@ -50,7 +55,12 @@ class Module:
         """For each file, the derived lines (counted from 1) with their equations and facts."""
         return {
             name: [
-                {"line": number + 1, "equations": list(let.source), "facts": list(let.facts)}
+                {
+                    "line": number + 1,
+                    "kind": let.kind,
+                    "equations": list(let.source),
+                    "facts": list(let.facts),
+                }
                 for number, let in sorted(lets.items())
             ]
             for name, lets in self.lets.items()
@@ -58,9 +68,19 @@ class Module:
 
 
 def comment(let: Let) -> str:
-    """The equations and facts behind a let."""
-    equations = ", ".join(f"({s})" if s[0].isdigit() else s for s in let.source)
-    return "; ".join(filter(None, (equations, " ".join(let.facts))))
+    """What a let is, the facts behind it, and equations and references."""
+    return note(let.kind, let.facts, let.source)
+
+
+def note(kind: str, facts: Iterable[str], source: Iterable[str]) -> str:
+    """The comment of a line; equations of the paper are in brackets.
+
+    >>> note("fact", ["definition attitude.M_a", "attitude.K"], ["8", "15"])
+    'fact: definition attitude.M_a, attitude.K; (8), (15)'
+    """
+    equations = ", ".join(f"({s})" if s[0].isdigit() else s for s in source)
+    said = "; ".join(filter(None, (", ".join(facts), equations)))
+    return f"{kind}: {said}" if said else kind
 
 
 def flat_results(function: Function) -> list[str]:

@@ -1,12 +1,14 @@
-"""From a generated line to its equations, and back, by the map that comes with each module."""
+"""From a generated line to its facts and equations, and back, by the map that each module has."""
 
 import json
 import re
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
 from importlib import resources
 from pathlib import Path
+from typing import NamedTuple
 
 from rigidsym.codegen.lines import Place
+from rigidsym.codegen.shares import shares, text
 from rigidsym.errors import InputError
 
 
@@ -14,41 +16,62 @@ class TraceError(LookupError):
     """There is nothing to be told of a line or an equation, and why."""
 
 
-def _maps() -> Iterator[tuple[str, dict[int, Place], list[str]]]:
-    """Every generated file of this installation with its map and its lines."""
+class _File(NamedTuple):
+    """A generated file, what its map tells of its lines, and the lines."""
+
+    name: str
+    target: str
+    places: Mapping[int, Place]
+    lines: list[str]
+
+
+def _files() -> Iterator[_File]:
+    """Every generated file of this installation that has derived lines."""
     home = resources.files("rigidsym.generated")
     for entry in sorted(home.iterdir(), key=lambda entry: entry.name):
         if entry.name.endswith(".map.json"):
-            for name, places in json.loads(entry.read_text("utf-8"))["lines"].items():
+            module = json.loads(entry.read_text("utf-8"))
+            for name, places in module["lines"].items():
                 lines = home.joinpath(name).read_text("utf-8").splitlines()
-                yield name, {place["line"]: place for place in places}, lines
+                by_line = {place["line"]: place for place in places}
+                yield _File(name, module["manifest"]["target"], by_line, lines)
 
 
-def origin_of_line(place: str) -> list[str]:
-    """The code of FILE:LINE, its equations, and the facts, definitions and readings it is by.
+def told(place: str) -> list[str]:
+    """What there is to say of FILE:LINE, or of FILE.
 
-    Raises TraceError where nothing derived is.
+    Of a line: its code, what it is, the facts, definitions, readings and choices of signs it is by,
+    and equations.  Of a file: how many lines are what.  Raises TraceError where nothing is derived.
     """
-    file, _, number = place.rpartition(":")
-    if not file or not number.isdecimal():
-        raise InputError("trace", place, "must be FILE:LINE")
-    known = {name: (places, lines) for name, places, lines in _maps()}
-    name, line = Path(file).name, int(number)
+    file, colon, number = place.rpartition(":")
+    if colon and not (file and number.isdecimal()):
+        raise InputError("trace", place, "must be FILE:LINE or FILE")
+    known = {file.name: file for file in _files()}
+    name = Path(file if colon else place).name
     if name not in known:
         raise TraceError(f"{name} is no generated file: these are {', '.join(known)}")
-    places, lines = known[name]
-    if not 1 <= line <= len(lines):
-        raise TraceError(f"{name} has lines 1 to {len(lines)}, no line {line}")
-    code = _code(lines[line - 1])
-    if line not in places:
-        raise TraceError(f"{name}:{line} has no equation behind it: {code or 'an empty line'}")
-    found = places[line]
+    return _of_line(known[name], int(number)) if colon else _of_file(known[name])
+
+
+def _of_file(file: _File) -> list[str]:
+    kinds = (place["kind"] for place in file.places.values())
+    return text(shares(kinds, file.target)).splitlines()
+
+
+def _of_line(file: _File, line: int) -> list[str]:
+    if not 1 <= line <= len(file.lines):
+        raise TraceError(f"{file.name} has lines 1 to {len(file.lines)}, no line {line}")
+    code = _code(file.lines[line - 1])
+    if line not in file.places:
+        raise TraceError(f"{file.name}:{line} is derived from nothing: {code or 'an empty line'}")
+    found = file.places[line]
     equations = [f"({e})" if e[0].isdigit() else e for e in found["equations"]]
-    said = {"equations": equations, "facts": [], "definitions": [], "readings": []}
-    for name in found["facts"]:
-        kind, _, name = name.rpartition(" ")
+    said = {"facts": [], "definitions": [], "readings": [], "choices": [], "equations": equations}
+    for fact in found["facts"]:
+        kind, _, name = fact.rpartition(" ")
         said[f"{kind or 'fact'}s"].append(name)
-    return [code, *(f"{what}: {', '.join(names)}" for what, names in said.items() if names)]
+    rows = (f"{what}: {', '.join(names)}" for what, names in said.items() if names)
+    return [code, found["kind"], *rows]
 
 
 def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
@@ -59,9 +82,9 @@ def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
     """
     wanted = number.strip().strip("()")
     found = [
-        f"{name}:{line}: {_code(lines[line - 1])}"
-        for name, places, lines in _maps()
-        for line, place in places.items()
+        f"{file.name}:{line}: {_code(file.lines[line - 1])}"
+        for file in _files()
+        for line, place in file.places.items()
         if wanted in place["equations"]
     ]
     if not found:

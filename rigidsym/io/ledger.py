@@ -1,15 +1,38 @@
 """The sealed ledger as a file: what the proof wing writes and the number wing reads."""
 
+import hashlib
 import json
 from importlib import resources
 from typing import Any
 
 from rigidsym.errors import LedgerError
 
+SEAL = "ledger.sha256"
+
 
 def ledger_text() -> str:
     """The sealed ledger that came with this installation."""
     return _derived("ledger.json", "run `rigidsym derive --in-place` to write it")
+
+
+def sealed_text() -> str:
+    """The same; LedgerError unless it is the one that the kernel decided when it was written.
+
+    Certificates are not replayed for numbers: a digest that `rigidsym derive` leaves beside the
+    ledger says that they were.  It finds what was changed by accident, or by hand.
+    """
+    text = ledger_text()
+    if seal(text) != _derived(SEAL, "run `rigidsym derive --in-place` to write it"):
+        raise LedgerError(
+            "ledger: not the text that was sealed: see `rigidsym check`, or write it again by "
+            "`rigidsym derive --in-place`"
+        )
+    return text
+
+
+def seal(text: str) -> str:
+    """What the file beside a ledger says of it."""
+    return f"{hashlib.sha256(text.encode()).hexdigest()}  ledger.json\n"
 
 
 def specification_text() -> str:

@@ -14,7 +14,7 @@ from flint import arb
 from rigidsym.inputs import Number
 from rigidsym.language.sequence import FormulaSequence
 from rigidsym.precise.apart import Asked
-from rigidsym.solution.formulas import AXES, sequence
+from rigidsym.solution.formulas import AXES, INPUTS, sequence
 from rigidsym.solution.polhode import Polhode, Regime
 
 State = tuple[list[arb], list[arb]]
@@ -23,6 +23,7 @@ Value = TypeVar("Value")
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
+_OF_PERIODS = ("period", "psi_mean")
 _BY_THETA = ("theta", "theta_state", "pull_back")
 
 
@@ -100,8 +101,16 @@ class Evaluation(Generic[Value]):
         return self._steady(time) if regime.steady else self._moving(self.number(time))
 
     def constant(self, name: str) -> Value:
-        """One constant of the motion."""
+        """One constant of the motion, or of its periods where m_c is not 1 and the rates move."""
+        if name in _OF_PERIODS:
+            return self._periods[name]
         return self.number(self._computed(frozenset([name]))[name])
+
+    @cached_property
+    def _periods(self) -> dict[str, Value]:
+        found = self._computed(frozenset(INPUTS["periods"]))
+        given = {name: self.number(found[name]) for name in INPUTS["periods"]}
+        return sequence("periods").evaluate(given, self.functions)
 
     @cached_property
     def _exact(self) -> dict[str, Any]:

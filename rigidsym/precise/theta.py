@@ -20,6 +20,7 @@ class Theta(Carlson):
             "re": lambda z: z.real,
             "im": lambda z: z.imag,
             "elliptic_k": quarter_period,
+            "elliptic_pi": lambda n, mc: quarter_period(mc) + n * self.complete_j(n, mc),
             "nome": _nome,
             "arcsc": _arcsc,
             "theta4": lambda z, q: self._kept(self._theta4, z, q),

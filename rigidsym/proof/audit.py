@@ -2,16 +2,9 @@
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from importlib import resources
 from typing import Any
 
 from rigidsym.language.specification import Theorem, theorems
-
-# Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
-RUNTIMES = {
-    "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
-    "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,14 +28,6 @@ def totals(audits: Iterable[Audit]) -> dict[str, int]:
         for kind, things in one.trusted.items():
             found.setdefault(kind, set()).update(things)
     return {kind: len(things) for kind, things in found.items()}
-
-
-def handwritten() -> dict[str, int]:
-    """Lines that are neither blank nor comments of what each target has beside generated code."""
-    return {
-        target: sum(_lines(name, "//" if target == "c" else "#") for name in names)
-        for target, names in RUNTIMES.items()
-    }
 
 
 def _audit(theorem: Theorem, ledger: Mapping[str, Any]) -> Audit:
@@ -89,9 +74,3 @@ def _suppositions(name: str, ledger: Mapping[str, Any]) -> list[str]:
         if fact["rule"] == "assumption" and fact["context"] in resting
         for lhs, rhs in zip(fact["lhs"], fact["rhs"], strict=True)
     ]
-
-
-def _lines(name: str, comment: str) -> int:
-    text = resources.files("rigidsym.codegen").joinpath(name).read_text("utf-8")
-    lines = (line.strip() for line in text.splitlines())
-    return sum(bool(line) and not line.startswith(comment) for line in lines)

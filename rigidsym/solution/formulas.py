@@ -12,7 +12,7 @@ from functools import cache
 from typing import Any, TypedDict
 
 from rigidsym.errors import LedgerError
-from rigidsym.io.ledger import ledger_data, ledger_text, specification_text
+from rigidsym.io.ledger import ledger_data, sealed_text, specification_text
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -193,7 +193,7 @@ class Solution:
 @cache
 def sealed() -> Solution:
     """The solution of the sealed ledger."""
-    return load(ledger_text())
+    return load(sealed_text())
 
 
 def sequence(name: str) -> FormulaSequence:

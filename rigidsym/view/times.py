@@ -8,6 +8,7 @@ from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.inputs import Times
 from rigidsym.precise import PreciseMotion
+from rigidsym.precise.quantities import Quantities
 from rigidsym.solution.polhode import Regime
 from rigidsym.view.protocols import Motion
 
@@ -21,16 +22,11 @@ AT_REST = 10.0
 
 
 def period(motion: Motion) -> float:
-    """The time 4 K(m)/lambda after which the rates come back; infinite on the separatrix, s.
+    """The time after which the rates come back; infinite on the separatrix, s.
 
     Zero where the rates are constant.
     """
-    if motion.regime.steady:
-        return 0.0
-    known = _constants(motion)
-    if motion.regime == Regime.SEPARATRIX:
-        return math.inf
-    return 2 * math.pi / (_mean(1.0, known["k_c"]) * known["lambda_"])
+    return Quantities(_precise(motion)).period
 
 
 def once(motion: Motion) -> tuple[float, float]:
@@ -73,14 +69,10 @@ def _turn(motion: Motion) -> float:
 
 
 def _constants(motion: Motion) -> dict[str, float]:
-    given = motion.exact
-    exact = PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])
-    found = exact.constants(("lambda_", "u", "k_c"), DIGITS)
+    found = _precise(motion).constants(("lambda_", "u"), DIGITS)
     return {name: float(value) for name, value in found.items()}
 
 
-def _mean(a: float, b: float) -> float:
-    """The arithmetic-geometric mean: K(m) = pi/(2 agm(1, k_c)) (DLMF 19.8.5)."""
-    while abs(a - b) > 1e-15 * a:
-        a, b = (a + b) / 2, math.sqrt(a * b)
-    return a
+def _precise(motion: Motion) -> PreciseMotion:
+    given = motion.exact
+    return PreciseMotion(given["inertia"], given["omega0"], given["attitude0"])

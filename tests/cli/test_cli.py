@@ -19,6 +19,7 @@ import pytest
 import rigidsym
 from derivations import CHAPTERS
 from rigidsym.cli import main
+from rigidsym.codegen.shares import handwritten
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
 
@@ -219,9 +220,10 @@ def test_trace_goes_both_ways(capsys):
         (["--equation", "Lemma 2"], "Lemma 2 is no equation of the paper, and no source of a line"),
         (["--equation", "Remark 3"], "no generated line rests on Remark 3, which the paper prints"),
         (["--equation", ""], "an empty number is no equation of the paper"),
-        (["torque_free.py:1"], "torque_free.py:1 has no equation behind it: "),
+        (["torque_free.py:1"], "torque_free.py:1 is derived from nothing: "),
         (["torque_free.py:0"], "torque_free.py has lines 1 to "),
         (["some/where/torque_free.c:99999"], "torque_free.c has lines 1 to "),
+        (["main.c"], "main.c is no generated file: these are torque_free."),
         (["main.c:3"], "main.c is no generated file: these are torque_free."),
     ],
 )
@@ -234,34 +236,65 @@ def test_trace_says_why_it_has_nothing(arguments, line, capsys):
 
 
 @pytest.mark.parametrize(
-    ("code", "equations", "behind"),
+    ("code", "said"),
     [
-        ("H = ", "equations: (6), (15)", ["facts: regular.H"]),
-        ("tau = ", "equations: (16), (17)", ["definitions: regular.tau"]),
+        ("H = ", ["fact", "facts: regular.H", "equations: (6), (15)"]),
+        ("tau = ", ["fact", "definitions: regular.tau", "equations: (16), (17)"]),
+        ("chi = ", ["fact", "choices: start_signs.chi", "equations: (12)"]),
         (
             "common_8 = 1 + k_c",
-            "equations: DLMF 22.7.1, DLMF 22.7.2",
-            ["facts: descended.k_1, descended.mu", "definitions: landen.kc_next"],
+            [
+                "fact",
+                "facts: descended.k_1, descended.mu",
+                "definitions: landen.kc_next",
+                "equations: DLMF 22.7.1, DLMF 22.7.2",
+            ],
         ),
-        ("cos_half_theta = ", "equations: (3)", ["readings: steady.cos_half_theta"]),
+        ("cos_half_theta = ", ["fact", "readings: steady.cos_half_theta", "equations: (3)"]),
+        (
+            "prolate_motion = ",
+            ["fact", "facts: prolate_motion.squares", "equations: (10), (13), (14)"],
+        ),
+        ("T4_re_0 = ", ["classical", "equations: DLMF 20.2.1, DLMF 20.2.4"]),
+        ("v_rate = ", ["arithmetic"]),
     ],
 )
-def test_trace_tells_facts_definitions_and_readings_apart(code, equations, behind, capsys):
+def test_trace_tells_what_a_line_is_and_by_what(code, said, capsys):
     module = Path(rigidsym.__path__[0]) / "generated" / "torque_free.py"
     lines = module.read_text("utf-8").splitlines()
     line = next(k for k, text in enumerate(lines, 1) if text.strip().startswith(code))
     assert main(["trace", f"torque_free.py:{line}"]) == 0
-    said = capsys.readouterr().out.splitlines()
-    assert said[0].startswith(code)
-    assert said[1:] == [equations, *behind]
+    first, *rest = capsys.readouterr().out.splitlines()
+    assert first.startswith(code)
+    assert rest == said
+
+
+@pytest.mark.parametrize("file", ["torque_free.py", "some/where/torque_free.c"])
+def test_trace_of_a_file_counts_its_lines_as_the_head_does(file, capsys):
+    assert main(["trace", file]) == 0
+    said = capsys.readouterr().out
+    heads = {".py": "torque_free.py", ".c": "torque_free.h"}
+    module = Path(rigidsym.__path__[0]) / "generated" / heads[Path(file).suffix]
+    assert said in module.read_text("utf-8")
+    assert [line.split()[0] for line in said.splitlines()[1:]] == [
+        str(count) for count in counted(Path(file).name)
+    ]
+
+
+def counted(file):
+    """Derived lines by what the comments say, and those of the runtime by the audit."""
+    lines = (Path(rigidsym.__path__[0]) / "generated" / file).read_text("utf-8").splitlines()
+    for kind in ("fact", "classical", "arithmetic"):
+        yield sum(bool(re.search(rf"(  # |; /\* ){kind}(:| \*/|$)", line)) for line in lines)
+    yield handwritten({"py": "numpy", "c": "c"}[file.partition(".")[2]])
 
 
 def test_trace_names_what_rests_on_no_fact(capsys):
     assert main(["trace", "--equation", "Dekker 1971"]) == 0
     place = capsys.readouterr().out.split(": ")[0]
     assert main(["trace", place]) == 0
-    _, equations = capsys.readouterr().out.splitlines()
-    assert equations == "equations: Dekker 1971"
+    _, kind, equations = capsys.readouterr().out.splitlines()
+    assert (kind, equations) == ("arithmetic", "equations: Dekker 1971")
 
 
 SMALL = [
@@ -627,7 +660,7 @@ def test_a_damaged_sealed_ledger_is_one_line(text, monkeypatch, capsys):
     from rigidsym.solution import formulas
 
     monkeypatch.setattr("rigidsym.io.ledger.ledger_text", lambda: text)
-    monkeypatch.setattr(formulas, "ledger_text", lambda: text)
+    monkeypatch.setattr(formulas, "sealed_text", lambda: text)
     formulas.sealed.cache_clear()
     try:
         for arguments in (
@@ -721,7 +754,7 @@ def test_bad_case_files_are_one_line(text, message, tmp_path, capsys):
         (["trace"], "takes either"),
         (["reproduce", "-o", "/dev/null/inside"], "cannot be written"),
         (["validate", "-o", "/dev/null/inside"], "cannot be written"),
-        (["trace", "torque_free.py"], "must be FILE:LINE"),
+        (["trace", "torque_free.py:x"], "must be FILE:LINE or FILE"),
     ],
 )
 def test_bad_input_exits_2_with_one_line(arguments, message, capsys):

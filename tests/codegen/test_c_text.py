@@ -68,7 +68,8 @@ def test_every_derived_line_has_its_equations_and_facts():
     for place in places:
         assert lines[place["line"] - 1].startswith("    ")
         assert set(place["facts"]) <= known
-        assert place["equations"]
+        assert (place["kind"] == "fact") == bool(place["facts"])
+        assert place["kind"] == "arithmetic" or place["facts"] or place["equations"]
         for equation in place["equations"]:
             assert equation in lines[place["line"] - 1]
 

@@ -53,7 +53,8 @@ def test_every_derived_line_has_its_equations_and_facts():
     for place in places:
         assert " = " in lines[place["line"] - 1]
         assert set(place["facts"]) <= known
-        assert place["equations"]
+        assert (place["kind"] == "fact") == bool(place["facts"])
+        assert place["kind"] == "arithmetic" or place["facts"] or place["equations"]
 
 
 def test_the_header_names_digest_command_and_bounds():

@@ -16,7 +16,7 @@ from rigidsym.codegen.functions import (
 )
 from rigidsym.codegen.ir import Let
 from rigidsym.codegen.passes import expand, share
-from rigidsym.codegen.seal import frame, is_equal, seal, seal_text
+from rigidsym.codegen.seal import frame, is_equal, seal, seal_text, sharing
 from rigidsym.codegen.seal.states import claims as of_states
 from rigidsym.codegen.special_functions import landen
 from rigidsym.codegen.targets.c import emit as c_emit
@@ -219,6 +219,76 @@ def test_other_lines_are_refused(monkeypatch, spoiled, message):
     monkeypatch.setattr(assembly, "share", spoiled)
     with pytest.raises(InputError, match=message):
         seal(sealed())
+
+
+def said_to_be(name, **changed):
+    """Another provenance of one let."""
+    return lambda lets: tuple(
+        replace(let, **changed) if let.targets == (name,) else let for let in lets
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "changed", "message"),
+    [
+        ("E_a", {"facts": ("regular.E_d",)}, "regular.E_d: what is printed is not what was"),
+        ("E_a", {"facts": (), "source": ()}, "E_a = .*: does not say what it comes from"),
+        ("W", {"facts": ("theta_form.N_of_W",)}, "theta_form.N_of_W: what is printed is not"),
+        ("rho", {"facts": ("choice start_signs.sigma",)}, "start_signs.sigma: what is printed is"),
+        ("largest", {"facts": ("smallest.squares",)}, "smallest.squares: what is printed is not"),
+        ("T4_re_0", {"facts": ("regular.H",)}, "T4_re_0 = .*: regular.H: what is printed is not"),
+        ("v_rate", {"facts": ("descended.mu",)}, "v_rate = .*: descended.mu: what is printed is"),
+        ("T4_re_0", {"source": ("18",)}, r"T4_re_0 = .*: \(18\): no fact of this line carries it"),
+        ("E_a", {"source": ("6", "7", "15")}, r"E_a = .*: \(7\): no fact of this line carries it"),
+    ],
+)
+def test_a_line_is_by_no_other_fact_and_by_no_equation_but_that_of_its_fact(
+    monkeypatch, name, changed, message
+):
+    live = assembly.live
+    monkeypatch.setattr(assembly, "live", lambda *given: said_to_be(name, **changed)(live(*given)))
+    monkeypatch.setattr(sharing, "_check_stated", lambda *_: None)
+    with pytest.raises(InputError, match=message):
+        seal(sealed())
+
+
+@pytest.mark.parametrize(
+    ("name", "facts"),
+    [
+        ("E_a", ("regular.E_d",)),
+        ("E_a", ()),
+        ("common_4", ("regular.E_a",)),
+        ("common_4", ()),
+        ("T4_re_0", ("regular.E_a",)),
+    ],
+)
+def test_what_is_shared_is_by_the_facts_of_what_it_is_shared_by(monkeypatch, name, facts):
+    monkeypatch.setattr(assembly, "share", lambda lets: said_to_be(name, facts=facts)(share(lets)))
+    with pytest.raises(InputError, match=r" = .*: is by "):
+        seal(sealed())
+
+
+@pytest.mark.parametrize("target", ["numpy", "c"])
+@pytest.mark.parametrize(
+    "said",
+    [
+        {"kind": "fact"},
+        {"kind": "arithmetic"},
+        {"facts": ["regular.H"]},
+        {"equations": ["18"]},
+        {"line": 1},
+    ],
+    ids=str,
+)
+def test_a_map_that_tells_another_thing_is_refused(target, said):
+    generated = generate(target)
+    (file, places), *_ = generated.map.items()
+    at = next(k for k, place in enumerate(places) if place["kind"] == "classical")
+    others = [*places[:at], {**places[at], **said}, *places[at + 1 :]]
+    with pytest.raises(InputError, match=rf"{file}:\d+ = .*: the line says "):
+        seal_text(replace(generated, map={**generated.map, file: others}), sealed())
+    with pytest.raises(InputError, match=rf"{file}:\d+ = no line: the line says "):
+        seal_text(replace(generated, map={}), sealed())
 
 
 @pytest.mark.parametrize("name", ["E_a", "K_1", "gain_b", "q_0", "X_im"])

@@ -9,11 +9,12 @@ from document_texts import rows, words
 from ledgers import written
 
 from rigidsym.cli import main
+from rigidsym.codegen.shares import handwritten
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text, specification_text
 from rigidsym.language.specification import Unproved, read, require, theorems
 from rigidsym.proof.algebra import Book
-from rigidsym.proof.audit import audit, handwritten, totals
+from rigidsym.proof.audit import audit, totals
 from rigidsym.proof.checker import Refused
 from rigidsym.proof.checker.records import Claim, Hypotheses, fill
 from rigidsym.proof.checker.specification import Catalogue, blocks
@@ -169,7 +170,7 @@ def test_a_formula_is_one_that_is_proved():
 def test_commands_replay_and_require(command, monkeypatch, capsys):
     """A_a doubled wherever it is stated: no checker accepts it, and nothing is made of it."""
     text = TEXT.replace('"E_d/(c_a*c_ad)"', '"4*E_d/(c_a*c_ad)"')
-    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.ledger_text"):
+    for place in ("rigidsym.io.ledger.ledger_text", "rigidsym.solution.formulas.sealed_text"):
         monkeypatch.setattr(place, lambda: text)
     assert main(command) == (1 if command[0] == "check" else 2)
     assert "refused" in capsys.readouterr().err
@@ -279,8 +280,7 @@ def test_what_is_trusted_does_not_grow():
     assert [one.theorem for one in audits] == [*theorems(SPECIFICATION)]
     said = {row[0]: int(row[1]) for row in rows("trust.md") if len(row) == 2 and row[1].isdigit()}
     found = {f"{kind}:": count for kind, count in totals(audits).items()}
-    lines = handwritten()
-    found |= {"generated NumPy": lines["numpy"], "generated C": lines["c"]}
+    found |= {"generated NumPy": handwritten("numpy"), "generated C": handwritten("c")}
     for label, count in found.items():
         (told,) = (number for text, number in said.items() if label in text)
         assert count <= told, label

@@ -133,7 +133,7 @@ def test_case_files_lead_to_the_target(tmp_path):
         *(f"transfer-{k}.toml" for k in (1, 2, 3)),
         *PICTURE,
     ]
-    for path in paths[1:]:
+    for path in paths[1:4]:
         case = parse_case(path.read_text())
         q, _ = case.motion(case.times[-1])
         assert abs(q @ target) / np.linalg.norm(target) == pytest.approx(1, abs=1e-14)

@@ -6,9 +6,11 @@ import os
 import re
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
+from browsers import chromium, needs_browser
 from sample_notebook import notebook
 
 from rigidsym.io.ledger import ledger_data, ledger_text
@@ -28,12 +30,18 @@ FIGURE = {
 }
 
 
+STILL = (
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk"
+    "+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+)
+
+
 def executed():
     """The sample, with outputs as an execution leaves them."""
     sample = notebook()
     outputs = {
         2: {"text/latex": "$\\displaystyle \\dot q$", "text/plain": "q"},
-        3: {"application/vnd.plotly.v1+json": FIGURE},
+        3: {"application/vnd.plotly.v1+json": FIGURE, "image/png": STILL},
     }
     for number, data in outputs.items():
         output = nbformat.v4.new_output("execute_result", data, execution_count=number)
@@ -120,6 +128,30 @@ def test_a_picture_of_a_notebook_is_drawn_from_files_of_the_site(html):
     assert (html / "_static" / "plotly.min.js").stat().st_size > 1e6
 
 
+@needs_browser
+@pytest.mark.filterwarnings("ignore::ResourceWarning")
+@pytest.mark.parametrize("width", [1400, 390])
+def test_what_is_drawn_is_seen_and_nothing_sticks_out(html, width, tmp_path):
+    """On a desk and on a phone: no layer of a picture hides the others, no page is wider."""
+    from matplotlib.image import imread
+
+    metrics = {"width": width, "height": 900, "deviceScaleFactor": 1, "mobile": width < 500}
+    with chromium(tmp_path / "profile") as driver:
+        driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+        for name in ("index", "manoeuvres", "proofs", "use", "guide/01_sample"):
+            driver.get((html / f"{name}.html").as_uri())
+            wide = driver.execute_script("return document.documentElement.scrollWidth")
+            assert wide <= width, name
+        element = driver.find_element("css selector", ".plotly-picture")
+        end = time.monotonic() + 30
+        while time.monotonic() < end:
+            element.screenshot(str(tmp_path / "seen.png"))
+            # Darker than its ground: axes and their numbers.
+            if imread(tmp_path / "seen.png")[..., :3].min() < 0.8:
+                return
+    pytest.fail("the picture is blank")
+
+
 def test_rules_and_assumptions_are_those_of_the_code(html):
     text = pages(html)["reference/kernel.html"]
     assert all(f">{name}</span>" in text for name in RULES)
@@ -179,3 +211,43 @@ def test_a_formula_that_is_not_understood_is_an_error(tmp_path):
     assert found.returncode != 0
     (line,) = found.stderr.splitlines()
     assert "nosuchthing" in line
+
+
+def test_the_landing_page_has_a_picture_of_each_chapter_that_has_one(html):
+    tile = r'<a class="tile" href="([^"]+)"><img src="([^"]+)"[^>]*><span>([^<]+)</span>'
+    ((link, picture, title),) = re.findall(tile, pages(html)["index.html"])
+    assert (link, title) == ("guide/01_sample.html", "A sample")
+    assert (html / picture).read_bytes().startswith(b"\x89PNG")
+
+
+def test_the_project_is_on_the_site(html):
+    every = pages(html)
+    assert "MIT License" in every["licence.html"]
+    assert "cff-version" in every["citation.html"]
+    assert "0.1.0" in every["changes.html"]
+
+
+def test_titles_of_pages_differ(html):
+    # Both notebooks are the sample; modules have pages of their code beside those of their names.
+    every = {name: text for name, text in pages(html).items() if name != "guide/satellite.html"}
+    found = [re.search(r"<title>(.*?)</title>", text)[1] for text in every.values()]
+    assert len(found) == len(set(found))
+
+
+EXPORT = f"""
+import sys
+sys.path[:0] = [{str(SITE)!r}]
+import nbformat
+from export import exported
+print(exported(nbformat.read(sys.argv[1], as_version=4)))
+"""
+
+
+def test_an_exported_notebook_is_one_file_with_its_mathematics(html):
+    pytest.importorskip("nbconvert", reason="needs nbconvert (extra lab)")
+    done = run("-c", EXPORT, html.parents[1] / "01_sample.ipynb")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.count("<math") == 5
+    assert not re.search(r"<(?:script|link|img)[^>]*(?:src|href)=\"https?:", done.stdout)
+    words = re.sub(r"<(script|style).*?</\1>|<[^>]*>", "", done.stdout, flags=re.DOTALL)
+    assert "$$" not in words

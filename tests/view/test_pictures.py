@@ -9,7 +9,12 @@ from picture_motions import MOTIONS
 from rigidsym import InputError, Regime
 from rigidsym.quaternions import product, rotated
 from rigidsym.view.geometry import upright
-from rigidsym.view.scenes import momentum_sphere, rolling_ellipsoid, tumbling_body
+from rigidsym.view.scenes import (
+    momentum_sphere,
+    rolling_ellipsoid,
+    sphere_and_body,
+    tumbling_body,
+)
 from rigidsym.view.scenes.body import edges
 from rigidsym.view.scenes.poinsot import rolling
 from rigidsym.view.times import once, period
@@ -121,6 +126,24 @@ def test_the_box_turns_as_the_attitude_does(name):
         assert np.allclose(corners[7] - corners[3], rotated(attitude, [size[0], 0, 0]), atol=1e-5)
         assert np.allclose(corners[7] - corners[5], rotated(attitude, [0, size[1], 0]), atol=1e-5)
         assert np.allclose(corners[7] - corners[6], rotated(attitude, [0, 0, size[2]]), atol=1e-5)
+
+
+def test_the_sphere_and_the_body_move_together():
+    """One slider: the dot on the left is I omega, the box on the right has its attitude."""
+    motion, times = MOTIONS["paper"], [0.0, 20.0, 50.0]
+    figure = sphere_and_body(motion, times)
+    assert figure.layout.title.text == str(motion.regime)
+    assert {trace.scene for trace in figure.data} == {None, "scene2"}
+    alone = tumbling_body(motion, times)
+    inertia = np.array([float(x) for x in motion.exact["inertia"]])
+    for frame, other, omega in zip(figure.frames, alone.frames, motion(times)[1], strict=True):
+        dot, *moved = frame.data
+        assert np.allclose(np.ravel([dot.x, dot.y, dot.z]), inertia * omega, rtol=1e-10)
+        assert figure.data[frame.traces[0]].name == dot.name == "momentum now"
+        assert [figure.data[k].name for k in frame.traces[1:]] == [part.name for part in moved]
+        for one, two in zip(moved, other.data, strict=True):
+            assert one.scene == "scene2"
+            assert np.array_equal(one.x, two.x)
 
 
 def test_a_box_has_the_proportions_of_its_moments():

@@ -124,11 +124,6 @@ FORMATS = (
             "torque_peak": "of each wheel, N m",
             "torque_integral": "of its size over time, N m s",
             "wheel_momentum_peak": "stored at most by each wheel, N m s",
-            "thrusters": "where they make the bursts: when, how much, to what end; or `null`",
-            "saturation.torque": "how long each wheel is at its limit of torque, s",
-            "saturation.momentum": "and at that of its momentum, s",
-            "saturation.momentum_needed": "what each would store at most to follow what is wanted "
-            "exactly, without disturbances, N m s",
             "disturbance_peak": "the greatest size of each disturbing torque, N m",
             "checks.momentum_defect": "change of momentum that nothing outside explains, N m s",
             "checks.energy_defect": "change of energy that is no torque's work, J",

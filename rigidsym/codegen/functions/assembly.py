@@ -6,6 +6,7 @@ the rest.  States are doubles, in two functions for each branch: `_<branch>_angl
 changes with time, and `_<branch>_state` the state from that.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
@@ -19,7 +20,7 @@ from rigidsym.codegen.functions.pi import circular as pi_circular
 from rigidsym.codegen.functions.pi import common
 from rigidsym.codegen.functions.pi import hyperbolic as pi_hyperbolic
 from rigidsym.codegen.functions.steady import steady
-from rigidsym.codegen.ir import Constant, Function
+from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.names import INITIAL
 from rigidsym.codegen.passes import live, products, share
 from rigidsym.codegen.special_functions import (
@@ -41,6 +42,21 @@ def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
 
 def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
     """All functions as they are stated, before anything is left out or shared."""
+    carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
+    return tuple(_cited(function, carried) for function in _stated(solution, form))
+
+
+def _cited(function: Function, carried: Mapping[str, tuple[str, ...]]) -> Function:
+    """The function whose lines name the equations that their facts carry, before references."""
+    return replace(function, lets=tuple(_with_equations(let, carried) for let in function.lets))
+
+
+def _with_equations(let: Let, carried: Mapping[str, tuple[str, ...]]) -> Let:
+    equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
+    return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
+
+
+def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
     own = _pi(solution) if form == PI else _theta(solution)
     return (
         exponential.function(),

@@ -22,7 +22,7 @@ def secular(solution: Solution) -> list[Let]:
     given = ("psi_0", "rho", "mu", "zeta")
     return [
         *select(solution.sequences["theta"], ("Lambda",), given),
-        let("Lambda_rate = Lambda/pi", "33", "34"),
+        let("Lambda_rate = Lambda/pi"),
     ]
 
 
@@ -42,18 +42,18 @@ def parts(solution: Solution) -> tuple[Let, ...]:
     return select(solution.sequences["circular_state"], PARTS, given)
 
 
-def front(solution: Solution, norm: str, share_of_rows: str) -> list[Let]:
+def front(solution: Solution, form: str, norm: str, share_of_rows: str) -> list[Let]:
     """The unit quaternion in front, and the rows of q_x = (sum of row times part) * scale."""
     sequence = solution.sequences["circular_state"]
     pull_back = solution.sequences["pull_back"]
     bars = tuple(name.replace("q_", "qbar_") for name in ATTITUDE)
     return [
         *specialise(parts(solution), {"X_re": 1, "X_im": 0}),
-        let(f"W = {norm}", "1", "DLMF 20.7.14"),
+        let(f"W = {norm}", facts=(f"reading {form}.W",)),
         *select(sequence, ("N",), ("W",)),
         *select(sequence, bars, (*PARTS, "N", *SIGNS)),
         *select(pull_back, _FRONT, (*bars, *ATTITUDE, *SIGNS)),
-        let(f"over_N = {share_of_rows}", "1", "DLMF 20.7.14"),
+        let(f"over_N = {share_of_rows}", "DLMF 20.7.14"),
         *_rows(_linear(solution)),
     ]
 
@@ -107,8 +107,6 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
         lets.append(
             let(
                 f"q_{x} = scale*({first} + ({second} + {turned}))",
-                "18",
-                "37",
                 facts=(f"definition attitude.q_{x}",),
             )
         )
@@ -116,7 +114,6 @@ def state_lets(thetas: tuple[str, str, str], flip: str = "") -> list[Let]:
         lets.append(
             let(
                 f"Omega_{x} = gain_{x}*(({theta})*over)",
-                "10",
                 facts=(f"definition regular.Omega_{x}",),
             )
         )

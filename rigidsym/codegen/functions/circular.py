@@ -47,16 +47,16 @@ def _constants(solution: Solution) -> list[Let]:
         ),
         let("K_1, sin_v, cos_v, Y_b = _ladder(k_1, kc_1, s, c, d, r, Y)", "DLMF 19.8.12"),
         *select(solution.sequences["scaling"], ("h_plus", "h_minus"), ("Q", "Y_b")),
-        let("g = pi/(2*K_1)", "10"),
+        let("g = pi/(2*K_1)", facts=("reading theta_form.g",)),
         *theta_circular.powers(),
         *theta_circular.zeta(),
         *theta_circular.coefficients(),
         *theta_circular.constants(),
         *secular(solution),
-        let("v = _half_turns(sin_v, cos_v)", "12"),
-        let("v_rate = mu*g/pi", "10", "20"),
+        let("v = _half_turns(sin_v, cos_v)", "DLMF 4.24.3"),
+        let("v_rate = mu*g/pi"),
         *theta_circular.values(),
-        *front(solution, "theta4_v*watson", "1/sqrt(watson)"),
+        *front(solution, "theta_form", "theta4_v*watson", "1/sqrt(watson)"),
         *gains(solution, {"sn": "three/two", "cn": "four/two", "dn": "four/three"}),
     ]
 
@@ -73,7 +73,7 @@ def _state(solution: Solution) -> list[Let]:
     return [
         *theta_circular.values(),
         *parts(solution),
-        let("over = 1/theta4_v", "10"),
-        let("scale = sqrt(over)", "1"),
+        let("over = 1/theta4_v"),
+        let("scale = sqrt(over)"),
         *state_lets(("theta3_v", "theta1_v", "theta2_v")),
     ]

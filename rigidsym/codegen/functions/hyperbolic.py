@@ -52,7 +52,7 @@ def _constants(solution: Solution) -> list[Let]:
         let("root_nome = kc_1/r", "DLMF 20.9.1"),
         let("nome = root_nome*root_nome", "DLMF 20.9.1"),
         *imaginary_phase(_LADDER),
-        let("gc = pi/(2*K_c)", "10"),
+        let("gc = pi/(2*K_c)", facts=("reading hyperbolic_form.gc",)),
         *theta_hyperbolic.powers(),
         *theta_hyperbolic.multiples(),
         *theta_hyperbolic.zeta(),
@@ -61,7 +61,7 @@ def _constants(solution: Solution) -> list[Let]:
         *secular(solution),
         *_phase_at_initial_state(),
         *theta_hyperbolic.values(),
-        *front(solution, "2*theta2_y*watson", "1/sqrt(2*watson)"),
+        *front(solution, "hyperbolic_form", "2*theta2_y*watson", "1/sqrt(2*watson)"),
         *gains(solution, {"sn": "three/four", "cn": "two/four", "dn": "two/three"}),
     ]
 
@@ -78,7 +78,7 @@ def _phase_at_initial_state() -> list[Let]:
         let("e_far = nome/e_near", "DLMF 20.2.2"),
         let("w = choose(far, near, e_near, e_far)", "DLMF 20.2.2"),
         let("p = choose(far, near, e_far, e_near)", "DLMF 20.2.2"),
-        let("alpha = _half_turns(sin_a, cos_a)", "28"),
+        let("alpha = _half_turns(sin_a, cos_a)", "DLMF 4.24.3"),
         let("jump = -2*rho*alpha", _PERIOD),
     ]
 
@@ -100,7 +100,7 @@ def _state(solution: Solution) -> list[Let]:
     return [
         *theta_hyperbolic.values(),
         *parts(solution),
-        let("over = 1/theta2_y", "10"),
-        let("scale = sqrt(over)", "1"),
+        let("over = 1/theta2_y"),
+        let("scale = sqrt(over)"),
         *state_lets(("theta3_y", "flip*theta1_y", "flip*theta4_y"), "flip"),
     ]

@@ -73,7 +73,7 @@ def phase_at_start() -> list[Let]:
         let("cosh_y = sqrt(1 + Y_b*Y_b)", "DLMF 4.35.11"),
         let("y_b = _logarithm(Y_b + cosh_y)", "DLMF 4.37.16"),
         let("y_size = choose(far, near, y_b, period/2 - y_b)", "DLMF 22.4.3"),
-        let("side = choose(0, rounded(s), 1, -1)", "12"),
-        let("y0 = side*y_size", "12"),
-        let("y_rate = mu*gc", "10", "20"),
+        let("side = choose(0, rounded(s), 1, -1)", "DLMF 20.2.1", "DLMF 20.2.2"),
+        let("y0 = side*y_size"),
+        let("y_rate = mu*gc"),
     ]

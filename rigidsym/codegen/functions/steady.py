@@ -13,12 +13,12 @@ def steady(solution: Solution) -> tuple[Function, ...]:
     sequence = solution.sequences["steady"]
     given = ("Omega1", "Omega2", "Omega3")
     axis, start = ("axis1", "axis2", "axis3"), ("p0", "p1", "p2", "p3")
-    first = [*select(sequence, ("omega", *axis), given), let("Lambda_rate = omega/(2*pi)", "3")]
+    first = [*select(sequence, ("omega", *axis), given), let("Lambda_rate = omega/(2*pi)")]
     turned = ("X_im", "X_re")
     # The half angle is omega t/2: its cosine and sine are those of the phase.
     state = [
-        let("cos_half_theta = X_re", "3", facts=("reading steady.cos_half_theta",)),
-        let("sin_half_theta = X_im", "3", facts=("reading steady.sin_half_theta",)),
+        let("cos_half_theta = X_re", facts=("reading steady.cos_half_theta",)),
+        let("sin_half_theta = X_im", facts=("reading steady.sin_half_theta",)),
         *select(sequence, _QUATERNION, ("sin_half_theta", "cos_half_theta", *axis, *start)),
     ]
     results = ("Lambda_rate", *axis, *start)

@@ -10,6 +10,7 @@ of these and compares with the ledger, or with what a special function states:
     states    rows, gains and states together are the ledger's attitude and rates
     text      printed files read back: numbers, signatures, lines and tables are what they print,
               in order, and all else is what the package has written by hand, word for word
+    places    what the map tells of each line is what its comment says
     by_hand   cuts out what is written by hand;  digests  are those of the files
 
 Not seen: whether a special function (nome, theta series, angles and their reduction) is the

@@ -9,7 +9,7 @@ from rigidsym.codegen.seal.claims import DIFFERS, Claim
 from rigidsym.codegen.seal.meanings import Meanings
 from rigidsym.codegen.special_functions import landen
 from rigidsym.errors import InputError
-from rigidsym.language.expression import Expression, Name, parse, put
+from rigidsym.language.expression import Expression, Name, children, parse, put, rebuild
 from rigidsym.solution import Formula, Solution
 
 
@@ -20,11 +20,10 @@ def claims(solution: Solution, functions: Iterable[Function], form: str = THETA)
         parts = names.parts.get(function.name, ())
         proved = _proved(solution, function.name, names) | {*parts}
         for let in function.formulas:
-            if not let.facts and (not let.source or let.targets[0] in proved):
+            _check_equations(function.name, let, ledger)
+            if not let.facts and let.targets[0] in proved:
                 raise InputError(function.name, let, "does not say what it comes from")
             for fact in let.facts:
-                if fact not in ledger:
-                    raise InputError(function.name, let, f"{fact}: the ledger has no such formula")
                 if let.targets[0] not in parts:
                     yield _claim(function.name, let, ledger[fact], names)
 
@@ -47,11 +46,32 @@ def _proved(solution: Solution, place: str, names: Meanings) -> set[str]:
     return found
 
 
+def _check_equations(place: str, let: Let, ledger: Mapping[str, Formula]) -> None:
+    """A line names equations of the paper by facts alone that carry them."""
+    for fact in let.facts:
+        if fact not in ledger:
+            raise InputError(place, let, f"{fact}: the ledger has no such formula")
+    carried = {equation for fact in let.facts for equation in ledger[fact].source}
+    for source in let.source:
+        if source[0].isdigit() and source not in carried:
+            raise InputError(place, let, f"({source}): no fact of this line carries it")
+
+
 def _claim(place: str, let: Let, formula: Formula, names: Meanings) -> Claim:
     meaning = _meaning(place, let, formula, names)
+    said = names.values.get((place, formula.context), {})
+    values = {parse(call): parse(value) for call, value in said.items()}
     if (put(Name(formula.name), meaning),) != tuple(map(Name, let.targets)):
         raise InputError(place, let, f"{formula.fact}: {DIFFERS}")
-    return Claim(place, f"{formula.fact}: {let}", put(formula.expression, meaning), let.expression)
+    derived = _valued(put(formula.expression, meaning), values)
+    return Claim(place, f"{formula.fact}: {let}", derived, let.expression)
+
+
+def _valued(expression: Expression, values: Mapping[Expression, Expression]) -> Expression:
+    """The expression with what calls of standard functions are in place of them."""
+    if expression in values:
+        return values[expression]
+    return rebuild(expression, tuple(_valued(part, values) for part in children(expression)))
 
 
 def _meaning(place: str, let: Let, formula: Formula, names: Meanings) -> Mapping[str, Expression]:

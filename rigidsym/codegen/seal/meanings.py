@@ -19,13 +19,15 @@ class Meanings:
     parts: by function, formulas that are a part of their fact; `states` puts the parts together and
     decides the whole.  made_from: the formula sequences that a function is made from: what they
     prove is named with its fact there.  letters: modulus and complement of the functions that have
-    Landen's steps written out, by function and context.
+    Landen's steps written out, by function and context.  values: by function and context, what
+    standard functions, called in a fact, are there; that they are, their bounds say.
     """
 
     by_context: Mapping[tuple[str, str], Names]
     parts: Mapping[str, tuple[str, ...]]
     made_from: Mapping[str, tuple[str, ...]]
     letters: Mapping[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
+    values: Mapping[tuple[str, str], Names] = field(default_factory=dict)
 
 
 _FIRST = {
@@ -71,6 +73,18 @@ _THETA = Meanings(
             *("constants", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
         ),
         "_hyperbolic_state": ("hyperbolic_state", "rates"),
+    },
+    values={
+        ("_circular_constants", "theta_form"): {
+            "elliptic_k(m_c)": "K_1",
+            "theta4(g*u_1, nome_m)": "theta4_v",
+            "re(theta3(g*I*beta, nome_m))": "watson",
+        },
+        ("_hyperbolic_constants", "hyperbolic_form"): {
+            "elliptic_k(k_1**2)": "K_c",
+            "re(theta2(2*gc*I*u_1, nome_c**2))": "theta2_y",
+            "theta3(2*gc*beta, nome_c**2)": "watson",
+        },
     },
 )
 _INNER = {f"Omega_{x}": f"inner_{x}" for x in "abd"}

@@ -3,7 +3,7 @@
 from rigidsym.codegen.forms import split
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.generate import Generated
-from rigidsym.codegen.seal import digests
+from rigidsym.codegen.seal import digests, places
 from rigidsym.codegen.targets import reader
 from rigidsym.solution import Solution
 
@@ -11,10 +11,12 @@ from rigidsym.solution import Solution
 def seal_text(generated: Generated, solution: Solution) -> int:
     """Read the files of a module back; returns how many derived lines there are.
 
-    Raises InputError, naming function or line, where one is not what the lets say, where what is
-    written by hand is not what the package brings, and where a digest is that of other files.
+    Raises InputError, naming function or line, where one is not what the lets say or the map tells,
+    where what is written by hand is not what the package brings, and where a digest is that of
+    other files.
     """
     target, form = split(generated.manifest["target"])
     decided = reader(target)(generated.files, functions(solution, form), constants(), form)
     digests.check(generated)
+    places.check(generated)
     return decided

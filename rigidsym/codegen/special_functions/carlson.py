@@ -39,7 +39,7 @@ def third_kind() -> Function:
         elementary = f"added_{step} + ({elementary})/4"
     lets.append(let(f"elementary = {elementary}", _DOUBLING))
     lets.append(
-        let("J = s*square*(2*elementary + rest)", "36", "DLMF 19.25.14"),
+        let("J = s*square*(2*elementary + rest)", "DLMF 19.25.14"),
     )
     summary = "(s^3/3) R_J(c^2, d^2, 1, p); spread s^6 is (p - c^2)(p - d^2)(p - 1)."
     return Function("_third_kind", summary, ("s", "c", "d", "p_0", "spread"), tuple(lets), ("J",))

@@ -6,12 +6,11 @@ to 2^-54 half turns: what is left out of the product is below 2^46 2^-106, what 
 2^-7 and right to 2^-60, and the last sum, below 1/2 + 2^-7, is rounded once.
 """
 
-from rigidsym.codegen.ir import Constant, Let, let
+from rigidsym.codegen.ir import EXACT_DIFFERENCE, EXACT_PRODUCT, EXACT_SUM, Constant, Let, let
 from rigidsym.codegen.special_functions import circle
 from rigidsym.codegen.special_functions.text import horner
 
 TERMS = 8
-_PRODUCT, _SUM, _EXACT = "Dekker 1971", "Knuth 4.2.2", "Sterbenz 1974"
 # What whole half turns do to sine and cosine; the sign they leave.
 TURNS = "DLMF 4.16"
 _SINE = [f"sine_{k}" for k in range(TERMS)]
@@ -41,8 +40,8 @@ def product(
     small = " + (".join(filter(None, terms))
     small += ")" * small.count("(")
     return [
-        let(f"{name} = {factor}_hi*{of}", _PRODUCT),
-        let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})", _PRODUCT),
+        let(f"{name} = {factor}_hi*{of}", EXACT_PRODUCT),
+        let(f"{name}_error = product_error({factor}_hi, {of}, {name}) + ({small})", EXACT_PRODUCT),
     ]
 
 
@@ -50,9 +49,9 @@ def total(name: str, one: str, other: str) -> list[Let]:
     """name + name_error = one + other exactly (Knuth's sum of two)."""
     lost = f"({one} - ({name} - {name}_other)) + ({other} - {name}_other)"
     return [
-        let(f"{name} = {one} + {other}", _SUM),
-        let(f"{name}_other = {name} - {one}", _SUM),
-        let(f"{name}_error = {lost}", _SUM),
+        let(f"{name} = {one} + {other}", EXACT_SUM),
+        let(f"{name}_other = {name} - {one}", EXACT_SUM),
+        let(f"{name}_error = {lost}", EXACT_SUM),
     ]
 
 
@@ -60,7 +59,7 @@ def whole(name: str, value: str) -> list[Let]:
     """The nearest whole number, and the rest, which is exact."""
     return [
         let(f"{name}_whole = nearest({value})", TURNS),
-        let(f"{name}_rest = {value} - {name}_whole", TURNS, _EXACT),
+        let(f"{name}_rest = {value} - {name}_whole", TURNS, EXACT_DIFFERENCE),
     ]
 
 

@@ -39,7 +39,7 @@ def zeta() -> list[Let]:
     even = range(2, SECULAR + 1, 2)
     slope = linear({f"d{k}": -((-1) ** (k // 2)) * k for k in even})
     value = linear({"1": 1} | {f"p{k}": (-1) ** (k // 2) for k in even})
-    return [let(f"zeta = g*({slope})/({value})", "34", "DLMF 20.2.4")]
+    return [let(f"zeta = g*({slope})/({value})", "DLMF 20.2.4")]
 
 
 def coefficients() -> list[Let]:
@@ -98,18 +98,18 @@ def values() -> list[Let]:
     return [
         let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
         let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
-        let(f"T4_re = {horner('x', names('T4_re'))}", "18", "DLMF 20.2.4"),
-        let(f"T4_im = sin_v*cos_v*({horner('x', names('T4_im'))})", "18", "DLMF 20.2.4"),
-        let(f"T1_re = sin_v*({horner('x', names('T1_re'))})", "18", "DLMF 20.2.1"),
-        let(f"T1_im = cos_v*({horner('x', names('T1_im'))})", "18", "DLMF 20.2.1"),
+        let(f"T4_re = {horner('x', names('T4_re'))}", "DLMF 20.2.4"),
+        let(f"T4_im = sin_v*cos_v*({horner('x', names('T4_im'))})", "DLMF 20.2.4"),
+        let(f"T1_re = sin_v*({horner('x', names('T1_re'))})", "DLMF 20.2.1"),
+        let(f"T1_im = cos_v*({horner('x', names('T1_im'))})", "DLMF 20.2.1"),
         let(f"sum_even = {horner('x2', names('even'))}", "DLMF 20.2.4"),
         let(f"sum_odd = x*({horner('x2', names('odd'))})", "DLMF 20.2.4"),
-        let("theta4_v = sum_even - sum_odd", "10", "DLMF 20.2.4"),
-        let("theta3_v = sum_even + sum_odd", "10", "DLMF 20.2.3"),
+        let("theta4_v = sum_even - sum_odd", "DLMF 20.2.4"),
+        let("theta3_v = sum_even + sum_odd", "DLMF 20.2.3"),
         let(f"part_even = {horner('x2', names('sine_even'))}", "DLMF 20.2.1"),
         let(f"part_odd = x*({horner('x2', names('sine_odd'))})", "DLMF 20.2.1"),
-        let("theta1_v = sin_v*(part_even + part_odd)", "10", "DLMF 20.2.1"),
-        let("theta2_v = cos_v*(part_even - part_odd)", "10", "DLMF 20.2.2"),
+        let("theta1_v = sin_v*(part_even + part_odd)", "DLMF 20.2.1"),
+        let("theta2_v = cos_v*(part_even - part_odd)", "DLMF 20.2.2"),
     ]
 
 

@@ -50,7 +50,7 @@ def zeta() -> list[Let]:
     falling = ("nome2", "nome6", "nome12", "nome20", "nome30")
     slope = "S_0 + " + " + ".join(f"{2 * n + 1}*{q}*S_{n}" for n, q in enumerate(falling, 1))
     value = "C_0 + " + " + ".join(f"{q}*C_{n}" for n, q in enumerate(falling, 1))
-    return [let(f"zeta = gc*({slope})/({value})", "34", "DLMF 20.2.2")]
+    return [let(f"zeta = gc*({slope})/({value})", "DLMF 20.2.2")]
 
 
 def coefficients() -> list[Let]:
@@ -92,37 +92,32 @@ def values() -> list[Let]:
     lets += [
         let(
             "T4_re = (near_re_even + near_re_odd) + w*(far_re_even + far_re_odd)",
-            "18",
             "DLMF 20.2.2",
         ),
         let(
             "T4_im = side*((near_im_even + near_im_odd) - w*(far_im_even + far_im_odd))",
-            "18",
             "DLMF 20.2.2",
         ),
         let(
             "T1_re = side*((near_re_even - near_re_odd) - w*(far_re_even - far_re_odd))",
-            "18",
             "DLMF 20.2.1",
         ),
         let(
             "T1_im = (near_im_even - near_im_odd) + w*(far_im_even - far_im_odd)",
-            "18",
             "DLMF 20.2.1",
         ),
         let("w2 = w*w", *_SERIES),
         let(f"tall = {horner('p2', ['1', 'nome2', 'nome8'])}", "DLMF 20.2.2"),
         let("deep = w2*(1 + qw2*(nome2 + qw2*nome8))", "DLMF 20.2.2"),
-        let("theta2_y = tall + deep", "10", "DLMF 20.2.2"),
+        let("theta2_y = tall + deep", "DLMF 20.2.2"),
         let(
             "theta1_y = side*((1 + p2*(p2*nome8 - nome2)) - w2*(1 + qw2*(qw2*nome8 - nome2)))",
-            "10",
             "DLMF 20.2.1",
         ),
         let("ends = p2*(1 + nome12*(p2*p2)) + w2*nome2", "DLMF 20.2.3"),
         let("middle = 1 + nome4*(p2*p2) + w2*w2*nome8", "DLMF 20.2.3"),
-        let("theta3_y = 2*(w*(middle + ends))", "10", "DLMF 20.2.3"),
-        let("theta4_y = 2*(w*(middle - ends))", "10", "DLMF 20.2.4"),
+        let("theta3_y = 2*(w*(middle + ends))", "DLMF 20.2.3"),
+        let("theta4_y = 2*(w*(middle - ends))", "DLMF 20.2.4"),
     ]
     return lets
 

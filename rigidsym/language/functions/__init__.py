@@ -1,5 +1,6 @@
 """Special functions for SymPy that it lacks: Jacobi's, Legendre's Pi over them, and thetas."""
 
+from rigidsym.language.functions import jacobi, thetas, third_kind
 from rigidsym.language.functions.jacobi import (
     jacobi_am,
     jacobi_cn,
@@ -11,6 +12,8 @@ from rigidsym.language.functions.thetas import theta_im, theta_re
 from rigidsym.language.functions.third_kind import jacobi_pi
 
 __all__ = [
+    "MPMATH",
+    "NUMPY",
     "jacobi_am",
     "jacobi_cn",
     "jacobi_dn",
@@ -20,3 +23,9 @@ __all__ = [
     "theta_im",
     "theta_re",
 ]
+
+NUMPY = {**jacobi.NUMPY, **third_kind.NUMPY, **thetas.NUMPY}
+"""All implementations over NumPy arrays by name; `lambdify` finds them by itself."""
+
+MPMATH = {**jacobi.MPMATH, **third_kind.MPMATH, **thetas.MPMATH}
+"""All implementations over mpmath numbers."""

@@ -1,6 +1,5 @@
-"""What these functions share: code that is printed calls a table of the module of the function."""
+"""What these functions share: code that is printed calls the tables of this package."""
 
-import sys
 from functools import lru_cache
 from typing import Any
 
@@ -10,12 +9,7 @@ _STEP = 128  # bits
 
 
 class Coded(DefinedFunction):
-    """A function whose module has implementations, by its name, in tables `NUMPY` and `MPMATH`."""
-
-    @classmethod
-    def over_mpmath(cls, *arguments: Any) -> Any:
-        """The value over mpmath numbers, at the working precision."""
-        return sys.modules[cls.__module__].MPMATH[cls.__name__](*arguments)
+    """A function with implementations, by its name, in the tables `NUMPY` and `MPMATH`."""
 
     def _eval_evalf(self, prec: int) -> Any:
         return _evaluated(self, rounded_up(prec))
@@ -29,11 +23,11 @@ class Coded(DefinedFunction):
         return self.args
 
     def _code(self, printer: Any, table: str) -> str:
-        name, home = type(self).__name__, type(self).__module__
+        name = type(self).__name__
         if name in printer.known_functions:  # the caller's own implementation
             return printer._print_Function(self)
         arguments = ", ".join(printer._print(argument) for argument in self.args)
-        return f"{printer._module_format(f'{home}.{table}')}['{name}']({arguments})"
+        return f"{printer._module_format(f'{__package__}.{table}')}['{name}']({arguments})"
 
     def _numpycode(self, printer: Any) -> str:
         return self._code(printer, "NUMPY")

@@ -60,7 +60,7 @@ class _Part(Coded):
         try:
             with mp.workprec(prec):
                 values = [argument._to_mpmath(prec + 64) for argument in self._values()]
-                return Expr._from_mpmath(self.over_mpmath(*values), prec)
+                return Expr._from_mpmath(MPMATH[type(self).__name__](*values), prec)
         except (TypeError, ValueError):  # an argument that is no real number
             return None
 

@@ -9,8 +9,8 @@ from typing import Any, TypeAlias, TypeVar
 
 from sympy import Expr
 
-from rigidsym.proof.algebra.enclosures import encloses
 from rigidsym.proof.algebra.normal_form import divide, nested
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import Context, Element, Fact, Grade, KernelError, Ledger, Ring
 from rigidsym.proof.kernel.rules import differences
 from rigidsym.proof.kernel.statement import weakest
@@ -135,11 +135,21 @@ class Book:
         return self._conclude(Fact(name, context, "model", (), (source,), "model"), *premises)
 
     def assume(
-        self, fact_id: str, equations: Equations, reference: str, points: Iterable[Point]
+        self,
+        fact_id: str,
+        equations: Equations,
+        reference: str,
+        points: Iterable[Point],
+        whole: Iterable[str] = (),
     ) -> Fact:
-        """State somebody else's result, graded ENCLOSED where balls agree with it at the points."""
+        """State somebody else's result, graded ENCLOSED where balls agree with it at the points.
+
+        They also look at points drawn by a hash, where names are `whole` numbers, or any.
+        """
         fact = _fact(fact_id, "equal", equations, "assumption", [reference])
-        certificate = {"reference": reference, "points": list(points)}
+        certificate: dict[str, Any] = {"reference": reference, "points": list(points)}
+        if names := list(whole):
+            certificate["whole"] = names
         grade = Grade.ENCLOSED if certificate["points"] else Grade.ASSUMED
         return self.ledger.add(replace(fact, certificate=certificate, grade=grade))
 

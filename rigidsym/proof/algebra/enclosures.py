@@ -7,7 +7,7 @@ that relate the two are what is to be checked.  A fact is agreed with where the 
 contains zero and is small, at every point.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from operator import add, mul, sub, truediv
 
 from flint import acb, arb, ctx, fmpq
@@ -16,38 +16,39 @@ from rigidsym.proof.kernel import Context, Fact, KernelError, Ring
 from rigidsym.proof.kernel.language import Tree, is_name, parse
 
 BITS = 192
-SMALL = arb(2) ** -128
 _ARITHMETIC: Mapping[Tree, Callable[[acb, acb], acb]]
 _ARITHMETIC = {"+": add, "-": sub, "*": mul, "/": truediv}
 STEPS = 32
 
 
-def encloses(context: Context, fact: Fact, points: Sequence[Mapping[str, str]]) -> bool:
-    """Whether lhs - rhs is enclosed near zero at every point; KernelError for what has no value."""
-    with ctx.workprec(BITS):
-        for point in points:
-            at = Evaluation(context, point)
-            for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
-                left = at.value(lhs)
-                gap = left - at.value(rhs)
-                if not gap.contains(0) or not gap.abs_upper() < SMALL * (1 + left.abs_upper()):
-                    return False
-            at.check()
-    return True
+def agrees(at: "Evaluation", fact: Fact) -> bool:
+    """Whether lhs - rhs is enclosed near zero at a point; KernelError where it has no value."""
+    gaps, small = [], _tiny(64)
+    for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
+        left = at.value(lhs)
+        gaps.append((left - at.value(rhs), small * (1 + left.abs_upper())))
+    at.check()
+    return all(gap.contains(0) and gap.abs_upper() < small for gap, small in gaps)
+
+
+def rational(context: Context, point: Mapping[str, str]) -> dict[str, acb]:
+    """The numbers that a point gives to names which are free."""
+    known = {}
+    for name, number in point.items():
+        if name not in context.generators or _is_formula(context.reading.get(name, "?")):
+            raise KernelError(f"a point gives {name!a}, which is not free")
+        value = Ring((), {}).read(number).numerator.coeff(1)
+        known[name] = acb(fmpq(int(value.numerator), int(value.denominator)))
+    return known
 
 
 class Evaluation:
-    """The balls of the names of a context at one rational point, each found once."""
+    """The balls of the names of a context at one point, each found once."""
 
-    def __init__(self, context: Context, point: Mapping[str, str]) -> None:
+    def __init__(self, context: Context, point: Mapping[str, acb]) -> None:
         self.context = context
         self.texts = {**context.reading, **context.definitions}
-        self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1)}
-        for name, number in point.items():
-            if name not in context.generators or _is_formula(context.reading.get(name, "?")):
-                raise KernelError(f"a point gives {name!a}, which is not free")
-            rational = Ring((), {}).read(number).numerator.coeff(1)
-            self.known[name] = acb(fmpq(int(rational.numerator), int(rational.denominator)))
+        self.known: dict[str, acb] = {"pi": acb.pi(), "I": acb(0, 1), **point}
 
     def check(self) -> None:
         """Refuse a point at which a hypothesis about names met so far is broken."""
@@ -57,7 +58,7 @@ class Evaluation:
             (lambda value: not value.real < 0, self.context.nonnegative),
         ):
             for text in texts:
-                if {*_names(parse(text))} <= self.known.keys() and not holds(self.value(text)):
+                if {*names(parse(text))} <= self.known.keys() and not holds(self.value(text)):
                     raise KernelError(f"the point is not one of the context: {text}")
 
     def value(self, text: str) -> acb:
@@ -97,16 +98,16 @@ class Evaluation:
         return self.known[name]
 
 
-def _names(tree: Tree) -> Iterator[str]:
+def names(tree: Tree) -> Iterator[str]:
     """The names in an expression, those of functions and D left out."""
     match tree:
         case str() if is_name(tree):
             yield tree
         case (_, "(", *arguments):
-            yield from _names(tuple(arguments))
+            yield from names(tuple(arguments))
         case tuple():
             for part in tree:
-                yield from _names(part)
+                yield from names(part)
 
 
 def _is_formula(reading: str) -> bool:
@@ -129,7 +130,19 @@ def _theta(kind: int, derivative: int = 0) -> Callable[[acb, acb], acb]:
     return evaluate
 
 
+def _tiny(lost: int) -> arb:
+    """What is small at the precision of the balls, some bits lost."""
+    return arb(2) ** (lost - ctx.prec)
+
+
+def _parameter(m: acb) -> acb:
+    if m.imag != 0 or not 0 < m.real < 1:
+        raise KernelError(f"the parameter {m} is not between 0 and 1")
+    return m
+
+
 def _nome(m: acb) -> acb:
+    m = _parameter(m)
     return (-acb.pi() * (1 - m).elliptic_k() / m.elliptic_k()).exp()
 
 
@@ -140,8 +153,8 @@ def _slope(phi: acb, m: acb) -> acb:
 
 def _amplitude(u: acb, m: acb) -> acb:
     """phi with F(phi | m) = u (DLMF 22.16.10, continued), by a step of interval Newton."""
-    phi = _near(u, m)
-    radius = arb(0, SMALL / 2**32)
+    phi = _near(u, _parameter(m))
+    radius = arb(0, _tiny(32))
     box = acb(phi.real + radius, phi.imag + radius)
     found = phi - (acb.elliptic_f(phi, m) - u) / _slope(box, m)
     if not box.contains_interior(found):
@@ -180,7 +193,7 @@ FUNCTIONS: dict[str, Callable[..., acb]] = {
     "im": lambda x: acb(x.imag),
     "sqrt": lambda x: x.sqrt(),
     "exp": lambda x: x.exp(),
-    "arcsc": lambda x, m: acb.elliptic_f(x.atan(), m),
+    "arcsc": lambda x, m: acb.elliptic_f(x.atan(), _parameter(m)),
     "nome": _nome,
     "elliptic_k": lambda m: m.elliptic_k(),
     "elliptic_e": lambda m: m.elliptic_e(),

@@ -22,15 +22,22 @@ TOLERANCE = "1e-30"
 def enclose(given: Hypotheses, fact: Claim, point: dict[str, str]) -> None:
     """Accept an equation at a point of its context where the balls of both sides agree."""
     with ctx.workprec(PRECISION):
-        values = Values(given, point)
-        for lhs, rhs in zip(fact.lhs, fact.rhs, strict=True):
-            if not _agree(values.read(lhs), values.read(rhs)):
-                raise Refused(f"balls do not confirm {lhs} = {rhs} at {point}")
-        values.check()
+        values = Values(given, numbers(given, point))
+        if not values.confirm(fact, TOLERANCE):
+            raise Refused(f"balls do not confirm {fact.lhs} = {fact.rhs} at {point}")
 
 
-def _agree(left: acb, right: acb) -> bool:
-    gap, bound = left - right, arb(TOLERANCE) * (1 + left.abs_lower())
+def numbers(given: Hypotheses, point: dict[str, str]) -> dict[str, acb]:
+    """The numbers of a point, which gives them to generators whose reading does not."""
+    if taken := point.keys() - {*given.generators}:
+        raise Refused(f"a point gives {min(taken)!a}, which is no generator")
+    if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
+        raise Refused(f"a point gives {forced[0]}, which its reading gives")
+    return {name: acb(arb(rational(text))) for name, text in point.items()}
+
+
+def _agree(left: acb, right: acb, tolerance: str) -> bool:
+    gap, bound = left - right, arb(tolerance) * (1 + left.abs_lower())
     narrow = gap.real.rad() <= bound and gap.imag.rad() <= bound
     return gap.is_finite() and narrow and gap.contains(0)
 
@@ -38,16 +45,18 @@ def _agree(left: acb, right: acb) -> bool:
 class Values(Language[acb]):
     """The values of texts at a point; those of names are found when they are asked for."""
 
-    def __init__(self, given: Hypotheses, point: dict[str, str]) -> None:
+    def __init__(self, given: Hypotheses, point: dict[str, acb]) -> None:
         self._given, self._unread = given, {**given.reading, **given.definitions}
         constants = {"pi": acb.pi(), "I": acb(0, 1)}
         known = {*given.generators, *self._unread}
         self._values = {name: constants[name] for name in constants.keys() - known}
-        if taken := point.keys() - {*given.generators}:
-            raise Refused(f"a point gives {min(taken)!a}, which is no generator")
-        if forced := [name for name in point if is_formula(given.reading.get(name, "?"))]:
-            raise Refused(f"a point gives {forced[0]}, which its reading gives")
-        self._values |= {name: acb(arb(rational(text))) for name, text in point.items()}
+        self._values |= point
+
+    def confirm(self, fact: Claim, tolerance: str) -> bool:
+        """Whether both sides agree; Refused where they have no value, or it is no point."""
+        sides = [(self.read(x), self.read(y)) for x, y in zip(fact.lhs, fact.rhs, strict=True)]
+        self.check()
+        return all(_agree(left, right, tolerance) for left, right in sides)
 
     def check(self) -> None:
         """Refuse the point if a hypothesis about nothing but the names met so far is broken."""

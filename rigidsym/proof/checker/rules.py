@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 
 from flint import fmpq_mpoly
 
+from rigidsym.proof.checker.elsewhere import look_elsewhere
 from rigidsym.proof.checker.enclosures import enclose
 from rigidsym.proof.checker.language import is_name
 from rigidsym.proof.checker.records import Claim, Hypotheses, Refused, fits
@@ -146,9 +147,14 @@ def assumption(so_far: Accepted, fact: Claim) -> str:
         raise Refused("an assumption needs a reference")
     if not isinstance(points, list) or not all(fits(point, dict[str, str]) for point in points):
         raise Refused("points are a list of names with numbers")
+    whole = fact.certificate.get("whole", [])
+    if not fits(whole, list[str]):
+        raise Refused("whole is no list of names")
     _gaps(so_far, fact)
     for point in points:
         enclose(so_far.theories[fact.context].given, fact, point)
+    if points:
+        look_elsewhere(so_far.theories[fact.context].given, fact, [*points[0]], whole)
     return "ENCLOSED" if points else "ASSUMED"
 
 

@@ -189,13 +189,20 @@ class Printer:
         """What premises say vanishes."""
         for premise in (self.facts[name] for name in fact.premises):
             claims = [claim for component in claims_of(premise) for claim in component]
-            if any(claim.form != "Equal" for claim in claims):
-                raise NotExportedError(f"premise {premise.id} is not a plain equation")
             proof = self._theorem(chapter, premise, hypotheses)
             for k, claim in enumerate(claims):
-                left, right = claim.sides
+                part = path(f"({proof})", k, len(claims))
+                match claim.form:
+                    case "Smooth":
+                        continue
+                    case "Equal":
+                        left, right = claim.sides
+                    case "Derives":
+                        left, right = ("D", "(", claim.sides[0]), claim.sides[1]
+                        part = f"(is_derive_unique _ _ _ {part})"
+                    case _:
+                        raise NotExportedError(f"premise {premise.id} is not a plain equation")
                 if theory.read((left, "-", right)).numerator:
-                    part = path(f"({proof})", k, len(claims))
                     theory.premise((left, "-", right), f"fun t => Rminus_diag_eq _ _ {part}")
 
     def _theorem(self, chapter: Chapter, premise: Fact, hypotheses: tuple[str, ...]) -> str:

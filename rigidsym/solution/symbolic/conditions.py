@@ -17,15 +17,17 @@ def _contexts() -> dict[str, Mapping[str, Any]]:
     return {context["name"]: context for context in ledger_data(ledger_text())["contexts"]}
 
 
-def of_context(context: str, known: Mapping[str, Any]) -> tuple[Boolean, ...]:
-    """Its units, signs and relations, of them those that are about names that are known."""
-    ledger = _contexts()[context]
-    clauses = (("units", Ne), ("nonnegative", Ge), ("relations", Eq))
+def of_context(
+    context: str, known: Mapping[str, Any], given: Iterable[str] = ()
+) -> tuple[Boolean, ...]:
+    """Its units and signs of names that are known, and its relations between those given."""
+    ledger, inputs = _contexts()[context], {*given}
+    clauses = (("units", Ne, {*known}), ("nonnegative", Ge, {*known}), ("relations", Eq, inputs))
     found = (
         relation(sympified(parse(text), known), 0)
-        for column, relation in clauses
+        for column, relation, about in clauses
         for text in ledger[column]
-        if {*names(parse(text))} <= {*known}
+        if {*names(parse(text))} <= about
     )
     return told(found)
 

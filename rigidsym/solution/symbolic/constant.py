@@ -4,58 +4,64 @@ from functools import lru_cache
 from typing import Any
 from weakref import WeakValueDictionary
 
-from sympy import Expr, N
+from sympy import AtomicExpr, N, sympify
 from sympy.core.evalf import prec_to_dps
-from sympy.core.symbol import Str
 
 from rigidsym.language.functions.base import rounded_up
 from rigidsym.solution.symbolic.symbols import named
 
 _GUARD_DIGITS = 5
-# SymPy compares trees; of one object with itself that is quick.
-_KNOWN: "WeakValueDictionary[tuple[str, Any], Constant]" = WeakValueDictionary()
 
 
-class Constant(Expr):
-    """`Constant(Str("k_1"), value)`: printed as k_1, and as real and as large as its value.
+class Constant(AtomicExpr):
+    """`Constant("k_1", value)`: printed as k_1, and as real and as large as its value.
 
-    The value may have other constants in it.  It is a number: no free symbols, no derivative.
+    The value is exact, and may have other constants in it.  To SymPy it is an atom, and a number:
+    it has no parts, no free symbols and no derivative.
     """
 
+    __slots__ = ("__weakref__", "name", "value")
     is_commutative = True
     is_number = True
+    name: str
+    value: Any
 
-    def __new__(cls, name: Any, value: Any) -> "Constant":
-        """Of a name, a text or SymPy's Str; the same object for the same number."""
-        key = str(name), value
+    def __new__(cls, name: str, value: Any) -> "Constant":
+        """The same object for the same number."""
+        key = str(name), sympify(value)
         known = _KNOWN.get(key)
         if known is None:
-            _KNOWN[key] = known = Expr.__new__(cls, Str(key[0]), value)
+            known = AtomicExpr.__new__(cls)
+            known.name, known.value = key
+            _KNOWN[key] = known
         return known
 
-    @property
-    def name(self) -> str:
-        """The ledger's name."""
-        return str(self.args[0])
+    def __getnewargs__(self) -> tuple[str, Any]:
+        return self.name, self.value
 
-    @property
-    def value(self) -> Any:
-        """What it is, exactly."""
-        return self.args[1]
-
-    @property
-    def free_symbols(self) -> set[Any]:
-        """None."""
-        return set()
+    def _hashable_content(self) -> tuple[str, Any]:
+        return self.name, self.value
 
     def _eval_is_real(self) -> bool | None:
         return True if named(self.name).is_real else self.value.is_real
+
+    def _eval_is_positive(self) -> bool | None:
+        return True if named(self.name).is_positive else None
+
+    def _eval_is_nonnegative(self) -> bool | None:
+        return True if named(self.name).is_nonnegative else None
+
+    def _eval_is_finite(self) -> bool:
+        return True
 
     def _eval_evalf(self, prec: int) -> Any:
         return _evaluated(self, rounded_up(prec))
 
     def _sympystr(self, printer: Any) -> str:
         return printer._print(named(self.name))
+
+    def _sympyrepr(self, printer: Any) -> str:
+        return f"Constant({self.name!r}, {printer._print(self.value)})"
 
     def _latex(self, printer: Any) -> str:
         return printer._print(named(self.name))
@@ -64,10 +70,14 @@ class Constant(Expr):
         return printer._print(named(self.name))
 
     def _numpycode(self, printer: Any) -> str:
-        return repr(complex(self)) if self.is_real is None else repr(float(self))
+        return f"({repr(complex(self)) if self.is_real is None else repr(float(self))})"
 
     def _mpmathcode(self, printer: Any) -> str:
-        return printer._print(self.value)
+        return f"({printer._print(self.value)})"
+
+
+# SymPy compares by content; of one object with itself that is quick.
+_KNOWN: "WeakValueDictionary[tuple[str, Any], Constant]" = WeakValueDictionary()
 
 
 @lru_cache(maxsize=4096)

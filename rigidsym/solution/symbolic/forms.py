@@ -6,7 +6,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import Any
 
-from sympy import ImmutableMatrix, Integer, Rational, S, oo, pi, sqrt
+from sympy import Integer, Rational, S, oo, pi, sqrt
 
 from rigidsym.errors import InputError
 from rigidsym.solution import sines
@@ -17,7 +17,7 @@ from rigidsym.solution.symbolic.given import Given
 from rigidsym.solution.symbolic.sheet import Sheet, used
 from rigidsym.solution.symbolic.symbols import TIME, named
 from rigidsym.solution.symbolic.theorem1 import theorem1
-from rigidsym.solution.symbolic.value import Symbolic
+from rigidsym.solution.symbolic.value import Symbolic, column
 
 _SIGNS = {
     "epsilon": "+1 when the axes (a, b, d) are right-handed, -1 when not",
@@ -26,6 +26,7 @@ _SIGNS = {
     "chi": "the sign of -rho epsilon sigma Omega_d at t = 0, +1 where that is zero",
 }
 _BETWEEN = (Regime.LARGEST, Regime.SMALLEST)
+_IDENTITY = {"p_0": S.One, **{f"p_{x}": S.Zero for x in AXES}}
 # m and 1 - m on the edges.
 _EDGES = {"separatrix": (1, 0), "symmetric": (0, 1)}
 
@@ -81,7 +82,7 @@ def _regular(form: str, given: Given | None) -> Symbolic:
     by_thetas = form == "theta"
     state = ("circular_state", "momentum", "theta", "circular") if by_thetas else ("state",)
     wanted = used(*state) | {"H", "K", "m", "m_1", "lambda_", "psi_0", "mu", "kappa", "n", "m_c"}
-    sheet.compute("constants", wanted)
+    sheet.compute("constants", wanted - {*_IDENTITY} if by_thetas else wanted)
     if by_thetas:
         _thetas(sheet)
         at = sheet.work_out("circular_state", {"t": TIME})
@@ -92,7 +93,7 @@ def _regular(form: str, given: Given | None) -> Symbolic:
     if given is not None:
         order = tuple(given.polhode.axes.index(k) for k in range(3))
     known = sheet.known
-    holds = (*conditions.of_context("rates_start", known), *conditions.choices(known))
+    holds = (*conditions.of_context("rates_start", known, _SIGNS), *conditions.choices(known))
     holds += () if form in _EDGES else conditions.between(known)
     return Symbolic(
         form=form,
@@ -102,8 +103,8 @@ def _regular(form: str, given: Given | None) -> Symbolic:
         choices=MappingProxyType({named(name): text for name, text in _SIGNS.items()}),
         facts=tuple(sheet.facts),
         quantities=MappingProxyType(_quantities(sheet, form)),
-        attitude=ImmutableMatrix([at["q_0"], *(at[f"q_{AXES[k]}"] for k in order)]),
-        rates=ImmutableMatrix([at[f"Omega_{AXES[k]}"] for k in order]),
+        attitude=column([at["q_0"], *(at[f"q_{AXES[k]}"] for k in order)]),
+        rates=column([at[f"Omega_{AXES[k]}"] for k in order]),
     )
 
 
@@ -130,11 +131,10 @@ def _thetas(sheet: Sheet) -> None:
     """The constants of the theta form, and the quaternion in front: psi does not start at 0."""
     sheet.compute("theta", used("circular_state", "circular") | {"Lambda"})
     sheet.compute("circular")
-    identity = {"p_0": S.One, **{f"p_{x}": S.Zero for x in AXES}}
-    begin = sheet.work_out("circular_state", {"t": S.Zero, **identity})
+    begin = sheet.work_out("circular_state", {"t": S.Zero, **_IDENTITY})
     start = {name: sheet.known[name] for name in ("q_0", *(f"q_{x}" for x in AXES))}
     front = sheet.work_out("pull_back", {**begin, **start})
-    for name in identity:
+    for name in _IDENTITY:
         sheet.name(name, front[name])
 
 
@@ -174,15 +174,15 @@ def _steady(form: str, given: Given | None) -> Symbolic:
         numbers = (*given.inertia, *given.omega0, *given.attitude0)
         for name, value in zip(names, numbers, strict=True):
             sheet.name(name, value)
+    holds = conditions.of_context("steady", sheet.known, names[:6])
     known = sheet.known
     rates = [known[f"Omega{k}"] for k in (1, 2, 3)]
     sheet.compute("steady", ("omega",))
     if known["omega"] == 0:
         attitude = [known[f"p{k}"] for k in range(4)]
     else:
-        at = sheet.work_out("steady", {"t": TIME, "omega": known["omega"]})
+        at = sheet.work_out("steady", {"t": TIME}, ("omega",))
         attitude = [at[f"q{k}"] for k in range(4)]
-    holds = conditions.of_context("steady", known)
     if form == "sphere":
         holds = conditions.told((*conditions.spheres(known), *holds))
     sheet.compute("theorem1", ("H", "K"))
@@ -200,8 +200,8 @@ def _steady(form: str, given: Given | None) -> Symbolic:
                 "precession_rate": known["omega"],
             }
         ),
-        attitude=ImmutableMatrix(attitude),
-        rates=ImmutableMatrix(rates),
+        attitude=column(attitude),
+        rates=column(rates),
     )
 
 

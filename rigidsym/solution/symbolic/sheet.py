@@ -1,6 +1,6 @@
 """A calculation on symbols: formulas of the ledger worked through, and what they were by name."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -43,10 +43,16 @@ class Sheet:
                 value = sympified(formula.expression, self.known)
                 self.name(formula.name, value, (rename or {}).get(formula.name, ""))
 
-    def work_out(self, sequence: str, known: Mapping[str, Any]) -> dict[str, Any]:
-        """The quantities of a sequence, each put into those after it; nothing is kept but facts."""
+    def work_out(
+        self, sequence: str, known: Mapping[str, Any], constant: Collection[str] = ()
+    ) -> dict[str, Any]:
+        """The quantities of a sequence, each put into those after it, but for those known to be
+        constant; nothing is kept but facts.
+        """
         found = {**self.known, **known}
         for formula in sealed().sequences[sequence]:
+            if formula.name in constant:
+                continue
             self._note(formula)
             found[formula.name] = sympified(formula.expression, found)
         return found

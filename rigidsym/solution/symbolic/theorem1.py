@@ -3,14 +3,14 @@
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Gt, ImmutableMatrix, Integer, N, Ne, S, im
+from sympy import Gt, Integer, N, Ne, S, im
 
 from rigidsym.solution import sines
 from rigidsym.solution.symbolic import conditions
 from rigidsym.solution.symbolic.given import Given
 from rigidsym.solution.symbolic.sheet import Sheet
 from rigidsym.solution.symbolic.symbols import TIME, named
-from rigidsym.solution.symbolic.value import Symbolic
+from rigidsym.solution.symbolic.value import Symbolic, column
 
 _ABD = ("0", "a", "b", "d")
 _CYCLIC = ((1, 2), (2, 0), (0, 1))
@@ -35,9 +35,9 @@ def theorem1(form: str, given: Given | None) -> Symbolic:
     sheet.known["side"] = side
     moving = {f"Omega{k}": rate for k, rate in enumerate(rates, 1)}
     at = _turned(sheet, _by_angles(sheet, {**moving, "t": TIME}))
-    holds = [*conditions.of_context("theorem1_motion", {**sheet.known, "side": side})]
+    holds = [*conditions.of_context("theorem1_motion", sheet.known, ("side",))]
     for part in parts:
-        holds += conditions.of_context("one_rate", part.known)
+        holds += conditions.of_context("one_rate", part.known, ("half",))
     holds.append(Gt(side * rates[2], 0))
     if side == -1:
         holds.append(Ne(rates[1], 0))
@@ -52,8 +52,8 @@ def theorem1(form: str, given: Given | None) -> Symbolic:
         choices=MappingProxyType({named(name): text for name, text in _CHOICES.items()}),
         facts=tuple(sheet.facts),
         quantities=MappingProxyType({"energy": known["H"], "momentum": known["K"]}),
-        attitude=ImmutableMatrix([at[f"q_{x}"] for x in _ABD]),
-        rates=ImmutableMatrix(rates),
+        attitude=column([at[f"q_{x}"] for x in _ABD]),
+        rates=column(rates),
     )
 
 

@@ -1,15 +1,24 @@
 """A solution as a value: what SymPy is given, and what it may ask of it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Symbol, latex
+from sympy import Expr, ImmutableMatrix, Symbol, bottom_up, latex, sympify
 from sympy.logic.boolalg import Boolean
 
 from rigidsym.solution.polhode import Regime
 from rigidsym.solution.symbolic.constant import Constant
 from rigidsym.solution.symbolic.symbols import TIME
+
+
+def column(entries: Iterable[Any]) -> ImmutableMatrix:
+    """A column of expressions as SymPy writes them: built anew, they would be the same."""
+    return ImmutableMatrix([bottom_up(sympify(entry), _again) for entry in entries])
+
+
+def _again(expression: Any) -> Any:
+    return expression.func(*expression.args) if expression.args else expression
 
 
 @dataclass(frozen=True, slots=True)

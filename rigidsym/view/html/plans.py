@@ -10,7 +10,7 @@ from rigidsym.language.statement import listed
 from rigidsym.view.html.cards import card, counted, head, math, muted, table
 from rigidsym.view.html.flights import Motion
 from rigidsym.view.html.markup import Markup, tag
-from rigidsym.view.html.quantities import INERTIA, MOMENTUM, RATE, decimal, row, vector
+from rigidsym.view.html.quantities import COMPUTED, INERTIA, MOMENTUM, RATE, decimal, row, vector
 
 _ROUNDING = 1e-12
 
@@ -157,9 +157,9 @@ def transfer_html(transfer: Transfer) -> str:
         row("omega0", rf"\Omega(0) = {_computed(transfer.omega0)}", RATE),
         row("omega1", rf"\Omega(T) = {_computed(transfer.omega1)}", RATE),
         row("bursts", listed([_computed(first), _computed(last)]), MOMENTUM),
-        row("cost", decimal(transfer.cost), MOMENTUM),
-        row("energy", f"H = {decimal(transfer.energy)}", r"\mathrm{J}"),
-        row("peak_rate", decimal(transfer.peak_rate), RATE),
+        row("cost", decimal(transfer.cost, COMPUTED), MOMENTUM),
+        row("energy", f"H = {decimal(transfer.energy, COMPUTED)}", r"\mathrm{J}"),
+        row("peak_rate", decimal(transfer.peak_rate, COMPUTED), RATE),
         row("residual", _below(transfer.residual), r"\mathrm{rad}"),
     ]
     return card(title, table((), told))
@@ -181,7 +181,7 @@ def _asked(asked: Manoeuvre) -> Iterator[tuple[Markup, ...]]:
 
 def _row(one: Transfer) -> Iterator[Markup]:
     yield math(_computed(one.omega0))
-    yield from (math(decimal(x)) for x in (one.cost, one.energy, one.peak_rate))
+    yield from (math(decimal(x, COMPUTED)) for x in (one.cost, one.energy, one.peak_rate))
     yield math(_below(one.residual))
     yield tag("span", one.motion.regime, style="white-space:nowrap")
 
@@ -189,7 +189,7 @@ def _row(one: Transfer) -> Iterator[Markup]:
 def _computed(values: np.ndarray) -> str:
     """A vector without what is rounding beside its largest component."""
     rounding = _ROUNDING * np.max(np.abs(values))
-    return vector(np.where(np.abs(values) > rounding, values, 0.0).tolist())
+    return vector(np.where(np.abs(values) > rounding, values, 0.0).tolist(), COMPUTED)
 
 
 def _below(value: float) -> str:

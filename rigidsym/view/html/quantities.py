@@ -12,19 +12,23 @@ RATE, MOMENTUM = r"\mathrm{rad/s}", r"\mathrm{N\,m\,s}"
 INERTIA = r"\mathrm{kg\,m^2}"
 
 
-def decimal(value: Number | float) -> str:
-    """Six digits, in LaTeX."""
+GIVEN, COMPUTED = 6, 4
+"Digits of what a user gave, and of what was computed."
+
+
+def decimal(value: Number | float, digits: int = GIVEN) -> str:
+    """So many digits, in LaTeX."""
     if isinstance(value, inputs.Uncertain):
         return rf"{decimal(value.middle)} \pm {decimal(value.radius)}"
-    number, _, exponent = inputs.decimal(Fraction(value), 6).lower().partition("e")
+    number, _, exponent = inputs.decimal(Fraction(value), digits).lower().partition("e")
     number = number.rstrip("0").rstrip(".") if "." in number else number
     number = f"{{{number}}}" if value < 0 else number
     return rf"{number} \cdot 10^{{{int(exponent)}}}" if exponent else number
 
 
-def vector(values: Iterable[Number | float]) -> str:
+def vector(values: Iterable[Number | float], digits: int = GIVEN) -> str:
     """Its components, in LaTeX."""
-    inside = r",\ ".join(map(decimal, values))
+    inside = r",\ ".join(decimal(value, digits) for value in values)
     return f"({inside})"
 
 

@@ -10,7 +10,7 @@ import pytest
 import derivations
 from derivations.repairs import PRINTED
 from rigidsym import TorqueFreeMotion
-from rigidsym.proof.algebra.enclosures import encloses
+from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.kernel import replay
 from rigidsym.proof.paper import EQUATIONS, Flaw, Root, Ruling, judged, verdicts
 from rigidsym.proof.paper.answers import Answers

@@ -45,7 +45,7 @@ def test_a_transfer_shows_its_bursts_and_its_residual():
     best = planned().best
     shown = well_formed(best._repr_html_())
     assert str(best.motion.regime) in shown
-    assert r"({-0.0111854},\ {-0.00783633},\ 0.0140664)" in shown
+    assert r"({-0.01119},\ {-0.007836},\ 0.01407)" in shown
     assert "< 10^{-1" in shown
 
 

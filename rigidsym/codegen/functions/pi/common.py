@@ -57,7 +57,7 @@ def state(solution: Solution) -> tuple[Let, ...]:
     """Rates and attitude from s, c, d and the cosine and sine of psi/2."""
     given = ("s", "c", "d", *HALF, *KEPT)
     lets = select(solution.sequences["state"], (*ATTITUDE, *RATES), given)
-    units = (let(f"{rate} = unit*{INNER[rate]}", "10") for rate in RATES)
+    units = (let(f"{rate} = unit*{INNER[rate]}") for rate in RATES)
     return (*renamed(lets, INNER | HALF), *units)
 
 

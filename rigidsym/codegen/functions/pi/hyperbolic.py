@@ -26,7 +26,7 @@ _COEFFICIENTS = ("g_1", "g_2", "h_2", "alpha", "delta", "spread", "slope", "z", 
 _KEPT = ("period_far", "period_inverse", *_MODULI, "gc", "kc_1", "m_c", "rho")
 _KEPT += (*_COEFFICIENTS, "start_rest")
 _LADDER = "K_c, sin_b, cos_b, Y_b = _ladder(kc_1, k_1, 0, 1, 1, kc_1, xi)"
-_THIRD = ("36", "DLMF 19.25.14")
+_THIRD = "DLMF 19.25.14"
 # sn, cn and dn of K - u by those of u, and back.
 _REFLECTED = "DLMF 22.4(iii)"
 _HALF_PERIOD = "DLMF 22.4(i)"
@@ -58,23 +58,23 @@ def _constants(solution: Solution) -> list[Let]:
         *moduli(solution, "l", "lc"),
         *select(solution.sequences["shift"], ("x", "y", "z"), INPUTS["shift"]),
         *imaginary_phase(_LADDER),
-        let("gc = pi/(2*K_c)", "10"),
+        let("gc = pi/(2*K_c)"),
         let("K_1, total = _complete(kc_1, 1 - n)", "DLMF 19.8.6"),
-        let("characteristic = n", "36"),
-        let("j = total/(2*(1 - n))", "36", "DLMF 19.8.6"),
+        let("characteristic = n"),
+        let("j = total/(2*(1 - n))", "DLMF 19.8.6"),
         *select(solution.sequences["pi_hyperbolic"], kept, given),
-        let("Lambda_rate = Lambda/pi", "33", "34"),
+        let("Lambda_rate = Lambda/pi"),
         let("spread = n_2*((delta*k_1*x)*(delta*k_1*x))", "DLMF 19.36.1"),
         # On the separatrix the complement is zero and nothing ever returns.
         let("kc_d = rounded(kc_1)", _HALF_PERIOD),
         let("period = choose(kc_d, 0, 0, 2*K_1*gc)", _HALF_PERIOD),
         *period_bounds("kc_d", _HALF_PERIOD),
         *phase_at_start(),
-        let("jump = -2*rho*alpha/pi", "36", "DLMF 19.2.7"),
+        let("jump = -2*rho*alpha/pi", "DLMF 19.2.7"),
         *_rest_at_start(),
         *_turn(solution, {}),
-        let("start_re = choose(far, near, T_re, 1)", "18"),
-        let("start_im = choose(far, near, T_im, 0)", "18"),
+        let("start_re = choose(far, near, T_re, 1)"),
+        let("start_im = choose(far, near, T_im, 0)"),
         *renamed(front(solution), dict(zip(HALF, ("start_re", "start_im"), strict=True))),
     ]
 
@@ -86,20 +86,20 @@ def _rest_at_start() -> list[Let]:
         let("near_c = rounded(choose(far, near, c, kc_1*size_s/d))", _REFLECTED),
         let("near_d = rounded(choose(far, near, d, kc_1/d))", _REFLECTED),
         let("cosine = choose(near_c, least_c, least_c, near_c)", _REFLECTED),
-        let("path = cosine*cosine + rounded(delta)*(near_s*near_s)", *_THIRD),
-        let("third = _third_kind(near_s, cosine, near_d, path, rounded(spread))", *_THIRD),
-        let("w = y_b/gc", "20"),
+        let("path = cosine*cosine + rounded(delta)*(near_s*near_s)", _THIRD),
+        let("third = _third_kind(near_s, cosine, near_d, path, rounded(spread))", _THIRD),
+        let("w = y_b/gc"),
         *_rest("far", "near"),
-        let("start_rest = side*rest", "36"),
+        let("start_rest = side*rest"),
     ]
 
 
 def _rest(one: str, other: str) -> list[Let]:
     """What is left of psi/2 beside the arctangent: from the crossing where one <= other."""
     return [
-        let("from_crossing = g_1*w + g_2*third", "36"),
-        let("from_saddle = alpha - (g_1*w + h_2*third)", "36"),
-        let(f"rest = choose({one}, {other}, from_crossing, from_saddle)", "36"),
+        let("from_crossing = g_1*w + g_2*third"),
+        let("from_saddle = alpha - (g_1*w + h_2*third)"),
+        let(f"rest = choose({one}, {other}, from_crossing, from_saddle)"),
     ]
 
 
@@ -126,19 +126,19 @@ def _angles(solution: Solution) -> list[Let]:
         let("near_c = 1/size_x", "DLMF 22.6.1"),
         let("near_size = x*near_c", "DLMF 22.6.1"),
         let("near_d = near_c*sqrt(1 + m_c*(x*x))", "DLMF 22.6.1"),
-        let("path = near_c*near_c + delta*(near_size*near_size)", *_THIRD),
-        let("third = _third_kind(near_size, near_c, near_d, path, spread)", *_THIRD),
-        let("w = bounded/gc", "20"),
+        let("path = near_c*near_c + delta*(near_size*near_size)", _THIRD),
+        let("third = _third_kind(near_size, near_c, near_d, path, spread)", _THIRD),
+        let("w = bounded/gc"),
         *_rest("depth", "quarter"),
-        let("near_s = side*near_size", "12"),
+        let("near_s = side*near_size"),
         *_turn(solution, NEAR),
         *hyperbolic_turns(),
-        let("psi_turns = turns - rho*(side*rest - start_rest)/pi_hi", "33", "34"),
+        let("psi_turns = turns - rho*(side*rest - start_rest)/pi_hi"),
         *reduction.whole("psi", "psi_turns"),
         let("psi_all = whole + psi_whole", reduction.TURNS),
         *reduction.sine_and_cosine("psi", "psi_rest", "psi_all", "turn_im", "turn_re"),
-        let("arc_re = choose(depth, quarter, T_re, 1)", "18"),
-        let("arc_im = choose(depth, quarter, T_im, 0)", "18"),
+        let("arc_re = choose(depth, quarter, T_re, 1)"),
+        let("arc_im = choose(depth, quarter, T_im, 0)"),
         *_half_psi(solution),
         *_functions(),
     ]

@@ -7,6 +7,7 @@ from rigidsym.codegen.forms import PI, THETA, key, option
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
+from rigidsym.codegen.shares import shares, text
 from rigidsym.codegen.targets.c import emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h"}
@@ -90,7 +91,9 @@ def build(
         ]
     )
     structs = "\n\n".join(map(emit.branch_struct, constants_of))
+    counts = shares(whole.kinds(), "c")
     header_text = f"{header_first(form)}{structs}\n{_header_last(constants_of)}"
+    header_text = header_text.replace(header.SHARES, text(counts))
     source = SOURCES[form]
     files = {HEADERS[form]: header_text, source: "\n".join(whole.text) + "\n"}
     files, digest = header.sealed(files, key("c", form))
@@ -98,7 +101,7 @@ def build(
 
 
 def header_first(form: str) -> str:
-    """What is written by hand before the structs, with places for digest and errors."""
+    """What is written by hand before the structs, with places for shares, digest and errors."""
     head = _HEAD.format(text=header.text("c", form), option=option(form))
     return f"{head}\n{_FIRST}\n"
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import astuple
 
-from rigidsym.codegen import header
+from rigidsym.codegen import header, shares
 from rigidsym.codegen.forms import THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
@@ -54,8 +54,10 @@ def check(
 
 def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:
     file = module.HEADERS[form]
-    digest = header.digest_in(file, text)
-    first = header.filled(module.header_first(form), key("c", form), digest)
+    kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
+    counts = shares.text(shares.shares(kinds, "c"))
+    said = module.header_first(form).replace(header.SHARES, counts)
+    first = header.filled(said, key("c", form), header.digest_in(file, text))
     last = _filled(module.header_last(), functions)
     structs = statements(file, between(file, text, first, last))
     given = iter(_without_rows(structs))

@@ -7,6 +7,7 @@ from rigidsym.codegen.forms import PI, THETA, key, option
 from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import LIMITS
 from rigidsym.codegen.lines import Lines, Module, joined
+from rigidsym.codegen.shares import shares, text
 from rigidsym.codegen.targets.numpy import emit
 
 FILES = {THETA: "torque_free.py", PI: "torque_free_pi.py"}
@@ -39,15 +40,16 @@ def build(
         Lines.plain(last()),
     ]
     whole = joined(pieces)
-    file = FILES[form]
-    files, digest = header.sealed({file: "\n".join(whole.text) + "\n"}, key("numpy", form))
+    counts, file = shares(whole.kinds(), "numpy"), FILES[form]
+    source = "\n".join(whole.text).replace(header.SHARES, text(counts)) + "\n"
+    files, digest = header.sealed({file: source}, key("numpy", form))
     grown = files[file].count("\n") - len(whole.text)
     lets = {number + grown: let for number, let in whole.lets.items()}
     return Module(files, {file: lets}, digest)
 
 
 def first(form: str) -> str:
-    """What is written by hand before the numbers, with places for digest and errors."""
+    """What is written by hand before the numbers, with places for shares, digest and errors."""
     head = _HEAD.format(text=header.text("numpy", form), option=option(form))
     return f"{head}\n{_part('double_double.py', '# --- double-doubles ---')}\n\n\n"
 

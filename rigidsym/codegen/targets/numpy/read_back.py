@@ -4,7 +4,7 @@ import ast
 from collections.abc import Collection, Iterator, Mapping
 from copy import copy
 
-from rigidsym.codegen import header
+from rigidsym.codegen import header, shares
 from rigidsym.codegen.forms import THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import LIMITS
@@ -28,8 +28,8 @@ def check(
     form: str = THETA,
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    file = module.FILES[form]
-    derived, functions = _derived(files[file], form), emit.own(functions)
+    file, functions = module.FILES[form], emit.own(functions)
+    derived = _derived(files[file], functions, form)
     statements = iter(_statements(derived))
     for expected in _numbers(functions, constants):
         _check_statement(_next(statements, file, expected), file, expected)
@@ -45,11 +45,13 @@ def check(
     return sum(len(function.lets) for function in functions)
 
 
-def _derived(text: str, form: str) -> Between:
+def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
     file = module.FILES[form]
-    digest = header.digest_in(file, text)
-    first = header.filled(module.first(form), key("numpy", form), digest)
+    kinds = (let.kind for function in functions for let in function.lets)
+    counts = shares.text(shares.shares(kinds, "numpy"))
+    said = module.first(form).replace(header.SHARES, counts)
+    first = header.filled(said, key("numpy", form), header.digest_in(file, text))
     return between(file, text, first, module.last())
 
 

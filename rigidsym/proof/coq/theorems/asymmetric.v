@@ -70,7 +70,8 @@ Section Rates.
     c_a - c_b <> 0 /\ c_b - c_d <> 0 /\ c_a - c_d <> 0 /\ E_a <> 0 /\ E_d <> 0.
   Proof.
     repeat split; intros Z;
-      [rewrite Z in ab | rewrite Z in bd | | rewrite Z in Ea | rewrite Z in Ed]; nra.
+      [rewrite Z in ab | rewrite Z in bd | assert (ad : 0 < rho * (c_a - c_d)) by lra; rewrite Z in ad
+      | rewrite Z in Ea | rewrite Z in Ed]; lra.
   Qed.
 
   Lemma inverse_b : 1 / c_a + rho * Delta * B_d ^ 2 / B_b ^ 2 = 1 / c_b.
@@ -99,7 +100,8 @@ Section Rates.
     assert (Q : 0 < Delta * B_a * B_d / B_b)
       by (apply Rdiv_lt_0_compat; unfold B_a, B_b, B_d; repeat (assumption || apply Rmult_lt_0_compat)).
     apply root_unique; [exact Q | exact L |].
-    transitivity (Delta ^ 2 * B_a ^ 2 * B_d ^ 2 / B_b ^ 2); [field; unfold B_b; nra|].
+    transitivity (Delta ^ 2 * B_a ^ 2 * B_d ^ 2 / B_b ^ 2);
+      [field; now apply Rgt_not_eq, Rmult_lt_0_compat|].
     unfold Delta, B_a, B_b, B_d; rewrite !Rpow_mult_distr, Aa2, Ab2, Ad2, L2, Rho; field; repeat split; lra.
   Qed.
 
@@ -137,7 +139,8 @@ Section Rates.
     assert (inverse : forall c, 0 < c -> 1 / c <> 0)
       by (intros c C; apply Rgt_not_eq, Rdiv_lt_0_compat; lra).
     constructor; rewrite ?amplitude_a, ?amplitude_b, ?amplitude_d; unfold regular.lambda_; cbn -[pow];
-      rewrite ?rate; try lra; try (rewrite <- Sq; lra); try (now apply inverse); try (intros Z; nra).
+      rewrite ?rate; try lra; try (rewrite <- Sq; lra); try (now apply inverse);
+      try (intros Z; rewrite Z in ab; lra).
     - now rewrite inverse_d; apply inverse.
     - rewrite <- Sq.
       replace (_ + _) with (B_b ^ 2 * (1 / c_a + rho * Delta * B_d ^ 2 / B_b ^ 2)) by (field; lra).
@@ -173,7 +176,9 @@ Section Rates.
     assert (X2 : (sigma * (c_a * w_a t)) ^ 2 = (c_a * w_a t) ^ 2) by ring [Sigma].
     assert (P : 0 < B_b ^ 2 /\ 0 < B_d ^ 2)
       by (split; apply pow_lt; unfold B_b, B_d; now apply Rmult_lt_0_compat).
-    specialize (W (proj1 P) (proj2 P) ltac:(lra)); nra.
+    assert (Less : (sigma * (c_a * w_a t)) ^ 2 < K ^ 2)
+      by (specialize (W (proj1 P) (proj2 P) ltac:(lra)); lra).
+    clear - Kp Less; nra.
   Qed.
 End Rates.
 

@@ -119,7 +119,8 @@ Section Separatrix.
   Proof.
     destruct roots as ((Ea & Ed) & _); pose proof C as [Hand Rho Sigma Chi Ca Cb Cd Rab Rbd _ _].
     fold E_a in Ea; fold E_d in Ed; repeat split; trivial; intros Z;
-      [rewrite Z in Rab | rewrite Z in Rbd | | rewrite Z in Ea | rewrite Z in Ed]; nra.
+      [rewrite Z in Rab | rewrite Z in Rbd | assert (ad : 0 < rho * (c_a - c_d)) by lra; rewrite Z in ad
+      | rewrite Z in Ea | rewrite Z in Ed]; lra.
   Qed.
 
   Lemma ratio_of_energies : E_a * (c_b - c_d) = E_d * (c_a - c_b).
@@ -150,8 +151,9 @@ Section Separatrix.
       assert (V : v_d <> 0) by (intros Z; rewrite Z in Sd; lra).
       replace (_ / E_a) with (c_d * (rho * (c_a - c_d)) * v_d ^ 2 / (rho * E_a))
         by (field; split; intros Z; rewrite Z in Ea; lra).
-      apply Rdiv_lt_0_compat; [|exact Ea]. apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra | nra]. }
-    nra.
+      apply Rdiv_lt_0_compat; [|exact Ea].
+      apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra | now apply pow2_gt_0]. }
+    clear - G; nra.
   Qed.
 
   Lemma sech_at_start : sech (atanh x) ^ 2 = 1 - x ^ 2.

@@ -1,0 +1,110 @@
+"""What characterises a motion as a whole, in doubles: energy, momentum, periods, angles.
+
+The same quantities as expressions are those of `motion.symbolic().quantities`.
+"""
+
+from dataclasses import dataclass
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
+from fractions import Fraction
+from functools import cached_property
+from math import atan2, inf, nan, sqrt
+
+from rigidsym.inputs import decimal
+from rigidsym.precise.motion import PreciseMotion
+from rigidsym.solution.polhode import Regime
+
+# Of each constant, so that what is made of them is right as a double.
+_DIGITS = 20
+_CONTEXT = Context(prec=_DIGITS, Emax=MAX_EMAX, Emin=MIN_EMIN)
+_AMPLITUDES = ("A_a", "A_b", "A_d", "k_c")
+
+
+@dataclass(frozen=True)
+class Quantities:
+    """Of a motion whose numbers are exact; SI units and radians.
+
+    Raises InputError where a number is uncertain.
+    """
+
+    motion: PreciseMotion
+
+    @cached_property
+    def energy(self) -> float:
+        """H, J."""
+        inertia, rates, _ = self.motion.exact
+        return float(sum(c * w * w for c, w in zip(inertia, rates, strict=True)) / 2)
+
+    @cached_property
+    def momentum(self) -> float:
+        """K, N m s."""
+        inertia, rates, _ = self.motion.exact
+        return _root(sum((c * w) ** 2 for c, w in zip(inertia, rates, strict=True)))
+
+    @cached_property
+    def parameter(self) -> float:
+        """m of Jacobi's functions, from 0 for symmetric bodies to 1 on the separatrix; not a number
+        where the rates are constant."""
+        return nan if self._steady else self._constant("m")
+
+    @property
+    def modulus(self) -> float:
+        """k, the square root of the parameter."""
+        return sqrt(self.parameter)
+
+    @cached_property
+    def period(self) -> float:
+        """The time 4 K(m)/lambda after which the rates come back, s; infinite on the separatrix.
+
+        Zero where the rates are constant.
+        """
+        return 0.0 if self._steady else inf if self._separatrix else self._constant("period")
+
+    @cached_property
+    def precession_rate(self) -> float:
+        """At which the attitude turns about the momentum, on the average over all times, rad/s."""
+        if self._steady:
+            return _root(sum(w * w for w in self.motion.exact[1]))
+        if self._separatrix:
+            return 2 * self.energy / self.momentum
+        # No nodding, no part of it: J_c is 0/0 there.
+        symmetric = self.motion.polhode.regime == Regime.SYMMETRIC
+        return self._constant("psi_0" if symmetric else "psi_mean")
+
+    @property
+    def phase_per_period(self) -> float:
+        """The angle about the momentum by which the attitude is off after a period, rad.
+
+        Whole turns included; after Montgomery, American Journal of Physics 59 (1991), 394-398.
+        """
+        return self.precession_rate * self.period
+
+    @cached_property
+    def nutation(self) -> tuple[float, float]:
+        """The least and the largest angle of axis a, at its nearer end, from the momentum, rad.
+
+        Of the rates A_a dn, A_b sn and A_d cn the first is largest where sn = 0, and smallest,
+        k_c A_a, where sn is 1 or -1 (facts regular.dn, descended.k_c).  Both are zero where the
+        rates are constant, and the largest is a right angle on the separatrix.
+        """
+        if self._steady:
+            return 0.0, 0.0
+        a, b, d = (float(self.motion.exact[0][k]) for k in self.motion.polhode.axes)
+        found = self.motion.constants(_AMPLITUDES, _DIGITS)
+        along, across, other, least = (float(found[name]) for name in _AMPLITUDES)
+        return atan2(d * other, a * along), atan2(b * across, a * along * least)
+
+    @property
+    def _steady(self) -> bool:
+        return self.motion.polhode.regime.steady
+
+    @property
+    def _separatrix(self) -> bool:
+        return self.motion.polhode.regime == Regime.SEPARATRIX
+
+    def _constant(self, name: str) -> float:
+        return float(self.motion.constants([name], _DIGITS)[name])
+
+
+def _root(square: Fraction | int) -> float:
+    """The square root, whatever its exponent."""
+    return float(_CONTEXT.sqrt(Decimal(decimal(Fraction(square), _DIGITS))))

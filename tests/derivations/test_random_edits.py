@@ -1,0 +1,80 @@
+"""No random edit that changes what a specified theorem says is accepted, by either checker.
+
+A checker is its replay and what it requires: an edited ledger has to be refused by one of the two.
+"""
+
+import json
+from collections import Counter
+
+import pytest
+from document_texts import words
+from edits import edited
+from ledgers import written
+
+from rigidsym.io.ledger import ledger_text, specification_text
+from rigidsym.language.specification import Unproved, require
+from rigidsym.proof.algebra.suppositions import encloses
+from rigidsym.proof.checker import Refused, check
+from rigidsym.proof.checker.records import Claim, Hypotheses, fill
+from rigidsym.proof.checker.specification import Catalogue
+from rigidsym.proof.kernel import KernelError, replay
+
+TEXT, SPECIFICATION = ledger_text(), specification_text()
+MANY = 2000
+
+
+def by_the_kernel(ledger):
+    """What `rigidsym check` does, what is quick first."""
+    require(SPECIFICATION, ledger)
+    replay(written(ledger), encloses)
+
+
+def by_the_other(ledger):
+    """What `rigidsym check --independent` does, what is quick first."""
+    contexts = {entry["name"]: fill(Hypotheses, entry) for entry in ledger["contexts"]}
+    facts = {entry["id"]: fill(Claim, entry) for entry in ledger["facts"]}
+    Catalogue(contexts, facts, ledger["published"]).require(SPECIFICATION)
+    check(written(ledger), SPECIFICATION)
+
+
+REFUSALS = {by_the_kernel: (Unproved, KernelError), by_the_other: (Refused, LookupError)}
+
+
+def accepted(seeds):
+    """The edits that a checker accepts."""
+    found = []
+    for seed in seeds:
+        told, ledger = edited(TEXT, SPECIFICATION, seed)
+        for decide, refusals in REFUSALS.items():
+            try:
+                decide(ledger)
+            except refusals:
+                continue
+            found.append(f"{decide.__name__}: {told}")
+    return found
+
+
+def test_the_ledger_itself_is_accepted():
+    for decide in REFUSALS:
+        decide(json.loads(TEXT))
+
+
+def test_edits_are_of_all_kinds():
+    kinds = Counter(edited(TEXT, SPECIFICATION, seed)[0].split()[2] for seed in range(60))
+    assert {"relations", "units", "nonnegative", "rates", "generators"} <= {*kinds}
+    assert len(kinds) > 20
+
+
+def test_no_random_edit_is_accepted():
+    assert not accepted(range(24))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("block", range(20))
+def test_no_random_edit_of_many_is_accepted(block):
+    each = MANY // 20
+    assert not accepted(range(block * each, (block + 1) * each))
+
+
+def test_the_page_says_how_many():
+    assert f"Of {MANY} random edits" in words("trust.md")

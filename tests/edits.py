@@ -1,0 +1,126 @@
+"""Random edits of a ledger that change what a specified theorem says.
+
+An edit changes one expression to another, drops a hypothesis or adds one: in the contexts of the
+theorems, in a definition wherever it stands, or in all facts that state what a theorem does.
+"""
+
+import json
+import re
+from collections.abc import Callable
+from random import Random
+from typing import Any
+
+from rigidsym.language.specification import theorems
+from rigidsym.proof.kernel import KernelError
+from rigidsym.proof.kernel.language import parse
+
+_TOKEN = re.compile(r"[A-Za-z_][A-Za-z_0-9]*|[0-9]+|\*\*|[-+*/()]")
+_OTHER = {"+": "-", "-": "+", "*": "+", "/": "*"}
+_LISTS = ("generators", "units", "relations", "nonnegative")
+
+
+def edited(text: str, specification: str, seed: int) -> tuple[str, Any]:
+    """What was changed in a ledger, in words, and the ledger as plain data."""
+    random, data = Random(seed), json.loads(text)
+    while True:
+        kind = random.choice([_hypothesis, _meaning, _statement])
+        if told := kind(data, specification, random):
+            return f"seed {seed}: {told}", data
+
+
+def changed(text: str, names: list[str], random: Random) -> str:
+    """Another expression: a name, number or sign replaced, a power dropped, a factor put in."""
+    tokens = [*_TOKEN.finditer(text)]
+    while True:
+        token = random.choice(tokens)
+        old, start, end = token[0], token.start(), token.end()
+        if random.random() < 0.2:
+            new = f"{random.choice(['2*', '-', '3 + '])}({text})"
+        elif old.isdigit():
+            new = f"{text[:start]}{int(old) + random.choice([1, 2, 7])}{text[end:]}"
+        elif old in _OTHER:
+            new = f"{text[:start]}{_OTHER[old]}{text[end:]}"
+        elif old == "**":
+            new = re.sub(r"\*\*\d+", "", text, count=1)
+        else:
+            new = f"{text[:start]}{random.choice(names)}{text[end:]}"
+        if _another(text, new):
+            return new
+
+
+def _another(text: str, new: str) -> bool:
+    try:
+        return parse(new) != parse(text)
+    except KernelError:
+        return False
+
+
+def _context(data: Any, specification: str, random: Random) -> Any:
+    named = theorems(specification)
+    return random.choice([entry for entry in data["contexts"] if entry["name"] in named])
+
+
+def _hypothesis(data: Any, specification: str, random: Random) -> str:
+    """Drop, add or change what a theorem assumes."""
+    context = _context(data, specification, random)
+    field = random.choice([*_LISTS, "rates"])
+    items, names = context[field], [*context["generators"], *context["definitions"]]
+    if field == "rates":
+        items = context["rates"] = items or {}
+        name = random.choice(context["generators"])
+        old = items.get(name, "0")
+        items[name] = changed(old, names, random) if old != "?" else "0"
+    elif not items or random.random() < 0.3:
+        items.append(f"{random.choice(names)}_more" if field == "generators" else names[0] + " + 7")
+    elif random.random() < 0.4:
+        del items[random.randrange(len(items))]
+    elif field == "generators":
+        items[random.randrange(len(items))] += "_other"
+    else:
+        place = random.randrange(len(items))
+        items[place] = changed(items[place], names, random)
+    return f"{field} of {context['name']}"
+
+
+def _meaning(data: Any, specification: str, random: Random) -> str:
+    """Change a definition, in each context that has it, and wherever it is restated."""
+    context = _context(data, specification, random)
+    if not context["definitions"]:
+        return ""
+    name, text = random.choice([*context["definitions"].items()])
+    new = changed(text, context["generators"], random)
+    for entry in data["contexts"]:
+        if entry["definitions"].get(name) == text:
+            entry["definitions"][name] = new
+    _restate(data, lambda lhs, rhs: (lhs, new) if (lhs, rhs) == (name, text) else (lhs, rhs))
+    return f"{name} = {new:.60}"
+
+
+def _statement(data: Any, specification: str, random: Random) -> str:
+    """Change a side of an equation that a theorem states, in all facts that state it."""
+    stated = {
+        frozenset((lhs, rhs))
+        for theorem in theorems(specification).values()
+        for _, lhs, rhs in theorem.then
+    }
+    pairs = sorted(
+        {
+            pair
+            for fact in data["facts"]
+            if fact["kind"] in ("equal", "root")
+            for pair in zip(fact["lhs"], fact["rhs"], strict=True)
+            if frozenset(side.replace(" ", "") for side in pair) in stated
+        }
+    )
+    lhs, rhs = random.choice(pairs)
+    names = [token for token in _TOKEN.findall(lhs + rhs) if token[0].isalpha() and token != "D"]
+    new = (lhs, changed(rhs, [*names, "t"], random))
+    _restate(data, lambda *pair: new if pair == (lhs, rhs) else pair)
+    return f"{lhs:.40} = {new[1]:.60}"
+
+
+def _restate(data: Any, change: Callable[[str, str], tuple[str, str]]) -> None:
+    for fact in data["facts"]:
+        if fact["kind"] in ("equal", "root"):
+            pairs = [change(*pair) for pair in zip(fact["lhs"], fact["rhs"], strict=True)]
+            fact["lhs"], fact["rhs"] = ([*side] for side in zip(*pairs, strict=True))

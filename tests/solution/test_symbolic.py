@@ -1,0 +1,258 @@
+"""The solution as SymPy: against the balls, its equations, and what people do with expressions."""
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+
+import rigidsym
+from rigidsym import InputError, TorqueFreeMotion, symbolic
+from rigidsym.io.ledger import ledger_data, ledger_text
+from rigidsym.language import functions
+from rigidsym.solution.symbolic import FORMS
+from rigidsym.solution.symbolic.constant import Constant
+
+ATTITUDE = ("0.5", "-0.1", "0.7", "0.3")
+MOTIONS = {
+    "theorem1": ((3, 2, 4), (1, 1, 2)),
+    "pi": ((2, 4, 3), (1, 2, 1)),
+    "theta": ((4, 3, 2), (1, -1, 2)),
+    "separatrix": ((1, 2, "9/4"), (3, 1, 4)),
+    "symmetric": ((2, 3, 2), (1, -1, "1/2")),
+    "sphere": ((2, 2, 2), (1, 2, 2)),
+    "spin": ((1, 2, "5/2"), (0, -2, 0)),
+}
+AT = sp.Rational(7, 3)
+NAMESPACE = {**vars(sp), **vars(functions), "Constant": Constant}
+
+
+def forms(*names, slow=()):
+    """Parameters; expressions that SymPy takes seconds over are left to `-m slow`."""
+    marked = [pytest.param(name, marks=pytest.mark.slow) for name in slow]
+    return pytest.mark.parametrize("form", [*(n for n in names if n not in slow), *marked])
+
+
+def motion_of(form):
+    return TorqueFreeMotion(*MOTIONS[form], ATTITUDE)
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    return {form: motion_of(form).symbolic(form) for form in FORMS}
+
+
+def numbers(column, digits=60):
+    """The real parts of a column that is real up to rounding."""
+    found = [sp.N(x, digits) for x in column]
+    assert all(abs(sp.im(x)) < 1e-50 for x in found)
+    return [sp.re(x) for x in found]
+
+
+def kinematics(q, omega):
+    """q (0, omega)/2."""
+    (a, b, c, d), (x, y, z) = q, omega
+    rows = (-b * x - c * y - d * z, a * x - d * y + c * z, d * x + a * y - b * z)
+    return [row / 2 for row in (*rows, -c * x + b * y + a * z)]
+
+
+@forms(*FORMS, slow=("separatrix", "theorem1"))
+def test_states_are_those_of_the_balls_to_fifty_digits(solutions, form):
+    solution = solutions[form]
+    q, omega = numbers(solution.q(AT)), numbers(solution.omega(AT))
+    expected = motion_of(form).precise("7/3", 50)
+    # Theorem 1 changes its sign between intervals.
+    sign = -1 if form == "theorem1" and q[0] * expected[0][0] < 0 else 1
+    with mpmath.workdps(60):
+        for found, values, by in ((q, expected[0], sign), (omega, expected[1], 1)):
+            for x, y in zip(found, values, strict=True):
+                assert abs(x._to_mpmath(220) - by * y) < 1e-49
+
+
+@pytest.mark.parametrize("form", ["theta", "symmetric", "sphere", "spin"])
+def test_it_starts_where_the_motion_does(solutions, form):
+    found = numbers(solutions[form].q(0), 30)
+    given = [sp.Rational(x) for x in ATTITUDE]
+    size = sp.sqrt(sum(x * x for x in given))
+    assert all(abs(x - y / size) < 1e-28 for x, y in zip(found, given, strict=True))
+
+
+@forms(*FORMS, slow=("pi", "separatrix", "theorem1"))
+def test_the_derivative_is_the_kinematics_to_fifty_digits(solutions, form):
+    solution = solutions[form]
+    found = solution.q()[1].diff(solution.t).subs(solution.t, AT)
+    q, omega = numbers(solution.q(AT)), numbers(solution.omega(AT))
+    (value,) = numbers([found])
+    assert abs(value - kinematics(q, omega)[1]) < 1e-48
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_constants_are_given_each_by_those_before_it(form):
+    solution = symbolic(form)
+    inputs = solution.q().free_symbols | solution.omega().free_symbols
+    known = {*inputs, *solution.choices} - {*solution.constants}
+    given = ("c_", "Omega", "q_", "c1", "c2", "c3", "p0", "p1", "p2", "p3", "q0", "q1", "q2", "q3")
+    for symbol, value in solution.constants.items():
+        new = value.free_symbols - known
+        assert all(str(x).startswith(given) for x in new), (symbol, new)
+        known |= {symbol, *new}
+    assert solution.t not in set().union(*(x.free_symbols for x in solution.constants.values()))
+    assert inputs <= known | {solution.t}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_it_rests_on_facts_definitions_and_readings_of_the_ledger(form):
+    data = ledger_data(ledger_text())
+    proved = {fact["id"] for fact in data["facts"] if fact["grade"] == "PROVED"}
+    contexts = {context["name"]: context for context in data["contexts"]}
+    for fact in symbolic(form).facts:
+        how, _, place = fact.rpartition(" ")
+        context, _, name = place.partition(".")
+        table = {"definition": "definitions", "reading": "reading"}.get(how)
+        assert name in contexts[context][table] if table else fact in proved
+
+
+@forms("pi", slow=("theta", "separatrix"))
+def test_free_symbols_take_numbers(form, solutions):
+    """`subs` of a motion's constants into the form with free symbols gives that motion."""
+    free, own = symbolic(form), solutions[form]
+    numbers_of = {x: sp.N(value, 40) for x, value in own.constants.items()}
+    found = free.omega(AT).subs(numbers_of)
+    a, b, d = (sp.N(x, 30) for x in found)
+    assert {*(round(float(x), 12) for x in (a, b, d))} == {
+        round(float(x), 12) for x in own.omega(AT).evalf(20)
+    }
+
+
+@pytest.mark.parametrize("form", ["pi", "theta", "symmetric", "separatrix", "spin"])
+@pytest.mark.parametrize("modules", ["numpy", "scipy"])
+def test_lambdify_over_arrays(solutions, form, modules):
+    solution = solutions[form]
+    call = sp.lambdify(solution.t, [*solution.q(), *solution.omega()], modules)
+    times = np.linspace(-9.0, 9.0, 7)
+    found = np.array([np.broadcast_to(x, times.shape) for x in call(times)])
+    q, omega = motion_of(form)(times)
+    assert np.max(np.abs(found[:4].T - q)) < 3e-14
+    assert np.max(np.abs(found[4:].T - omega)) < 3e-14
+
+
+@forms("symmetric", "spin", slow=("theta", "pi"))
+def test_lambdify_over_mpmath(solutions, form):
+    solution = solutions[form]
+    call = sp.lambdify(solution.t, [*solution.omega()], "mpmath")
+    expected = motion_of(form).precise("7/3", 40)[1]
+    with mpmath.workdps(45):
+        found = call(mpmath.mpf(7) / 3)
+        assert all(abs(x - y) < 1e-39 for x, y in zip(found, expected, strict=True))
+
+
+@forms("symmetric", "spin", slow=("pi", "theta", "separatrix"))
+def test_series_in_time(solutions, form):
+    solution = solutions[form]
+    t, rate = solution.t, solution.omega()[1]
+    found = sp.sympify(rate).series(t, 0, 3).removeO()
+    gap = sp.N((found - rate).subs(t, sp.Rational(1, 1000)), 20)
+    assert abs(gap) < 1e-8
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_text_comes_back_as_the_same_expression(solutions, form):
+    for solution in (symbolic(form), solutions[form]):
+        again = eval(sp.srepr(solution.omega()), dict(NAMESPACE))
+        assert again == solution.omega()
+
+
+@forms(*FORMS, slow=("pi", "theorem1"))
+def test_printing(solutions, form):
+    for solution in (symbolic(form), solutions[form]):
+        assert r"\operatorname{None}" not in sp.latex(solution.q())
+        assert sp.pretty(solution.omega())
+        assert solution._repr_latex_().startswith("$")
+
+
+def test_pi_is_legendres():
+    solution = symbolic("pi")
+    assert r"\Pi\left(" in sp.latex(solution.q()[0])
+    assert r"\theta_{4}" in sp.latex(symbolic("theta").omega()[0])
+    assert solution.q().has(functions.jacobi_pi)
+    assert solution.q().rewrite(sp.elliptic_pi).has(sp.elliptic_pi)
+    assert not symbolic("theta").q().has(functions.jacobi_pi)
+
+
+def test_explicit_puts_every_constant_in(solutions):
+    solution = solutions["symmetric"]
+    assert solution.omega().atoms(Constant)
+    found = solution.explicit(solution.omega())
+    assert not found.atoms(Constant)
+    free = symbolic("spin")
+    assert {str(x) for x in free.explicit(free.omega()).free_symbols} <= {
+        "Omega1",
+        "Omega2",
+        "Omega3",
+    }
+
+
+def test_it_is_frozen(solutions):
+    with pytest.raises(AttributeError):
+        solutions["pi"].form = "theta"
+    with pytest.raises(TypeError):
+        solutions["pi"].constants[sp.Symbol("x")] = 1
+
+
+def test_conditions_are_met_by_the_motions_they_are_for(solutions):
+    for form, solution in solutions.items():
+        if form == "theorem1":
+            assert len(solution.conditions) in (1, 2)
+            assert all(sp.re(sp.N(c.lhs.subs(solution.t, 0), 30)) > 0 for c in solution.conditions)
+        else:
+            assert solution.conditions == ()
+        assert symbolic(form).conditions
+
+
+@pytest.mark.parametrize("form", ["pi", "symmetric"])
+def test_periods_and_phases(form):
+    motion = motion_of(form)
+    period, phase = Fraction(motion.period), motion.phase_per_period
+    q, omega = motion.precise([0, period], 20)
+    assert max(abs(x - y) for x, y in zip(*omega, strict=True)) < 1e-14
+    # R(T) R(0)^-1 turns about the momentum, which is fixed in space, by the phase.
+    (a, *v), (b, *u) = q[1], q[0]
+    cosine = a * b + sum(x * y for x, y in zip(v, u, strict=True))
+    assert abs(cosine - mpmath.cos(phase / 2)) < 1e-13
+    quantities = motion.symbolic().quantities
+    montgomery = 2 * motion.energy * motion.period / motion.momentum - float(
+        quantities["solid_angle"]
+    )
+    assert montgomery == pytest.approx(phase, abs=1e-12)
+    assert motion.precession_rate * motion.period == pytest.approx(phase, rel=1e-14)
+
+
+def test_quantities_of_the_edges():
+    on, turning = (motion_of(form).symbolic().quantities for form in ("separatrix", "spin"))
+    assert on["period"] == float("inf")
+    assert (on["modulus"], on["parameter"]) == (1, 1)
+    assert "precession_rate" not in on
+    assert (turning["precession_rate"], turning["energy"], turning["momentum"]) == (2, 4, 4)
+    assert not {"period", "modulus"} & {*turning}
+
+
+def test_bad_input_is_named():
+    with pytest.raises(InputError, match="form = 'euler': must be one of: theorem1, pi, theta"):
+        symbolic("euler")
+    with pytest.raises(InputError, match=r"form = 'pi': .*regime is separatrix; separatrix serves"):
+        motion_of("separatrix").symbolic("pi")
+    with pytest.raises(InputError, match=r"regime is circulation .*; pi serves"):
+        motion_of("pi").symbolic("spin")
+    with pytest.raises(InputError, match="form = 3: must be one of"):
+        motion_of("pi").symbolic(3)
+    uncertain = TorqueFreeMotion(("2 +/- 1e-9", 3, 4), (1, 1, 2))
+    with pytest.raises(InputError, match=r"inertia\[0\].*is uncertain"):
+        uncertain.symbolic()
+    with pytest.raises(InputError, match="Theorem 1 divides by it"):
+        TorqueFreeMotion((2, 3, 4), (1, 1, 0)).symbolic("theorem1")
+
+
+def test_the_names_are_public():
+    assert rigidsym.symbolic is symbolic
+    assert {"symbolic", "Symbolic"} <= {*rigidsym.__all__}
