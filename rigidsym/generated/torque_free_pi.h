@@ -41,7 +41,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 3a327da63db59131551abefd31eda5115f9a555e32f84998aa022c9c5b3f386c
+digest fad1b0ff5d5844000dff8fc2ea6eee5a7fdd3ceff2808049d30980afc803b3fc
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.

@@ -40,7 +40,7 @@ bounds in exact or ball arithmetic, but for those said to be measured, and
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 280cd5219997872b71906a1bd774ac8d3ce416f4c180424c2d5ca77d392dde97
+digest a9809a038fd33dd3dc6c3cc351c6fbabf2fe3d3d1ca31e75d8a64151b9efffe7
 """
 
 # ruff: noqa
@@ -825,7 +825,7 @@ def _hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n
     cosh_y = _sqrt(1 + Y_b * Y_b)  # classical: DLMF 4.35.11
     y_b = _logarithm(Y_b + cosh_y)  # classical: DLMF 4.37.16
     y_size = _choose(far, near, y_b, period / 2 - y_b)  # classical: DLMF 22.4.3
-    side = _choose(0, _rounded(s), 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    side = _choose(0, _rounded(s), 1, -1)  # classical: DLMF 22.4(i)
     y0 = side * y_size  # arithmetic
     y_rate = mu * gc  # arithmetic
     jump = -2 * rho * alpha / pi  # classical: DLMF 19.2.7

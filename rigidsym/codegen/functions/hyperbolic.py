@@ -73,7 +73,7 @@ def _phase_at_initial_state() -> list[Let]:
         let("nome_d = rounded(nome)", "DLMF 20.2.2"),
         let("period = -_logarithm(choose(nome_d, 0, 1, nome))", "DLMF 20.2.2"),
         *period_bounds("nome_d", _PERIOD),
-        *phase_at_start(),
+        *phase_at_start("DLMF 20.2.1", "DLMF 20.2.2"),
         let("e_near = 1/((Y_b + cosh_y)*(Y_b + cosh_y))", "DLMF 4.37.16"),
         let("e_far = nome/e_near", "DLMF 20.2.2"),
         let("w = choose(far, near, e_near, e_far)", "DLMF 20.2.2"),

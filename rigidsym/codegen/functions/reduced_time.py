@@ -67,13 +67,13 @@ def period_bounds(vanished: str, half_period: str) -> list[Let]:
     ]
 
 
-def phase_at_start() -> list[Let]:
-    """y at t = 0, its size and its sign, from its hyperbolic sine."""
+def phase_at_start(*parity: str) -> list[Let]:
+    """y at t = 0, from its hyperbolic sine; parity: the reference for what its sign does."""
     return [
         let("cosh_y = sqrt(1 + Y_b*Y_b)", "DLMF 4.35.11"),
         let("y_b = _logarithm(Y_b + cosh_y)", "DLMF 4.37.16"),
         let("y_size = choose(far, near, y_b, period/2 - y_b)", "DLMF 22.4.3"),
-        let("side = choose(0, rounded(s), 1, -1)", "DLMF 20.2.1", "DLMF 20.2.2"),
+        let("side = choose(0, rounded(s), 1, -1)", *parity),
         let("y0 = side*y_size"),
         let("y_rate = mu*gc"),
     ]

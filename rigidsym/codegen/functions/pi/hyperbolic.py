@@ -69,7 +69,7 @@ def _constants(solution: Solution) -> list[Let]:
         let("kc_d = rounded(kc_1)", _HALF_PERIOD),
         let("period = choose(kc_d, 0, 0, 2*K_1*gc)", _HALF_PERIOD),
         *period_bounds("kc_d", _HALF_PERIOD),
-        *phase_at_start(),
+        *phase_at_start(_HALF_PERIOD),
         let("jump = -2*rho*alpha/pi", "DLMF 19.2.7"),
         *_rest_at_start(),
         *_turn(solution, {}),
