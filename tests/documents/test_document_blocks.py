@@ -95,7 +95,7 @@ def test_there_are_command_lines():
 
 
 def test_the_table_of_commands_has_all_of_them(capsys):
-    listed = re.findall(r"^\| `rigidsym (\w+)` \|", TEXTS["use.md"], re.MULTILINE)
+    listed = re.findall(r"^\| `rigidsym ([\w-]+)` \|", TEXTS["use.md"], re.MULTILINE)
     (known,) = (action.choices for action in parser()._actions if action.dest == "command")
     assert listed == [*known]
     for command in listed:
