@@ -180,6 +180,11 @@ def _near(book: Book) -> None:
     book.carry("pi_near", [f"arctangent.{name}" for name in ("saddle", "T_size", "turn", "phase")])
     book.model("pi_near", "descended", ["pi_near.turn"])
     book.carry("pi_near", ["descended.solution"])
+    # After every K_1 of u_1 it is alpha more, J being j K_1 there; the rest is periodic.
+    grown = {"K_1*g*(u_1 - (k_1 - n)*J)": "alpha*u_1 - K_1*g*(k_1 - n)*(J - j*u_1)"}
+    book.claim("pi_near.grown", grown, ["36"])
+    slope = {"D(g*(u_1 - (k_1 - n)*J))": "rho*(Lambda - psi_rate/2)"}
+    book.claim("pi_near.slope", slope, ["33", "34", "36"])
 
 
 def _far(book: Book) -> None:

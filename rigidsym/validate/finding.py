@@ -7,6 +7,7 @@ from typing import TypeGuard
 
 import numpy as np
 
+from rigidsym.validate.bounds import WIDER
 from rigidsym.validate.case_file import hexadecimal
 from rigidsym.validate.implementations import Implementation, implementation
 from rigidsym.validate.measure import Errors, measure
@@ -83,7 +84,7 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
     for name, engine in _entered(implementations).items():
         within = reference.within(getattr(engine, "reach", math.inf))
         if within.sample.times:
-            errors[name] = measure(within, engine)
+            errors[name] = measure(within, engine, WIDER.get(name, 1.0))
     return Finding(reference, errors)
 
 

@@ -1,6 +1,6 @@
 """How wrong states are, by every measure, in units of 2^-53 and against the documented bounds."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeGuard
 
 import numpy as np
@@ -31,12 +31,16 @@ class Errors:
         return self.units * ULP
 
 
-def measure(reference: Reference, engine: Implementation) -> dict[str, Errors]:
-    """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong."""
+def measure(reference: Reference, engine: Implementation, wider: float = 1.0) -> dict[str, Errors]:
+    """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong.
+
+    wider: how many times BOUNDS its bounds are.
+    """
     times = np.array(reference.sample.times, dtype=float)
     try:
         with np.errstate(all="ignore"):
-            return _measured(reference, engine, times)
+            found = _measured(reference, engine, times)
+        return {name: replace(errors, share=errors.share / wider) for name, errors in found.items()}
     # Engines refuse by the first; the second is a fault of theirs, and as wrong.
     except (ValueError, ArithmeticError):
         return {name: _errors(name, times, np.full(len(times), np.inf)) for name in MEASURES}

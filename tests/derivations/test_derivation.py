@@ -75,7 +75,12 @@ DEFINED = sorted(
     }
 )
 # What these are short for is no matter of their own context: the facts that say why it is right.
-ELSEWHERE = {("landen", "K"): "landen.quarter", ("scaling", "Y"): "unscaled.top"}
+ELSEWHERE = {
+    ("landen", "K"): "landen.quarter",
+    ("scaling", "Y"): "unscaled.top",
+    ("pi_near", "cos_half_psi"): "pi_near.models_descended",
+    ("pi_near", "sin_half_psi"): "pi_near.models_descended",
+}
 
 
 def admit(ledger, context, facts):
