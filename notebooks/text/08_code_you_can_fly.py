@@ -297,7 +297,7 @@ assert set(place["equations"]) == {"33", "34"}
 assert {"definition", "reading"} < set(said) <= {"choice", "definition", "reading"}
 assert {ledger.facts[name].grade for name in named} == {Grade.PROVED}
 assert lines
-assert all(line.startswith("torque_free.") for line in lines)
+assert all(line.startswith(("torque_free.", "torque_free_pi.")) for line in lines)
 assert read_back == len(places)
 assert new != old
 assert noticed

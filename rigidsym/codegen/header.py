@@ -47,15 +47,15 @@ Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 {grades}"""
 _GRADES = {
     THETA: """\
-Grades: facts are PROVED by normal form, in contexts where the thetas' slopes and Watson's identity
-are hypotheses; these are ENCLOSED.  Special functions (Landen's ladder, nome, theta series, angles
+Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
+are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
 and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
 bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them against
 mpmath:""",
     PI: """\
-Grades: facts are PROVED by normal form; that the integral gains as much in each half period is
-ENCLOSED.  Special functions (Landen's ladder, the arithmetic-geometric mean, Carlson's R_J, angles
-and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
+Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
+what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
+Carlson's R_J, angles and their reduction) are truncated as follows; `rigidsym.codegen.special_functions` proves the
 bounds in exact or ball arithmetic, but for those said to be measured, and
 `pytest tests/codegen/special_functions` holds all against mpmath:""",
 }

@@ -2075,7 +2075,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "c71fcfebde1eff59b25e4818b2d62255b99d1af219e803a4dec17cda12d345e5"; }
+const char *torque_free_digest(void) { return "80aad455b0e1838f0933c4d1eea610dfaf07280eb71de268ed171d318ddafd84"; }
 
 const char *torque_free_message(int code)
 {

@@ -2168,7 +2168,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "fad1b0ff5d5844000dff8fc2ea6eee5a7fdd3ceff2808049d30980afc803b3fc"; }
+const char *torque_free_digest(void) { return "192d3f5ec4a09389db72044d2ca0404208d934dc332d4f036fb1e55fef0740f8"; }
 
 const char *torque_free_message(int code)
 {
