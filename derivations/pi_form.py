@@ -67,13 +67,13 @@ ABSTRACT = Part(
 )
 # T is the unit vector whose angle is the arctangent's, but for the sign -rho.
 NEAR = Part(
-    units=("c**2 + delta*s**2",),
+    units=("1 - n_2*s**2",),
     witness={"L": "0"},
     definitions={
         "T_rate": "-rho*mu*slope*((c**2 - s**2)*d**2 + k_1**2*s**2*c**2)"
-        "/(z*(1 - n*s**2)*(c**2 + delta*s**2))",
+        "/(z*(1 - n*s**2)*(1 - n_2*s**2))",
     },
-    rates={"L": "mu*s**2/(c**2 + delta*s**2)"},
+    rates={"L": "mu*s**2/(1 - n_2*s**2)"},
     reading={"L": "elliptic_j(u_1, n_2, 1 - m_c)"},
 )
 ARCTANGENT = Part(
