@@ -2168,7 +2168,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "192d3f5ec4a09389db72044d2ca0404208d934dc332d4f036fb1e55fef0740f8"; }
+const char *torque_free_digest(void) { return "dc90ceec0b1ab5b32a8b12305e3b4e1cc1b5d836190862d798e984eecbfb2cac"; }
 
 const char *torque_free_message(int code)
 {
