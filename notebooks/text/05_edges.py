@@ -416,7 +416,6 @@ plt.show()
 # Why cosines and sines of *complex* angles turned up on the separatrix is what
 # [notebook 6](06_theta_functions.ipynb) is about.
 
-
 # %% tags=["hide-cell"]
 def turnovers(rates):
     """How often the rate about the middle axis changes its sign."""
