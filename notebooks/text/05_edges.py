@@ -401,7 +401,6 @@ axis.invert_xaxis()
 axis.legend(fontsize=8)
 plt.show()
 
-
 # %% [markdown]
 # ## What we have
 #
@@ -417,17 +416,13 @@ plt.show()
 # [notebook 6](06_theta_functions.ipynb) is about.
 
 # %% tags=["hide-cell"]
-def turnovers(rates):
-    """How often the rate about the middle axis changes its sign."""
-    return np.count_nonzero(np.diff(np.sign(rates[:, b])))
-
-
 on_separatrix = [
     f"separatrix_form.{name}" for name in ("solution", "qbar_0", "qbar_a", "qbar_b", "qbar_d")
 ]
 edge = [f"symmetric_form.{name}" for name in ("solution", "qbar_0", "qbar_a", "qbar_b", "qbar_d")]
 parallel = [name for name in ledger.facts if name.endswith(".parallel")]
 spin = TorqueFreeMotion(nut, (0, 1, 0))
+turnovers = [np.count_nonzero(np.diff(np.sign(rates[:, b]))) for rates in (exact, stepped)]
 assert whole.kind == "partition"
 assert len(whole.rhs) == 14
 assert grades(ledger, "sorted_body.cases", "sorted_body.differences") == {Grade.PROVED}
@@ -441,7 +436,7 @@ assert grades(ledger, *on_separatrix, "separatrix_form.W", "separatrix_form.T1_r
 assert grades(ledger, "separatrix.euler", "separatrix_integral.j") == {Grade.PROVED}
 assert flip.regime == Regime.SEPARATRIX
 assert apart < 1e-14
-assert turnovers(exact) == 1 < turnovers(stepped)
+assert turnovers[0] == 1 < turnovers[1]
 assert grades(ledger, "period.duration", "regular.m_1") == {Grade.PROVED}
 assert grades(ledger, "period_functions.duration") == {Grade.PROVED}
 assert np.allclose(np.diff(flips)[2:], slope * np.diff(exponents)[2:], rtol=1e-6)
