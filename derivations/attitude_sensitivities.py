@@ -14,6 +14,7 @@ from collections.abc import Iterable, Mapping
 import sympy
 
 from derivations.euler_lax import Dynamics
+from derivations.rate_sensitivities import change_of
 from rigidsym.proof.algebra import Book, Part, join
 from rigidsym.proof.algebra.quaternion import kinematics, product
 from rigidsym.proof.steps.names import read, symbol, symbols
@@ -39,13 +40,7 @@ def _cross(one: Iterable[sympy.Expr], other: Iterable[sympy.Expr]) -> list[sympy
 
 def _variations(rates: Mapping[str, str]) -> dict[str, str]:
     """The change of what each rate is, by the changes of all in it."""
-    found = {}
-    for name, text in rates.items():
-        rate = read(text)
-        names = sorted(rate.free_symbols, key=str)
-        total = sympy.Add(*(sympy.diff(rate, x) * symbol(f"d{x}") for x in names))
-        found[f"d{name}"] = str(total)
-    return found
+    return {f"d{name}": str(change_of(read(text))) for name, text in rates.items()}
 
 
 # A body beside the one that moves: its moments, its rates and, in the body, its momentum differ.

@@ -99,14 +99,14 @@ def _changes(definitions: Mapping[str, str]) -> Texts:
 def _change(name: str, text: str) -> sympy.Expr:
     """Of N/d it is (dN - (N/d) dd)/d, with the quotient by its name."""
     above, below = sympy.fraction(read(text))
-    found = _total(above)
-    return found if below == 1 else (found - symbol(name) * _total(below)) / below
+    found = change_of(above)
+    return found if below == 1 else (found - symbol(name) * change_of(below)) / below
 
 
-def _total(polynomial: sympy.Expr) -> sympy.Expr:
-    # The handedness of the axes does not change.
-    names = sorted(polynomial.free_symbols - {symbol("epsilon")}, key=str)
-    return sympy.Add(*(sympy.diff(polynomial, x) * symbol(f"d{x}") for x in names))
+def change_of(expression: sympy.Expr) -> sympy.Expr:
+    """By the changes of all in it: the chain rule.  The handedness of the axes does not change."""
+    names = sorted(expression.free_symbols - {symbol("epsilon")}, key=str)
+    return sympy.Add(*(sympy.diff(expression, x) * symbol(f"d{x}") for x in names))
 
 
 def _perturbed(book: Book, changes: Texts) -> None:
