@@ -46,6 +46,8 @@ CHAPTERS = (
     "addition_form",
     "rate_sensitivities",
     "attitude_sensitivities",
+    "sensitivity_columns",
+    "attitude_columns",
     "steady",
     "regimes",
     "manoeuvres",

@@ -12,10 +12,16 @@ far from the separatrix and near it, and `ascent` goes back up the steps of `lan
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
+`moments`, `columns` and `sensitivity` are what the rates change by with each input, `excesses` what
+the integrals of their squares have, `elapsed_F` and `elapsed_E` one integral of the elapsed time by
+the other, `turn_constants` and `turn` what the attitude changes by.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
 standard function of known quantities.  The last two say which equations they are used in.
 """
 
+from collections.abc import Iterable
+
+from derivations import attitude_columns, sensitivity_columns
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.book import Entry, definitions, facts, readings
 
@@ -55,6 +61,11 @@ def _by_functions(context: str) -> list[Entry]:
         *BY_THETAS,
         *QUATERNION,
     ]
+
+
+def _all(context: str, names: Iterable[str], *source: str) -> list[Entry]:
+    """Everything that a chapter defines, in its order."""
+    return definitions(context, " ".join(names), *source)
 
 
 SEQUENCES: dict[str, list[Entry]] = {
@@ -158,6 +169,14 @@ SEQUENCES: dict[str, list[Entry]] = {
         *readings("steady", "cos_half_theta sin_half_theta", "3"),
         *definitions("steady", "r1 r2 r3 q0 q1 q2 q3", "37"),
     ],
+    "moments": _all("coefficients", sensitivity_columns.MOMENTS, "5"),
+    "columns": _all("varied_rates", sensitivity_columns.CONSTANTS, "5"),
+    "sensitivity": _all("varied_rates", sensitivity_columns.AT_TIME, "5"),
+    "excesses": definitions("excesses", "excess_a excess_d", "5"),
+    "elapsed_F": definitions("elapsed_F", "F_t", "10"),
+    "elapsed_E": definitions("elapsed_E", "E_t", "10"),
+    "turn_constants": _all("turned_columns_start", attitude_columns.START, "3"),
+    "turn": _all("turned_columns", attitude_columns.AT_TIME, "3"),
     "momentum": MOMENTUM,
     "turned": QUATERNION,
 }

@@ -36,6 +36,10 @@ _BY_FUNCTIONS = (
     *("epsilon", "sigma", "rho", "chi", "mu", "phase", "beta", "Lambda"),
     *("p_0", "p_a", "p_b", "p_d", "t"),
 )
+_ALPHA = (
+    *("alpha_a", "alpha_b", "alpha_d", "tilt"),
+    *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
+)
 # What each sequence is given; everything else it computes.
 INPUTS = {
     "constants": (
@@ -76,6 +80,31 @@ INPUTS = {
         *("s", "c", "d", "X_re", "X_im"),
     ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
+    "moments": ("epsilon", *(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES)),
+    "columns": (*_ALPHA, *(f"Omega_{x}0" for x in AXES)),
+    "sensitivity": (
+        *_ALPHA,
+        *(f"Omega_{x}0" for x in AXES),
+        *("g_a", "g_d", "k", "kappa_a", "kappa_d", "p", "r"),
+        *("p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
+        *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
+        *("S_t", "C_t", "D_t", "E_t", "F_t", "t"),
+    ),
+    "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),
+    "elapsed_F": ("p", "r", "S_t", "C_t", "D_t", "E_t", "t"),
+    "elapsed_E": ("p", "r", "S_t", "C_t", "D_t", "F_t", "t"),
+    "turn_constants": (
+        *(f"c{k}" for k in range(1, 4)),
+        *(f"Omega{k}_0" for k in range(1, 4)),
+        *("p0", "p1", "p2", "p3"),
+    ),
+    "turn": (
+        *(f"{x}{k}" for x in ("c", "Omega", "l", "excess") for k in range(1, 4)),
+        *(f"Omega{k}_0" for k in range(1, 4)),
+        *("q0", "q1", "q2", "q3", "t"),
+        *(f"B{i}{k}" for i in range(1, 4) for k in range(1, 4)),
+        *(f"Omega{k}_by_{x}{j}" for x in ("Omega", "c") for j in range(1, 4) for k in range(1, 4)),
+    ),
     "momentum": (
         *(f"c_{x}" for x in AXES),
         *("epsilon", "sigma", "K", *(f"qbar_{x}" for x in ("0", *AXES))),
