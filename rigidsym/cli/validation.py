@@ -80,7 +80,7 @@ def add(command: Command) -> None:
 
 def _compare_forms(options: Namespace) -> int:
     from rigidsym.io.files import probe, write_text
-    from rigidsym.validate.forms import COLUMNS, compare_forms
+    from rigidsym.validate.forms import COLUMNS, STRATA_COLUMNS, compare_forms
 
     if options.output:
         probe(options.output)
@@ -94,6 +94,8 @@ def _compare_forms(options: Namespace) -> int:
             print(found.to_json(), end="")
         else:
             table("rigidsym compare-forms", COLUMNS, [one.row() for one in found.costs])
+            title = "worst errors by stratum, in NumPy"
+            table(title, STRATA_COLUMNS, [one.row() for one in found.strata])
             print(found.conclusion)
     return 0
 
