@@ -126,7 +126,7 @@ def _chosen(options: Namespace) -> "Choices":
     if options.targets:
         chosen["targets"] = options.targets
     elif not options.resume:
-        chosen["targets"] = _available()
+        chosen["targets"] = _available(options.faults)
     if options.peer:
         chosen["peers"] = options.peer
     if options.stratum:
@@ -140,11 +140,12 @@ def _chosen(options: Namespace) -> "Choices":
     return chosen
 
 
-def _available() -> list[str]:
+def _available(faults: bool) -> list[str]:
     """The targets that can be measured on this machine; says why another cannot."""
+    from rigidsym import engines
     from rigidsym.validate.implementations import missing
 
-    reasons = missing()
+    reasons = missing(engines.EVERY if faults else engines.ENGINES)
     for target, reason in reasons.items():
         if reason:
             say(f"{target} is not measured: {reason}")

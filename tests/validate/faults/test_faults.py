@@ -1,6 +1,7 @@
 """Faults: each is where it says it is, each is noticed, and nothing else is."""
 
 import json
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -53,9 +54,8 @@ def chosen():
 
 
 # The first fault of every kind for each target, of those by hand and of those that are drawn.
-SAMPLE = {
-    (f in BY_HAND, f.target, f.kind): f for f in reversed(FAULTS) if f.target != "c-pi"
-}.values()
+QUICK = [fault for fault in FAULTS if fault.target != "c-pi"]
+SAMPLE = {(f in BY_HAND, f.target, f.kind): f for f in reversed(QUICK)}.values()
 
 
 def test_there_are_many_faults_of_every_kind():
@@ -63,9 +63,8 @@ def test_there_are_many_faults_of_every_kind():
     assert {fault.kind for fault in FAULTS} == set(KINDS)
     # Of the Pi modules, of what theirs alone is.
     least = {target: 30 if target.endswith("-pi") else 50 for target in TARGETS}
-    assert all(
-        sum(fault.target == target for fault in FAULTS) >= least[target] for target in TARGETS
-    )
+    counts = Counter(fault.target for fault in FAULTS)
+    assert all(counts[target] >= least[target] for target in TARGETS)
     assert len({faulty(fault) for fault in FAULTS}) == len(FAULTS)
 
 
@@ -97,7 +96,8 @@ def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
 
 def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
     for target in TARGETS:
-        assert {fault.kind for fault in drawn(target)} == {fault.kind for fault in every(target)}
+        kinds = {fault.kind for fault in every(target) if fault.name not in HARMLESS}
+        assert {fault.kind for fault in drawn(target)} == kinds
         assert len(drawn(target)) >= (30 if target.endswith("-pi") else 35)
     names = {fault.name for target in TARGETS for fault in every(target)}
     assert HARMLESS.keys() <= names
@@ -215,7 +215,7 @@ FEW = ("sphere", "spin", "rest", "decimals")
 
 def report(**changes):
     told = []
-    options = {"targets": TARGETS, "faults": SOME, "strata": FEW} | changes
+    options = {"targets": ("numpy", "c"), "faults": SOME, "strata": FEW} | changes
     drawn = {"cases": 2, "digits": DIGITS, "seed": SEED}
     return inject(**drawn, **options, progress=lambda *done: told.append(done)), told
 
