@@ -63,7 +63,7 @@ def _normal(
     problem: Problem, point: Point, robust: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """chi2 (B,), J^T J (B, p, p) and J^T r (B, p)."""
-    residuals, slopes = problem.linearised(point)
+    residuals, slopes = problem.linearised(point, problem.parameters.own(point))
     cost = _sum(residuals, robust)
     good = np.isfinite(cost) & np.isfinite(slopes).all(axis=(1, 2))
     cost[~good], residuals[~good], slopes[~good] = np.inf, 0.0, 0.0

@@ -1,10 +1,8 @@
 """Files of observations: TOML for all kinds, CSV for attitudes and rates, CCSDS messages."""
 
 import csv
-import io
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +11,12 @@ import numpy as np
 from rigidsym import inputs
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
+from rigidsym.fitting.angles import euler_313
 from rigidsym.fitting.observations import Attitudes, Directions, Observations, Rates
+from rigidsym.fitting.published import TOUTATIS_EPOCH, text, toutatis, without_comments
 from rigidsym.io import attitude_messages, epochs
 from rigidsym.io import toml as toml_file
 from rigidsym.io.files import read_text
-from rigidsym.quaternions import product
 
 DAY = 86400.0
 OWN = ("toutatis", "t-handle")
@@ -56,9 +55,12 @@ def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
     thing that is wrong.
     """
     given = sigma or {}
-    if name in OWN:
-        text = resources.files("rigidsym.fitting").joinpath("data", f"{name}.toml").read_text()
-        return parse_toml(text)
+    if name == "toutatis":
+        looks = toutatis()
+        seen = Attitudes(looks.times, looks.q, looks.sigma)
+        return File({"attitudes": [seen]}, epoch=TOUTATIS_EPOCH)
+    if name == "t-handle":
+        return parse_csv(text("t-handle.csv"), given)
     path = Path(name)
     ending = path.suffix.lower()
     if ending == ".toml":
@@ -71,13 +73,13 @@ def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
     raise InputError("observations", name, rule)
 
 
-def parse_toml(text: str) -> File:
+def parse_toml(content: str) -> File:
     """Tables [[attitudes]], [[rates]], [[vectors]], and the arguments of the fit.
 
     `degrees`: rates, angles and their errors are in degrees; `days`: times are in days, rates per
     day.  Times are numbers, or epochs where `epoch` says when they are zero.
     """
-    data = toml_file.parse("observations", text)
+    data = toml_file.parse("observations", content)
     toml_file.check_keys("observations", data, _KEYS)
     units = _Units(
         data.get("epoch"),
@@ -154,24 +156,15 @@ def _attitudes(where: str, table: Mapping[str, Any]) -> np.ndarray:
     if angles.ndim != 2 or angles.shape[1] != 3:
         rule = "must have three angles in each row"
         raise InputError(f"{where}.euler_313", f"an array of shape {angles.shape}", rule)
-    first, second, third = (
-        _about(axis, np.deg2rad(angle)) for axis, angle in zip((3, 1, 3), angles.T, strict=True)
-    )
-    return product(product(first, second), third)
+    return euler_313(np.deg2rad(angles))
 
 
-def _about(axis: int, angle: np.ndarray) -> np.ndarray:
-    found = np.zeros((len(angle), 4))
-    found[:, 0], found[:, axis] = np.cos(angle / 2), np.sin(angle / 2)
-    return found
-
-
-def parse_csv(text: str, sigma: Mapping[str, float]) -> File:
+def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
     """Columns t, q0 ... q3, omega1 ... omega3, and errors sigma_q, sigma_omega; cells may be empty.
 
     In s, rad and rad/s.  sigma: of what has no column of errors.
     """
-    rows = list(csv.DictReader(io.StringIO(text), skipinitialspace=True))
+    rows = list(csv.DictReader(without_comments(content), skipinitialspace=True))
     header = list(rows[0]) if rows else []
     known = ("t", *_COLUMNS["attitudes"], *_COLUMNS["rates"], *_SIGMAS.values())
     for name in header:
@@ -203,19 +196,19 @@ def _columns(
 
 
 def _number(line: int, row: Mapping[str, str], name: str) -> float:
-    text = row.get(name)
+    cell = row.get(name)
     try:
-        return float(text or "")
+        return float(cell or "")
     except ValueError:
-        raise InputError(f"line {line}, {name}", repr(text), "must be a number") from None
+        raise InputError(f"line {line}, {name}", repr(cell), "must be a number") from None
 
 
-def parse_message(text: str, sigma: Mapping[str, float]) -> File:
+def parse_message(content: str, sigma: Mapping[str, float]) -> File:
     """The states of a CCSDS attitude ephemeris message, in KVN; its times are zero at the first.
 
     Messages have no errors: sigma gives them.
     """
-    found = attitude_messages.read(text)
+    found = attitude_messages.read(content)
     sets: dict[str, list[Observations]] = {
         "attitudes": [Attitudes(found.times, found.q, sigma.get("attitudes"))]
     }

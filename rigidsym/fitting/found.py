@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +11,7 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
+from rigidsym.fitting import report
 from rigidsym.fitting.observability import Observability, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
@@ -20,8 +22,12 @@ from rigidsym.fitting.states import sensitivities
 from rigidsym.motion import TorqueFreeMotion
 
 if TYPE_CHECKING:
+    from rigidsym.fitting.report import Table
     from rigidsym.solution.mode import Mode
+    from rigidsym.view.plots.figure import Figure
 
+# Of the largest moment: what is left to the triangle inequality of a flat body.
+_THIN = 1e-4
 NAMES = (
     *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
     *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
@@ -45,7 +51,7 @@ class Prediction:
         return np.sqrt(np.linalg.eigvalsh(self.covariance[..., :3, :3])[..., -1])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Alternative:
     """A motion that fits about as well: chi2, and the axes of the body in those observed."""
 
@@ -69,7 +75,7 @@ class Alternative:
         return np.array(self.motion.exact["inertia"], float)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False, eq=False)
 class Fit(Alternative):
     """The best motion, what is known of it, and what else there may be.
 
@@ -103,7 +109,7 @@ class Fit(Alternative):
     def _own(self) -> np.ndarray:
         """How the quantities of `names` go with the parameters, (12, p), the unit of moments kept
         at the largest where nothing tells their scale."""
-        found = self.problem.parameters.own(self._point)
+        found = self.problem.parameters.linear(self._point)
         if self.problem.prior is None:
             share = self.moments / self.moments.max()
             largest = int(np.argmax(self.moments))
@@ -138,8 +144,8 @@ class Fit(Alternative):
     def null_directions(self) -> np.ndarray:
         """Unit directions (k, p) of the problem's parameters that change nothing observed.
 
-        In units of 1 rad, of the size of the rates, and of a factor e of the shape; the names of
-        the parameters are `problem.parameters.names`.
+        In units of 1 rad, of the size of the rates, and of that of the moments; the names of the
+        parameters are `problem.parameters.names`.
         """
         return self.observability.null
 
@@ -177,7 +183,7 @@ class Fit(Alternative):
 
         By the sensitivities at the minimum: the error along the momentum grows as the time does.
         What the observations do not tell is taken to be as uncertain as it can be: 1 rad, the size
-        of the rates, a factor e of the shape.  Raises InputError as a motion does.
+        of the rates, and that of the moments.  Raises InputError as a motion does.
         """
         times = batches.array("t", t)
         if times.ndim > 1:
@@ -186,7 +192,9 @@ class Fit(Alternative):
         every = np.atleast_1d(times)
         q, omega, sensitivity = sensitivities(self._point, every, self.problem.engine)
         seen = self._point.seen(q, omega)
-        rows = observed(self._point, *seen, sensitivity) @ self.problem.parameters.own(self._point)
+        rows = observed(self._point, *seen, sensitivity) @ self.problem.parameters.linear(
+            self._point
+        )
         found = *seen, self.observability.widest(rows)
         return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
 
@@ -199,3 +207,42 @@ class Fit(Alternative):
     def tensor(self) -> np.ndarray:
         """The inertia tensor (3, 3) about the axes observed."""
         return self.axes @ np.diag(self.moments) @ self.axes.T
+
+    @property
+    def thin(self) -> bool:
+        """Whether the body is the flattest there can be: the observations ask for a flatter one,
+        and the errors of its moments are those along that edge."""
+        largest = np.max(self.moments)
+        return bool(np.sum(self.moments) - 2 * largest < _THIN * largest)
+
+    def plot(self) -> "Figure":
+        """The residuals, in units of their errors (needs matplotlib)."""
+        from rigidsym.fitting.output import residuals
+
+        return residuals(self)
+
+    def tables(self) -> "list[Table]":
+        """A title, columns and rows each, for reading."""
+        return report.tables(self)
+
+    def to_json(self) -> str:
+        """Schema rigidsym.fit/1."""
+        return report.to_json(self)
+
+    def write(self, directory: Path) -> list[Path]:
+        """Write fit.json, the motion as a case file, a page, and pictures where there is
+        matplotlib."""
+        from rigidsym.fitting.output import write
+
+        return write(self, directory)
+
+    def __repr__(self) -> str:
+        from rigidsym.view.text import columns
+
+        shown = [columns(*table) for table in self.tables()[:3]]
+        return "\n\n".join([report.title(self), *shown])
+
+    def _repr_html_(self) -> str:
+        from rigidsym.view.fits import fit_card
+
+        return fit_card(report.title(self), self.tables()[:3])

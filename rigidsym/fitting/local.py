@@ -49,7 +49,8 @@ def local(
         if key not in seen:
             seen.clear()
             x = basis @ z
-            found, slopes = problem.linearised(problem.parameters.moved(start, x), x)
+            point = problem.parameters.moved(start, x)
+            found, slopes = problem.linearised(point, problem.parameters.own(point, x))
             if not (np.isfinite(found).all() and np.isfinite(slopes).all()):
                 raise _NotFiniteError
             seen[key] = found, slopes @ basis

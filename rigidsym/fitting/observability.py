@@ -1,7 +1,7 @@
 """What the observations tell and what they do not: covariance, and directions nothing tells.
 
-A change of the parameters by their natural size, 1 rad, the rates as they are, a factor e of the
-shape, is told where it moves the residuals by more than their errors together.  Directions in which
+A change of the parameters by their natural size, 1 rad, the rates as they are, the moments as they
+are, is told where it moves the residuals by more than their errors together.  Directions in which
 it does not, by the singular values of the derivatives, are null directions: the linear errors say
 nothing there, and a parameter that has a part in them is unobservable.
 """
@@ -50,7 +50,7 @@ class Observability:
 
 def observability(problem: Problem, point: Point) -> Observability:
     """At a minimum."""
-    residuals, slopes = problem.linearised(point)
+    residuals, slopes = problem.linearised(point, problem.parameters.linear(point))
     natural = problem.parameters.natural(point, problem.span)
     rows = np.vstack([slopes * natural, np.zeros((len(natural), len(natural)))])
     _, sizes, right = np.linalg.svd(rows, full_matrices=False)

@@ -79,7 +79,7 @@ class Parameters:
 
     def natural(self, point: Point, span: float) -> np.ndarray:
         """What changes everything, (count,): 1 rad, the rates as they are or 1 rad in the span of
-        the observations, a factor e."""
+        the observations, the moments as they are."""
         found = np.ones(self.count)
         found[3:6] = max(float(np.linalg.norm(point.omega)), 1 / span)
         return found
@@ -115,6 +115,18 @@ class Parameters:
         if self.axes:
             places = self._places("axes")
             found[..., 9:, places] = np.eye(3) if x is None else left_jacobian(x[places])
+        return found
+
+    def linear(self, point: Point) -> np.ndarray:
+        """The same rows (12, count) of one motion by parameters that errors are told of.
+
+        Shapes are two directions of the moments across their scale, of the size of the moments:
+        unlike logarithms they do not end at flat bodies.
+        """
+        found = self.own(point)
+        if self.shape:
+            across = np.linalg.svd(point.moments[None])[2][1:]
+            found[6:9, self._places("shape")] = np.linalg.norm(point.moments) * across.T
         return found
 
 

@@ -69,16 +69,13 @@ class Problem:
             parts.append((point.moments - self.prior.moments) @ self.prior.weights.T)
         return np.concatenate(parts, axis=-1)
 
-    def linearised(
-        self, point: Point, x: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
+    def linearised(self, point: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Residuals (..., count) and their derivatives (..., count, p).
 
-        x: see `Parameters.own`.
+        own (..., 12, p): see `Parameters.own`.
         """
         q, omega, sensitivity = sensitivities(point, self.times, self.engine)
         seen = point.seen(q, omega)
-        own = self.parameters.own(point, x)
         moved = observed(point, *seen, sensitivity) @ own[..., None, :, :]
         residuals, slopes = [], []
         for one, at in zip(self.sets, self.places, strict=True):
