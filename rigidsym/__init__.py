@@ -12,6 +12,7 @@ from rigidsym._version import __version__
 if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
+    from rigidsym.fitting import fit
     from rigidsym.manoeuvre import plan
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.principal import PrincipalAxes, principal_axes
@@ -27,6 +28,7 @@ __all__ = [
     "Symbolic",
     "TorqueFreeMotion",
     "__version__",
+    "fit",
     "generate",
     "plan",
     "principal_axes",
@@ -43,6 +45,7 @@ _HOMES = {
     "Regime": "rigidsym.solution.polhode",
     "Symbolic": "rigidsym.solution.symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
+    "fit": "rigidsym.fitting",
     "generate": "rigidsym.codegen",
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
