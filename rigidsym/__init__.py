@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic, symbolic
+    from rigidsym.splitting import Trajectory, integrate
 
 __all__ = [
     "Generated",
@@ -26,8 +27,10 @@ __all__ = [
     "Regime",
     "Symbolic",
     "TorqueFreeMotion",
+    "Trajectory",
     "__version__",
     "generate",
+    "integrate",
     "plan",
     "principal_axes",
     "propagate",
@@ -43,7 +46,9 @@ _HOMES = {
     "Regime": "rigidsym.solution.polhode",
     "Symbolic": "rigidsym.solution.symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
+    "Trajectory": "rigidsym.splitting",
     "generate": "rigidsym.codegen",
+    "integrate": "rigidsym.splitting",
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
