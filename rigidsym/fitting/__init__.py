@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from rigidsym.fitting.estimate import fit
     from rigidsym.fitting.found import Alternative, Fit, Prediction
     from rigidsym.fitting.observations import Attitudes, Directions, Modelled, Rates
-    from rigidsym.fitting.periods import Periods, periods
+    from rigidsym.fitting.tumbling import Periods, periods
 
 __all__ = [
     "Alternative",
@@ -31,11 +31,11 @@ _HOMES = {
     "Directions": "rigidsym.fitting.observations",
     "Fit": "rigidsym.fitting.found",
     "Modelled": "rigidsym.fitting.observations",
-    "Periods": "rigidsym.fitting.periods",
+    "Periods": "rigidsym.fitting.tumbling",
     "Prediction": "rigidsym.fitting.found",
     "Rates": "rigidsym.fitting.observations",
     "fit": "rigidsym.fitting.estimate",
-    "periods": "rigidsym.fitting.periods",
+    "periods": "rigidsym.fitting.tumbling",
 }
 
 

@@ -9,6 +9,8 @@ from rigidsym.fitting.problem import Problem
 _BLOCK = 1 << 16
 _FIRST, _MORE, _LESS, _LEAST, _MOST = 1e-2, 10.0, 0.2, 1e-10, 1e8
 _SMALL = 1e-9
+# A step that gains less of chi2 is the last.
+_GAIN = 1e-5
 # A step may change shapes by a factor e^2, and turn by no more rad.
 _LONGEST = 2.0
 
@@ -50,7 +52,7 @@ def _refined(problem: Problem, point: Point, rounds: int, robust: bool) -> tuple
         damping[going] *= np.where(better, _LESS, _MORE)
         np.maximum(damping, _LEAST, out=damping)
         still = damping[going] < _MOST
-        still[better] &= gain > _SMALL * (1 + cost[row])
+        still[better] &= gain > _GAIN * (1 + cost[row])
         going = going[still]
     return fields, cost
 

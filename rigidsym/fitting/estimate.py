@@ -37,7 +37,7 @@ def fit(
     starts: int = STARTS,
     fastest: float | None = None,
     delta_chi2: float = DELTA_CHI2,
-    engine: str = "numpy",
+    engine: str = "c",
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Fit:
     """The free motion that observations show, its errors, and the other motions that they allow.
@@ -101,7 +101,7 @@ def fit(
     else:
         found = [local(posed, _start(guess, known), loss)]
     best, *others = found
-    only = spin(posed, best, loss) if posed.parameters.shape and best.converged else None
+    only = spin(posed, best, loss) if posed.parameters.shape else None
     chosen = only or best
     alternatives = [_alternative(posed, x, size) for x in others]
     return Fit(

@@ -15,10 +15,10 @@ from rigidsym.fitting import report
 from rigidsym.fitting.observability import Observability, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
-from rigidsym.fitting.periods import Periods, periods
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.rotations import matrices
 from rigidsym.fitting.states import sensitivities
+from rigidsym.fitting.tumbling import Periods, periods
 from rigidsym.motion import TorqueFreeMotion
 
 if TYPE_CHECKING:

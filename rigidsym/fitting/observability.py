@@ -49,9 +49,11 @@ class Observability:
 
 
 def observability(problem: Problem, point: Point) -> Observability:
-    """At a minimum."""
+    """At a minimum; nothing is told where the motion has no states."""
     residuals, slopes = problem.linearised(point, problem.parameters.linear(point))
     natural = problem.parameters.natural(point, problem.span)
+    if not np.isfinite(residuals).all() or not np.isfinite(slopes).all():
+        slopes = np.zeros_like(slopes)
     rows = np.vstack([slopes * natural, np.zeros((len(natural), len(natural)))])
     _, sizes, right = np.linalg.svd(rows, full_matrices=False)
     told = sizes > _TOLD
