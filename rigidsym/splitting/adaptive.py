@@ -12,8 +12,9 @@ from rigidsym.splitting.trajectory import Trajectory
 
 # The first step, which is halved, of the fastest body, rad.
 _FIRST = 1.0
-_MOST_HALVINGS = 40
-# So many in a row that better nothing: rounding, or chaos, is as large.
+_MOST_HALVINGS = 24
+# So many in a row that gain less than half: errors fall by four in the limit of short steps, unless
+# rounding, noise or chaos is as large.
 _IN_VAIN = 4
 
 
@@ -31,9 +32,10 @@ def chosen(splitting: Splitting, start: State, times: np.ndarray, tolerance: flo
         error = gap(*runs) / (2**splitting.method.order - 1)
         if error <= tolerance:
             return replace(runs[1], error=error)
+        in_vain = 0 if error < _error(best) / 2 else in_vain + 1
         if error < _error(best):
-            best, in_vain = replace(runs[1], error=error), 0
-        elif (in_vain := in_vain + 1) == _IN_VAIN:
+            best = replace(runs[1], error=error)
+        if in_vain == _IN_VAIN:
             break
     refused = PrecisionError(
         f"tolerance = {tolerance:g}: no step reaches it, the best is {best.step:g} s with "
