@@ -45,6 +45,7 @@ CHAPTERS = (
     "edges",
     "addition_form",
     "rate_sensitivities",
+    "integral_sensitivities",
     "attitude_sensitivities",
     "sensitivity_columns",
     "attitude_columns",

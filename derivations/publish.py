@@ -188,6 +188,13 @@ FORMS: dict[str, list[Entry]] = {
     ],
     "fourier": definitions("fourier_terms", "a", "DLMF 20.5.13", "DLMF 22.11"),
     "fourier_rest": definitions("fourier_phase", "e a rest_k", "33", "34"),
+    "turned_body": definitions(
+        "turned_attitude", "M1 M2 M3 dM1 dM2 dM3 xi1 xi2 xi3 dq0 dq1 dq2 dq3", "3"
+    ),
+    "fourth_powers": definitions("fourth_powers", "U_t V_t W_t", "10"),
+    "elapsed_slopes": definitions(
+        "varied_integrals", "S_k C_k D_k E_k F_k S_r C_r D_r E_r F_r", "10"
+    ),
     "sine": [
         *definitions("one_rate", "H K_squared", "6", "15"),
         *definitions("one_rate", "alpha root_j root_k", "13", "14"),

@@ -112,6 +112,12 @@ INPUTS = {
     "fourier": ("e", "x"),
     "fourier_rest": ("x", "rho", "sinh_b", "k"),
     "periods": ("n", "m_c", "mu", "psi_0", "kappa"),
+    "turned_body": (
+        *(f"{x}{k}" for x in ("c", "dc", "Omega", "dOmega", "l") for k in range(1, 4)),
+        *("K", "s", "q0", "q1", "q2", "q3"),
+    ),
+    "fourth_powers": ("p", "r", "S_t", "C_t", "D_t", "E_t", "F_t", "t"),
+    "elapsed_slopes": ("p", "r", *(f"{x}_t" for x in "SCDEFUVW")),
     "sine": (*(f"c_{i}" for i in "ijk"), *(f"Omega_{i}" for i in "ijk"), "half"),
     "sine_state": ("zeta", "xi", "C_i", "mu", "t"),
     "theorem1": ("c1", "c2", "c3", "Omega1", "Omega2", "Omega3", "zeta", "xi", "C_1", "mu"),
