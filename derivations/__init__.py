@@ -43,6 +43,7 @@ CHAPTERS = (
     "periods",
     "edges",
     "addition_form",
+    "step_form",
     "rate_sensitivities",
     "attitude_sensitivities",
     "steady",
