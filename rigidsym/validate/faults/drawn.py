@@ -18,6 +18,7 @@ from rigidsym.codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines
 from rigidsym.codegen.special_functions import angles
 from rigidsym.codegen.targets.c import emit as c
+from rigidsym.codegen.targets.c import module
 from rigidsym.codegen.targets.numpy import emit as numpy
 from rigidsym.language.expression import (
     Call,
@@ -125,7 +126,8 @@ def _printer(target: str) -> _Printer:
     changing = c.changing(_functions(form))
 
     def lines(function: Function) -> Lines:
-        return c.pieces(function, changing)[0]
+        printed = c.pieces(function, changing)[0]
+        return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
 
     def first_line(function: Function) -> str:
         return next(line for line in lines(function).text if line.startswith("static "))
