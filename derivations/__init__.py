@@ -40,6 +40,7 @@ CHAPTERS = (
     "theta_edges",
     "theta_functions",
     "pi_form",
+    "fourier_form",
     "periods",
     "edges",
     "addition_form",

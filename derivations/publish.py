@@ -8,6 +8,7 @@ same with every theta as a function of its own, `hyperbolic` and `hyperbolic_sta
 complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lead to all of them
 without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral of the third kind,
 far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
+`fourier` are coefficients of Fourier series, `fourier_rest` those of psi/2.
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
@@ -182,9 +183,11 @@ SEQUENCES: dict[str, list[Entry]] = {
 # Forms for readers, and for oracles that have no other use of them: no flown number rests on these.
 FORMS: dict[str, list[Entry]] = {
     "periods": [
-        *readings("period_functions", "K_1 J_c", "36"),
-        *definitions("period_functions", "period psi_mean", "10", "34"),
+        *readings("period", "K_1 J_c", "36"),
+        *definitions("period", "period psi_mean", "10", "34"),
     ],
+    "fourier": definitions("fourier_terms", "a", "DLMF 20.5.13", "DLMF 22.11"),
+    "fourier_rest": definitions("fourier_phase", "e a rest_k", "33", "34"),
     "sine": [
         *definitions("one_rate", "H K_squared", "6", "15"),
         *definitions("one_rate", "alpha root_j root_k", "13", "14"),

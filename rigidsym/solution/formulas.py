@@ -13,6 +13,7 @@ from typing import Any, TypedDict
 
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_data, sealed_text, specification_text
+from rigidsym.language import specification
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -108,6 +109,8 @@ INPUTS = {
         *(f"c_{x}" for x in AXES),
         *("epsilon", "sigma", "K", *(f"qbar_{x}" for x in ("0", *AXES))),
     ),
+    "fourier": ("e", "x"),
+    "fourier_rest": ("x", "rho", "sinh_b", "k"),
     "periods": ("n", "m_c", "mu", "psi_0", "kappa"),
     "sine": (*(f"c_{i}" for i in "ijk"), *(f"Omega_{i}" for i in "ijk"), "half"),
     "sine_state": ("zeta", "xi", "C_i", "mu", "t"),
@@ -236,7 +239,7 @@ def load(text: str) -> Solution:
     try:
         facts = {fact["id"]: fact for fact in data["facts"]}
         contexts = {context["name"]: context for context in data["contexts"]}
-        published = {**data["published"]["sequences"], **data["published"].get("forms", {})}
+        published = specification.sequences(data)
         sequences = {
             name: tuple(_formula(entry, facts, contexts) for entry in published[name])
             for name in INPUTS
