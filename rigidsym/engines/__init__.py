@@ -6,6 +6,7 @@ to have.
 
 from rigidsym.engines.arrays import SIZES, is_lenient
 from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly
+from rigidsym.engines.numpy_engine import NumpySensitivities
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
 
 __all__ = [
@@ -14,6 +15,7 @@ __all__ = [
     "SIZES",
     "Engine",
     "EngineError",
+    "NumpySensitivities",
     "Outputs",
     "Prepared",
     "States",

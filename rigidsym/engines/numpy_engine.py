@@ -1,7 +1,7 @@
 """The engine on the generated NumPy module: works everywhere, one compiler less to trust."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol, TypedDict
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays
-from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, States
 from rigidsym.generated import torque_free
 
 # Bodies at a time: a prepared motion takes 4 KB of memory for each while it is made.
@@ -30,6 +30,7 @@ class Prepared(TypedDict):
     axes: np.ndarray
     q0: np.ndarray
     omega0: np.ndarray
+    moment_unit: np.ndarray
     groups: list[tuple[str, np.ndarray, dict[str, np.ndarray]]]
 
 
@@ -83,9 +84,11 @@ class NumpyEngine:
     ) -> Prepared:
         """See `Engine`."""
         # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_inputs import exact_inputs
+        from rigidsym.engines.exact_inputs import exact_inputs, moment_unit
 
-        return self.module.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
+        given = exact_inputs(inertia, omega0, attitude0)
+        prepared = self.module.prepare_from_double_doubles(*given)
+        return {**prepared, "moment_unit": np.array([moment_unit(inertia)])}
 
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
@@ -124,18 +127,33 @@ class NumpyEngine:
         q, omega = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
         t, count = arrays.rows_of_times(t, shape), math.prod(shape)
         rows = q.reshape(count, t.shape[1], 4), omega.reshape(count, t.shape[1], 3)
-        whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
-        for first in range(0, count, _BODIES):
-            some = slice(first, first + _BODIES)
-            index = np.unravel_index(range(count)[some], shape) if shape else ()
-            bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
-            try:
-                prepared = self.module.prepare(*bodies, errors)
-                times = t[some] if len(t) > 1 else t[0]
-                self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
-            except ValueError as error:
-                raise _of_batch(error, first) from None
+
+        def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
+            self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
+
+        _in_blocks(self.module, given, t, shape, errors, run)
         return q, omega
+
+
+def _in_blocks(
+    module: Module,
+    given: Mapping[str, np.ndarray],
+    t: np.ndarray,
+    shape: tuple[int, ...],
+    errors: str,
+    run: Callable[[Prepared, np.ndarray, slice], None],
+) -> None:
+    """Prepare a block of bodies at a time, and run it at its times."""
+    whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
+    for first in range(0, math.prod(shape), _BODIES):
+        some = slice(first, first + _BODIES)
+        index = np.unravel_index(range(math.prod(shape))[some], shape) if shape else ()
+        bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
+        try:
+            prepared = module.prepare(*bodies, errors)
+            run(prepared, t[some] if len(t) > 1 else t[0], some)
+        except ValueError as error:
+            raise _of_batch(error, first) from None
 
 
 def _of_batch(error: ValueError, first: int) -> EngineError:
@@ -143,3 +161,41 @@ def _of_batch(error: ValueError, first: int) -> EngineError:
     field, _, rule = str(error).partition(": ")
     body, time = getattr(error, "body", None), getattr(error, "time", None)
     return EngineError(field, rule, None if body is None else first + body, time)
+
+
+class NumpySensitivities:
+    """What states change by, by the module of the theta form, as arrays of `Sensitivities`."""
+
+    def sensitivities(
+        self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
+    ) -> Sensitivities:
+        """States at times as `NumpyEngine.states` has them, and what they change by."""
+        return torque_free.sensitivities(prepared, t, errors)
+
+    def propagate_sensitivities(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
+        errors: str = "raise",
+    ) -> Sensitivities:
+        """The same of many bodies, whose leading shapes broadcast as in `Engine.propagate`."""
+        given = arrays.named(inertia, omega0, attitude0)
+        arrays.is_lenient(errors)
+        t = np.asarray(t, float)
+        shape = arrays.batch(given, t)
+        found = arrays.sensitivities((*shape, *t.shape[-1:]))
+        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        rows = [
+            x.reshape(count, t.shape[1], *last)
+            for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
+        ]
+
+        def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
+            block = torque_free.sensitivities(prepared, times, errors)
+            for row, values in zip(rows, block, strict=True):
+                row[some] = values
+
+        _in_blocks(torque_free, given, t, shape, errors, run)
+        return found

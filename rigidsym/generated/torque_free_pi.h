@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  20 %  follow facts of the ledger, each named on its line
-    317  21 %  follow classical formulas, each with its reference
-     69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    829  55 %  are the runtime, written by hand
+    299  18 %  follow facts of the ledger, each named on its line
+    317  19 %  follow classical formulas, each with its reference
+     69   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1006  59 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest df3bd145d53558883dadd41f198b608267f1909c30cf031dab49da265f8b7777
+digest be8a5b2aac0671e4d4da5e2bc5dd5573f7b4f5461b13b167b7cc032d8c0a6fee
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -93,7 +93,8 @@ enum {
                                    about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
     TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
-    TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
 };
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
@@ -105,6 +106,8 @@ typedef struct {
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
     union {
         torque_free_circular circular;
         torque_free_hyperbolic hyperbolic;

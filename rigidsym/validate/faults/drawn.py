@@ -94,7 +94,7 @@ def _functions() -> tuple[Function, ...]:
 
 
 def _c_lines(function: Function) -> Lines:
-    return c.pieces(function, c.changing(_functions()))[0]
+    return c.pieces(function, c.kept(_functions()))[0]
 
 
 def _c_begins(function: Function) -> str:
