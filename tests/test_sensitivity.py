@@ -1,4 +1,4 @@
-"""Sensitivities of motions: shapes, frames, and every stratum against differences of many digits."""
+"""Sensitivities of motions: shapes, frames, and strata against differences of many digits."""
 
 from fractions import Fraction
 
@@ -54,7 +54,7 @@ def test_states_are_those_of_a_call():
 def test_the_columns_of_the_time_are_the_equations_of_motion():
     inertia, omega0 = PAPER
     one = TorqueFreeMotion(inertia, omega0, (2, -1, 3, 1))
-    q, omega, found = one.sensitivity(7.0)
+    _, omega, found = one.sensitivity(7.0)
     momentum = np.array(inertia) * omega
     torque = np.cross(momentum, omega) / inertia
     assert np.allclose(found.rates_t, torque, rtol=1e-14, atol=0)

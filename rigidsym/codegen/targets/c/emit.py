@@ -96,8 +96,8 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     """All functions in order, over double-doubles; `_discriminant` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
-    constants = kept(functions)
-    return [Lines(head, {}), *(part for f in functions for part in pieces(f, constants))]
+    still = kept(functions)
+    return [Lines(head, {}), *(part for f in functions for part in pieces(f, still))]
 
 
 def kept(functions: Iterable[Function]) -> frozenset[tuple[str, str]]:
