@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from scipy.spatial.transform import Rotation
     from xarray import Dataset
 
+    from rigidsym.engines.sensitivities import Sensitive
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.precise.evaluation import State
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
-_OF_THIS_PROCESS = ("_prepared", "_sensitive", "_engine", "_precise", "_boxed", "_quantities")
+_OF_THIS_PROCESS = ("_prepared", "_in_doubles", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
 Value = TypeVar("Value")
@@ -195,13 +196,21 @@ class TorqueFreeMotion:
         >>> S.attitude.shape, S.rates_t.shape
         ((2, 3, 9), (2, 3))
         """
-        run, prepared, times = (
-            engines.NumpySensitivities().sensitivities,
-            self._sensitive,
-            _times(t, errors),
+        prepared, times = self._prepared, _times(t, errors)
+        found = _refusing(
+            lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
+            t=times,
+            errors=errors,
+            engine=self.engine,
         )
-        found = _refusing(lambda: run(prepared, times, errors), t=times, errors=errors)
-        return found[0], found[1], Sensitivity(*found[2:])
+        q, omega, attitude, rates, attitude_t, rates_t = found
+        if not self._in_doubles:
+            # Exact moments were divided by this.
+            from rigidsym.engines.exact_inputs import moment_unit
+
+            for columns in (attitude, rates):
+                columns[..., 6:] /= moment_unit(self.exact["inertia"])
+        return q, omega, Sensitivity(attitude, rates, attitude_t, rates_t)
 
     def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
         """(..., 6, 6): what a small turn in space and a change of the rates at t0 (s) are at t.
@@ -254,18 +263,22 @@ class TorqueFreeMotion:
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
-    def _sensitive(self) -> engines.Prepared:
-        return (self if self.engine == "numpy" else self.replace(engine="numpy"))._prepared
+    def _in_doubles(self) -> dict[str, tuple[float, ...]]:
+        """Inertia, omega0 and attitude0 by name where doubles say all of them."""
+        if self._floats:
+            return self._floats
+        given = self.exact
+        doubles = {n: tuple(inputs.doubles(n, values)) for n, values in given.items()}
+        same = all(tuple(map(Fraction, doubles[n])) == given[n] for n in given)
+        return doubles if same else {}
 
     @cached_property
     def _prepared(self) -> engines.Prepared:
-        if floats := self._floats:
-            return _refusing(lambda: self._engine.prepare(*floats.values()), **floats)
+        if doubles := self._in_doubles:
+            return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
         given = self.exact
-        doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
-        if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
-            return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **doubles)
-        return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
+        said = {name: inputs.doubles(name, values) for name, values in given.items()}
+        return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **said)
 
     @property
     def regime(self) -> "Regime":
@@ -526,10 +539,18 @@ def propagate(
     if inputs.is_true("sensitivity", sensitivity):
         if out is not None:
             raise InputError("out", "given", "sensitivities have arrays of their own")
-        every = engines.NumpySensitivities().propagate_sensitivities
-        found = _refusing(lambda: every(*arguments, times, errors), **said)
+        found = _refusing(
+            lambda: _sensitive(chosen).propagate(*arguments, times, errors), engine=engine, **said
+        )
         return found[0], found[1], Sensitivity(*found[2:])
     return _refusing(lambda: chosen.propagate(*arguments, times, out, errors), **said)
+
+
+def _sensitive(engine: engines.Engine) -> "Sensitive":
+    # Here, because who asks for states alone needs nothing of it.
+    from rigidsym.engines.sensitivities import sensitive
+
+    return sensitive(engine)
 
 
 def _objects(

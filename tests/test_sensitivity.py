@@ -7,6 +7,7 @@ import pytest
 from sensitivity_oracle import differences, errors
 
 from rigidsym import InputError, TorqueFreeMotion, propagate
+from rigidsym.engines import ENGINES
 from rigidsym.validate.strata.table import STRATA, draw
 
 PAPER = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
@@ -27,13 +28,15 @@ def test_columns_are_those_of_differences(stratum):
     inertia, omega0, attitude0 = sample.exact
     for t in sample.times[:2]:
         true = differences(inertia, omega0, attitude0, Fraction(t), 340)
-        found = motion(sample).sensitivity(t)[2]
-        assert max(errors(found, true, inertia, omega0)) < BOUND
+        for engine in ENGINES:
+            found = motion(sample, engine).sensitivity(t)[2]
+            assert max(errors(found, true, inertia, omega0)) < BOUND, engine
 
 
-def test_at_the_start_changes_are_those_given():
+@pytest.mark.parametrize("engine", ENGINES)
+def test_at_the_start_changes_are_those_given(engine):
     for stratum in ("paper", "separatrix", "sphere", "spin", "rest", "symmetric"):
-        _, _, found = motion(draw(stratum, 0, 1)).sensitivity([0.0, -0.0])
+        _, _, found = motion(draw(stratum, 0, 1), engine).sensitivity([0.0, -0.0])
         for part in (0, 1):
             start = found.transition[part]
             assert np.array_equal(start, np.eye(6))
@@ -41,8 +44,9 @@ def test_at_the_start_changes_are_those_given():
             assert not found.rates[part, :, 6:].any()
 
 
-def test_states_are_those_of_a_call():
-    one = TorqueFreeMotion(*PAPER)
+@pytest.mark.parametrize("engine", ENGINES)
+def test_states_are_those_of_a_call(engine):
+    one = TorqueFreeMotion(*PAPER, engine=engine)
     times = np.linspace(-50, 300, 37)
     q, omega, found = one.sensitivity(times)
     assert np.array_equal(q, one(times)[0])
@@ -73,25 +77,27 @@ def test_transitions_compose():
     assert np.array_equal(one.state_transition(5.0, 5.0), np.eye(6))
 
 
-def test_a_batch_is_its_bodies():
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_batch_is_its_bodies(engine):
     random = np.random.default_rng(3)
     inertia = random.uniform(2, 3, (4, 3))
     inertia[3] = (2.0, 2.0, 2.0)
     omega0 = random.normal(size=(4, 3))
     omega0[2] = 0.0
     for t in (3.0, np.array([1.0, -2.0]), np.array([[1.0], [2.0], [0.0], [4.0]])):
-        q, omega, found = propagate(inertia, omega0, t, sensitivity=True)
+        q, omega, found = propagate(inertia, omega0, t, engine=engine, sensitivity=True)
         for k in range(4):
             times = t[k] if np.ndim(t) == 2 else t
-            alone = TorqueFreeMotion(inertia[k], omega0[k]).sensitivity(times)
+            alone = TorqueFreeMotion(inertia[k], omega0[k], engine=engine).sensitivity(times)
             assert np.array_equal(q[k], alone[0])
             assert np.array_equal(omega[k], alone[1])
             for name in ("attitude", "rates", "attitude_t", "rates_t"):
                 assert np.array_equal(getattr(found, name)[k], getattr(alone[2], name))
 
 
-def test_what_grows_beyond_binary64_is_refused():
-    spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0))
+@pytest.mark.parametrize("engine", ENGINES)
+def test_what_grows_beyond_binary64_is_refused(engine):
+    spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0), engine=engine)
     assert np.isfinite(spin.sensitivity(500.0)[2].rates).all()
     with pytest.raises(InputError, match=r"t\[1\] = 10000\.0: .*squares of changes leave binary64"):
         spin.sensitivity([1.0, 1e4])

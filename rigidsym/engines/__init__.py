@@ -6,7 +6,6 @@ to have.
 
 from rigidsym.engines.arrays import SIZES, is_lenient
 from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly
-from rigidsym.engines.numpy_engine import NumpySensitivities
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
 
 __all__ = [
@@ -15,7 +14,6 @@ __all__ = [
     "SIZES",
     "Engine",
     "EngineError",
-    "NumpySensitivities",
     "Outputs",
     "Prepared",
     "States",

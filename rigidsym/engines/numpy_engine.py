@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays
-from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, States
+from rigidsym.engines.protocol import EngineError, Outputs, States
 from rigidsym.generated import torque_free
 
 # Bodies at a time: a prepared motion takes 4 KB of memory for each while it is made.
@@ -84,11 +84,9 @@ class NumpyEngine:
     ) -> Prepared:
         """See `Engine`."""
         # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_inputs import exact_inputs, moment_unit
+        from rigidsym.engines.exact_inputs import exact_inputs
 
-        given = exact_inputs(inertia, omega0, attitude0)
-        prepared = self.module.prepare_from_double_doubles(*given)
-        return {**prepared, "moment_unit": np.array([moment_unit(inertia)])}
+        return self.module.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
 
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
@@ -131,11 +129,11 @@ class NumpyEngine:
         def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
             self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
 
-        _in_blocks(self.module, given, t, shape, errors, run)
+        in_blocks(self.module, given, t, shape, errors, run)
         return q, omega
 
 
-def _in_blocks(
+def in_blocks(
     module: Module,
     given: Mapping[str, np.ndarray],
     t: np.ndarray,
@@ -161,41 +159,3 @@ def _of_batch(error: ValueError, first: int) -> EngineError:
     field, _, rule = str(error).partition(": ")
     body, time = getattr(error, "body", None), getattr(error, "time", None)
     return EngineError(field, rule, None if body is None else first + body, time)
-
-
-class NumpySensitivities:
-    """What states change by, by the module of the theta form, as arrays of `Sensitivities`."""
-
-    def sensitivities(
-        self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
-    ) -> Sensitivities:
-        """States at times as `NumpyEngine.states` has them, and what they change by."""
-        return torque_free.sensitivities(prepared, t, errors)
-
-    def propagate_sensitivities(
-        self,
-        inertia: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike,
-        t: ArrayLike,
-        errors: str = "raise",
-    ) -> Sensitivities:
-        """The same of many bodies, whose leading shapes broadcast as in `Engine.propagate`."""
-        given = arrays.named(inertia, omega0, attitude0)
-        arrays.is_lenient(errors)
-        t = np.asarray(t, float)
-        shape = arrays.batch(given, t)
-        found = arrays.sensitivities((*shape, *t.shape[-1:]))
-        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
-        rows = [
-            x.reshape(count, t.shape[1], *last)
-            for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
-        ]
-
-        def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
-            block = torque_free.sensitivities(prepared, times, errors)
-            for row, values in zip(rows, block, strict=True):
-                row[some] = values
-
-        _in_blocks(torque_free, given, t, shape, errors, run)
-        return found

@@ -3078,7 +3078,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "eab88a557c7df03fa69152c31e227d773872137d873c02359f65a2f1b6bfc241"; }
+const char *torque_free_digest(void) { return "06bf829af3e81b454e5021daffa290aca1b900636edd0f46e9e3454b53c18f95"; }
 
 const char *torque_free_message(int code)
 {
@@ -3237,15 +3237,18 @@ static void plain_sensitivity(const torque_free_motion *motion, double t, double
         }
 }
 
-/* Whether 27 numbers and 3 are such. */
-static int are_numbers(const double *columns, const double *by_time)
+static int any_lost(size_t n, const double *x)
 {
-    int good = 1;
-    for (int k = 0; k < 27; k++)
-        good &= !isnan(columns[k]);
-    for (int k = 0; k < 3; k++)
-        good &= !isnan(by_time[k]);
-    return good;
+    int lost = 0;
+    for (size_t k = 0; k < n; k++)
+        lost |= isnan(x[k]);
+    return lost;
+}
+
+static void no_numbers(size_t n, double *x)
+{
+    for (size_t k = 0; k < n; k++)
+        x[k] = NAN;
 }
 
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
@@ -3270,8 +3273,13 @@ int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t
                 plain_sensitivity(motion, t[k], attitude + 27 * k, rates + 27 * k);
             for (size_t j = 3 * k; made.at_rest && j < 3 * k + 3; j++)
                 attitude_t[j] = rates_t[j] = 0.0;
-            if (!are_numbers(attitude + 27 * k, attitude_t + 3 * k) || !are_numbers(rates + 27 * k, rates_t + 3 * k))
+            if (any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
+                no_numbers(27, attitude + 27 * k);
+                no_numbers(27, rates + 27 * k);
+                no_numbers(3, attitude_t + 3 * k);
+                no_numbers(3, rates_t + 3 * k);
                 code = TORQUE_FREE_GROWTH;
+            }
         }
     }
     return code;

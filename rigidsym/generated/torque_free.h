@@ -22,7 +22,7 @@ Lines of code:
     430  21 %  follow facts of the ledger, each named on its line
     555  27 %  follow classical formulas, each with its reference
      65   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1006  49 %  are the runtime, written by hand
+   1014  49 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest eab88a557c7df03fa69152c31e227d773872137d873c02359f65a2f1b6bfc241
+digest 06bf829af3e81b454e5021daffa290aca1b900636edd0f46e9e3454b53c18f95
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
