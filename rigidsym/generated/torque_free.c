@@ -3078,7 +3078,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "06bf829af3e81b454e5021daffa290aca1b900636edd0f46e9e3454b53c18f95"; }
+const char *torque_free_digest(void) { return "d8e39b9bc8d740d6c75d0e8e36ed76eb1fcd0bc862b154a7626879b2674605a2"; }
 
 const char *torque_free_message(int code)
 {
@@ -3098,7 +3098,7 @@ const char *torque_free_message(int code)
 }
 
 /* How many sensitivities are computed side by side: each takes some eighty doubles of stack. */
-enum { SENSITIVE = TORQUE_FREE_BLOCK < 16 ? TORQUE_FREE_BLOCK : 16 };
+enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
 typedef struct {
@@ -3255,13 +3255,14 @@ int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t)
 {
+    const size_t most = SENSITIVE;
     sensitive made;
     int code = states_at(motion, n, t, q, omega, 0);
     if (code != TORQUE_FREE_OK)
         return code;
     sensitive_init(motion, &made);
-    for (size_t i = 0; i < n; i += SENSITIVE) {
-        const size_t count = n - i < SENSITIVE ? n - i : SENSITIVE;
+    for (size_t i = 0; i < n; i += most) {
+        const size_t count = n - i < most ? n - i : most;
         double inner[SENSITIVE];
         int zero;
         (void)scaled_times(motion, count, t + i, inner, &zero);

@@ -22,7 +22,7 @@ Lines of code:
     430  21 %  follow facts of the ledger, each named on its line
     555  27 %  follow classical formulas, each with its reference
      65   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1014  49 %  are the runtime, written by hand
+   1015  49 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 06bf829af3e81b454e5021daffa290aca1b900636edd0f46e9e3454b53c18f95
+digest d8e39b9bc8d740d6c75d0e8e36ed76eb1fcd0bc862b154a7626879b2674605a2
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -137,13 +137,13 @@ typedef struct {
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
-    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
-    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
     union {
         torque_free_circular circular;
         torque_free_hyperbolic hyperbolic;
         torque_free_steady steady;
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;

@@ -2184,7 +2184,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "be8a5b2aac0671e4d4da5e2bc5dd5573f7b4f5461b13b167b7cc032d8c0a6fee"; }
+const char *torque_free_digest(void) { return "506bdf464e1bc75e6dd1c08a4137a143223cf7efb4d18269a0d501a18cc8e6fb"; }
 
 const char *torque_free_message(int code)
 {

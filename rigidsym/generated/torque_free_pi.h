@@ -22,7 +22,7 @@ Lines of code:
     299  18 %  follow facts of the ledger, each named on its line
     317  19 %  follow classical formulas, each with its reference
      69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1006  59 %  are the runtime, written by hand
+   1015  60 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest be8a5b2aac0671e4d4da5e2bc5dd5573f7b4f5461b13b167b7cc032d8c0a6fee
+digest 506bdf464e1bc75e6dd1c08a4137a143223cf7efb4d18269a0d501a18cc8e6fb
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -106,13 +106,13 @@ typedef struct {
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
-    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
-    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
     union {
         torque_free_circular circular;
         torque_free_hyperbolic hyperbolic;
         torque_free_steady steady;
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;

@@ -22,11 +22,11 @@ typedef struct {
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
-    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
-    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
     union {
 @branches@
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
