@@ -11,6 +11,8 @@ _Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
 _BODY = (c_void_p,) * 3
 _OUT = (c_void_p,) * 2
 _ARITHMETIC = 8
+# Of the theta form alone.
+_SENSITIVITY = "states_with_sensitivity", (c_void_p, c_size_t, *(c_void_p,) * 7)
 # Name after the prefix, result, arguments.
 _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "digest": (c_char_p, ()),
@@ -47,6 +49,7 @@ class Library:
     states_on_grid: Callable[..., int]
     propagate: Callable[..., int]
     last_time: Callable[..., float]
+    states_with_sensitivity: Callable[..., int] | None
 
 
 def load(path: Path, sources: Mapping[str, str]) -> Library:
@@ -85,7 +88,11 @@ def _functions(shared: ctypes.CDLL, prefix: str) -> Library:
     functions = {name: getattr(shared, f"{prefix}_{name}") for name in _SIGNATURES}
     for name, (result, arguments) in _SIGNATURES.items():
         functions[name].restype, functions[name].argtypes = result, arguments
-    return Library(**functions)
+    name, arguments = _SENSITIVITY
+    more = getattr(shared, f"{prefix}_{name}", None)
+    if more is not None:
+        more.restype, more.argtypes = c_int, arguments
+    return Library(**functions, states_with_sensitivity=more)
 
 
 def _reason(error: Exception, path: Path) -> str:

@@ -1554,6 +1554,7 @@ static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
 static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
+static const double max_real = 0.5; /* 2^-1, of m where the elapsed time has thetas of its own; above, of i times it */
 static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_PI_BLOCK)
@@ -1746,6 +1747,17 @@ static void follow(torque_free_pi_motion *motion, const double_double c[3], cons
         omega[axis[k]] = dd_of(0.0);
 }
 
+/* What sensitivities are made from, where they are asked for. */
+static void keep(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3],
+                 const double_double omega[3], double_double E_b)
+{
+    for (int k = 0; k < 10; k++) {
+        const double_double x = k < 3 ? c[k] : k < 6 ? apart[k - 3] : k < 9 ? omega[k - 6] : E_b;
+        motion->given[2 * k] = x.hi;
+        motion->given[2 * k + 1] = x.lo;
+    }
+}
+
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
    before faint ones were taken for zero. */
 static int init(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
@@ -1776,6 +1788,8 @@ static int init(torque_free_pi_motion *motion, const double_double c[3], const d
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
+    made.moment_unit = 1.0;
+    keep(&made, c, apart, omega, discriminant);
     const double side = side_of(apart, omega, made.axis, discriminant.hi);
     if (side < 0.0) {
         const int first = made.axis[0];
@@ -1829,6 +1843,8 @@ int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inert
     const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_PI_OK; k++)
         motion->omega0[k] = omega0[k];
+    if (code == TORQUE_FREE_PI_OK)
+        motion->moment_unit = ldexp(1.0, c_scale);
     return code;
 }
 
@@ -2140,15 +2156,15 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
 }
 
 int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed)
+                          const double *attitude0, size_t n, const double *t, size_t stride,
+                          double *q, double *omega, int *codes, size_t *failed)
 {
     torque_free_pi_motion motion;
     for (size_t k = 0; k < bodies; k++) {
         double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
         int code = torque_free_pi_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_PI_OK)
-            code = states_at(&motion, n, t, q_k, omega_k, codes != NULL);
+            code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
         else if (codes)
             no_states(n, q_k, omega_k);
         if (codes) {
@@ -2168,7 +2184,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "af162595c7ce3777d223e514d60bed04f0004749eaa66255c8ee16bbee3a6557"; }
+const char *torque_free_pi_digest(void) { return "9c2938fedeb4e517c49d01bd3413d1975863dfa57e624ee98bc2a746a3b77d2c"; }
 
 const char *torque_free_pi_message(int code)
 {
@@ -2181,6 +2197,7 @@ const char *torque_free_pi_message(int code)
     case TORQUE_FREE_PI_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_PI_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_PI_RATES: return "omega0: rates beyond what binary64 can hold";
+    case TORQUE_FREE_PI_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_PI_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }

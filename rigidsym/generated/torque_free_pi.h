@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  20 %  follow facts of the ledger, each named on its line
-    317  21 %  follow classical formulas, each with its reference
-     69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    829  55 %  are the runtime, written by hand
+    299  18 %  follow facts of the ledger, each named on its line
+    317  19 %  follow classical formulas, each with its reference
+     69   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1015  60 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest af162595c7ce3777d223e514d60bed04f0004749eaa66255c8ee16bbee3a6557
+digest 9c2938fedeb4e517c49d01bd3413d1975863dfa57e624ee98bc2a746a3b77d2c
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_PI_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_pi_state_at needs 3 KB.
@@ -93,7 +93,8 @@ enum {
                                    about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_PI_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
     TORQUE_FREE_PI_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
-    TORQUE_FREE_PI_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_PI_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_PI_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
 };
 
 /* The constants of one motion; written by torque_free_pi_motion_init, read by all others. */
@@ -110,6 +111,8 @@ typedef struct {
         torque_free_pi_hyperbolic hyperbolic;
         torque_free_pi_steady steady;
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_pi_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
@@ -146,12 +149,14 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
 
 /* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
+   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n where
+   t is t[bodies][n].
    codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
    NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed);
+                          const double *attitude0, size_t n, const double *t, size_t stride,
+                          double *q, double *omega, int *codes, size_t *failed);
 
 /* The largest |t| (s) that a motion has states for. */
 double torque_free_pi_last_time(const torque_free_pi_motion *motion);
