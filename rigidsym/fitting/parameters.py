@@ -18,6 +18,8 @@ from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotate
 _SHAPES = np.array([[1.0, 1.0], [-1.0, 1.0], [0.0, -2.0]]) / np.sqrt([2.0, 6.0])
 # Of the sum of the second moments: flatter bodies are not told from flat ones.
 _THINNEST = 1e-12
+# What a start has to have of them: logarithms hardly leave flat bodies.
+_INNER = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +102,16 @@ class Parameters:
             found = replace(found, mount=product(turn, found.mount))
         return found
 
+    def inner(self, point: Point) -> Point:
+        """The point, or one beside it from which its shape can move."""
+        if not self.shape:
+            return point
+        own, total = _second_moments(point.moments)
+        share = np.maximum(own / total, _INNER)
+        moved = total * (1 - share / np.sum(share, axis=-1, keepdims=True))
+        thin = np.any(own / total < _INNER, axis=-1, keepdims=True)
+        return replace(point, moments=np.where(thin, moved, point.moments))
+
     def own(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
         """How (eta0, omega0, moments) and the turn of the axes, 12 rows, go with the parameters.
 
@@ -156,6 +168,7 @@ def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
     own, total = _second_moments(moments)
     log = np.log(own) + x @ _SHAPES.T
     share = np.exp(log - np.max(log, axis=-1, keepdims=True))
+    share = np.maximum(share / np.sum(share, axis=-1, keepdims=True), _THINNEST)
     return total * (1 - share / np.sum(share, axis=-1, keepdims=True))
 
 
