@@ -67,8 +67,10 @@ POINTS = [
 
 def derive(book: Book) -> None:
     """The rates, psi and its mean; then the same for the functions; then the solid angle."""
-    motion = (*MOTION, half_angle("psi", "psi_rate"), SHIFT, COMPLETE)
+    motion = (*MOTION, half_angle("psi", "psi_rate"), COMPLETE)
     book.open(join("period", *motion, LATER))
+    book.model("period", "descended")
+    book.carry("period", ["descended.solution"])
     book.claim("period.duration", {"period": "4*quarter/lambda_"}, ["10"])
     rates = {
         "sigma*A_a*dn_later": "Omega_a",
@@ -77,8 +79,8 @@ def derive(book: Book) -> None:
     }
     book.claim("period.rates", rates, ["10"])
     book.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
-    _functions(book, motion)
-    _mean_rate(book, motion)
+    _functions(book, (*motion, SHIFT))
+    _mean_rate(book, (*motion, SHIFT))
     _solid_angle(book)
 
 

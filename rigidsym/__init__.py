@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic, symbolic
+    from rigidsym.splitting import Trajectory, integrate
 
 __all__ = [
     "Generated",
@@ -27,9 +28,11 @@ __all__ = [
     "Regime",
     "Symbolic",
     "TorqueFreeMotion",
+    "Trajectory",
     "__version__",
     "fit",
     "generate",
+    "integrate",
     "plan",
     "principal_axes",
     "propagate",
@@ -45,8 +48,10 @@ _HOMES = {
     "Regime": "rigidsym.solution.polhode",
     "Symbolic": "rigidsym.solution.symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
+    "Trajectory": "rigidsym.splitting",
     "fit": "rigidsym.fitting",
     "generate": "rigidsym.codegen",
+    "integrate": "rigidsym.splitting",
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",

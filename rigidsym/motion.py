@@ -464,7 +464,10 @@ def propagate(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
-    Leading shapes broadcast, attitude0 (..., 4) among them; all numbers are float64.  `out` is a
+    Leading shapes broadcast, those of attitude0 (..., 4) and t (..., N) among them; all numbers are
+    float64.  So t (N,) are times of all bodies, t (B, N) a row for each, t (B, 1) one time for
+    each; a number is a time of all, and its states (B, 4) and (B, 3).  Arrays of float64 in one
+    piece of memory are read where they are.  `out` is a
     pair of arrays of the shapes returned, to fill, which share no memory with each other or an
     input.  errors: "raise" InputError for the first body or time that is refused, named by its
     index, or "nan" for their states.  degrees: omega0 is in deg/s.  Units, conventions and engines
@@ -476,7 +479,7 @@ def propagate(
     if inputs.is_true("degrees", degrees):
         given["omega0"] = np.deg2rad(given["omega0"])
     bodies = {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
-    run, times = engines.engine(engine).propagate, _times(t, errors)
+    run, times = engines.engine(engine).propagate, batches.array("t", t, lenient)
     return _refusing(
         lambda: run(*(given | bodies).values(), times, out, errors),
         **given,
@@ -535,6 +538,8 @@ def _named(
     """A field, with the index of the body in a batch or of the time; its value; and the rule."""
     value = given.get(field, "as given")
     if field == "t":
+        if isinstance(value, np.ndarray) and value.ndim > 1:
+            return _of_rows(field, rule, given, body, time)
         where = f" (body {_place(body, given)})" if body is not None and _batch(given) else ""
         if time is not None and isinstance(value, np.ndarray | _Samples) and value.ndim:
             field, value = f"t[{time}]", value[time]
@@ -543,14 +548,26 @@ def _named(
         return field, value, rule
     if body is None:
         return field, f"an array of shape {value.shape}", rule
-    rows = np.broadcast_to(value, (*_batch(given), value.shape[-1]))
-    return f"{field}[{_place(body, given)}]", rows.reshape(-1, rows.shape[-1])[body], rule
+    return _of_rows(field, rule, given, body)
+
+
+def _of_rows(
+    field: str, rule: str, given: Given, body: int | None, time: int | None = None
+) -> tuple[str, object, str]:
+    """The same for a field that is an array with a row for each body."""
+    value = np.asarray(given[field])
+    if body is None:
+        return field, f"an array of shape {value.shape}", rule
+    shape, which = _batch(given), () if time is None else (time,)
+    place = *np.unravel_index(body, shape), *which
+    row = np.broadcast_to(value, (*shape, value.shape[-1]))[place]
+    return f"{field}[{', '.join(map(str, place))}]", row, rule
 
 
 def _batch(given: Given) -> tuple[int, ...]:
     """The leading shape of a batch; () for one motion."""
-    bodies = (given[name] for name in engines.SIZES if name in given)
-    return np.broadcast_shapes(*(np.shape(x)[:-1] for x in bodies if not isinstance(x, _Samples)))
+    arrays = (given[name] for name in (*engines.SIZES, "t") if name in given)
+    return np.broadcast_shapes(*(np.shape(x)[:-1] for x in arrays if not isinstance(x, _Samples)))
 
 
 def _place(body: int, given: Given) -> str:

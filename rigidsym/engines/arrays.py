@@ -1,5 +1,6 @@
 """Arrays as engines take and give them: times, batches of bodies, and outputs."""
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -46,24 +47,36 @@ def in_one_piece(array: np.ndarray) -> np.ndarray:
     return array if whole else array.copy(order="C")
 
 
-def batch(given: Mapping[str, np.ndarray]) -> tuple[int, ...]:
-    """The shape that the leading shapes of inertia, omega0 and attitude0 broadcast to."""
+def batch(given: Mapping[str, np.ndarray], t: np.ndarray) -> tuple[int, ...]:
+    """The shape that the leading shapes of inertia, omega0, attitude0 and t broadcast to."""
     for name, array in given.items():
         if array.ndim < 1 or array.shape[-1] != SIZES[name]:
             rule = f"shape {array.shape}: the last axis must have {SIZES[name]} numbers"
             raise EngineError(name, rule)
     inertia, omega0, attitude0 = (array.shape[:-1] for array in given.values())
     try:
-        return np.broadcast_shapes(inertia, omega0, attitude0)
+        bodies = np.broadcast_shapes(inertia, omega0, attitude0)
     except ValueError:
         rule = f"leading shapes {omega0} and {attitude0} must broadcast with {inertia} of inertia"
         raise EngineError("omega0, attitude0", rule) from None
+    try:
+        return np.broadcast_shapes(bodies, t.shape[:-1])
+    except ValueError:
+        rule = f"the leading shape must broadcast with {bodies} of the bodies"
+        raise EngineError("t", rule) from None
 
 
 def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """The vectors of a batch one below the other, (B, 3) or (B, 4)."""
     size = array.shape[-1]
-    return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(-1, size))
+    return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(math.prod(shape), size))
+
+
+def rows_of_times(t: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """One row of times for all bodies of a batch, (1, N), or one for each, (B, N)."""
+    if math.prod(t.shape[:-1]) == 1:
+        return in_one_piece(t.reshape(1, t.size))
+    return rows(t, shape)
 
 
 def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States:

@@ -165,11 +165,12 @@ class CEngine:
     ) -> States:
         """See `Engine`; errors have the index of the body, counted through all leading axes."""
         given, lenient = arrays.named(inertia, omega0, attitude0), arrays.is_lenient(errors)
-        shape, t = arrays.batch(given), arrays.times(t)
-        states = arrays.outputs(out, (*shape, *t.shape), t, *given.values())
+        t = np.asarray(t, float)
+        shape = arrays.batch(given, t)
+        states = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
-        count = math.prod(shape)
-        parts = threads.threads(count * (t.size + _PREPARATION))
+        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        parts = threads.threads(count * (t.shape[1] + _PREPARATION))
         if count < parts and not lenient:
             self._one_by_one(bodies, t, states)
         else:
@@ -178,17 +179,18 @@ class CEngine:
 
     def _one_by_one(self, bodies: Mapping[str, np.ndarray], t: np.ndarray, states: States) -> None:
         """Few bodies at many times: threads share the times."""
-        count = len(bodies["inertia"])
-        q, omega = states[0].reshape(count, t.size, 4), states[1].reshape(count, t.size, 3)
-        for k in range(count):
-            self._one(k, bodies, t.reshape(-1), (q[k], omega[k]))
+        sizes = len(bodies["inertia"]), t.shape[1]
+        q, omega = states[0].reshape(*sizes, 4), states[1].reshape(*sizes, 3)
+        for k in range(sizes[0]):
+            self._one(k, bodies, t, (q[k], omega[k]))
 
     def _one(
         self, k: int, bodies: Mapping[str, np.ndarray], t: np.ndarray, out: Outputs = None
     ) -> None:
-        """Body k of a batch by itself; errors have its index."""
+        """Body k of a batch by itself, at its row of times; errors have its index."""
         try:
-            self.states(self.prepare(*(array[k] for array in bodies.values())), t, out)
+            prepared = self.prepare(*(array[k] for array in bodies.values()))
+            self.states(prepared, t[k if len(t) > 1 else 0], out)
         except EngineError as error:
             raise EngineError(error.field, error.rule, k, error.time) from None
 
@@ -203,20 +205,21 @@ class CEngine:
         """Many bodies: threads share the bodies."""
         count = len(bodies["inertia"])
         codes = np.empty(count if lenient else 0, np.intc)
-        rows = [array.ctypes.data for array in (*bodies.values(), *states)]
-        sizes = (3, 3, 4, 4 * t.size, 3 * t.size)
+        rows = [array.ctypes.data for array in (*bodies.values(), t, *states)]
+        times = t.shape[1]
+        stride = times if len(t) > 1 else 0
+        sizes = (3, 3, 4, stride, 4 * times, 3 * times)
 
         def part(begin: int, end: int) -> int | None:
             failed = ctypes.c_size_t(0)
-            *given, q, omega = _offset(rows, begin, sizes)
+            *given, own, q, omega = _offset(rows, begin, sizes)
             told = codes[begin:].ctypes.data if lenient else None
-            times = t.size, t.ctypes.data
             code = self._library.propagate(
-                end - begin, *given, *times, q, omega, told, addressof(failed)
+                end - begin, *given, times, own, stride, q, omega, told, addressof(failed)
             )
             return begin + failed.value if code else None
 
-        count, piece = len(bodies["inertia"]), max(1, threads.PIECE // (t.size + _PREPARATION))
+        piece = max(1, threads.PIECE // (times + _PREPARATION))
         for body in threads.in_parts(part, count, parts, piece):
             if body is not None:
                 # Once more, because a prepared motion knows which times are too late.

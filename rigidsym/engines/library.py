@@ -21,7 +21,10 @@ _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "state_at": (c_int, (c_void_p, c_double, *_OUT)),
     "states_at": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT)),
     "states_on_grid": (c_int, (c_void_p, c_double, c_double, c_size_t, c_size_t, *_OUT)),
-    "propagate": (c_int, (c_size_t, *_BODY, c_size_t, c_void_p, *_OUT, c_void_p, c_void_p)),
+    "propagate": (
+        c_int,
+        (c_size_t, *_BODY, c_size_t, c_void_p, c_size_t, *_OUT, c_void_p, c_void_p),
+    ),
     "last_time": (c_double, (c_void_p,)),
 }
 

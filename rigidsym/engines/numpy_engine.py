@@ -119,10 +119,11 @@ class NumpyEngine:
         """See `Engine`; prepared motions are made for a block of bodies at a time."""
         given = arrays.named(inertia, omega0, attitude0)
         arrays.is_lenient(errors)
-        shape, t = arrays.batch(given), arrays.times(t)
-        q, omega = arrays.outputs(out, (*shape, *t.shape), t, *given.values())
-        count = math.prod(shape)
-        rows = q.reshape(count, *t.shape, 4), omega.reshape(count, *t.shape, 3)
+        t = np.asarray(t, float)
+        shape = arrays.batch(given, t)
+        q, omega = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
+        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        rows = q.reshape(count, t.shape[1], 4), omega.reshape(count, t.shape[1], 3)
         whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
         for first in range(0, count, _BODIES):
             some = slice(first, first + _BODIES)
@@ -130,7 +131,8 @@ class NumpyEngine:
             bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
             try:
                 prepared = self.module.prepare(*bodies, errors)
-                self.module.states(prepared, t, (rows[0][some], rows[1][some]), errors)
+                times = t[some] if len(t) > 1 else t[0]
+                self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
             except ValueError as error:
                 raise _of_batch(error, first) from None
         return q, omega

@@ -73,5 +73,9 @@ class Engine(Protocol):
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:
-        """(q, omega) of many bodies whose leading shapes broadcast: (..., N, 4) and (..., N, 3)."""
+        """(q, omega) of many bodies: (..., N, 4) and (..., N, 3).
+
+        Leading shapes broadcast, those of t (..., N) among them: (N,) are times of all bodies,
+        (B, N) a row for each; a scalar t has no N.
+        """
         ...

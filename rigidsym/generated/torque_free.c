@@ -2047,15 +2047,15 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
 }
 
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed)
+                          const double *attitude0, size_t n, const double *t, size_t stride,
+                          double *q, double *omega, int *codes, size_t *failed)
 {
     torque_free_motion motion;
     for (size_t k = 0; k < bodies; k++) {
         double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
         int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = states_at(&motion, n, t, q_k, omega_k, codes != NULL);
+            code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
         else if (codes)
             no_states(n, q_k, omega_k);
         if (codes) {
@@ -2075,7 +2075,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "80aad455b0e1838f0933c4d1eea610dfaf07280eb71de268ed171d318ddafd84"; }
+const char *torque_free_digest(void) { return "1a7feaf54d2707d041d29f9360042e0bb90ffe52ec41cb447af4dd4ef0231fdd"; }
 
 const char *torque_free_message(int code)
 {

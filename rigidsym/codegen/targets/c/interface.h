@@ -60,12 +60,14 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
 
 /* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
+   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n where
+   t is t[bodies][n].
    codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
    NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed);
+                          const double *attitude0, size_t n, const double *t, size_t stride,
+                          double *q, double *omega, int *codes, size_t *failed);
 
 /* The largest |t| (s) that a motion has states for. */
 double torque_free_last_time(const torque_free_motion *motion);

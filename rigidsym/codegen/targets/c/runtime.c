@@ -583,15 +583,15 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
 }
 
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed)
+                          const double *attitude0, size_t n, const double *t, size_t stride,
+                          double *q, double *omega, int *codes, size_t *failed)
 {
     torque_free_motion motion;
     for (size_t k = 0; k < bodies; k++) {
         double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
         int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
         if (code == TORQUE_FREE_OK)
-            code = states_at(&motion, n, t, q_k, omega_k, codes != NULL);
+            code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
         else if (codes)
             no_states(n, q_k, omega_k);
         if (codes) {
