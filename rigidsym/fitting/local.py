@@ -12,7 +12,7 @@ from rigidsym.fitting.problem import Problem
 
 LOSSES = ("linear", "soft_l1", "huber", "cauchy", "arctan")
 _MOST_STEPS = 200
-_TOLERANCES = {"xtol": 1e-12, "ftol": 1e-12, "gtol": 1e-12}
+_TOLERANCES = {"xtol": 1e-10, "ftol": 1e-10, "gtol": 1e-10}
 _NOT_FINITE = "the motion has no states at the times of observation"
 
 
