@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, NoReturn, TypeGuard, TypeVar, Unpack
+from typing import TYPE_CHECKING, Literal, NoReturn, TypeGuard, TypeVar, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -522,6 +522,34 @@ class TorqueFreeMotion:
         return plot(self, times)
 
 
+@overload
+def propagate(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
+    *,
+    engine: str = "numpy",
+    out: tuple[np.ndarray, np.ndarray] | None = None,
+    allow_nonphysical: bool = False,
+    errors: str = "raise",
+    degrees: bool = False,
+    sensitivity: Literal[False] = False,
+) -> tuple[np.ndarray, np.ndarray]: ...
+@overload
+def propagate(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
+    *,
+    engine: str = "numpy",
+    out: None = None,
+    allow_nonphysical: bool = False,
+    errors: str = "raise",
+    degrees: bool = False,
+    sensitivity: Literal[True],
+) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
 def propagate(
     inertia: ArrayLike,
     omega0: ArrayLike,
