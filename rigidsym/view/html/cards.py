@@ -29,7 +29,7 @@ _CELL = "text-align:left;vertical-align:top;padding:.2em .8em .2em 0;background:
 _SCROLL = "overflow-x:auto;overflow-y:hidden"
 # Names beside what they are: words wrap within the width of the page, a wide formula scrolls alone.
 _ENTRIES = "display:grid;grid-template-columns:fit-content(30%) minmax(0,1fr);gap:.2em .8em"
-_ENTRY = "margin:0;padding:0;float:none;width:auto;font-weight:inherit;overflow-wrap:anywhere"
+_ENTRY = "margin:0;padding:0;float:none;width:auto;font-weight:normal;overflow-wrap:anywhere"
 
 
 def card(*children: object) -> str:
