@@ -44,6 +44,7 @@ CHAPTERS = (
     "periods",
     "edges",
     "addition_form",
+    "step_form",
     "rate_sensitivities",
     "integral_sensitivities",
     "attitude_sensitivities",

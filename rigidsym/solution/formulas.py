@@ -79,6 +79,17 @@ INPUTS = {
         *("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j"),
         *("s", "c", "d", "X_re", "X_im"),
     ),
+    "step": (*(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES), "epsilon", "sigma"),
+    "doubling": ("X", "Y", "e_1", "e_2"),
+    "factor": ("h", "z_re", "z_im", "zr_re", "zr_im", "X"),
+    "second_half": (
+        *("X", "Y", "z_re", "z_im", "zr_re", "zr_im", "G_re", "G_im", "square", "R"),
+        *("W_re", "W_im"),
+    ),
+    "step_state": (
+        *("X", "Y", "h", *(f"alpha_{x}" for x in AXES), "l_d", *(f"Omega_{x}0" for x in AXES)),
+        *("R", "N", "G_re", "G_im", "T_re", "T_im", "E_re", "E_im"),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
     "moments": ("epsilon", *(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES)),
     "columns": (*_ALPHA, *(f"Omega_{x}0" for x in AXES)),
