@@ -90,7 +90,7 @@ WIDE, NARROW = Fraction(1, 1000), Fraction(1, 10**6)
 
 @pytest.mark.parametrize("kind", MOTIONS)
 def test_balls_are_hardly_wider_than_what_inputs_leave_open(kind):
-    """To twice where the first order is right to a twentieth: at all times, for parts up to 1e-3."""
+    """To twice, where the first order is right to a twentieth, whatever the time is."""
     seen = 0
     for part, time in ((WIDE, 1), (WIDE, -30), (WIDE, 300), (NARROW, 1000), (NARROW, -30_000)):
         motion = boxed(kind, part)
