@@ -9,8 +9,8 @@ complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lea
 without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral of the third kind,
 far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
 `fourier` are coefficients of Fourier series, `fourier_rest` those of psi/2.
-`step` has the constants of a step from any state, `doubling`, `factor` and `second_half` double a
-time, and `step_state` is the state after it.
+`step` has the constants of a step from any state, `projection`, `doubling` and `second_half` double
+a time, `thirds` are psi after the shortest, and `step_rates` the rates after all.
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
@@ -175,18 +175,22 @@ SEQUENCES: dict[str, list[Entry]] = {
         *facts("step", "zr_re zr_im"),
     ],
     "doubling": definitions("doubling", "inside X_next Y_next", "10"),
-    "factor": [
-        *definitions("turn", "nu_re nu_im rate_re rate_im G_re G_im square", "36"),
+    "projection": definitions(
+        "turn", "nu_re nu_im rate_re rate_im G_re G_im square F_re F_im w_re w_im", "27", "36"
+    ),
+    "thirds": [
+        *definitions("thirds", "square", "36"),
         *facts("thirds", "R N"),
+        *definitions("thirds", "U_re U_im P_re P_im cos_half_psi sin_half_psi", "33", "34"),
     ],
     "second_half": [
-        *definitions("turn", "F_re F_im w_re w_im", "27"),
+        *definitions("second_half", "square", "36"),
+        *facts("second_half", "R"),
         *definitions("second_half", "V_re V_im", "33", "34"),
     ],
-    "step_state": [
+    "step_rates": [
         *definitions("step", "f g", "10"),
         *facts("step", "room Omega_a Omega_b Omega_d"),
-        *definitions("thirds", "U_re U_im P_re P_im cos_half_psi sin_half_psi", "33", "34"),
     ],
     "steady": [
         *facts("steady", "omega"),

@@ -378,6 +378,7 @@ def _halves(book: Book) -> None:
     book.model("halves", "difference", [f"halves.{x}" for x in ("after", "before", "odd")])
     book.carry("halves", ["difference.rates"])
     book.open(join("second_half", TURNED, HALVES))
+    book.root("second_half.R", "R", "G_re**2 + G_im**2", ["36"])
     later = {"D(V_re)": "-after*V_im", "D(V_im)": "after*V_re", "V_re**2 + V_im**2": "1"}
     book.claim("second_half.turn", later, ["33", "34", "36"])
     book.model("halves", "second_half", ["halves.rates"])

@@ -81,14 +81,11 @@ INPUTS = {
     ),
     "step": (*(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES), "epsilon", "sigma"),
     "doubling": ("X", "Y", "e_1", "e_2"),
-    "factor": ("h", "z_re", "z_im", "zr_re", "zr_im", "X"),
-    "second_half": (
-        *("X", "Y", "z_re", "z_im", "zr_re", "zr_im", "G_re", "G_im", "square", "R"),
-        *("W_re", "W_im"),
-    ),
-    "step_state": (
+    "projection": ("h", "z_re", "z_im", "zr_re", "zr_im", "X", "Y"),
+    "thirds": ("G_re", "G_im", "T_re", "T_im", "E_re", "E_im"),
+    "second_half": ("G_re", "G_im", "W_re", "W_im"),
+    "step_rates": (
         *("X", "Y", "h", *(f"alpha_{x}" for x in AXES), "l_d", *(f"Omega_{x}0" for x in AXES)),
-        *("R", "N", "G_re", "G_im", "T_re", "T_im", "E_re", "E_im"),
     ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
     "moments": ("epsilon", *(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES)),
