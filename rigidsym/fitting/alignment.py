@@ -11,12 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from rigidsym.fitting.observations import Attitudes, Directions, Observations
-from rigidsym.fitting.parameters import Point
+from rigidsym.fitting.parameters import IDENTITY, Point
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.states import states
 from rigidsym.quaternions import conjugate, product, rotated
-
-IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 def aligns(sets: tuple[Observations, ...]) -> bool:

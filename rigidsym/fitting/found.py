@@ -192,9 +192,8 @@ class Fit(Alternative):
         every = np.atleast_1d(times)
         q, omega, sensitivity = sensitivities(self._point, every, self.problem.engine)
         seen = self._point.seen(q, omega)
-        rows = observed(self._point, *seen, sensitivity) @ self.problem.parameters.linear(
-            self._point
-        )
+        own = self.problem.parameters.linear(self._point)
+        rows = observed(self._point, *seen, sensitivity, own)
         found = *seen, self.observability.widest(rows)
         return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
 

@@ -1,6 +1,7 @@
 """From a start to the minimum beside it: SciPy's least squares with the derived derivatives."""
 
 from dataclasses import dataclass
+from typing import Any, Literal
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -11,7 +12,7 @@ from rigidsym.fitting.problem import Problem
 
 LOSSES = ("linear", "soft_l1", "huber", "cauchy", "arctan")
 _MOST_STEPS = 200
-_TOLERANCES = {"xtol": 1e-12, "ftol": 1e-12, "gtol": 1e-12}
+_TOLERANCES = {"xtol": 1e-10, "ftol": 1e-10, "gtol": 1e-10}
 _NOT_FINITE = "the motion has no states at the times of observation"
 
 
@@ -41,38 +42,70 @@ def local(
     count less, from one standard deviation on.  within: columns (p, k) of the parameters that may
     move; all of them by default.
     """
+    start = problem.parameters.inner(start)
     basis = np.eye(problem.parameters.count) if within is None else within
-    seen: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
-
-    def evaluated(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        key = z.tobytes()
-        if key not in seen:
-            seen.clear()
-            x = basis @ z
-            point = problem.parameters.moved(start, x)
-            found, slopes = problem.linearised(point, problem.parameters.own(point, x))
-            if not (np.isfinite(found).all() and np.isfinite(slopes).all()):
-                raise _NotFiniteError
-            seen[key] = found, slopes @ basis
-        return seen[key]
-
-    # MINPACK is the faster, but knows no losses, and needs as many residuals as parameters.
+    evaluated = _Evaluated(problem, start, basis)
+    if not np.isfinite(evaluated(np.zeros(basis.shape[1]))[0]).all():
+        return Local(start, np.inf, False, _NOT_FINITE)
+    # MINPACK is the faster, but knows no losses, needs as many residuals as parameters, and does
+    # not step back from where there are no states, as the trust region does.
     plain = loss == "linear" and problem.count >= basis.shape[1]
+    found = _solved(evaluated, "lm", loss) if plain else None
+    found = found or _solved(evaluated, "trf", loss)
+    if found is None:
+        return Local(start, np.inf, False, _NOT_FINITE)
+    point = problem.parameters.moved(start, basis @ found.x)
+    return Local(point, 2 * float(found.cost), found.status > 0, _reason(found.status))
+
+
+@dataclass(slots=True)
+class _Evaluated:
+    """Residuals and their derivatives, kept for where they were last asked for."""
+
+    problem: Problem
+    start: Point
+    basis: np.ndarray
+    at: bytes = b""
+    found: tuple[np.ndarray, np.ndarray] = (np.empty(0), np.empty(0))
+
+    def __call__(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        if z.tobytes() != self.at:
+            x = self.basis @ z
+            point = self.problem.parameters.moved(self.start, x)
+            own = self.problem.parameters.own(point, x)
+            residuals, slopes = self.problem.linearised(point, own)
+            self.at, self.found = z.tobytes(), (residuals, slopes @ self.basis)
+        return self.found
+
+
+def _solved(evaluated: _Evaluated, method: Literal["lm", "trf"], loss: str) -> Any:
+    """What SciPy finds; None where it gets where there are no states."""
+
+    def residuals(z: np.ndarray) -> np.ndarray:
+        found, _ = evaluated(z)
+        if method == "lm" and not np.isfinite(found).all():
+            raise _NotFiniteError
+        return found
+
+    def slopes(z: np.ndarray) -> np.ndarray:
+        _, found = evaluated(z)
+        if not np.isfinite(found).all():
+            raise _NotFiniteError
+        return found
+
     try:
-        found = least_squares(
-            lambda z: evaluated(z)[0],
-            np.zeros(basis.shape[1]),
-            jac=lambda z: evaluated(z)[1],
-            method="lm" if plain else "trf",
+        return least_squares(
+            residuals,
+            np.zeros(evaluated.basis.shape[1]),
+            jac=slopes,
+            method=method,
             x_scale="jac",
             loss=loss,
             max_nfev=_MOST_STEPS,
             **_TOLERANCES,
         )
     except _NotFiniteError:
-        return Local(start, np.inf, False, _NOT_FINITE)
-    point = problem.parameters.moved(start, basis @ found.x)
-    return Local(point, 2 * float(found.cost), found.status > 0, _reason(found.status))
+        return None
 
 
 class _NotFiniteError(ArithmeticError):

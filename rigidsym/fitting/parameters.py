@@ -14,10 +14,13 @@ import numpy as np
 from rigidsym.fitting.rotations import cross, left_jacobian, matrices
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotated
 
+IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 # What two of three logarithms move: an orthonormal basis across (1, 1, 1).
 _SHAPES = np.array([[1.0, 1.0], [-1.0, 1.0], [0.0, -2.0]]) / np.sqrt([2.0, 6.0])
 # Of the sum of the second moments: flatter bodies are not told from flat ones.
 _THINNEST = 1e-12
+# What a start has to have of them: logarithms hardly leave flat bodies.
+_INNER = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,6 +46,8 @@ class Point:
 
     def seen(self, q: np.ndarray, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """States (..., N, 4), (..., N, 3) of the principal axes as those of the axes observed."""
+        if np.all(self.mount == IDENTITY):
+            return q, omega
         mount = self.mount[..., None, :]
         return product(q, conjugate(mount)), rotated(mount, omega)
 
@@ -100,6 +105,16 @@ class Parameters:
             found = replace(found, mount=product(turn, found.mount))
         return found
 
+    def inner(self, point: Point) -> Point:
+        """The point, or one beside it from which its shape can move."""
+        if not self.shape:
+            return point
+        own, total = _second_moments(point.moments)
+        share = np.maximum(own / total, _INNER)
+        moved = total * (1 - share / np.sum(share, axis=-1, keepdims=True))
+        thin = np.any(own / total < _INNER, axis=-1, keepdims=True)
+        return replace(point, moments=np.where(thin, moved, point.moments))
+
     def own(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
         """How (eta0, omega0, moments) and the turn of the axes, 12 rows, go with the parameters.
 
@@ -130,19 +145,22 @@ class Parameters:
         return found
 
 
-def observed(point: Point, q: np.ndarray, omega: np.ndarray, sensitivity: np.ndarray) -> np.ndarray:
-    """How turn and rates of the axes observed go with the 12 rows of `Parameters.own`.
+def observed(
+    point: Point, q: np.ndarray, omega: np.ndarray, sensitivity: np.ndarray, own: np.ndarray
+) -> np.ndarray:
+    """How turn and rates of the axes observed go with the parameters: (..., N, 6, p).
 
-    Of states (..., N, 4), (..., N, 3) of those axes and sensitivities (..., N, 6, 9) of the
-    principal ones: (..., N, 6, 12).
+    Of states (..., N, 4), (..., N, 3) of those axes, sensitivities (..., N, 6, 9) of the principal
+    ones, and the rows (..., 12, p) of `Parameters.own`.
     """
-    found = np.zeros((*q.shape[:-1], 6, 12))
-    turn = matrices(point.mount)[..., None, :, :]
-    found[..., :3, :9] = sensitivity[..., :3, :]
-    found[..., 3:, :9] = turn @ sensitivity[..., 3:, :]
-    found[..., :3, 9:] = -matrices(q)
-    found[..., 3:, 9:] = -cross(omega)
-    return found
+    own = own[..., None, :, :]
+    moved = sensitivity @ own[..., :9, :]
+    if not own[..., 9:, :].any():
+        return moved
+    turned = matrices(point.mount)[..., None, :, :] @ moved[..., 3:, :]
+    moved[..., :3, :] -= matrices(q) @ own[..., 9:, :]
+    moved[..., 3:, :] = turned - cross(omega) @ own[..., 9:, :]
+    return moved
 
 
 def _second_moments(moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -156,6 +174,7 @@ def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
     own, total = _second_moments(moments)
     log = np.log(own) + x @ _SHAPES.T
     share = np.exp(log - np.max(log, axis=-1, keepdims=True))
+    share = np.maximum(share / np.sum(share, axis=-1, keepdims=True), _THINNEST)
     return total * (1 - share / np.sum(share, axis=-1, keepdims=True))
 
 

@@ -76,7 +76,7 @@ class Problem:
         """
         q, omega, sensitivity = sensitivities(point, self.times, self.engine)
         seen = point.seen(q, omega)
-        moved = observed(point, *seen, sensitivity) @ own[..., None, :, :]
+        moved = observed(point, *seen, sensitivity, own)
         residuals, slopes = [], []
         for one, at in zip(self.sets, self.places, strict=True):
             state = [x[..., at, :] for x in seen]

@@ -11,10 +11,11 @@ _SMALL = 1e-2
 
 def cross(vectors: np.ndarray) -> np.ndarray:
     """The matrices (..., 3, 3) that take x to vector x x, of vectors (..., 3)."""
-    x, y, z = np.moveaxis(vectors, -1, 0)
-    zero = np.zeros_like(x)
-    rows = [[zero, -z, y], [z, zero, -x], [-y, x, zero]]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    found = np.zeros((*vectors.shape, 3))
+    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+        found[..., k, j] = vectors[..., i]
+        found[..., j, k] = -vectors[..., i]
+    return found
 
 
 def matrices(q: np.ndarray) -> np.ndarray:

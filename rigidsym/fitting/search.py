@@ -18,8 +18,10 @@ Progress = Callable[[int, int], None]
 # Observations of each kind that a search looks at first, and how many it takes on at a time.
 _ENOUGH, _MORE = 48, 4
 # Steps for all, and for those that are left; how many are left, and how many SciPy gets.
-_ROUNDS = ((3, 1000), (6, 200), (20, 60))
+_ROUNDS = ((3, 250), (6, 60), (20, 30))
 _POLISHED = 24
+# Of all starts one in so many is refined, and no fewer than these.
+_PART, _FEW = 4, 250
 # What a minimum may still fall by when SciPy takes it on, of the range that is wanted.
 _MARGIN = 2.0
 # Rates that differ by less, relative to the largest, are those of the same motion.
@@ -43,7 +45,7 @@ def search(
     stages = list(_stages(problem, count, fastest))
     first = stages[0]
     limit = fastest_rate(first.sets) if fastest is None else fastest
-    points = aligned(first, starts(first, known, count, limit))
+    points = _promising(first, aligned(first, starts(first, known, count, limit)))
     total = len(_ROUNDS) + len(stages) + 1
     cost = np.full(points.count, np.inf)
     for k, (rounds, kept) in enumerate(_ROUNDS, 1):
@@ -58,6 +60,12 @@ def search(
     found = [local(problem, polished[k], loss) for k in range(polished.count)]
     progress(total, total)
     return distinct(problem, found, within)
+
+
+def _promising(problem: Problem, points: Point) -> Point:
+    """A part of the starts, by how near they come to most of the observations."""
+    cost = batch.chi2(problem, points, robust=True)
+    return points[np.argsort(cost, kind="stable")[: max(_FEW, points.count // _PART)]]
 
 
 def distinct(problem: Problem, found: list[Local], within: float) -> list[Local]:

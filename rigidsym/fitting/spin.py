@@ -25,6 +25,8 @@ def spin(problem: Problem, best: Local, loss: str) -> Local | None:
     by these is chi2 of so many degrees of freedom, at the best of as many periods as can be told
     apart in the span of the observations.
     """
+    if not np.isfinite(best.cost):
+        return None
     names = problem.parameters.names
     axis = int(np.argmax(np.abs(best.point.omega)))
     across = [3 + k for k in range(3) if k != axis]

@@ -10,9 +10,9 @@ import numpy as np
 from scipy.stats import qmc
 
 from rigidsym.fitting import tops
-from rigidsym.fitting.alignment import IDENTITY, aligns
+from rigidsym.fitting.alignment import aligns
 from rigidsym.fitting.observations import Attitudes, Observations, Rates
-from rigidsym.fitting.parameters import Parameters, Point, joined
+from rigidsym.fitting.parameters import IDENTITY, Parameters, Point, joined
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.rotations import matrices
 from rigidsym.motion import propagate
