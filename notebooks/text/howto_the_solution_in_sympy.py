@@ -52,15 +52,16 @@ first = solution.omega(sp.Rational(7, 3))[0].evalf(50)
 print(first)
 print(motion.precise("7/3", digits=50)[1][0])
 
-
 # %% [markdown]
 # **Derivatives**: q' = q (0, ω)/2, here for its first component, after seven thirds of a second.
 
-
 # %%
+later = sp.Rational(7, 3)
+
+
 def at(expression):
-    """To thirty digits, after seven thirds of a second."""
-    return sp.N(expression.subs(t, sp.Rational(7, 3)), 30)
+    """To thirty digits, then."""
+    return sp.N(expression.subs(t, later), 30)
 
 
 q, omega = solution.q(), solution.omega()
