@@ -1,0 +1,119 @@
+# ---
+# jupyter:
+#   jupytext:
+#     cell_metadata_filter: tags,-all
+#     formats: ipynb,text//py:percent
+#     notebook_metadata_filter: kernelspec,jupytext,-jupytext.text_representation.jupytext_version
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#       format_version: '1.3'
+#   kernelspec:
+#     display_name: Python 3
+#     language: python
+#     name: python3
+# ---
+
+# %% [markdown]
+# # How to hold the solution in SymPy
+#
+# A motion as an expression of the time: to put numbers in, differentiate, expand, print, and to
+# make functions of. Every expression here is a formula of the ledger, read and put together.
+
+# %%
+import numpy as np
+import sympy as sp
+
+import rigidsym
+
+motion = rigidsym.TorqueFreeMotion((2, 4, 3), (1, 2, 1))  # kg m^2, rad/s
+solution = motion.symbolic()
+t = solution.t
+print(f"the form {solution.form!r}, for {motion.regime}")
+solution.omega()
+
+# %% [markdown]
+# `omega()` is a column of three rates, `q()` one of four, scalar first. Names such as `mu` are
+# exact numbers, each by those before it: `constants` has them, and `explicit` puts them in.
+
+# %%
+for symbol in ("k_1", "mu", "phase"):
+    (value,) = [x for name, x in solution.constants.items() if str(name) == symbol]
+    display(sp.Eq(sp.Symbol(symbol), value))  # noqa: F821
+energy = solution.explicit(solution.quantities["energy"])
+print("energy", energy, "J")
+
+# %% [markdown]
+# **Numbers**: `subs` and `evalf`, to as many digits as you like. The same fifty digits come from
+# `motion.precise`, which is made for that and some thousand times as fast.
+
+# %%
+first = solution.omega(sp.Rational(7, 3))[0].evalf(50)
+print(first)
+print(motion.precise("7/3", digits=50)[1][0])
+
+# %% [markdown]
+# **Derivatives**: q' = q (0, ω)/2, here for its first component, after seven thirds of a second.
+
+# %%
+later = sp.Rational(7, 3)
+
+
+def at(expression):
+    """To thirty digits, then."""
+    return sp.N(expression.subs(t, later), 30)
+
+
+q, omega = solution.q(), solution.omega()
+slope = at(q[0].diff(t))
+product = -sum(at(q[k + 1]) * at(omega[k]) for k in range(3)) / 2
+print(slope, product, sep="\n")
+
+# %% [markdown]
+# **Series**: `taylor` has the first terms of both columns, exact, by the equations of motion. (SymPy's
+# own `series` of such an expression does not end in minutes.)
+
+# %%
+near, rates = solution.taylor(4)
+sp.Eq(sp.Symbol("Omega_1"), rates[0])
+
+# %% [markdown]
+# **Functions**: `lambdify` makes one of arrays, by NumPy, SciPy or mpmath.
+
+# %%
+states = sp.lambdify(t, [*q, *omega], "numpy")
+times = np.linspace(0, 20, 5)
+found = np.array([np.broadcast_to(x, times.shape) for x in states(times)])
+gap = np.max(np.abs(found[:4].T - motion(times)[0]))
+print(f"as the generated module has it: {gap < 1e-14}")
+
+# %% [markdown]
+# **What comes back**: after a period the rates are what they were, and the body has turned about its
+# momentum by the phase: 2HT/K less the solid angle that the momentum sweeps (Montgomery's formula).
+
+# %%
+for name in ("period", "mean_circulation_rate", "precession_rate", "phase_per_period"):
+    print(f"{name:22} {float(solution.quantities[name]):.12f}")
+print("phase less whole turns", round(motion.phase_per_period % (2 * np.pi), 12), "rad")
+
+# %% [markdown]
+# **Without numbers** it is a family: `rigidsym.symbolic("pi")` has free symbols, and says what has to
+# hold of them and what its signs stand for. On the separatrix and for symmetric bodies the functions
+# are elementary.
+
+# %%
+rigidsym.symbolic("separatrix").omega()
+
+# %%
+for symbol, meaning in rigidsym.symbolic("pi").choices.items():
+    print(f"{symbol}: {meaning}")
+print(sp.latex(rigidsym.symbolic("symmetric").omega()[1]))
+
+# %% [markdown]
+# Which forms there are, and where each holds: [the solution as SymPy](site/pages/symbolic.md).
+
+# %% tags=["hide-cell"]
+assert abs(first - sp.Float(str(motion.precise("7/3", digits=50)[1][0]), 60)) < 1e-45
+assert abs(slope - product) < 1e-28
+assert abs(rates[0].subs(t, sp.Rational(1, 1000)) - solution.omega(0.001)[0].evalf(20)) < 1e-11
+assert gap < 1e-14
