@@ -7,6 +7,8 @@ sin(phi2), which only a spin about axis 1 makes zero; by Omega3; and by cos(phi3
 quaternion changes its sign and the motion does not.
 """
 
+from dataclasses import replace
+
 from derivations.lemma1 import INERTIA, Lemma1
 from rigidsym.proof.algebra import Book, Part, join, part_of, sign
 from rigidsym.proof.algebra.quaternion import kinematics
@@ -68,8 +70,7 @@ def derive(book: Book) -> None:
     quadratic = {"D(Omega_i)**2": "alpha*(root_j - Omega_i**2)*(root_k - Omega_i**2)"}
     book.claim("one_rate.quartic", quadratic, ["13", "14", "Lemma 1"])
 
-    motion = part_of(book.ledger.contexts["three_angle_motion"])
-    book.open(join("theorem1_motion", motion, SIDE, ANGLES))
+    book.open(join("theorem1_motion", _without_matrices(book), SIDE, ANGLES))
     below = {"sin_phi2**2": "1 - n*sn**2"}
     book.claim("theorem1_motion.third_kind", below, ["27", "34"])
     book.claim("theorem1_motion.phi1", {"D(phi1)": "phi1_rate"}, ["19", "33", "36"])
@@ -78,6 +79,14 @@ def derive(book: Book) -> None:
     unit = {" + ".join(f"{q}**2" for q in names[0].split()): "1"}
     solves = {**unit, **kinematics(*names)}
     book.claim("theorem1_motion.solution", solves, ["3", "18", "Theorem 1"])
+
+
+def _without_matrices(book: Book) -> Part:
+    """The motion by its three angles, no entries of the matrices that it was found by."""
+    motion = part_of(book.ledger.contexts["three_angle_motion"])
+    entries = ("_re", "_im")
+    kept = {name: x for name, x in motion.definitions.items() if not name.endswith(entries)}
+    return replace(motion, definitions=kept)
 
 
 def _halves(book: Book) -> None:

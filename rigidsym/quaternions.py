@@ -2,6 +2,9 @@
 
 import numpy as np
 
+# Angles below this are as good as none: sin x = x.
+_TINY = 1e-8
+
 
 def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
     """Hamilton's product p q.
@@ -40,3 +43,23 @@ def of_matrix(m: np.ndarray) -> np.ndarray:
         q[0], q[1 + k] = m[j, i] - m[i, j], 1 + m[k, k] - m[i, i] - m[j, j]
         q[1 + i], q[1 + j] = m[i, k] + m[k, i], m[j, k] + m[k, j]
     return np.copysign(1.0, q[0]) * q / np.linalg.norm(q)
+
+
+def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
+    """Of unit quaternions (..., 4), by the shorter way round (..., 3), rad."""
+    scalar, vector = quaternions[..., :1], quaternions[..., 1:]
+    length = np.linalg.norm(vector, axis=-1, keepdims=True)
+    half = np.arctan2(length, np.abs(scalar))
+    ratio = np.where(length < _TINY, 1.0, half / np.where(length < _TINY, 1.0, length))
+    return 2 * np.copysign(1.0, scalar) * ratio * vector
+
+
+def of_rotation_vectors(vectors: np.ndarray) -> np.ndarray:
+    """The unit quaternions (..., 4) of rotation vectors (..., 3), rad; the other way round.
+
+    >>> of_rotation_vectors(np.array([np.pi, 0.0, 0.0])).round(12)
+    array([0., 1., 0., 0.])
+    """
+    half = np.linalg.norm(vectors, axis=-1, keepdims=True) / 2
+    # NumPy's sinc has a factor pi.
+    return np.concatenate([np.cos(half), np.sinc(half / np.pi) / 2 * vectors], axis=-1)

@@ -5,7 +5,6 @@ attacker may do more than the kernel lets him: witnesses are not looked at again
 """
 
 import json
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -79,7 +78,7 @@ class Attacker:
             unlike.add(fact.id)
             _redo(book, restated)
         data = json.loads(book.ledger.to_text())
-        published = {"sequences": dict(self._sequences(book.ledger))}
+        published = {group: self._sequences(book.ledger, group) for group in ("sequences", "forms")}
         return {**self._data, **data, "published": {**self._data["published"], **published}}
 
     def _open(self, ledger: Ledger, context: Context, changed: dict[str, str]) -> None:
@@ -94,10 +93,12 @@ class Attacker:
             except (KernelError, ZeroDivisionError):
                 ledger.contexts.pop(context.name, None)
 
-    def _sequences(self, ledger: Ledger) -> Iterator[tuple[str, list[Any]]]:
+    def _sequences(self, ledger: Ledger, group: str) -> dict[str, list[Any]]:
         """What is published, by definition where the fact is lost."""
-        for sequence, entries in self._data["published"]["sequences"].items():
-            yield sequence, [self._entry(ledger, entry) for entry in entries]
+        return {
+            sequence: [self._entry(ledger, entry) for entry in entries]
+            for sequence, entries in self._data["published"][group].items()
+        }
 
     def _entry(self, ledger: Ledger, entry: Any) -> Any:
         if "fact" not in entry or entry["fact"] in ledger.facts:

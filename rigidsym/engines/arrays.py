@@ -1,13 +1,16 @@
 """Arrays as engines take and give them: times, batches of bodies, and outputs."""
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, States
 
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
+# The last axes of states and what they change by.
+SENSITIVITIES = ((4,), (3,), (3, 9), (3, 9), (3,), (3,))
 SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 
@@ -46,24 +49,36 @@ def in_one_piece(array: np.ndarray) -> np.ndarray:
     return array if whole else array.copy(order="C")
 
 
-def batch(given: Mapping[str, np.ndarray]) -> tuple[int, ...]:
-    """The shape that the leading shapes of inertia, omega0 and attitude0 broadcast to."""
+def batch(given: Mapping[str, np.ndarray], t: np.ndarray) -> tuple[int, ...]:
+    """The shape that the leading shapes of inertia, omega0, attitude0 and t broadcast to."""
     for name, array in given.items():
         if array.ndim < 1 or array.shape[-1] != SIZES[name]:
             rule = f"shape {array.shape}: the last axis must have {SIZES[name]} numbers"
             raise EngineError(name, rule)
     inertia, omega0, attitude0 = (array.shape[:-1] for array in given.values())
     try:
-        return np.broadcast_shapes(inertia, omega0, attitude0)
+        bodies = np.broadcast_shapes(inertia, omega0, attitude0)
     except ValueError:
         rule = f"leading shapes {omega0} and {attitude0} must broadcast with {inertia} of inertia"
         raise EngineError("omega0, attitude0", rule) from None
+    try:
+        return np.broadcast_shapes(bodies, t.shape[:-1])
+    except ValueError:
+        rule = f"the leading shape must broadcast with {bodies} of the bodies"
+        raise EngineError("t", rule) from None
 
 
 def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     """The vectors of a batch one below the other, (B, 3) or (B, 4)."""
     size = array.shape[-1]
-    return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(-1, size))
+    return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(math.prod(shape), size))
+
+
+def rows_of_times(t: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """One row of times for all bodies of a batch, (1, N), or one for each, (B, N)."""
+    if math.prod(t.shape[:-1]) == 1:
+        return in_one_piece(t.reshape(1, t.size))
+    return rows(t, shape)
 
 
 def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States:
@@ -79,6 +94,14 @@ def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States
     if any(np.may_share_memory(x, y) for x, y in apart):
         raise EngineError("out", "q and omega must not overlap each other or the inputs")
     return q, omega
+
+
+def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
+    """New arrays for states of this shape and what they change by."""
+    q, omega, attitude, rates, attitude_t, rates_t = (
+        np.empty((*shape, *last)) for last in SENSITIVITIES
+    )
+    return q, omega, attitude, rates, attitude_t, rates_t
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:

@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike
 
 States = tuple[np.ndarray, np.ndarray]
 Outputs = States | None
+# q (..., 4) and omega (..., 3), then what a small turn and the rates (..., 3, 9) change by with a
+# small turn at t = 0, the rates there and the moments, and both (..., 3) with the time.
+Sensitivities = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 # The constants of one motion, in a form that is the engine's own and that nobody else reads.
 Prepared: TypeAlias = Any
 
@@ -73,5 +76,9 @@ class Engine(Protocol):
         out: Outputs = None,
         errors: str = "raise",
     ) -> States:
-        """(q, omega) of many bodies whose leading shapes broadcast: (..., N, 4) and (..., N, 3)."""
+        """(q, omega) of many bodies: (..., N, 4) and (..., N, 3).
+
+        Leading shapes broadcast, those of t (..., N) among them: (N,) are times of all bodies,
+        (B, N) a row for each; a scalar t has no N.
+        """
         ...

@@ -169,6 +169,12 @@ def theorems(specification: str) -> dict[str, Theorem]:
     return {name: block for name, block in read(specification).items() if block.is_theorem}
 
 
+def sequences(ledger: Mapping[str, Any]) -> dict[str, list[Any]]:
+    """The formula sequences that a ledger publishes, for flown numbers and for readers alike."""
+    published = ledger["published"]
+    return {**published.get("sequences", {}), **published.get("forms", {})}
+
+
 def require(specification: str, ledger: Mapping[str, Any]) -> None:
     """Refuse a ledger that does not prove a theorem; raises Unproved for the first such."""
     try:
@@ -187,7 +193,7 @@ class Proved:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
         facts = [fact for fact in ledger["facts"] if fact["grade"] == "PROVED"]
         self.facts = {fact["id"]: fact for fact in facts}
-        self.sequences = ledger["published"].get("sequences", {})
+        self.sequences = sequences(ledger)
         self._models: dict[str, list[str]] = {}
         self._stated: dict[str, set[Statement]] = {}
         self._partitions: set[tuple[str, ...]] = set()

@@ -14,10 +14,9 @@ from functools import cached_property
 import numpy as np
 
 from rigidsym.engines import Engine
+from rigidsym.quaternions import rotation_vectors
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
-# Angles below this are as good as none: sin x = x.
-_TINY = 1e-8
 
 
 @dataclass(frozen=True)
@@ -107,12 +106,3 @@ def unit(quaternion: Sequence[Fraction]) -> np.ndarray:
     largest = max(map(abs, quaternion))
     scaled = np.array([float(x / largest) for x in quaternion])
     return scaled / np.linalg.norm(scaled)
-
-
-def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
-    """Of unit quaternions (..., 4), by the shorter way round (..., 3), rad."""
-    scalar, vector = quaternions[..., :1], quaternions[..., 1:]
-    length = np.linalg.norm(vector, axis=-1, keepdims=True)
-    half = np.arctan2(length, np.abs(scalar))
-    ratio = np.where(length < _TINY, 1.0, half / np.where(length < _TINY, 1.0, length))
-    return 2 * np.copysign(1.0, scalar) * ratio * vector

@@ -6,9 +6,10 @@ import numpy as np
 
 from rigidsym import inputs
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
-from rigidsym.manoeuvre.problem import Problem, between, rotation_vectors, unit
+from rigidsym.manoeuvre.problem import Problem, between, unit
 from rigidsym.manoeuvre.refine import FINE, derivatives, polished
 from rigidsym.motion import TorqueFreeMotion
+from rigidsym.quaternions import rotation_vectors
 
 Rates = tuple[Fraction, ...]
 

@@ -20,7 +20,7 @@ _E_B = frozenset({"E_b"})
 
 def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
     """The polhode that all numbers within the radii share; InputError names what keeps it open."""
-    middles = [list(map(inputs.middle, values)) for values in (inertia, omega)]
+    middles = [[inputs.middle(x) for x in values] for values in (inertia, omega)]
     polhode = classify(*middles)
     if inputs.is_uncertain(*inertia, *omega):
         with working(BITS):

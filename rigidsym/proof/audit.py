@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from rigidsym.language.specification import Theorem, theorems
+from rigidsym.language.specification import Theorem, sequences, theorems
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +54,7 @@ def _readings(
     """The standard functions that numbers take published names for."""
     found = []
     for sequence, names in theorem.formulas:
-        for entry in ledger["published"]["sequences"][sequence]:
+        for entry in sequences(ledger)[sequence]:
             if (name := entry.get("reading")) and (not names or name in names):
                 found.append(f"{name} is {contexts[entry['context']]['reading'][name]}")
     return list(dict.fromkeys(found))

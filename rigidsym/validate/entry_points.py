@@ -73,12 +73,14 @@ def _many(engine: Engine, prepared: Prepared, times: np.ndarray) -> States:
 
 
 def _batch(engine: Engine, body: Body, times: np.ndarray) -> States:
-    """The middle one of three bodies, between another one and itself at rest."""
+    """The middle one of three bodies, between another one and itself at rest; at times that are
+    not those of the others."""
     inertia, omega0, attitude0 = body
     moments = np.array([np.max(inertia) * OTHER_BODY, inertia, inertia])
     rates = np.array([np.max(np.abs(omega0)) * OTHER_RATES, omega0, 0 * omega0])
     attitudes = np.array([np.roll(attitude0, 1), attitude0, attitude0])
-    q, omega = engine.propagate(moments, rates, attitudes, times)
+    own = np.array([times[::-1], times, 0 * times])
+    q, omega = engine.propagate(moments, rates, attitudes, own)
     return q[1], omega[1]
 
 

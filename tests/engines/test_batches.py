@@ -167,6 +167,62 @@ def test_blocks_of_bodies_do_not_show(engine):
         propagate(inertia, omega0, t, engine=engine)
 
 
+@pytest.mark.parametrize("shape", [(7,), (2, 3), (0,)], ids=str)
+@pytest.mark.parametrize("times", [0, 1, 40, 3000])
+def test_each_body_has_times_of_its_own(shape, times, engine):
+    draw = np.random.default_rng(4)
+    x, y, z = draw.uniform(0.1, 1, (3, *shape))
+    inertia, omega0 = np.stack([y + z, z + x, x + y], -1), draw.normal(size=(*shape, 3))
+    t = draw.uniform(-9, 9, (*shape, times))
+    t[..., : times // 20] = 0
+    q, omega = propagate(inertia, omega0, t, engine=engine)
+    assert q.shape == (*t.shape, 4)
+    for k in np.ndindex(shape):
+        alone = TorqueFreeMotion(inertia[k], omega0[k], engine=engine)(t[k])
+        for found, expected in zip((q[k], omega[k]), alone, strict=True):
+            np.testing.assert_allclose(found, expected, rtol=0, atol=4e-15)
+            np.testing.assert_array_equal(found[t[k] == 0], expected[t[k] == 0])
+
+
+def test_leading_shapes_of_times_broadcast_too(engine):
+    t = np.array([[[0.5, -3.0]], [[7.0, 0.0]]])
+    q, omega = propagate(BODY, [RATES, (1, 2, 3), (0, 0, 1)], t, engine=engine)
+    assert q.shape == (2, 3, 2, 4)
+    one_q, one_omega = propagate(BODY, RATES, t[1, 0], engine=engine)
+    np.testing.assert_allclose(q[1, 0], one_q, rtol=0, atol=2e-15)
+    np.testing.assert_allclose(omega[1, 0], one_omega, rtol=0, atol=2e-15)
+    assert propagate(BODY, RATES, np.ones((1, 5)), engine=engine)[0].shape == (1, 5, 4)
+
+
+def test_a_refused_time_of_a_body_has_both_their_numbers(engine):
+    t = np.ones((3, 4))
+    t[2, 1] = 1e300
+    with pytest.raises(InputError, match=r"^t\[2, 1\] = 1e\+300: beyond"):
+        propagate(BODY, [RATES], t, engine=engine)
+    q, omega = propagate(BODY, [RATES], t, engine=engine, errors="nan")
+    np.testing.assert_array_equal(np.isnan(q[..., 0]), t > 1)
+    np.testing.assert_array_equal(np.isnan(omega[..., 0]), t > 1)
+    t[1, 3] = math.inf
+    with pytest.raises(InputError, match=r"^t\[1, 3\] = inf: must be finite"):
+        propagate(BODY, [RATES], t, engine=engine)
+    with pytest.raises(InputError, match=r"^t = .*\(3, 4\): .*broadcast with \(2,\)"):
+        propagate(BODY, [RATES] * 2, np.ones((3, 4)), engine=engine)
+
+
+def test_times_of_bodies_are_read_where_they_are(engine):
+    import tracemalloc
+
+    t = np.linspace(0, 9, 1_000_000).reshape(2, -1)
+    out = np.empty((*t.shape, 4)), np.empty((*t.shape, 3))
+    propagate(BODY, RATES, t[:, :9], engine=engine)
+    tracemalloc.start()
+    try:
+        propagate(BODY, RATES, t, engine=engine, out=out)
+        assert tracemalloc.get_traced_memory()[1] < t.nbytes
+    finally:
+        tracemalloc.stop()
+
+
 def test_memory_beyond_the_output_does_not_grow_with_the_bodies():
     import tracemalloc
 

@@ -336,10 +336,9 @@ def test_a_plan_is_of_one_body(c):
 def test_times_are_refused_in_the_words_of_the_numpy_module(c, t):
     with pytest.raises(ValueError, match=r"^t: ") as expected:
         NUMPY.states(NUMPY.prepare(*GOOD.values()), t)
-    calls = (
-        lambda: c.states(c.prepare(*GOOD.values()), t),
-        lambda: c.propagate(*GOOD.values(), t),
-    )
+    calls = [lambda: c.states(c.prepare(*GOOD.values()), t)]
+    if np.ndim(t) < 2:
+        calls.append(lambda: c.propagate(*GOOD.values(), t))
     for call in calls:
         with pytest.raises(EngineError) as caught:
             call()

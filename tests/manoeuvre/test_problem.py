@@ -7,9 +7,9 @@ import pytest
 from random_manoeuvres import manoeuvre, posed
 
 from rigidsym import engines
-from rigidsym.manoeuvre.problem import between, problem, rotation_vectors, unit
+from rigidsym.manoeuvre.problem import between, problem, unit
 from rigidsym.motion import TorqueFreeMotion
-from rigidsym.quaternions import product
+from rigidsym.quaternions import product, rotation_vectors
 
 ENGINE = engines.engine("numpy")
 BODY = (Fraction(1), Fraction(2), Fraction(5, 2))

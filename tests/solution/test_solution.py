@@ -21,6 +21,7 @@ from rigidsym.language.expression import (
     parse,
     to_text,
 )
+from rigidsym.language.specification import sequences
 from rigidsym.solution import load, sealed
 
 PACKAGE = Path(rigidsym.__path__[0])
@@ -89,7 +90,7 @@ def test_no_published_fact_restates_a_definition():
     """What a context defines is published as a definition."""
     contexts = {context["name"]: context for context in LEDGER["contexts"]}
     facts = {fact["id"]: fact for fact in LEDGER["facts"]}
-    for entry in (e for entries in LEDGER["published"]["sequences"].values() for e in entries):
+    for entry in (e for entries in sequences(LEDGER).values() for e in entries):
         if "fact" in entry:
             fact = facts[entry["fact"]]
             (name,), (text,) = fact["lhs"], fact["rhs"]
@@ -125,7 +126,10 @@ def unmodelled(context):
         ("[]", "not readable"),
         ('{"facts": []}', "not readable"),
         (changed(state=["no.such"]), "not readable"),
-        ('{"facts": [], "contexts": [], "published": {}}', "not readable"),
+        (
+            '{"facts": [], "contexts": [], "published": {}}',
+            "does not publish the formula sequence constants",
+        ),
         (
             '{"facts": [], "contexts": [], "published": {"sequences": {}}}',
             "does not publish the formula sequence constants",

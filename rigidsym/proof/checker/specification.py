@@ -176,7 +176,8 @@ class Catalogue:
         return found
 
     def _entries(self, sequence: str, wanted: list[str]) -> list[dict[str, Any]]:
-        entries = self.published.get("sequences", {}).get(sequence, [])
+        groups = (self.published.get(group, {}) for group in ("sequences", "forms"))
+        (entries,) = [group[sequence] for group in groups if sequence in group] or [[]]
         named = {self._name(entry): entry for entry in entries}
         if missing := {*wanted} - named.keys():
             raise Refused(f"the sequence {sequence} has no formula for {min(missing)}")

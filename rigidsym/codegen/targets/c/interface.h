@@ -9,7 +9,8 @@ enum {
                                    about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@max_angle@ rad, or t is infinite or no number */
     TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^@max_rate@ rad/s */
-    TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
 };
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
@@ -24,6 +25,8 @@ typedef struct {
     union {
 @branches@
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
@@ -60,12 +63,14 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
 
 /* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
    attitude0[bodies][4] and t[n] to q[bodies][n][4] and omega[bodies][n][3], none of which overlap.
+   Times of body k are t[k stride], t[k stride + 1], ...: stride is 0 where all have the same, n where
+   t is t[bodies][n].
    codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
    NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
-                          const double *attitude0, size_t n, const double *t, double *q,
-                          double *omega, int *codes, size_t *failed);
+                          const double *attitude0, size_t n, const double *t, size_t stride,
+                          double *q, double *omega, int *codes, size_t *failed);
 
 /* The largest |t| (s) that a motion has states for. */
 double torque_free_last_time(const torque_free_motion *motion);

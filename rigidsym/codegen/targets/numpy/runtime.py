@@ -28,6 +28,7 @@ from rigidsym.codegen.targets.numpy.stubs import (
 # States computed at a time: their intermediate arrays fit the cache.
 _BLOCK = 8192
 _LEAST = 2.0**-1074
+_BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
 
 
 class _RefusedError(ValueError):
@@ -63,12 +64,12 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
         # Any body will do: its states are not given.
         stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
         rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
-    (c, _), (omega, unit), (q, _) = map(_scaled, rows)
+    (c, moment_unit), (omega, unit), (q, _) = map(_scaled, rows)
     # Differences of doubles are two doubles exactly.
     apart = _DoubleDouble(*_two_sum(c, -np.roll(c, -1, -1)))
     pairs = _DoubleDouble(c, 0 * c), apart, _DoubleDouble(omega, 0 * omega), _DoubleDouble(q, 0 * q)
     made = _prepared(*pairs, unit, shape, refused)
-    made["omega0"] = rows[1].copy()
+    made["omega0"], made["moment_unit"] = rows[1].copy(), moment_unit[:, 0]
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
@@ -115,6 +116,9 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
+        "moment_unit": np.ones(len(axes)),
+        # What sensitivities are made from, where they are asked for.
+        "given": (c, apart, omega, discriminant),
         "groups": [],
     }
     if np.any(steady):
@@ -209,7 +213,8 @@ def _steady(omega, q):
 
 def states(prepared, t, out=None, errors="raise"):
     """(q, omega) at the times t in s: (..., 4) and (..., 3) for a scalar t, else (..., N, 4) and
-    (..., N, 3) for t (N,).  q is continuous in the double cover from attitude0 on.
+    (..., N, 3) for t (N,) or, with a row for each motion, t (..., N).  q is continuous in the
+    double cover from attitude0 on.
 
     out: arrays (q, omega) of these shapes to write into, which are returned; they share no memory
     with each other, t or what is prepared.  Memory beyond them does not grow with N.  Raises
@@ -219,24 +224,37 @@ def states(prepared, t, out=None, errors="raise"):
     if out is None and type(t) is float and prepared["shape"] == ():
         return _single(prepared, t, lenient)
     times = np.asarray(t, float)
-    if times.ndim > 1:
-        raise ValueError("t: times must be one finite number or a one-dimensional array of them")
-    q, omega = _results(out, (*prepared["shape"], *times.shape), times, prepared)
-    flat = times.reshape(-1)
-    late = not _are_near(prepared, flat)
+    shape, count = prepared["shape"], len(prepared["unit"])
+    if times.ndim > 1 and times.shape[:-1] != shape:
+        raise ValueError(f"t: {_BAD_TIMES}")
+    q, omega = _results(out, (*shape, *times.shape[-1:]), times, prepared)
+    # One row for all motions, or one for each.
+    given = times.reshape(count if times.ndim > 1 else 1, times.shape[-1] if times.ndim else 1)
+    late = not _are_near(prepared, given)
     if late and not lenient:
-        _refuse_times(prepared, flat)
-    bodies = (len(prepared["unit"]), flat.size)
-    rows = q.reshape(*bodies, 4), omega.reshape(*bodies, 3)
+        _refuse_times(prepared, given)
+    rows = q.reshape(count, given.shape[1], 4), omega.reshape(count, given.shape[1], 3)
     for name, index, constants in prepared["groups"]:
-        _fill(prepared, name, index, constants, flat, *rows)
-    zero = np.flatnonzero(flat == 0)
-    if zero.size:
-        rows[0][:, zero] = prepared["q0"][:, None]
-        rows[1][:, zero] = prepared["omega0"][:, None]
+        _fill(prepared, name, index, constants, given, *rows)
+    _begin(prepared, given, *rows)
     if late:
-        _erase(prepared, flat, *rows)
+        _erase(prepared, given, *rows)
     return q, omega
+
+
+def _of(t, bodies):
+    """The rows of times of some motions: the same for all where t has one row."""
+    return t if len(t) == 1 else t[bodies]
+
+
+def _begin(prepared, t, q, omega):
+    """Motions are at their start at t = 0, to the last bit."""
+    body, zero = np.nonzero(t == 0)
+    for name, rows in (("q0", q), ("omega0", omega)):
+        if zero.size and len(t) == 1:
+            rows[:, zero] = prepared[name][:, None]
+        elif zero.size:
+            rows[body, zero] = prepared[name][body]
 
 
 def _is_lenient(errors):
@@ -252,7 +270,7 @@ def _single(prepared, t, lenient):
     if not -max_angle <= inner <= max_angle:
         if lenient:
             return np.full(4, np.nan), np.full(3, np.nan)
-        _refuse_times(prepared, np.array([t]))
+        _refuse_times(prepared, np.array([[t]]))
     if t == 0:
         return prepared["q0"][0].copy(), prepared["omega0"][0].copy()
     values = branch["state"](*branch["angles"](inner, *rates), *shape)
@@ -298,22 +316,22 @@ def _are_near(prepared, t):
     """Whether all times are finite and near enough for all bodies."""
     if not (t.size and prepared["unit"].size):
         return True
-    # No array as long as t is made for this.
-    latest = max(-np.min(t), np.max(t))
-    with np.errstate(over="ignore"):
-        return bool(
-            np.isfinite(latest) and np.all(prepared["unit"] * latest <= prepared["max_angle"])
-        )
+    # No array as long as a row is made for this.
+    latest = np.maximum(-np.min(t, axis=-1), np.max(t, axis=-1))
+    with np.errstate(over="ignore", invalid="ignore"):
+        near = np.all(prepared["unit"] * latest <= prepared["max_angle"])
+    return bool(np.all(np.isfinite(latest)) and near)
 
 
 def _refuse_times(prepared, t):
     """Raise an error for the first time that is not finite or, for the first such body, too far."""
-    for number in np.flatnonzero(~np.isfinite(t))[:1]:
-        rule = "times must be one finite number or a one-dimensional array of them"
-        raise _RefusedError(f"t: {rule}", None, int(number))
+    for body, number in np.argwhere(~np.isfinite(t))[:1]:
+        raise _RefusedError(f"t: {_BAD_TIMES}", int(body) if len(t) > 1 else None, int(number))
     with np.errstate(over="ignore"):
-        body = np.flatnonzero(prepared["unit"] * np.max(np.abs(t)) > prepared["max_angle"])[0]
-        late = np.flatnonzero(np.abs(prepared["unit"][body] * t) > prepared["max_angle"][body])[0]
+        latest = prepared["unit"] * np.max(np.abs(t), axis=-1)
+        body = np.flatnonzero(latest > prepared["max_angle"])[0]
+        inner = np.abs(prepared["unit"][body] * t[body if len(t) > 1 else 0])
+        late = np.flatnonzero(inner > prepared["max_angle"][body])[0]
     rule = "beyond |omega| t = 2^46 rad the angle is lost in binary64"
     if prepared["blurred"][body]:
         last = float(prepared["max_angle"][body] / prepared["unit"][body])
@@ -324,12 +342,13 @@ def _refuse_times(prepared, t):
 @np.errstate(all="ignore")
 def _erase(prepared, t, q, omega):
     """No numbers for states at times that are not finite or too far."""
-    step = max(1, _BLOCK // t.size)
+    step = max(1, _BLOCK // t.shape[1])
     for first in range(0, len(q), step):
         some = slice(first, first + step)
-        near = np.abs(prepared["unit"][some, None] * t) <= prepared["max_angle"][some, None]
+        own = _of(t, some)
+        near = np.abs(prepared["unit"][some, None] * own) <= prepared["max_angle"][some, None]
         for rows in (q, omega):
-            rows[some][~(near & np.isfinite(t))] = np.nan
+            rows[some][~(near & np.isfinite(own))] = np.nan
 
 
 @np.errstate(all="ignore")
@@ -339,20 +358,21 @@ def _fill(prepared, name, index, constants, t, q, omega):
     timed, kept = (
         [constants[n] for n in branch[which] if n in constants] for which in ("rates", "shape")
     )
-    if len(index) * t.size <= _BLOCK or t.size < _BLOCK // 4:
-        step = max(1, _BLOCK // max(1, t.size))
+    size = t.shape[1]
+    if len(index) * size <= _BLOCK or size < _BLOCK // 4:
+        step = max(1, _BLOCK // max(1, size))
         for first in range(0, len(index), step):
             some = slice(first, first + step)
             columns = [[x[some, None] for x in values] for values in (timed, kept)]
-            inner = prepared["unit"][index[some], None] * t
+            inner = prepared["unit"][index[some], None] * _of(t, index[some])
             _write(prepared, branch, index[some], columns, inner, q, omega, slice(None))
         return
-    step = -(-t.size // -(-t.size // _BLOCK))
+    step = -(-size // -(-size // _BLOCK))
     for number, body in enumerate(index):
         columns = [[float(x[number]) for x in values] for values in (timed, kept)]
-        for first in range(0, t.size, step):
+        for first in range(0, size, step):
             some = slice(first, first + step)
-            inner = float(prepared["unit"][body]) * t[some]
+            inner = float(prepared["unit"][body]) * t[body if len(t) > 1 else 0, some]
             _write(prepared, branch, body, columns, inner, q, omega, some)
 
 

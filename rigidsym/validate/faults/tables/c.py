@@ -330,6 +330,13 @@ _DIGITS = (
         "attitude0);",
     ),
     _fault(
+        "entry_points",
+        "the times of the first body of a batch, for all its bodies",
+        "int torque_free_propagate(",
+        "t + stride * k",
+        "t",
+    ),
+    _fault(
         "callers",
         "memory of the caller left as it was for a body that is refused",
         "int torque_free_propagate(",

@@ -335,16 +335,16 @@ _DIGITS = (
     _fault(
         "special",
         "t = 0 with the other double-cover sign",
-        "    zero = np.flatnonzero(flat == 0)",
-        'prepared["q0"][:, None]',
-        '-prepared["q0"][:, None]',
+        "def _begin(",
+        "prepared[name][:, None]",
+        "-prepared[name][:, None]",
     ),
     _fault(
         "entry_points",
         "t = 0 computed as any other time",
-        "    zero = np.flatnonzero(flat == 0)",
-        "if zero.size:",
-        "if zero.size > flat.size:",
+        "def _begin(",
+        "np.nonzero(t == 0)",
+        "np.nonzero(t != t)",
     ),
     _fault(
         "entry_points",
