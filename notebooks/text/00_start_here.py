@@ -23,6 +23,7 @@
 # chapters derive that again, every claim decided by a small kernel, and turn it into code that flies.
 #
 # Run the next cell, and play: six sliders, the body's moments of inertia and the rates it begins with.
+# (On a page that only shows this, there is the picture without them: `jupyter lab notebooks` has both.)
 
 # %%
 from support.play import Play

@@ -89,6 +89,22 @@ def test_a_command_line_is_understood(command):
     assert parser().parse_args(shlex.split(command)[1:]).command
 
 
+@pytest.mark.parametrize(
+    "command",
+    sorted(
+        {
+            command
+            for text in TEXTS.values()
+            for command in re.findall(r"`rigidsym (trace [^`]+)`", text)
+            if "LINE" not in command
+        }
+    ),
+)
+def test_what_is_traced_is_there(command, capsys):
+    assert main(shlex.split(command)) == 0
+    assert capsys.readouterr().out
+
+
 def test_there_are_command_lines():
     assert len(COMMANDS) > 10
     assert len(IN_THE_TABLE) > 6
