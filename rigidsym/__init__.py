@@ -12,11 +12,13 @@ from rigidsym._version import __version__
 if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
+    from rigidsym.fitting import fit
     from rigidsym.manoeuvre import plan
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic, symbolic
+    from rigidsym.splitting import Trajectory, integrate
 
 __all__ = [
     "Generated",
@@ -26,8 +28,11 @@ __all__ = [
     "Regime",
     "Symbolic",
     "TorqueFreeMotion",
+    "Trajectory",
     "__version__",
+    "fit",
     "generate",
+    "integrate",
     "plan",
     "principal_axes",
     "propagate",
@@ -43,7 +48,10 @@ _HOMES = {
     "Regime": "rigidsym.solution.polhode",
     "Symbolic": "rigidsym.solution.symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
+    "Trajectory": "rigidsym.splitting",
+    "fit": "rigidsym.fitting",
     "generate": "rigidsym.codegen",
+    "integrate": "rigidsym.splitting",
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, NoReturn, TypeGuard, TypeVar, Unpack
+from typing import TYPE_CHECKING, Literal, NoReturn, TypeGuard, TypeVar, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -336,6 +336,25 @@ class TorqueFreeMotion:
         return self._quantities.period
 
     @property
+    def mean_rates(self) -> tuple[float, float, float]:
+        """The body rates averaged over a period, rad/s; over all times on the separatrix.
+
+        That about the circulation axis alone has a mean, unless all are constant.
+
+        >>> [round(x, 6) for x in TorqueFreeMotion((1, 2, 2.5), (1, 1, 3)).mean_rates]
+        [0.0, 0.0, 2.974532]
+        """
+        return self._quantities.mean_rates
+
+    @property
+    def circulation_rate(self) -> float | None:
+        """2 pi/period: how fast the momentum goes round in the body, on the average, rad/s.
+
+        Zero on the separatrix, None where the rates are constant.
+        """
+        return self._quantities.circulation_rate
+
+    @property
     def precession_rate(self) -> float | None:
         """The mean rate at which the body turns about its momentum, rad/s; None on the separatrix.
 
@@ -503,6 +522,34 @@ class TorqueFreeMotion:
         return plot(self, times)
 
 
+@overload
+def propagate(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
+    *,
+    engine: str = "numpy",
+    out: tuple[np.ndarray, np.ndarray] | None = None,
+    allow_nonphysical: bool = False,
+    errors: str = "raise",
+    degrees: bool = False,
+    sensitivity: Literal[False] = False,
+) -> tuple[np.ndarray, np.ndarray]: ...
+@overload
+def propagate(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
+    *,
+    engine: str = "numpy",
+    out: None = None,
+    allow_nonphysical: bool = False,
+    errors: str = "raise",
+    degrees: bool = False,
+    sensitivity: Literal[True],
+) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
 def propagate(
     inertia: ArrayLike,
     omega0: ArrayLike,

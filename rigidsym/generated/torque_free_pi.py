@@ -22,7 +22,7 @@ Lines of code:
     298  20 %  follow facts of the ledger, each named on its line
     311  21 %  follow classical formulas, each with its reference
      69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    781  54 %  are the runtime, written by hand
+    782  54 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -40,7 +40,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 3c578bc9cad580d8410765e6ec4972b73d76d5783da185d048e2535357d23124
+digest e1dae25bdf35ffd2c65e7c4b474dd1926167d10dab555cbc221730d661357d2f
 """
 
 # ruff: noqa

@@ -1,6 +1,8 @@
 """The C module: a header and a source, from double-doubles, derived functions and runtime."""
 
+import re
 from importlib import resources
+from pathlib import PurePath
 
 from rigidsym.codegen import header
 from rigidsym.codegen.forms import PI, THETA, key, option
@@ -12,6 +14,12 @@ from rigidsym.codegen.targets.c import emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h"}
 SOURCES = {THETA: "torque_free.c", PI: "torque_free_pi.c"}
+# What names begin with that the linker sees, or that the header has: a form's own, so that modules
+# of several forms go into one programme.  Text written by hand, and what is emitted, has the first.
+_PLAIN = PurePath(HEADERS[THETA]).stem
+# In a compiler's option -D stands before a name.
+_BEGIN = r"(?:\b|(?<=-D))"
+_NAMES = re.compile(rf"{_BEGIN}({_PLAIN}|{_PLAIN.upper()})(?=_(?!pi\b))")
 # From which branch on a grid is computed one time after the other.
 ONE_BY_ONE = {THETA: 2, PI: 1}
 # Of a motion; other structs are what sensitivities are made from.
@@ -98,8 +106,27 @@ def build(
     header_text = header_text.replace(header.SHARES, text(counts))
     source = SOURCES[form]
     files = {HEADERS[form]: header_text, source: "\n".join(whole.text) + "\n"}
+    files = {name: named(text, form) for name, text in files.items()}
     files, digest = header.sealed(files, key("c", form))
     return Module(files, {source: whole.lets}, digest)
+
+
+def named(text: str, form: str) -> str:
+    """A text with the names that are a form's own.
+
+    >>> named("torque_free_motion TORQUE_FREE_H torque_free_pi.h", PI)
+    'torque_free_pi_motion TORQUE_FREE_PI_H torque_free_pi.h'
+    """
+    own = PurePath(HEADERS[form]).stem.removeprefix(_PLAIN)
+    return _NAMES.sub(lambda found: found[1] + (own.upper() if found[1].isupper() else own), text)
+
+
+def plain(text: str, form: str) -> str:
+    """The text that `named` makes this of."""
+    own = PurePath(HEADERS[form]).stem
+    for name, first in ((own, _PLAIN), (own.upper(), _PLAIN.upper())):
+        text = re.sub(rf"{_BEGIN}{name}(?=_)", first, text)
+    return text
 
 
 def header_first(form: str) -> str:

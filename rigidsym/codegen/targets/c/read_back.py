@@ -36,7 +36,7 @@ def check(
     form: str = THETA,
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    source = module.SOURCES[form]
+    source, files = module.SOURCES[form], _plain(files, form)
     _check_header(files[module.HEADERS[form]], functions, form)
     derived = _derived(files[source], functions, form)
     given = statements(source, derived)
@@ -50,6 +50,18 @@ def check(
         decided += len(frame.function.lets)
     _expect_end(source, given)
     return decided
+
+
+def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
+    """The files with names as they are written by hand; refuses one that is not the form's."""
+    found = {file: module.plain(text, form) for file, text in files.items()}
+    for file, text in found.items():
+        own_names = module.named(text, form).split("\n")
+        for number, line in enumerate(files[file].split("\n"), 1):
+            own = own_names[number - 1]
+            if line != own:
+                raise InputError(f"{file}:{number}", line.strip(), "has another form's name")
+    return found
 
 
 def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:

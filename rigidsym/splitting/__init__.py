@@ -1,0 +1,26 @@
+"""Bodies that something pushes: splitting methods on the exact free motion (`integrate`)."""
+
+from rigidsym.splitting.integration import integrate
+from rigidsym.splitting.methods import METHODS, Method
+from rigidsym.splitting.orbits import KeplerOrbit
+from rigidsym.splitting.torques import (
+    ConstantInBody,
+    ConstantInSpace,
+    GravityGradient,
+    Potential,
+    Torque,
+)
+from rigidsym.splitting.trajectory import Trajectory
+
+__all__ = [
+    "METHODS",
+    "ConstantInBody",
+    "ConstantInSpace",
+    "GravityGradient",
+    "KeplerOrbit",
+    "Method",
+    "Potential",
+    "Torque",
+    "Trajectory",
+    "integrate",
+]

@@ -1,0 +1,120 @@
+"""Where a planet is seen from a body on a Kepler orbit, elliptic or hyperbolic."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from rigidsym.errors import InputError
+
+_ENOUGH = 1e-15
+_MOST_ITERATIONS = 60
+
+
+@dataclass(frozen=True, slots=True)
+class KeplerOrbit:
+    """An orbit around a mass point; its attributes are what it is made of.
+
+    mu: gravitational parameter, m^3/s^2; periapsis: the least distance, m; eccentricity: from 0
+    up, but not 1; inclination, node, argument: rad, of the inertial axes; epoch: a time at
+    periapsis, s.  Raises InputError.
+
+    >>> orbit = KeplerOrbit(mu=3.986004418e14, periapsis=6.778e6)
+    >>> orbit.position(orbit.period / 4).round(3)
+    array([      0., 6778000.,       0.])
+    """
+
+    mu: float
+    periapsis: float
+    eccentricity: float = 0.0
+    inclination: float = 0.0
+    node: float = 0.0
+    argument: float = 0.0
+    epoch: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in self.__slots__:
+            if not math.isfinite(value := getattr(self, name)):
+                raise InputError(name, value, "must be finite")
+        for name in ("mu", "periapsis"):
+            if (value := getattr(self, name)) <= 0:
+                raise InputError(name, value, "must be positive")
+        if self.eccentricity < 0 or self.eccentricity == 1:
+            rule = "must be at least 0, and not that of a parabola"
+            raise InputError("eccentricity", self.eccentricity, rule)
+
+    @property
+    def mean_motion(self) -> float:
+        """rad/s; of a hyperbola by the size of its semi-major axis."""
+        return math.sqrt(self.mu / self._semi_major**3)
+
+    @property
+    def period(self) -> float:
+        """s; infinite on a hyperbola."""
+        return 2 * math.pi / self.mean_motion if self.eccentricity < 1 else math.inf
+
+    def position(self, t: float) -> np.ndarray:
+        """From the mass point to the body at a time, m, inertial axes (3,)."""
+        along, across = self._in_plane(self.mean_motion * (t - self.epoch))
+        return along * self._axes[0] + across * self._axes[1]
+
+    @property
+    def _semi_major(self) -> float:
+        return self.periapsis / abs(1 - self.eccentricity)
+
+    def _in_plane(self, mean_anomaly: float) -> tuple[float, float]:
+        """Towards periapsis, and at a right angle to it, m."""
+        a, e = self._semi_major, self.eccentricity
+        if e < 1:
+            E = elliptic_anomaly(math.remainder(mean_anomaly, 2 * math.pi), e)
+            return a * (math.cos(E) - e), a * math.sqrt(1 - e * e) * math.sin(E)
+        F = hyperbolic_anomaly(mean_anomaly, e)
+        return a * (e - math.cosh(F)), a * math.sqrt(e * e - 1) * math.sinh(F)
+
+    @property
+    def _axes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Unit vectors towards periapsis, and a right angle on from there."""
+        (c_n, s_n), (c_i, s_i), (c_w, s_w) = (
+            (math.cos(x), math.sin(x)) for x in (self.node, self.inclination, self.argument)
+        )
+        ascending = np.array([c_n, s_n, 0.0])
+        highest = np.array([-s_n * c_i, c_n * c_i, s_i])
+        return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
+
+
+def elliptic_anomaly(mean: float, e: float) -> float:
+    """E in E - e sin E = mean, rad, for |mean| <= pi and 0 <= e < 1, by Newton's method.
+
+    From E = pi, on the side of the mean anomaly, it comes down without passing the root
+    (Charles and Tatum, Celestial Mechanics and Dynamical Astronomy 69, 357-372).
+
+    >>> E = elliptic_anomaly(0.3, 0.9)
+    >>> abs(E - 0.9 * math.sin(E) - 0.3) < 1e-15
+    True
+    """
+    E = math.copysign(math.pi, mean)
+    for _ in range(_MOST_ITERATIONS):
+        change = (E - e * math.sin(E) - mean) / (1 - e * math.cos(E))
+        E -= change
+        if abs(change) <= _ENOUGH * abs(E):
+            break
+    return E
+
+
+def hyperbolic_anomaly(mean: float, e: float) -> float:
+    """F in e sinh F - F = mean, for e > 1, by Newton's method.
+
+    The start, asinh(mean / (e - 1)) or closer, is on the far side of the root, from where it comes
+    down without passing.
+
+    >>> F = hyperbolic_anomaly(0.3, 1.2)
+    >>> abs(1.2 * math.sinh(F) - F - 0.3) < 1e-15
+    True
+    """
+    F = math.asinh(mean / (e - 1))
+    for _ in range(_MOST_ITERATIONS):
+        change = (e * math.sinh(F) - F - mean) / (e * math.cosh(F) - 1)
+        F -= change
+        if abs(change) <= _ENOUGH * abs(F):
+            break
+    return F

@@ -1,0 +1,98 @@
+"""Steps of a splitting method over a batch of bodies: free motions and kicks in turn."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym.engines import batches
+from rigidsym.errors import InputError
+from rigidsym.motion import propagate
+from rigidsym.splitting.methods import Method
+from rigidsym.splitting.torques import Torque
+
+
+@dataclass(slots=True)
+class State:
+    """Attitudes (..., 4) and rates (..., 3) of bodies at one time."""
+
+    q: np.ndarray
+    omega: np.ndarray
+
+
+@dataclass(frozen=True, slots=True)
+class Bodies:
+    """The moments (..., 3) of bodies that can exist, and what moves them freely."""
+
+    inertia: np.ndarray
+    engine: str
+
+    def drift(self, state: State, dt: float) -> State:
+        """The free motion over a time, s."""
+        times = np.full((*state.q.shape[:-1], 1), dt)
+        q, omega = propagate(
+            self.inertia, state.omega, times, state.q, engine=self.engine, allow_nonphysical=True
+        )
+        return State(q[..., 0, :], omega[..., 0, :])
+
+
+@dataclass(slots=True)
+class Splitting:
+    """Bodies, a torque, and a method that takes them forward in time.
+
+    Kicks change the momentum at fixed attitude.  By a torque of attitude and time they are exact;
+    by a `rate_dependent` one they follow Runge and Kutta's method of order four.
+    """
+
+    bodies: Bodies
+    torque: Torque
+    method: Method
+    rate_dependent: bool
+    evaluations: int = field(default=0, init=False)
+
+    def advance(self, state: State, begin: float, step: float, first: int, last: int) -> State:
+        """From begin + first step to begin + last step, s; drifts that meet are one."""
+        drifts, kicks = self.method.drifts, self.method.kicks
+        pending = 0.0
+        for k in range(first, last):
+            into = 0.0
+            for drift, kick in zip(drifts, kicks, strict=False):
+                state = self.bodies.drift(state, (pending + drift) * step)
+                pending, into = 0.0, into + drift
+                state = self._kicked(state, begin + (k + into) * step, kick * step)
+            pending = drifts[-1]
+        return self.bodies.drift(state, pending * step) if pending else state
+
+    def _kicked(self, state: State, t: float, dt: float) -> State:
+        q, omega = state.q, state.omega
+        if self.rate_dependent:
+            return State(q, omega + self._runge_kutta(t, q, omega, dt))
+        return State(q, omega + dt * self.acceleration(t, q, omega))
+
+    def _runge_kutta(self, t: float, q: np.ndarray, omega: np.ndarray, dt: float) -> np.ndarray:
+        """How rates change in a kick; the time stands still in it as the attitude does."""
+        k1 = self.acceleration(t, q, omega)
+        k2 = self.acceleration(t, q, omega + dt / 2 * k1)
+        k3 = self.acceleration(t, q, omega + dt / 2 * k2)
+        k4 = self.acceleration(t, q, omega + dt * k3)
+        return dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+
+    def acceleration(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """What the torque does to the rates, rad/s^2; raises InputError for what is no torque."""
+        self.evaluations += 1
+        return _checked(self.torque(t, q, omega), t, omega.shape) / self.bodies.inertia
+
+
+def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
+    """A torque of finite numbers, one vector for each body."""
+    array = batches.array("torque", torque, lenient=True)
+    if array.shape != shape:
+        rule = f"must be of shape {shape}, as omega is (t = {t:.17g} s)"
+        raise InputError("torque", f"an array of shape {array.shape}", rule)
+    for place in np.argwhere(~np.isfinite(array))[:1]:
+        *body, axis = map(int, place)
+        where = f"body {', '.join(map(str, body))}, " if body else ""
+        raise InputError(
+            f"torque[{axis}]", array[tuple(place)], f"must be finite ({where}t = {t:.17g} s)"
+        )
+    return array

@@ -1,0 +1,96 @@
+"""Fits: how long one takes, from a start and from none, and the same by numerical integration.
+
+    python tests/benchmarks/fits.py [--looks 1000] [--starts 10000] [--engine c]
+
+Simulated attitudes of a triaxial body in long-axis mode.  The rival is SciPy's `least_squares` with
+its own differences over SciPy's DOP853, from the same start, and has to end at the same minimum.
+Times are the least of some runs; what counts is their ratio, side by side.
+"""
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import least_squares
+
+import rigidsym
+from rigidsym.fitting import Attitudes
+from rigidsym.fitting.estimate import _start
+from rigidsym.fitting.local import local
+from rigidsym.fitting.parameters import Parameters
+from rigidsym.fitting.problem import Problem
+from rigidsym.validate.peers.equations import rates
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+from simulated import TUMBLING, attitudes
+
+SIGMA, TURNS = 1e-3, 10.0
+# The rival's: coarser ones end elsewhere, finer ones take longer.
+TOLERANCE = 1e-10
+
+
+def best_of(count, run):
+    """The least time of some runs, s, and what the last of them found."""
+    least, found = np.inf, None
+    for _ in range(count):
+        begun = time.perf_counter()
+        found = run()
+        least = min(least, time.perf_counter() - begun)
+    return least, found
+
+
+def integrated(problem, start):
+    """The same least squares, states by DOP853 and derivatives by differences."""
+    (one,) = problem.sets
+
+    def residuals(x):
+        point = problem.parameters.moved(start, x)
+        inertia = tuple(point.moments)
+        found = solve_ivp(
+            lambda t, y: rates(y, inertia),
+            (0, one.t[-1]),
+            [*point.attitude, *point.omega],
+            "DOP853",
+            one.t,
+            rtol=TOLERANCE,
+            atol=TOLERANCE,
+        )
+        q = found.y[:4].T
+        q = q / np.linalg.norm(q, axis=1, keepdims=True)
+        return one.whitened(one.residuals(q, found.y[4:].T)[..., None]).ravel()
+
+    found = least_squares(residuals, np.zeros(problem.parameters.count), x_scale="jac")
+    return problem.parameters.moved(start, found.x), 2 * found.cost
+
+
+def main():
+    """Print a line for each."""
+    asked = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    asked.add_argument("--looks", type=int, default=1000)
+    asked.add_argument("--starts", type=int, default=10000)
+    asked.add_argument("--engine", default="c")
+    asked = asked.parse_args()
+    random = np.random.default_rng(1)
+    t = np.sort(random.uniform(0, 2 * np.pi * TURNS, asked.looks))
+    seen = Attitudes(t, attitudes(TUMBLING, t, SIGMA, random), SIGMA)
+    problem = Problem((seen,), Parameters(), engine=asked.engine)
+    guess = TUMBLING.replace(inertia=(1.0, 0.86, 0.405), omega0=(0.302, -0.503, 1.104))
+    start = _start(guess, None)
+    own, found = best_of(7, lambda: local(problem, start))
+    print(f"local fit, {asked.looks} attitudes: {own * 1e3:.3g} ms, chi2 {found.cost:.6f}")
+    theirs, (point, cost) = best_of(1, lambda: integrated(problem, start))
+    same = np.max(np.abs(point.omega - found.point.omega))
+    print(f"by DOP853 and differences: {theirs:.3g} s, chi2 {cost:.6f}, rates {same:.1e} apart")
+    print(f"ratio: {theirs / own:.0f}")
+    whole, fit = best_of(
+        1,
+        lambda: rigidsym.fit(attitudes=seen, starts=asked.starts, fastest=4.0, engine=asked.engine),
+    )
+    print(f"search from {asked.starts} starts: {whole:.3g} s, chi2 {fit.chi2:.6f}")
+
+
+if __name__ == "__main__":
+    main()

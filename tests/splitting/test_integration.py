@@ -1,0 +1,201 @@
+"""`rigidsym.integrate` beside closed forms and an integrator of the whole, and its bad input."""
+
+import numpy as np
+import pytest
+
+import rigidsym
+from rigidsym.errors import InputError
+from rigidsym.quaternions import rotated
+from rigidsym.splitting import METHODS, ConstantInBody, ConstantInSpace
+
+BODY = (2.0, 3.0, 4.0)
+START = (1.0, 0.0, 0.0, 0.0)
+RATES = (0.5, 0.3, -0.2)
+
+
+def rotation(p, q):
+    """Between attitudes, rad, of the double cover: twice the distance."""
+    return np.max(2 * np.linalg.norm(p - q, axis=-1))
+
+
+def free(t, q, omega):
+    return np.zeros_like(omega)
+
+
+def damping(t, q, omega):
+    """Of the momentum, at a tenth a second."""
+    return -0.1 * np.array(BODY) * omega
+
+
+@pytest.mark.parametrize("name", METHODS)
+def test_errors_fall_with_the_order_of_the_method(name, pushed, reference):
+    coarse, fine = (
+        rotation(rigidsym.integrate(*pushed.arguments, step=step, method=name).q, reference[0])
+        for step in (1.0, 0.5)
+    )
+    assert coarse < 0.2
+    assert np.log2(coarse / fine) > METHODS[name].order - 0.3
+
+
+def test_rates_are_those_of_another_integrator(pushed, reference):
+    found = rigidsym.integrate(*pushed.arguments, step=0.25, method="bm6")
+    assert np.allclose(found.omega, reference[1], rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("name", METHODS)
+def test_without_a_torque_the_motion_is_free(name):
+    times = [0.0, 3.0, 10.0]
+    found = rigidsym.integrate(BODY, START, RATES, free, times, step=4.0, method=name)
+    q, omega = rigidsym.propagate(BODY, RATES, times, START)
+    assert rotation(found.q, q) < 1e-14
+    assert np.allclose(found.omega, omega, rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("name", METHODS)
+def test_a_constant_torque_in_space_adds_to_the_momentum(name):
+    torque, times = np.array([0.3, -0.1, 0.2]), np.array([0.0, 1.0, 4.0])
+    found = rigidsym.integrate(
+        BODY, START, RATES, ConstantInSpace(torque), times, step=0.7, method=name
+    )
+    momentum = rotated(found.q, BODY * found.omega)
+    assert np.allclose(momentum, momentum[0] + times[:, None] * torque, rtol=0, atol=1e-13)
+
+
+def test_a_constant_torque_in_a_sphere_adds_to_its_rates():
+    torque, times = np.array([0.3, -0.1, 0.2]), np.array([0.0, 1.0, 4.0])
+    sphere = (2.0, 2.0, 2.0)
+    found = rigidsym.integrate(sphere, START, RATES, ConstantInBody(torque), times, step=0.7)
+    assert np.allclose(found.omega, RATES + times[:, None] * torque / 2, rtol=0, atol=1e-14)
+
+
+def test_a_damped_body_moves_freely_in_a_time_that_slows_down():
+    times = np.array([0.0, 2.0, 6.0])
+    found = rigidsym.integrate(
+        BODY, START, RATES, damping, times, step=0.5, method="bm4", rate_dependent=True
+    )
+    q, omega = rigidsym.propagate(BODY, RATES, (1 - np.exp(-0.1 * times)) / 0.1, START)
+    assert rotation(found.q, q) < 1e-6
+    assert np.allclose(found.omega, omega * np.exp(-0.1 * times)[:, None], rtol=0, atol=1e-6)
+
+
+def test_many_bodies_are_as_each_alone(pushed):
+    inertia = np.array([BODY, (1.0, 1.5, 2.0), (4.0, 3.0, 2.0)])
+    omega0 = np.array([[RATES], [(0.1, 0.7, 0.2)]])
+    times = [0.0, 1.0, 1.75]
+    every = rigidsym.integrate(inertia, START, omega0, pushed.torque, times, step=0.5)
+    assert every.q.shape == (2, 3, 3, 4)
+    assert every.omega.shape == (2, 3, 3, 3)
+    for i, j in ((0, 1), (1, 2)):
+        alone = rigidsym.integrate(inertia[j], START, omega0[i, 0], pushed.torque, times, step=0.5)
+        assert rotation(every.q[i, j], alone.q) < 1e-14
+
+
+def test_the_times_asked_for_change_no_step(pushed):
+    few = rigidsym.integrate(*pushed.arguments[:4], [0.0, 4.0], step=0.4)
+    many = rigidsym.integrate(*pushed.arguments[:4], [0.0, 0.1, 0.8, 1.3, 4.0], step=0.4)
+    assert rotation(few.q[-1], many.q[-1]) < 1e-14
+
+
+def test_evaluations_are_counted(pushed):
+    calls = []
+
+    def counted(t, q, omega):
+        calls.append(t)
+        return pushed.torque(t, q, omega)
+
+    found = rigidsym.integrate(*pushed.arguments[:3], counted, [0.0, 4.0], step=0.5)
+    assert found.evaluations == len(calls) == 2 * 8 + 2
+
+
+def test_the_attitude_begins_as_it_is_given_of_size_one():
+    found = rigidsym.integrate(BODY, (-2.0, 0.0, 0.0, 0.0), RATES, free, [0.0], step=1.0)
+    assert found.q.tolist() == [[-1.0, 0.0, 0.0, 0.0]]
+
+
+def failing(t, q, omega):
+    """As it should be until t = 1 s."""
+    torque = np.zeros_like(omega)
+    torque[..., -1, 2] = np.nan if t > 1 else 0.0
+    return torque
+
+
+def stopping(t, q, omega):
+    if t > 1:
+        raise KeyboardInterrupt
+    return np.zeros_like(omega)
+
+
+@pytest.mark.parametrize(
+    ("torque", "error"), [(failing, InputError), (stopping, KeyboardInterrupt)]
+)
+def test_what_is_interrupted_keeps_what_it_has(torque, error):
+    times = [0.0, 0.3, 0.9, 2.0]
+    with pytest.raises(error) as stop:
+        rigidsym.integrate([BODY] * 2, START, RATES, torque, times, step=0.5, method="strang")
+    kept = stop.value.trajectory
+    assert kept.times.tolist() == times[:3]
+    q, omega = rigidsym.propagate([BODY] * 2, [RATES] * 2, times[:3], START)
+    assert rotation(kept.q, q) < 1e-14
+    assert np.allclose(kept.omega, omega, rtol=0, atol=1e-14)
+
+
+def test_a_torque_that_is_not_finite_is_named_by_body_time_and_value():
+    with pytest.raises(
+        InputError, match=r"^torque\[2\] = nan: must be finite \(body 1, t = 1.25 s\)"
+    ):
+        rigidsym.integrate([BODY] * 2, START, RATES, failing, [0.0, 2.0], step=0.5, method="strang")
+
+
+def two_numbers(t, q, omega):
+    return np.zeros(2)
+
+
+def words(t, q, omega):
+    return "none"
+
+
+BAD = {
+    "a body that cannot exist": ({"inertia": (1.0, 1.0, 3.0)}, "^inertia = .*no body"),
+    "a second one": ({"inertia": [BODY, (1.0, -1.0, 1.0)]}, r"^inertia\[1, 1\] = -1.0: .*positive"),
+    "a short inertia": ({"inertia": (1.0, 2.0)}, r"^inertia = an array of shape \(2,\)"),
+    "no attitude": ({"q0": (0.0, 0.0, 0.0, 0.0)}, "^q0 = .*must not be zero"),
+    "rates that are no numbers": ({"omega0": (1.0, np.inf, 0.0)}, r"^omega0\[1\] = inf"),
+    "batches that do not fit": (
+        {"inertia": [BODY] * 2, "omega0": [RATES] * 3},
+        r"leading shapes must broadcast",
+    ),
+    "no torque": ({"torque": None}, "^torque = None: must be a function"),
+    "a torque of a wrong shape": ({"torque": two_numbers}, r"^torque = an array of shape \(2,\)"),
+    "a torque that is none": ({"torque": words}, "^torque = 'none': must be an array of numbers"),
+    "a torque of rates": ({"torque": damping}, "^torque = .*say rate_dependent=True"),
+    "times that do not grow": ({"times": [0.0, 1.0, 1.0]}, r"^times\[2\] = 1.0: must be after"),
+    "no times": ({"times": []}, "^times = .*one time at least"),
+    "a number as times": ({"times": 1.0}, "^times = .*one-dimensional"),
+    "a step of zero": ({"step": 0.0}, "^step = 0.0: must be positive"),
+    "a step back": ({"step": -1.0}, "^step = -1.0: must be positive"),
+    "many steps": ({"step": [1.0, 2.0]}, "^step = .*one number"),
+    "a step that is lost": ({"step": 1e-17}, "^step = 1e-17: is lost beside times"),
+    "an unknown method": ({"method": "euler"}, "^method = 'euler': must be one of"),
+    "an unknown engine": ({"engine": "fortran"}, "^engine = "),
+    "a tolerance beside a step": ({"tolerance": 1e-3}, "^tolerance = 0.001: is for step=None"),
+    "a tolerance of zero": ({"step": None, "tolerance": 0.0}, "^tolerance = 0.0: must be positive"),
+    "a switch that is none": ({"rate_dependent": 1}, "^rate_dependent = 1: must be true or false"),
+}
+
+
+@pytest.mark.parametrize(("changes", "line"), BAD.values(), ids=BAD)
+def test_bad_input_is_refused_in_one_line(changes, line):
+    good = {
+        **{"inertia": BODY, "q0": START, "omega0": RATES, "torque": free},
+        **{"times": [0.0, 1.0], "step": 0.5},
+    }
+    with pytest.raises(InputError, match=line) as refused:
+        rigidsym.integrate(**{**good, **changes})
+    assert "\n" not in str(refused.value)
+
+
+def test_bodies_that_cannot_exist_are_taken_where_that_is_meant():
+    found = rigidsym.integrate(
+        (1.0, 1.0, 3.0), START, RATES, free, [0.0, 1.0], step=0.5, allow_nonphysical=True
+    )
+    assert np.isfinite(found.q).all()
