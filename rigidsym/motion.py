@@ -19,6 +19,8 @@ from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
 from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
+    from flint import arb
+    from mpmath import mpf
     from pandas import DataFrame
     from scipy.spatial.transform import Rotation
     from xarray import Dataset
@@ -39,6 +41,8 @@ _IDENTITY = tuple(map(float, IDENTITY))
 _OF_THIS_PROCESS = ("_prepared", "_in_doubles", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
+# Of a state with its sensitivities: q, omega, attitude, rates, attitude_t, rates_t.
+_WIDTHS = (4, 3, 27, 27, 3, 3)
 Value = TypeVar("Value")
 
 
@@ -295,13 +299,17 @@ class TorqueFreeMotion:
         from rigidsym.solution.mode import mode
 
         polhode = self._by("theta", **self._given).polhode
-        return mode(polhode, self.exact["inertia"], self.exact["omega0"])
+        # That the middles decide for all numbers within the radii is what the polhode has seen to.
+        inertia, omega0 = ([*map(inputs.middle, x)] for x in (self.inertia, self.omega0))
+        return mode(polhode, inertia, omega0)
 
     @cached_property
     def _quantities(self) -> "Quantities":
         from rigidsym.precise.quantities import Quantities
 
-        return Quantities(self._by("theta", **self.exact))
+        rule = "is uncertain, so that its motion has no one energy, period or angle: give a number"
+        given = {name: inputs.certain(name, x, rule) for name, x in self._given.items()}
+        return Quantities(self._by("theta", **given))
 
     @property
     def energy(self) -> float:
@@ -398,9 +406,35 @@ class TorqueFreeMotion:
     def _given(self) -> dict[str, tuple[Number, ...]]:
         return {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
 
+    @overload
     def precise(
-        self, t: Times, digits: int = 50, *, method: str = "theta", max_seconds: float | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str = "theta",
+        max_seconds: float | None = None,
+        sensitivity: Literal[False] = False,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+    @overload
+    def precise(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str = "theta",
+        max_seconds: float | None = None,
+        sensitivity: Literal[True],
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
+    def precise(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str = "theta",
+        max_seconds: float | None = None,
+        sensitivity: bool = False,
+    ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
         They print these digits, and what is computed from them has mpmath's precision at the time.
@@ -409,7 +443,8 @@ class TorqueFreeMotion:
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
         quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
         twice, and gives the digits on which two of the ledger's forms agree; or theorem1, the
-        paper's own form as mended, for motions that it is about.  Raises
+        paper's own form as mended, for motions that it is about.  sensitivity: also return a
+        `Sensitivity` of such numbers, by the first four methods.  Raises
         PrecisionError where `max_seconds` are over before the digits are reached, saying how many
         were, and InputError for bad input.
         """
@@ -417,9 +452,14 @@ class TorqueFreeMotion:
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
         from rigidsym.precise.certain import certain
 
+        if inputs.is_true("sensitivity", sensitivity):
+            _ = self.exact
+            rows = self._certainly(method).decimal_sensitivities(times, *limits)
+            return _with_sensitivities((certain(row, digits) for row in rows), single)
         states = self._by(method, **self.exact).states(times, *limits)
         return _objects(((certain(q, digits), certain(w, digits)) for q, w in states), single)
 
+    @overload
     def enclose(
         self,
         t: Times,
@@ -427,35 +467,75 @@ class TorqueFreeMotion:
         *,
         method: str | None = None,
         max_seconds: float | None = None,
-    ) -> tuple[np.ndarray, np.ndarray]:
+        sensitivity: Literal[False] = False,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+    @overload
+    def enclose(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str | None = None,
+        max_seconds: float | None = None,
+        sensitivity: Literal[True],
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
+    def enclose(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str | None = None,
+        max_seconds: float | None = None,
+        sensitivity: bool = False,
+    ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
         """Like a call, as object arrays of Arb's balls (`flint.arb`) that contain the true values.
 
         Radii are at most 10^-digits max(1, |value|) where the inputs are exact, and what the
-        inputs leave uncertain where they are not.  Uncertain inputs also have the method `flow`,
-        which carries the equations of motion over their box whatever the regimes in it; by
-        default it meets carlson's formulas, where these hold for the whole box.  When even the
-        flow has lost the attitude, its balls are [-1, 1], and rates keep to energy and momentum.
-        The other methods raise InputError for boxes across a boundary between regimes, which
-        they name.  Else as `precise`.
+        inputs leave uncertain where they are not.  Uncertain inputs also have the methods `mean`,
+        the theorem of the mean by the sensitivities of all their motions, and `flow`, which carries
+        the equations of motion over their box; both whatever the regimes in it.  By default these
+        meet with carlson's formulas, where they hold for the whole box.  When even the flow has
+        lost the attitude, its balls are [-1, 1], and rates keep to energy and momentum.  The other
+        methods raise InputError for boxes across a boundary between regimes, which they name.
+        sensitivity: also return a `Sensitivity` of balls, for uncertain inputs those of all motions
+        of their box; they raise PrecisionError where these are too uncertain.  Else as `precise`.
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        if inputs.is_true("sensitivity", sensitivity):
+            rows = self._sensitivities(method)(times, *limits)
+            return _with_sensitivities(rows, single)
         return _objects(self._enclosing(method)(times, *limits), single)
 
     def _enclosing(
         self, method: str | None
     ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
+        boxed = {None: "enclosures", "mean": "mean_values", "flow": "flows"}
+        if self._is_uncertain and method in boxed:
+            return getattr(self._boxed, boxed[method])
+        return self._certainly(method).enclosures
+
+    def _sensitivities(
+        self, method: str | None
+    ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[list[arb]]]":
+        if self._is_uncertain and method in (None, "mean"):
+            return self._boxed.sensitivities
+        return self._certainly(method).sensitivities
+
+    @property
+    def _is_uncertain(self) -> bool:
+        return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
+
+    def _certainly(self, method: str | None) -> "PreciseMotion":
+        """The motion by one of the methods that have error bounds."""
         from rigidsym.precise import ESTIMATED, METHODS
 
         if isinstance(method, str) and method in ESTIMATED:
-            rule = f"has no error bounds; enclose takes {', '.join(METHODS)}"
+            rule = f"has no error bounds; balls and sensitivities take {', '.join(METHODS)}"
             raise InputError("method", repr(method), rule)
-        uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
-        if method == "flow" and not uncertain:
+        if method in ("mean", "flow") and not self._is_uncertain:
             raise InputError("method", method, "is for uncertain inputs, and these are exact")
-        if uncertain and method in (None, "flow"):
-            return self._boxed.flows if method else self._boxed.enclosures
-        return self._by(method or "theta", **self._given).enclosures
+        return self._by(method or "theta", **self._given)
 
     @cached_property
     def _boxed(self) -> "BoxedMotion":
@@ -608,6 +688,20 @@ def _objects(
     for k, (attitude, rates) in enumerate(listed):
         q[k], omega[k] = attitude, rates
     return (q[0], omega[0]) if single else (q, omega)
+
+
+def _with_sensitivities(
+    rows: "Iterable[Sequence[arb | mpf]]", single: bool
+) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
+    """Of rows of 67 numbers: q, omega, both changes (3, 9), and both by the time."""
+    listed = list(rows)
+    table = np.empty((len(listed), sum(_WIDTHS)), dtype=object)
+    for k, row in enumerate(listed):
+        table[k] = row
+    table = table[0] if single else table
+    q, omega, turns, rates, *by_time = np.split(table, np.cumsum(_WIDTHS)[:-1], axis=-1)
+    attitude, changes = (x.reshape(*x.shape[:-1], 3, 9) for x in (turns, rates))
+    return q, omega, Sensitivity(attitude, changes, *by_time)
 
 
 @dataclass(frozen=True, slots=True)
