@@ -7,12 +7,16 @@ from numpy.typing import ArrayLike
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.quaternions import conjugate, of_matrix, product
+from rigidsym.quaternions import conjugate, of_matrix, product, rotated
+from rigidsym.sensitivity import Sensitivity
 
 # Of the largest entry: tensors are often known to a few digits, but these are the same ones twice.
 SYMMETRY = 1e-9
 # Of the largest moment: what rounding makes of an eigenvalue.
 ROUNDING = 4 * float(np.finfo(float).eps)
+
+# Which entries of a tensor there are: xx, yy, zz, xy, xz, yz.
+_ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,6 +44,64 @@ class PrincipalAxes:
         the principal ones.  Raises InputError for other shapes."""
         attitude, rates = _array("q", q, 4), _array("omega", omega, 3)
         return product(attitude, conjugate(self.quaternion)), rates @ self.matrix.T
+
+    def sensitivity(
+        self,
+        start: tuple[ArrayLike, ArrayLike],
+        q: ArrayLike,
+        omega: ArrayLike,
+        found: Sensitivity,
+    ) -> Sensitivity:
+        """The same for the given axes: by a small turn, their rates at t = 0, and the tensor.
+
+        start: q (4,) and omega (3,) at t = 0; q, omega and found: what `motion.sensitivity`
+        returns; all of them for the principal axes.  In the result attitude and rates are
+        (..., 3, 12): after the small turn in space and omega0 along the given axes come the
+        entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz of the tensor, an entry and its mirror image together.
+        Where two moments are equal the axes have no derivative: raises InputError.  Where they
+        nearly are, digits are lost as the moments come closer.
+
+        >>> from rigidsym import TorqueFreeMotion
+        >>> body = principal_axes([[2, 0, 0.1], [0, 3, 0], [0.1, 0, 4]])
+        >>> rates, attitude = body.to_principal([0.1, 0.2, 0.3], [1, 0, 0, 0])
+        >>> motion = TorqueFreeMotion(body.moments, rates, attitude)
+        >>> body.sensitivity(motion(0.0), *motion.sensitivity([0.0, 5.0])).attitude.shape
+        (2, 3, 12)
+        """
+        turns, moments = self._by_tensor()
+        q0, omega0 = _array("start[0]", start[0], 4), _array("start[1]", start[1], 3)
+        rates = _array("omega", omega, 3)
+        here = _matrices(_array("q", q, 4))
+        # What inputs along the principal axes change by with those along the given ones.
+        inputs_by = np.zeros((9, 12))
+        inputs_by[:3, :3], inputs_by[3:6, 3:6] = np.eye(3), self.matrix.T
+        inputs_by[:3, 6:] = _matrices(q0) @ turns
+        inputs_by[3:6, 6:] = -np.cross(turns, omega0[:, None], axis=0)
+        inputs_by[6:, 6:] = moments
+        attitude, faster = found.attitude @ inputs_by, found.rates @ inputs_by
+        attitude[..., 6:] -= here @ turns
+        faster[..., 6:] += np.cross(turns, rates[..., :, None], axis=-2)
+        return Sensitivity(
+            attitude, self.matrix @ faster, found.attitude_t, found.rates_t @ self.matrix.T
+        )
+
+    def _by_tensor(self) -> tuple[np.ndarray, np.ndarray]:
+        """(3, 6) each: the axes' small turn, along themselves, and the moments, by each entry."""
+        m, axes = self.moments, self.matrix
+        for i, j in ((0, 1), (1, 2)):
+            if m[i] == m[j]:
+                rule = "two are equal: their axes are any in a plane, and have no derivative"
+                raise InputError("moments", _shown(m), rule)
+        turns, moments = np.empty((3, 6)), np.empty((3, 6))
+        for k, (i, j) in enumerate(_ENTRIES):
+            change = np.zeros((3, 3))
+            change[i, j] = change[j, i] = 1.0
+            seen = axes.T @ change @ axes
+            moments[:, k] = np.diag(seen)
+            for x in range(3):
+                y, z = (x + 1) % 3, (x + 2) % 3
+                turns[x, k] = seen[z, y] / (m[y] - m[z])
+        return turns, moments
 
 
 def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
@@ -109,6 +171,11 @@ def _array(field: str, values: ArrayLike, size: int) -> np.ndarray:
     if array.shape[-1:] != (size,):
         raise InputError(field, f"shape {array.shape}", f"must be (..., {size})")
     return array
+
+
+def _matrices(q: np.ndarray) -> np.ndarray:
+    """The rotation matrices (..., 3, 3) of unit quaternions (..., 4)."""
+    return np.swapaxes(rotated(q[..., None, :], np.eye(3)), -1, -2)
 
 
 def _shown(moments: np.ndarray) -> str:

@@ -19,7 +19,7 @@ ALLOWED = {
     "rigidsym.language": "",
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",
-    "rigidsym.principal": "errors inputs quaternions",
+    "rigidsym.principal": "errors inputs quaternions sensitivity",
     "rigidsym.motion": f"{NUMBERS} engines io.frames sensitivity view",
     # What is true.
     "rigidsym.proof.kernel": "",

@@ -151,3 +151,49 @@ def test_products_of_quaternions_are_products_of_matrices(p, q):
     assert np.allclose(product(q, conjugate(q)), [1, 0, 0, 0], rtol=0, atol=1e-15)
     found = of_matrix(matrix(q))
     assert min(np.abs(found - q).max(), np.abs(found + q).max()) < 1e-14
+
+
+ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
+TENSOR = np.array([[2.0, 0.1, -0.2], [0.1, 3.0, 0.3], [-0.2, 0.3, 4.0]])
+RATES, ATTITUDE = np.array([0.1, 0.7, -0.3]), np.array([2.0, -1.0, 3.0, 1.0])
+
+
+def along_given_axes(tensor, rates, t):
+    """q and omega of the given axes, and the sensitivity of the same."""
+    axes = principal_axes(tensor)
+    motion = TorqueFreeMotion(axes.moments, *axes.to_principal(rates, ATTITUDE))
+    q, omega, found = motion.sensitivity(t)
+    return *axes.from_principal(q, omega), axes.sensitivity(motion(0.0), q, omega, found)
+
+
+def test_sensitivities_by_the_tensor_are_those_of_differences():
+    t, step = 7.0, 1e-6
+    _, _, found = along_given_axes(TENSOR, RATES, np.array([t]))
+    q, _, one = along_given_axes(TENSOR, RATES, t)
+    assert np.array_equal(found.attitude[0], one.attitude)
+    assert np.array_equal(found.rates[0], one.rates)
+    for k in range(9):
+        ends = []
+        for change in (step, -step):
+            rates, tensor = RATES.copy(), TENSOR.copy()
+            if k < 3:
+                rates[k] += change
+            else:
+                i, j = ENTRIES[k - 3]
+                tensor[i, j] = tensor[j, i] = TENSOR[i, j] + change
+            ends.append(along_given_axes(tensor, rates, t)[:2])
+        (before, slower), (after, faster) = ends[1], ends[0]
+        turned = 2 * product(after - before, conjugate(q))[1:] / (2 * step)
+        assert np.allclose(one.attitude[:, 3 + k], turned, atol=1e-8)
+        assert np.allclose(one.rates[:, 3 + k], (faster - slower) / (2 * step), atol=1e-8)
+
+
+def test_a_small_turn_at_first_stays_one():
+    _, _, found = along_given_axes(TENSOR, RATES, 7.0)
+    assert np.allclose(found.attitude[:, :3], np.eye(3), atol=1e-15)
+    assert not found.rates[:, :3].any()
+
+
+def test_equal_moments_have_no_derivative_by_the_tensor():
+    with pytest.raises(InputError, match="two are equal: their axes are any in a plane"):
+        along_given_axes(np.diag([2.0, 2.0, 3.0]), RATES, 1.0)

@@ -5,16 +5,16 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from importlib import resources
 
+from rigidsym.codegen.forms import THETA, split
 from rigidsym.codegen.ir import KINDS
 
 # Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
 RUNTIMES = {
-    "numpy": tuple(f"targets/numpy/{x}.py" for x in ("runtime", "sensitivity", "double_double")),
-    "c": tuple(
-        f"targets/c/{x}.c"
-        for x in ("runtime", "sensitivity", "exact", "arithmetic", "double_double")
-    ),
+    "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
+    "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
 }
+# And what the theta form has beside them.
+SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}
 _COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
 MEANINGS = {
     "fact": "follow facts of the ledger, each named on its line",
@@ -24,10 +24,10 @@ MEANINGS = {
 }
 
 
-def shares(kinds: Iterable[str], target: str) -> dict[str, int]:
-    """How many lines there are of each kind, from the kinds of derived ones; by hand last."""
+def shares(kinds: Iterable[str], module: str) -> dict[str, int]:
+    """How many lines of a module, by its key, there are of each kind; by hand last."""
     counts = Counter(kinds)
-    return {kind: counts[kind] for kind in KINDS} | {"runtime": handwritten(target)}
+    return {kind: counts[kind] for kind in KINDS} | {"runtime": handwritten(module)}
 
 
 def text(counts: Mapping[str, int]) -> str:
@@ -40,9 +40,13 @@ def text(counts: Mapping[str, int]) -> str:
     return "\n".join(["Lines of code:", *rows])
 
 
-def handwritten(target: str) -> int:
-    """Lines that are neither blank nor comments of what a target has beside generated code."""
-    return sum(_lines(name, _COMMENT[target]) for name in RUNTIMES.get(target, ()))
+def handwritten(module: str) -> int:
+    """Lines that are neither blank nor comments of what a module has beside generated code."""
+    target, form = split(module)
+    names = RUNTIMES.get(target, ())
+    if form == THETA and target in SENSITIVITIES:
+        names = (*names, SENSITIVITIES[target])
+    return sum(_lines(name, _COMMENT[target]) for name in names)
 
 
 def _lines(name: str, comment: str) -> int:

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    429  24 %  follow facts of the ledger, each named on its line
+    429  23 %  follow facts of the ledger, each named on its line
     549  30 %  follow classical formulas, each with its reference
      65   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    782  43 %  are the runtime, written by hand
+    785  43 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 6b103af5ee3b2279c3f2da44ed1f65c2e7f8c9b58fead34d5e80edc7bf9ff77c
+digest f9b0cf05d17a9bb0077072c9f4bd2642a8eb769a7ae70640f86ca1d4d6899039
 """
 
 # ruff: noqa
@@ -2078,8 +2078,8 @@ def _integers(x):
     return [m << int(e) - least for m, e in zip(whole, exponent, strict=True)], least - 53
 
 
-# Sensitivities computed at a time: each has some seventy intermediate numbers.
-_SENSITIVE = 1024
+# Sensitivities computed at a time: each has some seventy intermediate numbers, and as many results.
+_SENSITIVE = 2048
 
 
 @np.errstate(all="ignore")
@@ -2215,12 +2215,16 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
         ("Omega", "c"): scale / moment_unit,
     }
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
+        block = found[place]
         for of, first in (("Omega", 3), ("c", 6)):
             factor = scales[changed, of]
             for i in range(3):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
-                    found[(*place, ..., i, first + j)] = factor * value
+                    np.multiply(value, factor, out=block[..., i, first + j])
+        # Of several bodies it is a copy.
+        if isinstance(place[0], np.ndarray):
+            found[place] = block
     for i in range(3):
         rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
         rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])

@@ -2184,7 +2184,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "9c2938fedeb4e517c49d01bd3413d1975863dfa57e624ee98bc2a746a3b77d2c"; }
+const char *torque_free_pi_digest(void) { return "bfd68debbdad6dd69312828efa5bc2826ed25efc845d3fd5a3ebc36777ef9dbd"; }
 
 const char *torque_free_pi_message(int code)
 {

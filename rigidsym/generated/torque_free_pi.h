@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  18 %  follow facts of the ledger, each named on its line
-    317  19 %  follow classical formulas, each with its reference
-     69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1015  60 %  are the runtime, written by hand
+    299  20 %  follow facts of the ledger, each named on its line
+    317  21 %  follow classical formulas, each with its reference
+     69   5 %  are arithmetic: sums, products, quotients, roots, reductions
+    843  55 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -78,7 +78,7 @@ rotation angle in rad, |domega|/|omega|
   quarter periods        1.2e-15  9.1e-16
 
 rigidsym 0.1.0, emitter c/2
-digest 9c2938fedeb4e517c49d01bd3413d1975863dfa57e624ee98bc2a746a3b77d2c
+digest bfd68debbdad6dd69312828efa5bc2826ed25efc845d3fd5a3ebc36777ef9dbd
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_PI_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_pi_state_at needs 3 KB.

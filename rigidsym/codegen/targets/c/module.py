@@ -101,7 +101,7 @@ def build(
         ]
     )
     structs = "\n\n".join(map(emit.branch_struct, constants_of))
-    counts = shares(whole.kinds(), "c")
+    counts = shares(whole.kinds(), key("c", form))
     header_text = f"{header_first(form)}{structs}\n{_header_last(constants_of, form)}"
     header_text = header_text.replace(header.SHARES, text(counts))
     source = SOURCES[form]

@@ -67,7 +67,7 @@ def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
 def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:
     file = module.HEADERS[form]
     kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
-    counts = shares.text(shares.shares(kinds, "c"))
+    counts = shares.text(shares.shares(kinds, key("c", form)))
     said = module.header_first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("c", form), header.digest_in(file, text))
     last = _filled(module.header_last(form), functions)

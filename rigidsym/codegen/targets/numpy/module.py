@@ -40,7 +40,7 @@ def build(
         Lines.plain(last(form)),
     ]
     whole = joined(pieces)
-    counts, file = shares(whole.kinds(), "numpy"), FILES[form]
+    counts, file = shares(whole.kinds(), key("numpy", form)), FILES[form]
     source = "\n".join(whole.text).replace(header.SHARES, text(counts)) + "\n"
     files, digest = header.sealed({file: source}, key("numpy", form))
     grown = files[file].count("\n") - len(whole.text)

@@ -49,7 +49,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
-    counts = shares.text(shares.shares(kinds, "numpy"))
+    counts = shares.text(shares.shares(kinds, key("numpy", form)))
     said = module.first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("numpy", form), header.digest_in(file, text))
     return between(file, text, first, module.last(form))

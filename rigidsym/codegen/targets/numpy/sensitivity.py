@@ -16,8 +16,8 @@ from rigidsym.codegen.targets.numpy.runtime import (
 from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY
 
 # --- runtime ---
-# Sensitivities computed at a time: each has some seventy intermediate numbers.
-_SENSITIVE = 1024
+# Sensitivities computed at a time: each has some seventy intermediate numbers, and as many results.
+_SENSITIVE = 2048
 
 
 @np.errstate(all="ignore")
@@ -153,12 +153,16 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
         ("Omega", "c"): scale / moment_unit,
     }
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
+        block = found[place]
         for of, first in (("Omega", 3), ("c", 6)):
             factor = scales[changed, of]
             for i in range(3):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
-                    found[(*place, ..., i, first + j)] = factor * value
+                    np.multiply(value, factor, out=block[..., i, first + j])
+        # Of several bodies it is a copy.
+        if isinstance(place[0], np.ndarray):
+            found[place] = block
     for i in range(3):
         rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
         rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])
