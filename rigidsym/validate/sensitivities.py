@@ -14,7 +14,7 @@ from fractions import Fraction
 import numpy as np
 from flint import arb
 
-from rigidsym import TorqueFreeMotion
+from rigidsym.motion import TorqueFreeMotion
 from rigidsym.validate.oracle import decades_below_one, precise_motion
 from rigidsym.validate.strata import Sample, samples
 
