@@ -299,13 +299,17 @@ class TorqueFreeMotion:
         from rigidsym.solution.mode import mode
 
         polhode = self._by("theta", **self._given).polhode
-        return mode(polhode, self.exact["inertia"], self.exact["omega0"])
+        # That the middles decide for all numbers within the radii is what the polhode has seen to.
+        inertia, omega0 = ([*map(inputs.middle, x)] for x in (self.inertia, self.omega0))
+        return mode(polhode, inertia, omega0)
 
     @cached_property
     def _quantities(self) -> "Quantities":
         from rigidsym.precise.quantities import Quantities
 
-        return Quantities(self._by("theta", **self.exact))
+        rule = "is uncertain, so that its motion has no one energy, period or angle: give a number"
+        given = {name: inputs.certain(name, x, rule) for name, x in self._given.items()}
+        return Quantities(self._by("theta", **given))
 
     @property
     def energy(self) -> float:

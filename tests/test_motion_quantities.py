@@ -128,11 +128,29 @@ def test_quantities_of_extreme_sizes():
     assert motion.period == pytest.approx(2 * math.pi / 0.5e-150, rel=1e-14)
 
 
-def test_uncertain_motions_have_none_of_it():
+def test_uncertain_motions_have_a_mode_and_none_of_the_numbers():
     vague = PAPER.replace(omega0=("0.05 +/- 1e-9", 0.03, -0.02))
-    for name in ("mode", "nutation", "mean_rates", *AT_LARGE):
-        with pytest.raises(InputError, match="is uncertain"):
+    assert vague.mode is PAPER.mode
+    for name in ("nutation", "mean_rates", *AT_LARGE):
+        with pytest.raises(InputError, match=r"omega0\[0\] = .* is uncertain, so that .* no one"):
             getattr(vague, name)
+
+
+@pytest.mark.parametrize(("body", "rates", "mode"), [x for x in MODES if any(x[1])])
+def test_a_mode_is_told_only_where_all_motions_within_the_radii_have_it(body, rates, mode):
+    largest = max(range(3), key=lambda k: abs(rates[k]))
+    vague = [f"{x} +/- 1e-30" if k == largest else x for k, x in enumerate(rates)]
+    motion = TorqueFreeMotion(body, vague)
+    if body == (4, 5, 9):
+        with pytest.raises(InputError, match="may be zero or have either sign"):
+            _ = motion.mode
+    else:
+        assert motion.mode is mode
+
+
+def test_a_body_that_may_be_a_sphere_has_no_mode():
+    with pytest.raises(InputError, match="may be zero or have either sign"):
+        _ = TorqueFreeMotion((1, "1 +/- 1e-9", "1.2"), (1, 2, 3)).mode
 
 
 @pytest.mark.parametrize("degrees", [False, True])
