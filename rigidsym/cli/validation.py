@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 _NOT_WITH = {
     "case": ("cases", "stratum", "workers", "scheduler", "record"),
     "faults": ("peer", "workers", "scheduler", "record"),
+    "sensitivity": ("digits", "peer", "workers", "scheduler", "record", "output", "json"),
 }
 
 
@@ -61,6 +62,9 @@ def add(command: Command) -> None:
     instead = validate.add_mutually_exclusive_group()
     instead.add_argument("--case", metavar="CASE", help="STRATUM:INDEX or FILE.toml, at each time")
     instead.add_argument("--faults", action="store_true", help="which injected faults are noticed")
+    instead.add_argument(
+        "--sensitivity", action="store_true", help="what states change by, column by column"
+    )
     instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
     where = validate.add_mutually_exclusive_group()
     where.add_argument(
@@ -104,7 +108,7 @@ def _validate(options: Namespace) -> int:
     from rigidsym.io.files import probe
     from rigidsym.validate import session
 
-    mode = "case" if options.case else "faults" if options.faults else ""
+    mode = next((name for name in _NOT_WITH if getattr(options, name)), "")
     for name in _NOT_WITH.get(mode, ()):
         if getattr(options, name) not in (None, False):
             raise InputError(name, "given", f"is not for --{mode}")
@@ -117,6 +121,8 @@ def _validate(options: Namespace) -> int:
     )
     if options.case:
         return _validate_case(campaign, options)
+    if options.sensitivity:
+        return _validate_sensitivity(campaign)
     return _validate_faults(campaign, options) if options.faults else _run(campaign, done, options)
 
 
@@ -201,6 +207,24 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
             print(case_file.toml(finding.sample), end="")
             table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
     return 0 if max(map(finding.share, campaign.targets)) <= 1 else 1
+
+
+def _validate_sensitivity(campaign: "Campaign") -> int:
+    from rigidsym.validate.sensitivities import BOUND, HEADS, by_stratum, of_engine
+
+    drawn = campaign.cases, campaign.seed, campaign.strata
+    worst = [
+        (target, found)
+        for target in campaign.targets
+        for found in by_stratum(of_engine(target), *drawn)
+    ]
+    broken = [(target, found) for target, found in worst if not found.is_within]
+    for target, found in broken:
+        say(f"broken: {target}: {found.stratum}: {found.error:.1e}")
+    with reader_may_leave():
+        title = f"rigidsym validate --sensitivity: errors of columns, {BOUND:.0e} documented"
+        table(title, ("module", *HEADS), [(target, *found.row()) for target, found in worst])
+    return 1 if broken else 0
 
 
 def _validate_faults(campaign: "Campaign", options: Namespace) -> int:

@@ -14,12 +14,14 @@ from fractions import Fraction
 import numpy as np
 from flint import arb
 
+from rigidsym.motion import TorqueFreeMotion
 from rigidsym.validate.oracle import decades_below_one, precise_motion
 from rigidsym.validate.strata import Sample, samples
 
 DIGITS, CASES, SEED = 25, 15, 1
 # Beyond it squares of columns leave binary64.
 LARGEST = 2.0**500
+HEADS = ("worst error", "case", "column", "t, s", "columns measured", "times refused")
 COLUMNS = (*(f"{x}{k}" for x in ("eta", "omega", "c") for k in (1, 2, 3)), "t")
 Sensitive = Callable[[Sample], np.ndarray]
 
@@ -40,6 +42,11 @@ class StratumErrors:
     time: float
     measured: int
     refused: int
+
+    def row(self) -> tuple[str, ...]:
+        """For a table, under `HEADS`."""
+        where = f"{self.stratum}:{self.case}", self.column, f"{self.time:.3g}"
+        return f"{self.error:.1e}", *where, str(self.measured), str(self.refused)
 
     @property
     def is_within(self) -> bool:
@@ -96,8 +103,8 @@ def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
     """The true columns (N, 6, 10), in these units."""
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
     # Balls are small in units of kg m^2 and rad/s, and have to be so in the inputs' own.
-    smallest = tuple(1 / Fraction(c) for c in sample.inertia)
-    more = digits + 2 * decades_below_one(sample.omega0) + decades_below_one(smallest)
+    heavy = len(str(int(max(sample.inertia))))
+    more = digits + heavy + 2 * decades_below_one(sample.omega0)
     rows = np.array([_floats(row[7:]) for row in motion.sensitivities(times, more)])
     blocks = np.split(rows, [27, 54, 57], axis=-1)
     turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
@@ -125,3 +132,15 @@ def columns(
             np.concatenate([rates, rates_t[..., None]], axis=-1) / rate,
         ]
         return np.concatenate(rows, axis=-2) * units
+
+
+def of_engine(engine: str) -> Sensitive:
+    """Sensitivities by the module of an engine; NaN where it refuses."""
+
+    def sensitive(sample: Sample) -> np.ndarray:
+        state = sample.inertia, sample.omega0, sample.attitude0
+        motion = TorqueFreeMotion(*state, engine=engine)
+        _, _, found = motion.sensitivity(np.array(sample.times), errors="nan")
+        return columns(sample, found.attitude, found.rates, found.attitude_t, found.rates_t)
+
+    return sensitive

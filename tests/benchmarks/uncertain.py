@@ -21,12 +21,12 @@ BOXES = {
         ("0.05", "0.03", "-0.02"),
     ),
 }
-TIMES = (1, 10, 100)
+TIMES = (1, 10, 100, 10_000)
 
 
 def main() -> None:
     """Print a line for each box and time."""
-    print(f"{'':32}{'t':>6}{'q':>10}{'effect':>10}{'omega':>10}{'effect':>10}{'seconds':>9}")
+    print(f"{'':32}{'t':>7}{'q':>10}{'effect':>10}{'omega':>10}{'effect':>10}{'seconds':>9}")
     for name, given in BOXES.items():
         motion = TorqueFreeMotion(*given)
         for time in TIMES:
@@ -36,7 +36,7 @@ def main() -> None:
             radii = [max(float(x.rad()) for x in part) for part in state]
             q, omega = zip(radii, _effects(motion, time), strict=True)
             widths = "".join(f"{x:10.1e}" for x in (*q, *omega))
-            print(f"{name:32}{time:6}{widths}{seconds:9.2f}")
+            print(f"{name:32}{time:7}{widths}{seconds:9.2f}")
 
 
 def _effects(motion: TorqueFreeMotion, time: int) -> list[float]:

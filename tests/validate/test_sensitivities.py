@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rigidsym import TorqueFreeMotion
+from rigidsym.cli import main
 from rigidsym.precise.balls import ball, working
 from rigidsym.validate import sensitivities
 from rigidsym.validate.sensitivities import BOUND, COLUMNS, by_stratum, columns, enclosed, errors
@@ -116,3 +117,22 @@ def test_what_is_refused_is_counted():
 
 def test_the_bound_is_the_documented_one():
     assert BOUND == 1e-13
+
+
+def test_modules_are_measured_by_the_command(capsys):
+    arguments = ["--stratum", "uniform", "--stratum", "near separatrix", "--cases", "2"]
+    assert main(["validate", "numpy", "--sensitivity", *arguments]) == 0
+    printed = capsys.readouterr()
+    assert "near separatrix:" in printed.out
+    assert "broken" not in printed.err
+
+
+def test_a_broken_bound_is_named(monkeypatch, capsys):
+    monkeypatch.setattr(sensitivities, "BOUND", 1e-18)
+    assert main(["validate", "numpy", "--sensitivity", "--stratum", "uniform", "--cases", "1"]) == 1
+    assert "broken: numpy: uniform: " in capsys.readouterr().err
+
+
+def test_options_of_campaigns_are_refused(capsys):
+    assert main(["validate", "--sensitivity", "--json"]) == 2
+    assert "json = given: is not for --sensitivity" in capsys.readouterr().err

@@ -96,7 +96,7 @@ def test_balls_are_hardly_wider_than_what_inputs_leave_open(kind):
         motion = boxed(kind, part)
         sizes, curved = effect(motion, time)
         if all(bend < size / 20 for size, bend in zip(sizes, curved, strict=True)):
-            found = numbers(motion.enclose(time, 15))
+            found = numbers(motion.enclose(time, 15, method="mean"))
             for size, balls in zip(sizes, (found[:4], found[4:]), strict=True):
                 assert max(float(x.rad()) for x in balls) < 2 * size, (part, time)
             seen += 1
