@@ -214,6 +214,8 @@ FORMS: dict[str, list[Entry]] = {
     "periods": [
         *readings("period", "K_1 J_c", "36"),
         *definitions("period", "period psi_mean", "10", "34"),
+        *readings("period", "turn", "10"),
+        *definitions("period", "Omega_mean", "10"),
     ],
     "fourier": definitions("fourier_terms", "a", "DLMF 20.5.13", "DLMF 22.11"),
     "fourier_rest": definitions("fourier_phase", "e a rest_k", "33", "34"),

@@ -5,6 +5,7 @@ Quaternions are scalar first, unit, body to inertial: q' = q (0, omega) / 2 with
 """
 
 from importlib import import_module
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from rigidsym._version import __version__
@@ -66,4 +67,8 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    """What a user imports, and modules that are there already: nothing that only serves here."""
+    public = [
+        name for name, x in globals().items() if isinstance(x, ModuleType) or name[:2] == "__"
+    ]
+    return sorted({*__all__, *(name for name in public if name != "_version")})

@@ -106,12 +106,19 @@ def number(field: str, value: ExactNumber) -> Number:
     return Uncertain(middle, radius) if radius else middle
 
 
-def certain(field: str, values: Sequence[Number]) -> tuple[Fraction, ...]:
+def middle(value: Number) -> Fraction:
+    """The number itself, or the middle of one that is uncertain."""
+    return value.middle if isinstance(value, Uncertain) else value
+
+
+def certain(
+    field: str, values: Sequence[Number], rule: str = "is uncertain; only enclose takes that"
+) -> tuple[Fraction, ...]:
     """The same numbers; raises InputError for the first that is uncertain."""
     exact_ones = tuple(value for value in values if isinstance(value, Fraction))
     for k, value in enumerate(values):
         if isinstance(value, Uncertain):
-            raise InputError(f"{field}[{k}]", value, "is uncertain; only enclose takes that")
+            raise InputError(f"{field}[{k}]", value, rule)
     return exact_ones
 
 

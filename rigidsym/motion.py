@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, NoReturn, TypeGuard, TypeVar, Unpack
+from typing import TYPE_CHECKING, Literal, NoReturn, TypeGuard, TypeVar, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,12 +16,16 @@ from rigidsym import engines, inputs
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
 from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
+from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
+    from flint import arb
+    from mpmath import mpf
     from pandas import DataFrame
     from scipy.spatial.transform import Rotation
     from xarray import Dataset
 
+    from rigidsym.engines.sensitivities import Sensitive
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.precise.evaluation import State
@@ -34,9 +38,11 @@ if TYPE_CHECKING:
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
-_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed", "_quantities")
+_OF_THIS_PROCESS = ("_prepared", "_in_doubles", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
+# Of a state with its sensitivities: q, omega, attitude, rates, attitude_t, rates_t.
+_WIDTHS = (4, 3, 27, 27, 3, 3)
 Value = TypeVar("Value")
 
 
@@ -178,6 +184,49 @@ class TorqueFreeMotion:
         except ValueError as error:
             raise _refused(error, {"t": times, "errors": errors}) from None
 
+    def sensitivity(
+        self, t: ArrayLike, errors: str = "raise"
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
+        """q and omega at t (s) as a call returns them, and their derivatives by all inputs.
+
+        In closed form and at all times, in every regime; see `Sensitivity` for shapes and frames.
+        Errors are below 1e-13 of the larger of a column and the change itself (that of omega0,
+        or |omega0| times the relative change of a moment).  Raises InputError as a call does,
+        and for times at which a motion on its way to spin about the middle axis has derivatives
+        whose squares leave binary64; with errors="nan" there are no numbers then.
+
+        >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
+        >>> q, omega, S = motion.sensitivity([0.0, 180.0])
+        >>> S.attitude.shape, S.rates_t.shape
+        ((2, 3, 9), (2, 3))
+        """
+        prepared, times = self._prepared, _times(t, errors)
+        found = _refusing(
+            lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
+            t=times,
+            errors=errors,
+            engine=self.engine,
+        )
+        q, omega, attitude, rates, attitude_t, rates_t = found
+        if not self._in_doubles:
+            # Exact moments were divided by this.
+            from rigidsym.engines.exact_inputs import moment_unit
+
+            for columns in (attitude, rates):
+                columns[..., 6:] /= moment_unit(self.exact["inertia"])
+        return q, omega, Sensitivity(attitude, rates, attitude_t, rates_t)
+
+    def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
+        """(..., 6, 6): what a small turn in space and a change of the rates at t0 (s) are at t.
+
+        Phi(t2, t0) = Phi(t2, t1) Phi(t1, t0).  Vectors are those of `Sensitivity`; raises as
+        `sensitivity` does.
+        """
+        begin, times = _number("t0", t0), _times(t)
+        q, omega = self(begin)
+        there = self.replace(omega0=omega.tolist(), attitude0=q.tolist()) if begin else self
+        return there.sensitivity(times - begin)[2].transition
+
     def grid(
         self,
         start: float,
@@ -218,14 +267,22 @@ class TorqueFreeMotion:
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
-    def _prepared(self) -> engines.Prepared:
-        if floats := self._floats:
-            return _refusing(lambda: self._engine.prepare(*floats.values()), **floats)
+    def _in_doubles(self) -> dict[str, tuple[float, ...]]:
+        """Inertia, omega0 and attitude0 by name where doubles say all of them."""
+        if self._floats:
+            return self._floats
         given = self.exact
-        doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
-        if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
-            return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **doubles)
-        return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
+        doubles = {n: tuple(inputs.doubles(n, values)) for n, values in given.items()}
+        same = all(tuple(map(Fraction, doubles[n])) == given[n] for n in given)
+        return doubles if same else {}
+
+    @cached_property
+    def _prepared(self) -> engines.Prepared:
+        if doubles := self._in_doubles:
+            return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
+        given = self.exact
+        said = {name: inputs.doubles(name, values) for name, values in given.items()}
+        return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **said)
 
     @property
     def regime(self) -> "Regime":
@@ -242,13 +299,17 @@ class TorqueFreeMotion:
         from rigidsym.solution.mode import mode
 
         polhode = self._by("theta", **self._given).polhode
-        return mode(polhode, self.exact["inertia"], self.exact["omega0"])
+        # That the middles decide for all numbers within the radii is what the polhode has seen to.
+        inertia, omega0 = ([*map(inputs.middle, x)] for x in (self.inertia, self.omega0))
+        return mode(polhode, inertia, omega0)
 
     @cached_property
     def _quantities(self) -> "Quantities":
         from rigidsym.precise.quantities import Quantities
 
-        return Quantities(self._by("theta", **self.exact))
+        rule = "is uncertain, so that its motion has no one energy, period or angle: give a number"
+        given = {name: inputs.certain(name, x, rule) for name, x in self._given.items()}
+        return Quantities(self._by("theta", **given))
 
     @property
     def energy(self) -> float:
@@ -281,6 +342,25 @@ class TorqueFreeMotion:
         165.897574
         """
         return self._quantities.period
+
+    @property
+    def mean_rates(self) -> tuple[float, float, float]:
+        """The body rates averaged over a period, rad/s; over all times on the separatrix.
+
+        That about the circulation axis alone has a mean, unless all are constant.
+
+        >>> [round(x, 6) for x in TorqueFreeMotion((1, 2, 2.5), (1, 1, 3)).mean_rates]
+        [0.0, 0.0, 2.974532]
+        """
+        return self._quantities.mean_rates
+
+    @property
+    def circulation_rate(self) -> float | None:
+        """2 pi/period: how fast the momentum goes round in the body, on the average, rad/s.
+
+        Zero on the separatrix, None where the rates are constant.
+        """
+        return self._quantities.circulation_rate
 
     @property
     def precession_rate(self) -> float | None:
@@ -326,9 +406,35 @@ class TorqueFreeMotion:
     def _given(self) -> dict[str, tuple[Number, ...]]:
         return {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
 
+    @overload
     def precise(
-        self, t: Times, digits: int = 50, *, method: str = "theta", max_seconds: float | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str = "theta",
+        max_seconds: float | None = None,
+        sensitivity: Literal[False] = False,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+    @overload
+    def precise(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str = "theta",
+        max_seconds: float | None = None,
+        sensitivity: Literal[True],
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
+    def precise(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str = "theta",
+        max_seconds: float | None = None,
+        sensitivity: bool = False,
+    ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
         """Like a call, as object arrays of mpmath numbers, `digits` significant digits certain.
 
         They print these digits, and what is computed from them has mpmath's precision at the time.
@@ -337,7 +443,8 @@ class TorqueFreeMotion:
         Times are taken exactly, as the other inputs are.  `method` is theta, carlson, landen or
         quadrature, by Arb's balls; or mpmath, by its functions alone: it computes each state
         twice, and gives the digits on which two of the ledger's forms agree; or theorem1, the
-        paper's own form as mended, for motions that it is about.  Raises
+        paper's own form as mended, for motions that it is about.  sensitivity: also return a
+        `Sensitivity` of such numbers, by the first four methods.  Raises
         PrecisionError where `max_seconds` are over before the digits are reached, saying how many
         were, and InputError for bad input.
         """
@@ -345,9 +452,14 @@ class TorqueFreeMotion:
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
         from rigidsym.precise.certain import certain
 
+        if inputs.is_true("sensitivity", sensitivity):
+            _ = self.exact
+            rows = self._certainly(method).decimal_sensitivities(times, *limits)
+            return _with_sensitivities((certain(row, digits) for row in rows), single)
         states = self._by(method, **self.exact).states(times, *limits)
         return _objects(((certain(q, digits), certain(w, digits)) for q, w in states), single)
 
+    @overload
     def enclose(
         self,
         t: Times,
@@ -355,35 +467,75 @@ class TorqueFreeMotion:
         *,
         method: str | None = None,
         max_seconds: float | None = None,
-    ) -> tuple[np.ndarray, np.ndarray]:
+        sensitivity: Literal[False] = False,
+    ) -> tuple[np.ndarray, np.ndarray]: ...
+    @overload
+    def enclose(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str | None = None,
+        max_seconds: float | None = None,
+        sensitivity: Literal[True],
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
+    def enclose(
+        self,
+        t: Times,
+        digits: int = 50,
+        *,
+        method: str | None = None,
+        max_seconds: float | None = None,
+        sensitivity: bool = False,
+    ) -> "tuple[np.ndarray, ...] | tuple[np.ndarray, np.ndarray, Sensitivity]":
         """Like a call, as object arrays of Arb's balls (`flint.arb`) that contain the true values.
 
         Radii are at most 10^-digits max(1, |value|) where the inputs are exact, and what the
-        inputs leave uncertain where they are not.  Uncertain inputs also have the method `flow`,
-        which carries the equations of motion over their box whatever the regimes in it; by
-        default it meets carlson's formulas, where these hold for the whole box.  When even the
-        flow has lost the attitude, its balls are [-1, 1], and rates keep to energy and momentum.
-        The other methods raise InputError for boxes across a boundary between regimes, which
-        they name.  Else as `precise`.
+        inputs leave uncertain where they are not.  Uncertain inputs also have the methods `mean`,
+        the theorem of the mean by the sensitivities of all their motions, and `flow`, which carries
+        the equations of motion over their box; both whatever the regimes in it.  By default these
+        meet with carlson's formulas, where they hold for the whole box.  When even the flow has
+        lost the attitude, its balls are [-1, 1], and rates keep to energy and momentum.  The other
+        methods raise InputError for boxes across a boundary between regimes, which they name.
+        sensitivity: also return a `Sensitivity` of balls, for uncertain inputs those of all motions
+        of their box; they raise PrecisionError where these are too uncertain.  Else as `precise`.
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
+        if inputs.is_true("sensitivity", sensitivity):
+            rows = self._sensitivities(method)(times, *limits)
+            return _with_sensitivities(rows, single)
         return _objects(self._enclosing(method)(times, *limits), single)
 
     def _enclosing(
         self, method: str | None
     ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[State]]":
+        boxed = {None: "enclosures", "mean": "mean_values", "flow": "flows"}
+        if self._is_uncertain and method in boxed:
+            return getattr(self._boxed, boxed[method])
+        return self._certainly(method).enclosures
+
+    def _sensitivities(
+        self, method: str | None
+    ) -> "Callable[[Sequence[Fraction], int, float | None], Iterator[list[arb]]]":
+        if self._is_uncertain and method in (None, "mean"):
+            return self._boxed.sensitivities
+        return self._certainly(method).sensitivities
+
+    @property
+    def _is_uncertain(self) -> bool:
+        return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
+
+    def _certainly(self, method: str | None) -> "PreciseMotion":
+        """The motion by one of the methods that have error bounds."""
         from rigidsym.precise import ESTIMATED, METHODS
 
         if isinstance(method, str) and method in ESTIMATED:
-            rule = f"has no error bounds; enclose takes {', '.join(METHODS)}"
+            rule = f"has no error bounds; balls and sensitivities take {', '.join(METHODS)}"
             raise InputError("method", repr(method), rule)
-        uncertain = inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
-        if method == "flow" and not uncertain:
+        if method in ("mean", "flow") and not self._is_uncertain:
             raise InputError("method", method, "is for uncertain inputs, and these are exact")
-        if uncertain and method in (None, "flow"):
-            return self._boxed.flows if method else self._boxed.enclosures
-        return self._by(method or "theta", **self._given).enclosures
+        return self._by(method or "theta", **self._given)
 
     @cached_property
     def _boxed(self) -> "BoxedMotion":
@@ -450,6 +602,7 @@ class TorqueFreeMotion:
         return plot(self, times)
 
 
+@overload
 def propagate(
     inertia: ArrayLike,
     omega0: ArrayLike,
@@ -461,7 +614,35 @@ def propagate(
     allow_nonphysical: bool = False,
     errors: str = "raise",
     degrees: bool = False,
-) -> tuple[np.ndarray, np.ndarray]:
+    sensitivity: Literal[False] = False,
+) -> tuple[np.ndarray, np.ndarray]: ...
+@overload
+def propagate(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
+    *,
+    engine: str = "numpy",
+    out: None = None,
+    allow_nonphysical: bool = False,
+    errors: str = "raise",
+    degrees: bool = False,
+    sensitivity: Literal[True],
+) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
+def propagate(
+    inertia: ArrayLike,
+    omega0: ArrayLike,
+    t: ArrayLike,
+    attitude0: ArrayLike = IDENTITY,
+    *,
+    engine: str = "numpy",
+    out: tuple[np.ndarray, np.ndarray] | None = None,
+    allow_nonphysical: bool = False,
+    errors: str = "raise",
+    degrees: bool = False,
+    sensitivity: bool = False,
+) -> tuple[np.ndarray, np.ndarray] | tuple[np.ndarray, np.ndarray, Sensitivity]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
     Leading shapes broadcast, those of attitude0 (..., 4) and t (..., N) among them; all numbers are
@@ -470,8 +651,9 @@ def propagate(
     piece of memory are read where they are.  `out` is a
     pair of arrays of the shapes returned, to fill, which share no memory with each other or an
     input.  errors: "raise" InputError for the first body or time that is refused, named by its
-    index, or "nan" for their states.  degrees: omega0 is in deg/s.  Units, conventions and engines
-    are those of `TorqueFreeMotion`.
+    index, or "nan" for their states.  degrees: omega0 is in deg/s.  sensitivity: also return a
+    `Sensitivity`, as `TorqueFreeMotion.sensitivity` does, by omega0 in rad/s; then there is no
+    `out`.  Units, conventions and engines are those of `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     lenient = _is_lenient(errors)
@@ -479,13 +661,23 @@ def propagate(
     if inputs.is_true("degrees", degrees):
         given["omega0"] = np.deg2rad(given["omega0"])
     bodies = {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
-    run, times = engines.engine(engine).propagate, batches.array("t", t, lenient)
-    return _refusing(
-        lambda: run(*(given | bodies).values(), times, out, errors),
-        **given,
-        t=times,
-        errors=errors,
-    )
+    chosen, times = engines.engine(engine), batches.array("t", t, lenient)
+    arguments, said = (given | bodies).values(), {**given, "t": times, "errors": errors}
+    if inputs.is_true("sensitivity", sensitivity):
+        if out is not None:
+            raise InputError("out", "given", "sensitivities have arrays of their own")
+        found = _refusing(
+            lambda: _sensitive(chosen).propagate(*arguments, times, errors), engine=engine, **said
+        )
+        return found[0], found[1], Sensitivity(*found[2:])
+    return _refusing(lambda: chosen.propagate(*arguments, times, out, errors), **said)
+
+
+def _sensitive(engine: engines.Engine) -> "Sensitive":
+    # Here, because who asks for states alone needs nothing of it.
+    from rigidsym.engines.sensitivities import sensitive
+
+    return sensitive(engine)
 
 
 def _objects(
@@ -496,6 +688,20 @@ def _objects(
     for k, (attitude, rates) in enumerate(listed):
         q[k], omega[k] = attitude, rates
     return (q[0], omega[0]) if single else (q, omega)
+
+
+def _with_sensitivities(
+    rows: "Iterable[Sequence[arb | mpf]]", single: bool
+) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
+    """Of rows of 67 numbers: q, omega, both changes (3, 9), and both by the time."""
+    listed = list(rows)
+    table = np.empty((len(listed), sum(_WIDTHS)), dtype=object)
+    for k, row in enumerate(listed):
+        table[k] = row
+    table = table[0] if single else table
+    q, omega, turns, rates, *by_time = np.split(table, np.cumsum(_WIDTHS)[:-1], axis=-1)
+    attitude, changes = (x.reshape(*x.shape[:-1], 3, 9) for x in (turns, rates))
+    return q, omega, Sensitivity(attitude, changes, *by_time)
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,11 +15,12 @@ ALLOWED = {
     "rigidsym._version": "",
     "rigidsym.errors": "",
     "rigidsym.quaternions": "",
+    "rigidsym.sensitivity": "",
     "rigidsym.language": "",
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",
     "rigidsym.principal": "errors inputs quaternions",
-    "rigidsym.motion": f"{NUMBERS} engines io.frames view",
+    "rigidsym.motion": f"{NUMBERS} engines io.frames sensitivity view",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",

@@ -423,6 +423,7 @@ def test_what_is_not_imported(code, absent):
 
 def test_the_public_names():
     assert set(rigidsym.__all__) <= set(dir(rigidsym))
+    assert not {"TYPE_CHECKING", "ModuleType", "import_module", "_HOMES"} & set(dir(rigidsym))
     assert all(getattr(rigidsym, name) for name in rigidsym.__all__)
     with pytest.raises(AttributeError, match="nothing"):
         _ = rigidsym.nothing

@@ -58,7 +58,7 @@ def test_small_nutation_keeps_its_digits():
 
 MOVING = [x[:2] for x in MODES if x[0] in ((1, 2, 2), (1, 1, 2), (1, 2, 2.5)) and all(x[1])]
 AT_LARGE = ("energy", "momentum", "parameter", "modulus", "period", "precession_rate",
-            "phase_per_period")  # fmt: skip
+            "phase_per_period", "circulation_rate")  # fmt: skip
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 0, 2)])
@@ -82,6 +82,26 @@ def test_they_are_those_that_expressions_have(body, rates):
     expressions = motion.symbolic().quantities
     for name in AT_LARGE:
         assert getattr(motion, name) == pytest.approx(float(expressions[name]), rel=1e-15)
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 0, 2)])
+@pytest.mark.parametrize(("body", "rates"), MOVING)
+def test_mean_rates_are_those_of_the_motion(body, rates, order):
+    """Means over a period, by sums that are exact for periodic functions."""
+    motion = TorqueFreeMotion([body[k] for k in order], [rates[k] for k in order])
+    t = np.arange(400) * (motion.period / 400)
+    assert np.allclose(motion(t)[1].mean(axis=0), motion.mean_rates, rtol=0, atol=2e-14)
+    expressions = motion.symbolic().quantities
+    mean = sum(motion.mean_rates)
+    assert float(expressions["mean_circulation_rate"]) == pytest.approx(mean, rel=1e-14)
+    assert motion.circulation_rate == pytest.approx(float(expressions["circulation_rate"]))
+
+
+def test_mean_rates_of_the_edges():
+    assert TorqueFreeMotion((4, 5, 9), (3, 1, 1)).mean_rates == (0.0, 0.0, 0.0)
+    assert TorqueFreeMotion((4, 5, 9), (3, 1, 1)).circulation_rate == 0
+    assert TorqueFreeMotion((1, 2, 2.5), (0, -2, 0)).mean_rates == (0.0, -2.0, 0.0)
+    assert TorqueFreeMotion((1, 2, 2.5), (0, -2, 0)).circulation_rate is None
 
 
 def test_the_separatrix_takes_forever():
@@ -108,11 +128,29 @@ def test_quantities_of_extreme_sizes():
     assert motion.period == pytest.approx(2 * math.pi / 0.5e-150, rel=1e-14)
 
 
-def test_uncertain_motions_have_none_of_it():
+def test_uncertain_motions_have_a_mode_and_none_of_the_numbers():
     vague = PAPER.replace(omega0=("0.05 +/- 1e-9", 0.03, -0.02))
-    for name in ("mode", "nutation", *AT_LARGE):
-        with pytest.raises(InputError, match="is uncertain"):
+    assert vague.mode is PAPER.mode
+    for name in ("nutation", "mean_rates", *AT_LARGE):
+        with pytest.raises(InputError, match=r"omega0\[0\] = .* is uncertain, so that .* no one"):
             getattr(vague, name)
+
+
+@pytest.mark.parametrize(("body", "rates", "mode"), [x for x in MODES if any(x[1])])
+def test_a_mode_is_told_only_where_all_motions_within_the_radii_have_it(body, rates, mode):
+    largest = max(range(3), key=lambda k: abs(rates[k]))
+    vague = [f"{x} +/- 1e-30" if k == largest else x for k, x in enumerate(rates)]
+    motion = TorqueFreeMotion(body, vague)
+    if body == (4, 5, 9):
+        with pytest.raises(InputError, match="may be zero or have either sign"):
+            _ = motion.mode
+    else:
+        assert motion.mode is mode
+
+
+def test_a_body_that_may_be_a_sphere_has_no_mode():
+    with pytest.raises(InputError, match="may be zero or have either sign"):
+        _ = TorqueFreeMotion((1, "1 +/- 1e-9", "1.2"), (1, 2, 3)).mode
 
 
 @pytest.mark.parametrize("degrees", [False, True])

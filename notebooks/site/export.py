@@ -28,6 +28,13 @@ _LINK = re.compile(r"\]\((\w+)\.ipynb")
 # nbconvert's template loads these from elsewhere.
 _LOADED = re.compile(r"<script[^>]*\bsrc=\"https?:[^>]*>.*?</script>", re.DOTALL)
 _LIVE = ("application/vnd.plotly.v1+json", "application/javascript")
+# What is wider than a phone scrolls by itself; nbconvert's own style cuts it off.
+_STYLE = """<style>
+.jp-InputArea-editor .highlight pre, .jp-RenderedMarkdown pre { overflow-x: auto; }
+.jp-RenderedMarkdown p, .jp-RenderedMarkdown math[display="block"] { overflow: auto hidden; }
+.jp-RenderedMarkdown :not(pre) > code { overflow-wrap: anywhere; }
+</style>
+</head>"""
 
 
 def exported(notebook: Any) -> str:
@@ -38,7 +45,7 @@ def exported(notebook: Any) -> str:
         for output in cell.get("outputs", ()):
             _still(output.get("data", {}))
     page, _ = HTMLExporter(mathjax_url="", require_js_url="").from_notebook_node(notebook)
-    return _LOADED.sub("", page)
+    return _LOADED.sub("", page).replace("</head>", _STYLE, 1)
 
 
 def _formula(found: re.Match[str]) -> str:
@@ -50,8 +57,8 @@ def _still(data: dict[str, Any]) -> None:
     """What needs no script: formulas as MathML, links of tables and cards as they are."""
     for kind in _LIVE:
         data.pop(kind, None)
-    if "text/latex" in data:
-        latex = data.pop("text/latex").strip().strip("$").removeprefix(r"\displaystyle")
+    latex = data.pop("text/latex", "").strip().strip("$").removeprefix(r"\displaystyle")
+    if latex and "text/html" not in data:
         data["text/html"] = f"<div>{mathml(latex, 'block')}</div>"
     for kind, pattern in (("text/html", _CARD), ("text/markdown", _MARKED)):
         if kind in data:

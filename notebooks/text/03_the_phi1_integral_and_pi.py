@@ -503,7 +503,7 @@ right.plot(x, [float(phi1_rate(s)) for s in fine], color="C0", lw=2, label=r"$\d
 bounds = {f"K/c_{k + 1}": float(body[K] / body[INERTIA[k]]) for k in (second, third)}
 for name, value in bounds.items():
     right.axhline(value, color="0.5", lw=1, ls=":")
-    right.text(182, value, f"${name}$", va="center")
+    right.annotate(f"${name}$", (1.02, value), xycoords=right.get_yaxis_transform(), va="center")
 x = np.linspace(0, 180, 3601)
 squared = NUMPY["jacobi_sn"](float(xi) * x + float(gamma), float(mu)) ** 2
 printed_n = float(characteristic / body[INERTIA[first]] ** 2)

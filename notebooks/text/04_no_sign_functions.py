@@ -229,7 +229,7 @@ figure, (top, middle, bottom) = plt.subplots(3, sharex=True, figsize=(8, 7), lay
 for k, colour in enumerate((BLUE, GREEN, RED)):
     top.plot(t, 1e3 * omega[:, k], color=colour, label=rf"$\Omega_{k + 1}$")
 top.set(ylabel="body rates (mrad/s)", title="The paper's spacecraft: rates")
-top.legend(loc="upper right", ncols=3)
+top.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 broken = np.insert(constant, crossings, np.nan, axis=0)
 for k, colour in enumerate((BLUE, GREEN, RED, BROWN)):
     middle.plot(t, q[:, k], color=colour, lw=3.5, alpha=0.25)
@@ -237,7 +237,7 @@ for k, colour in enumerate((BLUE, GREEN, RED, BROWN)):
     middle.plot([], [], color=colour, label=f"$q_{k}$")
 middle.set(ylabel="components (dimensionless)")
 middle.set_title("Attitude: broad, the smooth solution; thin, Theorem 1 with constant signs")
-middle.legend(loc="lower left", ncols=4)
+middle.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 bottom.plot(t, angle_between(q, constant), color=RED, lw=1.5)
 bottom.set(ylabel="angle (degrees)", xlabel="time (s)", title="Rotation angle between the two")
 bottom.set(ylim=(-5, 190), yticks=range(0, 181, 45), xlim=(0, 180))
@@ -503,7 +503,7 @@ for label, (angle, colour) in angles.items():
     rate = (angle[half][-1] - angle[half][0]) / (t[half][-1] - t[half][0])
     right.plot(t, angle - angle[half][0] - rate * (t - t[half][0]), color=colour, label=label)
 right.set(xlabel="time (s)", ylabel="angle (rad)", title="less what is linear in time")
-right.legend(ncols=3)
+right.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 plt.show()
 
 # %% [markdown]

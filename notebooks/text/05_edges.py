@@ -219,7 +219,7 @@ top.plot(times, stepped[:, b], color=RED, lw=1.2, ls="--", label="Runge-Kutta, $
 top.set(
     ylabel=r"$\Omega_b$ (rad/s)", title="A separatrix motion: one flip, says the exact solution"
 )
-top.legend(loc="center right")
+top.legend(loc="center left", bbox_to_anchor=(0.07, 0.4))
 gap = np.linalg.norm(stepped - exact, axis=1)
 bottom.semilogy(times[1:], gap[1:], color=RED, label="difference of the rates")
 lam = constants(flip, "lambda_")[1][0]

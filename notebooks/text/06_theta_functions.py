@@ -98,6 +98,16 @@ def theta3(z, p, terms=2 * TERMS):
     return 1 + 2 * sum(p ** (n * n) * np.cos(2 * n * z) for n in range(1, terms))
 
 
+table(
+    {
+        "nome": f"{nome}",
+        r"$\theta_1(1)$": f"{theta1(1.0, nome):.6f}",
+        r"$\theta_4(1)$": f"{theta4(1.0, nome):.6f}",
+        r"the first term left out of $\theta_4$": f"{2 * nome**TERMS**2:.0e}",
+    }
+    for nome in (0.001, 0.01, 0.04)
+)
+
 # %% [markdown]
 # ## The constants of the paper's spacecraft
 #
@@ -189,6 +199,11 @@ q = np.empty((t.size, 4))
 q[:, 0] = state["q_0"]
 for x, k in zip("abd", polhode.axes, strict=True):
     q[:, k + 1] = state[f"q_{x}"]
+
+table(
+    {"at 180 s": f"$q_{k}$", "by two thetas": f"{q[-1, k]:.12f}", "generated code": f"{x:.12f}"}
+    for k, x in enumerate(motion(180.0)[0])
+)
 
 # %%
 components = [f"theta_form.qbar_{x}" for x in "0abd"]
@@ -312,6 +327,13 @@ plt.show()
 # %%
 a = by.axes[0]
 tilt = float(tumbling.inertia[a]) * tumbling(long)[1][:, a] / its["K"]
+seen_angles = np.degrees(np.arccos([tilt.max(), tilt.min()]))
+table(
+    {"the axis from the momentum": which, "seen": f"{angle:.2f}°", "`nutation`": f"{told:.2f}°"}
+    for which, angle, told in zip(
+        ("nearest", "farthest"), seen_angles, np.degrees(tumbling.nutation), strict=True
+    )
+)
 
 # %% [markdown]
 # ### Periods and Montgomery's phase

@@ -97,7 +97,7 @@ axes.set_xlim(0, None)
 axes.set_xlabel(r"worst rotation angle ($2^{-53}$ rad)")
 axes.set_title("Worst of every stratum")
 axes.grid(alpha=0.3)
-axes.legend()
+axes.legend(loc="center right", bbox_to_anchor=(0.95, 0.5))
 plt.show()
 
 # %% [markdown]

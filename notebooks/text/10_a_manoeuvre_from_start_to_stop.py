@@ -74,6 +74,15 @@ plan
 # %%
 best = plan.best
 K = [transfer.momentum for transfer in plan.transfers]
+table(
+    {
+        "transfer": f"{rank}",
+        "$2K$ (N m s)": f"{2 * size:.6f}",
+        "cost (N m s)": f"{transfer.cost:.6f}",
+        "moves as": str(transfer.motion.regime),
+    }
+    for rank, (size, transfer) in enumerate(zip(K, plan.transfers, strict=True), 1)
+)
 
 # %% [markdown]
 # ## Why all of them can be found
@@ -103,6 +112,8 @@ R, J = posed.rotation, np.diag(1 / inertia)
 A = R @ J @ R.T - J
 momenta = np.array([inertia * transfer.omega0 for transfer in plan.transfers])
 ends = np.array([inertia * transfer.omega1 for transfer in plan.transfers])
+below, between, above = np.linalg.eigvalsh(A)
+table([{"eigenvalues of $A$, 1/(kg m²)": f"{below:.3f}, {between:.3f}, {above:.3f}"}])
 
 # %% [markdown]
 # Here it is, on the sphere of directions in the start's body axes. Every transfer starts at its dot

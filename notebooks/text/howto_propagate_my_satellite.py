@@ -70,7 +70,7 @@ attitude = Rotation.from_quat(q, scalar_first=True)  # satellite's axes to inert
 figure, (upper, lower) = plt.subplots(2, figsize=(7, 5), sharex=True, layout="constrained")
 upper.plot(t, rates, label=["x", "y", "z"])
 upper.set_ylabel("body rates (rad/s)")
-upper.legend(loc="right")
+upper.legend(loc="center left", bbox_to_anchor=(1, 0.5))
 antenna = attitude.apply([0, 0, 1])
 pointing = np.degrees(np.arccos(np.clip(antenna @ antenna[0], -1, 1)))
 lower.plot(t, pointing, color="black")

@@ -148,6 +148,8 @@ figure, axes = plt.subplots(figsize=(7, 3.6), layout="constrained")
 for name, values in errors.items():
     axes.loglog(steps, values, "o-", label=name)
 axes.loglog(steps, errors["as it should be"][0] * (steps / steps[0]) ** 4, "k:", label="order four")
+axes.set_xticks(steps, [f"{step:.2g}" for step in steps])
+axes.minorticks_off()
 axes.set_xlabel("step (rad)")
 axes.set_ylabel("worst angle (rad)")
 axes.set_title("RK4 on the paper's spacecraft")

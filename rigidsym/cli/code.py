@@ -33,7 +33,7 @@ def add(command: Command) -> None:
         "trace",
         _trace,
         "a generated line's facts and equations; an equation's lines",
-        "trace --equation 32",
+        "trace --equation 34",
     )
     trace.add_argument("place", metavar="FILE[:LINE]", nargs="?", help="of a generated file")
     trace.add_argument("--equation", metavar="NUMBER", help="as the paper numbers it")
@@ -97,7 +97,7 @@ def _trace(options: Namespace) -> int:
         if options.place is not None:
             found = told(options.place)
         else:
-            found = lines_of_equation(options.equation, {e.number for e in EQUATIONS})
+            found = lines_of_equation(options.equation, [e.number for e in EQUATIONS])
     except TraceError as error:
         say(f"rigidsym trace: {error}")
         return 1

@@ -25,6 +25,10 @@ from rigidsym.errors import InputError, LedgerError, PrecisionError
 
 # In the order of the help.
 _GROUPS = (reproduction, errata, proofs, code, validation, states, manoeuvres, fits, templates)
+_FIRST = """to begin with:
+  rigidsym propagate paper            states of the paper's spacecraft
+  rigidsym init motion.toml           a file for a body of your own
+  rigidsym COMMAND --help             all about one command, with an example"""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -53,7 +57,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def parser() -> argparse.ArgumentParser:
     """All commands and their arguments."""
-    whole = Parser(prog="rigidsym", description="Exact torque-free motion of a rigid body.")
+    whole = Parser(
+        prog="rigidsym",
+        description="Exact torque-free motion of a rigid body.",
+        epilog=_FIRST,
+        formatter_class=Help,
+    )
     whole.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     commands = whole.add_subparsers(dest="command", required=True, metavar="COMMAND")
 

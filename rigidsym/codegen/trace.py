@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import NamedTuple
@@ -81,22 +81,23 @@ def lines_of_equation(number: str, printed: Collection[str] = ()) -> list[str]:
     TraceError where there is no such line.
     """
     wanted = number.strip().strip("()")
-    found = [
-        f"{file.name}:{line}: {_code(file.lines[line - 1])}"
-        for file in _files()
-        for line, place in file.places.items()
-        if wanted in place["equations"]
-    ]
-    if not found:
-        raise TraceError(_missing(wanted, printed))
-    return found
+    behind: dict[str, list[str]] = {}
+    for file in _files():
+        for line, place in file.places.items():
+            for equation in place["equations"]:
+                told = f"{file.name}:{line}: {_code(file.lines[line - 1])}"
+                behind.setdefault(equation, []).append(told)
+    if wanted not in behind:
+        raise TraceError(_missing(wanted, printed, [e for e in printed if e in behind]))
+    return behind[wanted]
 
 
-def _missing(number: str, printed: Collection[str]) -> str:
+def _missing(number: str, printed: Collection[str], traced: Sequence[str]) -> str:
     """What is wrong with a number behind which there are no lines."""
     shown = f"({number})" if number[:1].isdigit() else number
     if number in printed:
-        return f"no generated line rests on {shown}, which the paper prints"
+        others = f"; lines rest on {', '.join(traced)}"
+        return f"no generated line rests on {shown}, which the paper prints{others}"
     return f"{shown or 'an empty number'} is no equation of the paper, and no source of a line"
 
 

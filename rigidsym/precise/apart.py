@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 from contextlib import suppress
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from queue import Empty, SimpleQueue
@@ -28,8 +29,17 @@ GLANCE = 0.1
 
 # Mantissa and exponent of a middle and of a radius; None for no number.
 Parts = tuple[tuple[int, int], tuple[int, int]] | None
+
+
+@dataclass(frozen=True, slots=True)
+class Sensitive:
+    """What the state at a time is, and what it changes by."""
+
+    time: Fraction
+
+
 # A time, or names of constants.
-Asked = Fraction | tuple[str, ...]
+Asked = Fraction | Sensitive | tuple[str, ...]
 
 
 class Numbered(Protocol):

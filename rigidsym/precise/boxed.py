@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
 
+from flint import arb
+
 from rigidsym.errors import InputError, PrecisionError, written
 from rigidsym.inputs import Number
 from rigidsym.precise.adaptive import SAYS_NOTHING, AdaptivePrecision, TooUncertainError
@@ -66,6 +68,20 @@ class BoxedMotion:
             if found is None:
                 raise TooUncertainError(f"t = {written(time)}: {SAYS_NOTHING}")
             yield found[0]
+
+    def sensitivities(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[list[arb]]:
+        """At each time (q, omega) and what `sensitivity.point.listed` lists, of all motions.
+
+        Raises PrecisionError where they are too uncertain.
+        """
+        states = self.enclosures(times, digits, max_seconds)
+        for time, (q, omega) in zip(times, states, strict=True):
+            found = self._by_mean_values(digits).sensitivities(time)
+            if found is None:
+                raise TooUncertainError(f"t = {written(time)}: {SAYS_NOTHING}")
+            yield [*q, *omega, *found]
 
     def flows(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None

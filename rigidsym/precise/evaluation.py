@@ -11,9 +11,11 @@ from typing import Any, Generic, Protocol, TypeVar
 
 from flint import arb
 
+from rigidsym import inputs
 from rigidsym.inputs import Number
 from rigidsym.language.sequence import FormulaSequence
-from rigidsym.precise.apart import Asked
+from rigidsym.precise.apart import Asked, Sensitive
+from rigidsym.precise.sensitivity.point import Point
 from rigidsym.solution.formulas import AXES, INPUTS, sequence
 from rigidsym.solution.polhode import Polhode, Regime
 
@@ -23,7 +25,7 @@ Value = TypeVar("Value")
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
-_OF_PERIODS = ("period", "psi_mean")
+_OF_PERIODS = ("period", "psi_mean", "Omega_mean")
 _BY_THETA = ("theta", "theta_state", "pull_back")
 
 
@@ -88,9 +90,13 @@ class Evaluation(Generic[Value]):
         self.start = [x / norm for x in quaternion], list(map(number, given.omega0))
 
     def numbers(self, asked: Asked) -> list[Value]:
-        """The seven numbers of the state at a time, or constants by their names."""
+        """The seven numbers of the state at a time, with sensitivities if balls are asked for them;
+        or constants by their names."""
         if isinstance(asked, tuple):
             return [self.constant(name) for name in asked]
+        if isinstance(asked, Sensitive):
+            q, omega = self.state(asked.time)
+            return [*q, *omega, *self._point.at(asked.time, q)]
         return [*chain(*self.state(asked))]
 
     def state(self, time: Fraction) -> tuple[list[Value], list[Value]]:
@@ -105,6 +111,11 @@ class Evaluation(Generic[Value]):
         if name in _OF_PERIODS:
             return self._periods[name]
         return self.number(self._computed(frozenset([name]))[name])
+
+    @cached_property
+    def _point(self) -> Any:
+        inertia, omega0 = (inputs.certain("", x) for x in (self.given.inertia, self.given.omega0))
+        return Point(inertia, omega0, self.start[0])
 
     @cached_property
     def _periods(self) -> dict[str, Value]:

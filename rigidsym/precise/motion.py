@@ -5,7 +5,7 @@ exactly; all that follows is done with Arb's balls, at a working precision that 
 balls are small enough.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, partial
@@ -19,7 +19,7 @@ from rigidsym.errors import written
 from rigidsym.inputs import Number
 from rigidsym.precise import apart
 from rigidsym.precise.adaptive import GUARD_BITS, AdaptivePrecision
-from rigidsym.precise.apart import Asked
+from rigidsym.precise.apart import Asked, Sensitive
 from rigidsym.precise.balls import ball, bits_of, has_digits, is_within, to_mpf, working
 from rigidsym.precise.carlson import Carlson
 from rigidsym.precise.estimates import ByMpmath, ByTheorem1, Estimates
@@ -91,6 +91,31 @@ class PreciseMotion:
         read = precision.read_uncertain if self._is_uncertain else precision.read
         found = read(partial(self.numbers, time), f"t = {written(time)}")
         return found[:4], found[4:]
+
+    def sensitivities(
+        self,
+        times: Sequence[Fraction],
+        digits: int,
+        max_seconds: float | None = None,
+        enough: Callable[[arb, int], bool] = is_within,
+    ) -> Iterator[list[arb]]:
+        """At each time (q, omega) and what `sensitivity.point.listed` lists, as good as `enough`
+        says.
+
+        Raises InputError where inputs are uncertain, and PrecisionError where `max_seconds` for all
+        times are over.
+        """
+        precision = AdaptivePrecision(digits, enough, max_seconds)
+        for time in times:
+            asked = Sensitive(time)
+            yield precision.read(partial(self.numbers, asked), f"t = {written(time)}")
+
+    def decimal_sensitivities(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[list[mpf]]:
+        """The same as mpf numbers, `digits` significant digits of each certain."""
+        for row in self.sensitivities(times, digits, max_seconds, has_digits):
+            yield list(map(_settled, row))
 
     def start(self, digits: int) -> list[float]:
         """The attitude at t = 0, normalised and rounded to doubles."""

@@ -111,8 +111,9 @@ class Theorem1:
 
     def numbers(self, asked: Asked) -> list[Point]:
         """The seven numbers of the state at a time."""
-        if isinstance(asked, tuple):
-            raise InputError("method", "'theorem1'", "has no constants of the regular form")
+        if not isinstance(asked, Fraction):
+            lacking = "constants of the regular form" if isinstance(asked, tuple) else "changes"
+            raise InputError("method", "'theorem1'", f"has no {lacking}")
         return [*chain(*self.state(asked))]
 
     def state(self, time: Fraction) -> tuple[list[Point], list[Point]]:

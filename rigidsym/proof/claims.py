@@ -19,8 +19,10 @@ from rigidsym.view.html.cards import (
     card,
     code,
     counted,
+    entries,
     folded,
     formula,
+    formulas,
     head,
     math,
     muted,
@@ -80,8 +82,7 @@ class Claim:
         if any(r"\cdots" in text for text in shown):
             yield join(" ", muted("long sums are shown in part"))
         if self.fact["kind"] == "unequal":
-            where = listed(point(self.fact["certificate"]["point"]))
-            yield join(formula(rf"\text{{at}}\quad {where}"))
+            yield join(muted("at"), formulas(point(self.fact["certificate"]["point"])))
 
     def _folds(self) -> Iterator[Markup]:
         if self.context is None:
@@ -89,10 +90,10 @@ class Claim:
         parts = {kind: lines for kind, lines in hypotheses(self.context).items() if lines}
         counts = ", ".join(counted(len(lines), kind) for kind, lines in parts.items())
         summary = join("hypotheses of ", code(self.fact["context"]), muted(f" {counts or 'none'}"))
-        yield folded(summary, table((), [_fold_row(*part) for part in parts.items()]))
+        yield folded(summary, entries(_fold_row(*part) for part in parts.items()))
         if self.context["reading"]:
-            rows = [(math(_name(k)), text) for k, text in self.context["reading"].items()]
-            yield folded("what the names stand for", table((), rows))
+            named = ((math(_name(k)), text) for k, text in self.context["reading"].items())
+            yield folded("what the names stand for", entries(named))
 
 
 class Claims(Mapping[str, Claim]):
@@ -160,7 +161,7 @@ def _row(claim: Claim) -> tuple[Any, ...]:
     return code(claim.id), badge(claim.grade), join(math(shown[0]), *rest)
 
 
-def _fold_row(kind: str, lines: list[str]) -> tuple[Any, ...]:
+def _fold_row(kind: str, lines: list[str]) -> tuple[Markup, Markup]:
     return muted(f"{kind}s"), join(*(formula(line) for line in lines))
 
 

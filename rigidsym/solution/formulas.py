@@ -119,7 +119,7 @@ INPUTS = {
     ),
     "fourier": ("e", "x"),
     "fourier_rest": ("x", "rho", "sinh_b", "k"),
-    "periods": ("n", "m_c", "mu", "psi_0", "kappa"),
+    "periods": ("n", "m_c", "mu", "psi_0", "kappa", "sigma", "A_a", "lambda_"),
     "turned_body": (
         *(f"{x}{k}" for x in ("c", "dc", "Omega", "dOmega", "l") for k in range(1, 4)),
         *("K", "s", "q0", "q1", "q2", "q3"),
@@ -171,6 +171,7 @@ READINGS = {
     "cos_half_theta": "cos(theta/2)",
     "sin_half_theta": "sin(theta/2)",
     "K_1": "elliptic_k(1 - m_c)",
+    "turn": "2*pi",
     "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
     "one_rate:zeta": "sqrt(root_j)",
     "one_rate:xi": "half*sqrt(alpha*root_k)",

@@ -217,7 +217,10 @@ def test_trace_goes_both_ways(capsys):
     ("arguments", "line"),
     [
         (["--equation", "99"], "(99) is no equation of the paper, and no source of a line"),
-        (["--equation", "(35)"], "no generated line rests on (35), which the paper prints"),
+        (
+            ["--equation", "(35)"],
+            "no generated line rests on (35), which the paper prints; lines rest on 1, 3, ",
+        ),
         (["--equation", "Lemma 2"], "Lemma 2 is no equation of the paper, and no source of a line"),
         (["--equation", "Remark 3"], "no generated line rests on Remark 3, which the paper prints"),
         (["--equation", ""], "an empty number is no equation of the paper"),

@@ -46,7 +46,7 @@ def executed():
     for number, data in outputs.items():
         output = nbformat.v4.new_output("execute_result", data, execution_count=number)
         sample.cells[number].outputs = [output]
-    cards = {"text/html": r"<p>a card: \(a &lt; b\)</p>"}
+    cards = {"text/html": r"<p>a card: \(a &lt; b\)</p>", "text/latex": "$a < b$"}
     tables = {"text/markdown": "| of | is |\n| --- | --- |\n| $c_1$ | 2 |"}
     for data in (cards, tables):
         sample.cells[3].outputs.append(nbformat.v4.new_output("display_data", data))
@@ -251,3 +251,4 @@ def test_an_exported_notebook_is_one_file_with_its_mathematics(html):
     assert not re.search(r"<(?:script|link|img)[^>]*(?:src|href)=\"https?:", done.stdout)
     words = re.sub(r"<(script|style).*?</\1>|<[^>]*>", "", done.stdout, flags=re.DOTALL)
     assert "$$" not in words
+    assert "a card:" in words

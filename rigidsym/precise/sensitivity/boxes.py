@@ -8,13 +8,15 @@ from functools import cached_property
 from flint import arb, arb_mat
 
 from rigidsym.inputs import Number, middle, radius
+from rigidsym.precise import balls
 from rigidsym.precise.adaptive import AdaptivePrecision
 from rigidsym.precise.balls import BITS_PER_DIGIT, ball, is_within, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.motion import PreciseMotion
 from rigidsym.precise.sensitivity.box import Box
-from rigidsym.precise.sensitivity.columns import Named
+from rigidsym.precise.sensitivity.columns import INPUTS, NUMBERS, Columns, Named
 from rigidsym.precise.sensitivity.mean_value import ONE, MeanValue
+from rigidsym.precise.sensitivity.point import NAMES, STAYS, listed
 from rigidsym.precise.sensitivity.sloped import Sloped, power
 from rigidsym.solution.formulas import AXES, sequence
 
@@ -55,6 +57,35 @@ class MeanStates:
     def _is_narrow(self, value: Sloped) -> bool:
         rounding = arb(2) ** -self.bits
         return bool(value.whole.rad() <= NEARLY * value.least() + rounding)
+
+    def sensitivities(self, time: Fraction) -> list[arb] | None:
+        """What `point.listed` lists, of all motions of the box; None where nothing is found."""
+        bits = self._bits(time)
+        turn, _ = self._middle_state(time, bits)
+        with working(bits):
+            mean = self._at(bits)
+            moving = mean.moving(ball(time), turn)
+            if moving is None:
+                return None
+            seen = mean.box.whole.turned(ball(time), moving.rates, moving.turn)
+            known = {**moving.rates, **seen}
+            found = {name: _ball(known[name]) for name in NAMES if name not in STAYS}
+            numbers = listed(self._in_space(mean.box.point, found))
+            return numbers if all(x.is_finite() for x in numbers) else None
+
+    def _in_space(self, columns: Columns, found: Named) -> Named:
+        """Small turns seen from where the body was at t = 0, by the attitude that it had."""
+        given = list(map(ball, self.attitude0))
+        length = sum((balls.power(x, 2) for x in given), arb(0)).sqrt()
+        rotation = columns.rotation([(x / length).intersection(ONE) for x in given])
+        turned = {
+            f"eta{i}_by_{y}": sum(
+                (rotation[f"R{i}{k}"] * found[f"eta{k}_by_{y}"] for k in NUMBERS), arb(0)
+            )
+            for i in NUMBERS
+            for y in (*INPUTS, "t")
+        }
+        return {**found, **turned}
 
     def _middle_state(self, time: Fraction, bits: int) -> State:
         """The turn since t = 0, and the rates, of the middle."""
@@ -107,3 +138,7 @@ class MeanStates:
             known[f"qbar_{name}"] = Sloped(y.middle, slopes, y.whole, box)
         found = sequence("turned").evaluate(known, {"power": power})
         return [found[f"q_{name}"] for name in ("0", *AXES)]
+
+
+def _ball(value: Sloped | arb | int) -> arb:
+    return value.whole if isinstance(value, Sloped) else ball(value)

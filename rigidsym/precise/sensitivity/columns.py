@@ -22,6 +22,7 @@ KINDS = ("Omega", "c")
 INPUTS = tuple(f"{x}{k}" for x in KINDS for k in NUMBERS)
 EXCESSES = tuple(f"excess_{x}" for x in AXES)
 _COEFFICIENTS = (*(f"alpha_{x}" for x in AXES), "tilt")
+_ROTATION = frozenset(f"R{i}{k}" for i in NUMBERS for k in NUMBERS)
 _PARAMETERS = ("p", "r", "apart")
 
 
@@ -60,6 +61,11 @@ class Columns:
         the time."""
         known = {**self.begun, **rates, **{f"q{k}": x for k, x in enumerate(attitude)}}
         return self._of("turn", {**known, "t": t})
+
+    def rotation(self, attitude: Sequence[Any]) -> Named:
+        """The matrix of an attitude, R11 to R33: from the body to space."""
+        known = {f"q{k}": x for k, x in enumerate(attitude)}
+        return sequence("turn").up_to(_ROTATION).evaluate(known, self.functions)
 
     @property
     def _numbered(self) -> list[tuple[str, int]]:

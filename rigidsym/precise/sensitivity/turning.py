@@ -10,7 +10,6 @@ from typing import Any
 from rigidsym.precise.sensitivity.columns import NUMBERS, Columns, Named
 from rigidsym.solution.formulas import sequence
 
-ROTATION = frozenset(f"R{i}{k}" for i in NUMBERS for k in NUMBERS)
 TURN = [f"q{k}" for k in range(4)]
 
 
@@ -22,8 +21,7 @@ def changes(
     names: Sequence[str],
 ) -> list[list[Any]]:
     """Rows (4, n) of the turn, a quaternion (4), by inputs of these names."""
-    given = dict(zip(TURN, turn, strict=True))
-    known: Named = {**given, **sequence("turn").up_to(ROTATION).evaluate(given, columns.functions)}
+    known = columns.rotation(turn)
     known["K"] = columns.begun["K_squared"].sqrt()
     for k in NUMBERS:
         known |= {f"c{k}": columns.inertia[k - 1], f"Omega{k}": rates[f"Omega{k}"]}

@@ -163,15 +163,16 @@ def _quantities(sheet: Sheet, form: str) -> dict[str, Any]:
         "modulus": sqrt(known["m"]),
     }
     if form == "separatrix":
-        return {**found, "period": oo}
+        return {**found, "period": oo, "mean_circulation_rate": S.Zero}
     if form == "symmetric":
-        period, mean = 2 * pi / known["mu"], known["psi_0"]
+        period, mean, along = 2 * pi / known["mu"], known["psi_0"], known["sigma"] * known["A_a"]
     else:
         at = sheet.work_out("periods", {})
-        period, mean = at["period"], at["psi_mean"]
+        period, mean, along = at["period"], at["psi_mean"], at["Omega_mean"]
     return {
         **found,
         "period": period,
+        "mean_circulation_rate": along,
         "circulation_rate": 2 * pi / period,
         "precession_rate": mean,
         "phase_per_period": mean * period,

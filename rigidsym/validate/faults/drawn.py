@@ -18,6 +18,7 @@ from rigidsym.codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines
 from rigidsym.codegen.special_functions import angles
 from rigidsym.codegen.targets.c import emit as c
+from rigidsym.codegen.targets.c import module
 from rigidsym.codegen.targets.numpy import emit as numpy
 from rigidsym.language.expression import (
     Call,
@@ -122,10 +123,11 @@ def _printer(target: str) -> _Printer:
     language, form = split(target)
     if language == "numpy":
         return _Printer(numpy.function_lines, _definition, numpy.constant_text, "  #")
-    changing = c.changing(_functions(form))
+    kept = c.kept(_functions(form))
 
     def lines(function: Function) -> Lines:
-        return c.pieces(function, changing)[0]
+        printed = c.pieces(function, kept)[0]
+        return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
 
     def first_line(function: Function) -> str:
         return next(line for line in lines(function).text if line.startswith("static "))

@@ -27,6 +27,9 @@ TINTS = {
 _CLASSES = "rigidsym tex2jax_process mathjax_process"
 _CELL = "text-align:left;vertical-align:top;padding:.2em .8em .2em 0;background:transparent"
 _SCROLL = "overflow-x:auto;overflow-y:hidden"
+# Names beside what they are: words wrap within the width of the page, a wide formula scrolls alone.
+_ENTRIES = "display:grid;grid-template-columns:fit-content(30%) minmax(0,1fr);gap:.2em .8em"
+_ENTRY = "margin:0;padding:0;float:none;width:auto;font-weight:normal;overflow-wrap:anywhere"
 
 
 def card(*children: object) -> str:
@@ -52,6 +55,14 @@ def formula(latex: str) -> Markup:
     return tag("div", rf"\(\displaystyle {latex}\)", style=style)
 
 
+def formulas(parts: Sequence[str]) -> Markup:
+    """Formulas with commas between them, which go on in the next line where a page ends."""
+    ends = [","] * (len(parts) - 1) + [""]
+    shown = (math(rf"\displaystyle {one}{end}") for one, end in zip(parts, ends, strict=True))
+    style = "display:flex;flex-wrap:wrap;gap:.3em .9em;align-items:center;padding:.15em 0"
+    return tag("div", *shown, style=style)
+
+
 def head(title: object, *others: object) -> Markup:
     """The first line: a name in bold, then badges and remarks."""
     return tag("div", tag("strong", title), *(join(" ", other) for other in others))
@@ -73,6 +84,16 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> Markup:
     body = [tag("tr", *(tag("td", cell, style=_CELL) for cell in row)) for row in rows]
     whole = tag("table", heads if columns else "", tag("tbody", *body), style="margin:.3em 0")
     return tag("div", whole, style=_SCROLL)
+
+
+def entries(rows: Iterable[tuple[object, object]]) -> Markup:
+    """Names, and beside each what it is."""
+    parts = (
+        tag(name, part, style=_ENTRY)
+        for row in rows
+        for name, part in zip(("dt", "dd"), row, strict=True)
+    )
+    return tag("dl", *parts, style=f"{_ENTRIES};margin:.3em 0")
 
 
 def folded(summary: object, *children: object) -> Markup:

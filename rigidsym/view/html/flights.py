@@ -4,7 +4,7 @@ from typing import Protocol
 
 import numpy as np
 
-from rigidsym.view.html.cards import badge, card, counted, head, muted, table
+from rigidsym.view.html.cards import badge, card, counted, entries, head, muted
 from rigidsym.view.html.markup import Markup
 
 Rows = list[tuple[str, str]]
@@ -77,4 +77,4 @@ def tracked_html(tracked: Tracked, rows: Rows) -> str:
 
 
 def _told(rows: Rows) -> Markup:
-    return table((), ((muted(name), text) for name, text in rows))
+    return entries((muted(name), text) for name, text in rows)

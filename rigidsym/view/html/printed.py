@@ -3,9 +3,19 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rigidsym.language.statement import condition, listed, point
-from rigidsym.view.html.cards import badge, bullets, card, code, formula, head, muted, table
-from rigidsym.view.html.markup import Markup, join
+from rigidsym.language.statement import condition, point
+from rigidsym.view.html.cards import (
+    badge,
+    bullets,
+    card,
+    code,
+    entries,
+    formula,
+    formulas,
+    head,
+    muted,
+)
+from rigidsym.view.html.markup import Markup, join, tag
 
 Row = tuple[Any, Any]
 
@@ -18,7 +28,7 @@ def equation_html(equation: Any) -> str:
 def verdict_html(verdict: Any) -> str:
     """The verdict first; then the print, what mends it, when it holds, and where it fails."""
     title = head(f"({verdict.equation.number})", badge(str(verdict.ruling)))
-    return card(title, table((), _rows(verdict)))
+    return card(title, entries(_rows(verdict)))
 
 
 def _rows(verdict: Any) -> Iterator[Row]:
@@ -65,13 +75,13 @@ def _condition(text: str) -> Markup:
 
 
 def _point(values: Mapping[str, str]) -> Markup:
-    return formula(listed(point(values)))
+    return formulas(point(values))
 
 
 def _fails(found: Any) -> Markup:
     """The motion, if the point is of one; both sides there, and the point."""
     motion = [str(found.motion)] if found.motion else []
-    lines = (join(text, " ") for text in (*motion, *found.sides))
+    lines = (tag("div", text) for text in (*motion, *found.sides))
     return join(*lines, _point(found.point))
 
 

@@ -1,0 +1,127 @@
+"""How wrong sensitivities are: column by column against enclosures, in every stratum.
+
+A column is what the small turn eta, in rad, and the rates, over |omega0|, change by with an input,
+in units of the input's own: 1 rad of the attitude at t = 0, |omega0| of the rates, a moment of
+inertia, and 1/|omega0| of the time.  An error is the length of a column's difference over the
+column's length, or over 1 where that is less: what no change of the inputs is below.
+"""
+
+import math
+from collections.abc import Callable, Collection, Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from flint import arb
+
+from rigidsym.validate.oracle import decades_below_one, precise_motion
+from rigidsym.validate.strata import Sample, samples
+
+DIGITS, CASES, SEED = 25, 15, 1
+# Beyond it squares of columns leave binary64.
+LARGEST = 2.0**500
+COLUMNS = (*(f"{x}{k}" for x in ("eta", "omega", "c") for k in (1, 2, 3)), "t")
+Sensitive = Callable[[Sample], np.ndarray]
+
+
+# What the documentation promises of sensitivities.
+BOUND = 1e-13
+
+
+@dataclass(frozen=True, slots=True)
+class StratumErrors:
+    """Of a stratum: the largest error, by which case, column and time; how many columns were
+    measured, and at how many times there were no numbers."""
+
+    stratum: str
+    error: float
+    case: int
+    column: str
+    time: float
+    measured: int
+    refused: int
+
+    @property
+    def is_within(self) -> bool:
+        """Whether something was measured, and is no worse than documented."""
+        return self.measured > 0 and self.error <= BOUND
+
+
+def by_stratum(
+    sensitive: Sensitive, cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
+) -> Iterator[StratumErrors]:
+    """Stratum by stratum, what an implementation gets wrong.
+
+    sensitive: of a sample, its columns (N, 6, 10) as `columns` has them, NaN where it has none.
+    """
+    drawn: dict[str, list[Sample]] = {}
+    for sample in samples(cases, seed):
+        if not strata or sample.stratum in strata:
+            drawn.setdefault(sample.stratum, []).append(sample)
+    for stratum, listed in drawn.items():
+        yield _worst(stratum, listed, sensitive)
+
+
+def _worst(stratum: str, listed: Iterable[Sample], sensitive: Sensitive) -> StratumErrors:
+    found = StratumErrors(stratum, 0.0, 0, COLUMNS[0], 0.0, 0, 0)
+    measured = refused = 0
+    for sample in listed:
+        wrong = errors(sensitive(sample), enclosed(sample))
+        known = ~np.isnan(wrong)
+        measured += int(known.sum())
+        refused += int((~known).all(axis=1).sum())
+        if known.any() and np.nanmax(wrong) > found.error:
+            at, column = np.unravel_index(np.nanargmax(wrong), wrong.shape)
+            time = sample.times[at]
+            error = float(wrong[at, column])
+            found = StratumErrors(stratum, error, sample.index, COLUMNS[column], time, 0, 0)
+    fields = found.stratum, found.error, found.case, found.column, found.time
+    return StratumErrors(*fields, measured, refused)
+
+
+def errors(found: np.ndarray, expected: np.ndarray) -> np.ndarray:
+    """Of columns (N, 6, 10), over their sizes (N, 10); NaN where there are no numbers.
+
+    Numbers that are wrong are infinitely so where they are infinite.
+    """
+    with np.errstate(all="ignore"):
+        size = np.maximum(np.linalg.norm(expected, axis=1), 1.0)
+        wrong = np.linalg.norm(found - expected, axis=1) / size
+    asked = np.isfinite(size) & (size < LARGEST)
+    given = ~np.isnan(found).any(axis=1)
+    return np.where(asked & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
+
+
+def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
+    """The true columns (N, 6, 10), in these units."""
+    motion, times = precise_motion(sample), list(map(Fraction, sample.times))
+    # Balls are small in units of kg m^2 and rad/s, and have to be so in the inputs' own.
+    smallest = tuple(1 / Fraction(c) for c in sample.inertia)
+    more = digits + 2 * decades_below_one(sample.omega0) + decades_below_one(smallest)
+    rows = np.array([_floats(row[7:]) for row in motion.sensitivities(times, more)])
+    blocks = np.split(rows, [27, 54, 57], axis=-1)
+    turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
+    return columns(sample, turns, rates, *blocks[2:])
+
+
+def _floats(row: Iterable[arb]) -> list[float]:
+    return [float(x) for x in row]
+
+
+def columns(
+    sample: Sample,
+    attitude: np.ndarray,
+    rates: np.ndarray,
+    attitude_t: np.ndarray,
+    rates_t: np.ndarray,
+) -> np.ndarray:
+    """Sensitivities (N, 3, 9) twice and (N, 3) twice as columns (N, 6, 10) in units of the
+    inputs' own."""
+    rate = math.hypot(*map(float, sample.omega0)) or 1.0
+    units = np.array([*[1.0] * 3, *[rate] * 3, *map(float, sample.inertia), 1 / rate])
+    with np.errstate(all="ignore"):
+        rows = [
+            np.concatenate([attitude, attitude_t[..., None]], axis=-1),
+            np.concatenate([rates, rates_t[..., None]], axis=-1) / rate,
+        ]
+        return np.concatenate(rows, axis=-2) * units

@@ -1,0 +1,118 @@
+"""Sensitivities are measured as states are: enclosures are right, and what is wrong is noticed."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from rigidsym import TorqueFreeMotion
+from rigidsym.precise.balls import ball, working
+from rigidsym.validate import sensitivities
+from rigidsym.validate.sensitivities import BOUND, COLUMNS, by_stratum, columns, enclosed, errors
+from rigidsym.validate.strata import STRATA, draw
+
+# A step is small beside all distances from edges that strata have early.
+DIGITS, STEP = 400, Fraction(1, 10**160)
+# Differences lose what the third derivatives have, which grow with the cube of the time.
+EARLY, TIMES = 1e4, 3
+FEW = ("paper", "uniform", "near spin, middle", "symmetric", "sphere", "rest")
+
+
+def early(sample):
+    rate = max(map(abs, map(float, sample.omega0))) or 1.0
+    kept = [t for t in sample.times if abs(t) * rate < EARLY]
+    return type(sample)(*[getattr(sample, x) for x in sample.__slots__[:-1]], tuple(kept[:TIMES]))
+
+
+def differences(sample):
+    """Columns by differences of states of many digits."""
+    inertia, omega, attitude = sample.exact
+    times = list(map(Fraction, sample.times))
+    here = states(inertia, omega, attitude, times)
+    moved = []
+    for k in range(6):
+        given, rate = [*omega, *inertia], max(map(abs, omega)) or Fraction(1)
+        step = STEP * (rate if k < 3 else given[k])
+        ends = []
+        for side in (1, -1):
+            given[k] += side * step
+            ends.append(states(given[3:], given[:3], attitude, times))
+            given[k] -= side * step
+        moved.append(quotients(*ends, here, 2 * step))
+    span = STEP / (max(map(abs, omega)) or Fraction(1))
+    ends = [states(inertia, omega, attitude, [t + x for t in times]) for x in (span, -span)]
+    by_time = quotients(*ends, here, 2 * span)
+    turned = np.broadcast_to(np.eye(6)[:, :3], (len(times), 6, 3))
+    table = np.concatenate([turned, np.stack(moved, axis=-1)], axis=-1)
+    return columns(sample, table[:, :3], table[:, 3:], by_time[:, :3], by_time[:, 3:])
+
+
+def states(inertia, omega, attitude, times):
+    motion = TorqueFreeMotion(inertia, omega, attitude, allow_nonphysical=True)
+    return motion.enclose(times, DIGITS)
+
+
+def quotients(after, before, here, step):
+    """(N, 6): small turns in space, 2 dq q*, and rates, over a step."""
+    with working(1500):
+        rows = []
+        for (p, w), (q, v), r in zip(
+            zip(*after, strict=True), zip(*before, strict=True), here[0], strict=True
+        ):
+            d = [(x - y) / ball(step) for x, y in zip(p, q, strict=True)]
+            turn = [2 * (d[k] * r[0] - d[0] * r[k] - d[1 + k % 3] * r[1 + (k + 1) % 3]
+                         + d[1 + (k + 1) % 3] * r[1 + k % 3]) for k in (1, 2, 3)]  # fmt: skip
+            rows.append([*turn, *((x - y) / ball(step) for x, y in zip(w, v, strict=True))])
+        return np.array([[float(x) for x in row] for row in rows])
+
+
+@pytest.mark.parametrize("stratum", STRATA)
+def test_enclosures_are_what_differences_tend_to(stratum):
+    sample = early(draw(stratum, 1, seed=5))
+    assert sample.times
+    wrong = errors(differences(sample), enclosed(sample))
+    assert np.nanmax(wrong) < 1e-14, COLUMNS[int(np.nanargmax(np.nanmax(wrong, axis=0)))]
+
+
+def test_enclosures_measure_nothing_of_themselves():
+    for worst in by_stratum(enclosed, cases=2, strata=FEW):
+        assert worst.error == 0
+        assert worst.is_within
+
+
+def test_one_row_a_stratum_is_measured():
+    found = list(by_stratum(enclosed, cases=1, strata=FEW))
+    assert [worst.stratum for worst in found] == [name for name in STRATA if name in FEW]
+
+
+FAULTS = {
+    "a sign": lambda x: x * np.where(np.arange(10) == 4, -1, 1),
+    "body axes for space's": lambda x: np.roll(x, 1, axis=1),
+    "columns in another order": lambda x: x[..., [0, 1, 2, 3, 4, 5, 7, 6, 8, 9]],
+    "a digit": lambda x: x * (1 + 1e-12),
+    "no numbers but infinite ones": lambda x: x + np.inf,
+    "no numbers at all": lambda x: np.full_like(x, np.nan),
+    "no moments": lambda x: x * (np.arange(10) != 8),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_faults_are_noticed(fault):
+    found = list(by_stratum(lambda s: FAULTS[fault](enclosed(s)), cases=2, strata=FEW[:3]))
+    assert not any(worst.is_within for worst in found)
+
+
+def test_what_is_refused_is_counted():
+    def half(sample):
+        found = enclosed(sample)
+        found[1::2] = np.nan
+        return found
+
+    (worst,) = by_stratum(half, cases=1, strata=("paper",))
+    times = len(draw("paper", 0, seed=sensitivities.SEED).times)
+    assert worst.is_within
+    assert (worst.refused, worst.measured) == (times // 2, 10 * (times - times // 2))
+
+
+def test_the_bound_is_the_documented_one():
+    assert BOUND == 1e-13
