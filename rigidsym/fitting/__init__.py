@@ -7,8 +7,9 @@ from rigidsym.errors import require
 
 if TYPE_CHECKING:
     from rigidsym.fitting.estimate import fit
-    from rigidsym.fitting.found import Alternative, Fit, Prediction
+    from rigidsym.fitting.found import Alternative, Prediction
     from rigidsym.fitting.observations import Attitudes, Directions, Modelled, Rates
+    from rigidsym.fitting.shown import Fit
     from rigidsym.fitting.tumbling import Periods, periods
 
 __all__ = [
@@ -29,7 +30,7 @@ _HOMES = {
     "Alternative": "rigidsym.fitting.found",
     "Attitudes": "rigidsym.fitting.observations",
     "Directions": "rigidsym.fitting.observations",
-    "Fit": "rigidsym.fitting.found",
+    "Fit": "rigidsym.fitting.shown",
     "Modelled": "rigidsym.fitting.observations",
     "Periods": "rigidsym.fitting.tumbling",
     "Prediction": "rigidsym.fitting.found",

@@ -8,12 +8,13 @@ from numpy.typing import ArrayLike
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.fitting.found import Alternative, Fit
+from rigidsym.fitting.found import Alternative
 from rigidsym.fitting.given import Given, Sigma, observations, problem
 from rigidsym.fitting.local import Local, checked_loss, local
 from rigidsym.fitting.parameters import Point
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.search import search
+from rigidsym.fitting.shown import Fit
 from rigidsym.fitting.spin import spin
 from rigidsym.motion import TorqueFreeMotion
 

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +10,6 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.fitting import report
 from rigidsym.fitting.observability import Observability, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
@@ -22,9 +20,7 @@ from rigidsym.fitting.tumbling import Periods, periods
 from rigidsym.motion import TorqueFreeMotion
 
 if TYPE_CHECKING:
-    from rigidsym.fitting.report import Table
     from rigidsym.solution.mode import Mode
-    from rigidsym.view.plots.figure import Figure
 
 # Of the largest moment: what is left to the triangle inequality of a flat body.
 _THIN = 1e-4
@@ -76,7 +72,7 @@ class Alternative:
 
 
 @dataclass(frozen=True, repr=False, eq=False)
-class Fit(Alternative):
+class Found(Alternative):
     """The best motion, what is known of it, and what else there may be.
 
     motion: from t = 0 of the times observed, along the principal axes.  moments have the largest as
@@ -213,35 +209,3 @@ class Fit(Alternative):
         and the errors of its moments are those along that edge."""
         largest = np.max(self.moments)
         return bool(np.sum(self.moments) - 2 * largest < _THIN * largest)
-
-    def plot(self) -> "Figure":
-        """The residuals, in units of their errors (needs matplotlib)."""
-        from rigidsym.fitting.output import residuals
-
-        return residuals(self)
-
-    def tables(self) -> "list[Table]":
-        """A title, columns and rows each, for reading."""
-        return report.tables(self)
-
-    def to_json(self) -> str:
-        """Schema rigidsym.fit/1."""
-        return report.to_json(self)
-
-    def write(self, directory: Path) -> list[Path]:
-        """Write fit.json, the motion as a case file, a page, and pictures where there is
-        matplotlib."""
-        from rigidsym.fitting.output import write
-
-        return write(self, directory)
-
-    def __repr__(self) -> str:
-        from rigidsym.view.text import columns
-
-        shown = [columns(*table) for table in self.tables()[:3]]
-        return "\n\n".join([report.title(self), *shown])
-
-    def _repr_html_(self) -> str:
-        from rigidsym.view.fits import fit_card
-
-        return fit_card(report.title(self), self.tables()[:3])

@@ -11,12 +11,11 @@ from rigidsym.io.files import write_bytes, write_text
 from rigidsym.view.fits import fit_page
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from rigidsym.fitting.found import Found
+    from rigidsym.view.plots.figure import Figure
 
-    from rigidsym.fitting.found import Fit
 
-
-def write(fit: "Fit", directory: Path) -> list[Path]:
+def write(fit: "Found", directory: Path) -> list[Path]:
     """Write fit.json, motion.toml, fit.html, and pictures where there is matplotlib."""
     pictures = _pictures(fit) if find_spec("matplotlib") else {}
     drawn = [(title, files["svg"].decode()) for title, files in pictures.values()]
@@ -33,7 +32,7 @@ def write(fit: "Fit", directory: Path) -> list[Path]:
     ]
 
 
-def _pictures(fit: "Fit") -> dict[str, tuple[str, dict[str, bytes]]]:
+def _pictures(fit: "Found") -> dict[str, tuple[str, dict[str, bytes]]]:
     from rigidsym.view.plots.histories import rendered
 
     drawn = {"residuals": ("Residuals", residuals(fit))}
@@ -43,7 +42,7 @@ def _pictures(fit: "Fit") -> dict[str, tuple[str, dict[str, bytes]]]:
     return {name: (title, rendered(figure)) for name, (title, figure) in drawn.items()}
 
 
-def residuals(fit: "Fit") -> "Figure":
+def residuals(fit: "Found") -> "Figure":
     """The picture of all residuals."""
     from rigidsym.view.plots.fits import Panel
     from rigidsym.view.plots.fits import residuals as draw

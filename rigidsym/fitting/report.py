@@ -9,7 +9,7 @@ import numpy as np
 from rigidsym import inputs
 
 if TYPE_CHECKING:
-    from rigidsym.fitting.found import Alternative, Fit
+    from rigidsym.fitting.found import Alternative, Found
 
 SCHEMA = "rigidsym.fit/1"
 _DAY, _HOUR = 86400.0, 3600.0
@@ -19,7 +19,7 @@ Table = tuple[str, tuple[str, ...], Rows]
 _UNITS = {"attitude": "rad", "omega": "rad/s", "moment": "kg m^2", "axes": "rad"}
 
 
-def title(fit: "Fit") -> str:
+def title(fit: "Found") -> str:
     """In one line: how well it fits, what it shows, and whether that is all there is."""
     said = [f"chi2 {fit.chi2:.6g} of {fit.degrees_of_freedom} degrees of freedom"]
     if not fit.converged:
@@ -36,7 +36,7 @@ def title(fit: "Fit") -> str:
     return f"rigidsym fit: {'; '.join(said)}"
 
 
-def tables(fit: "Fit") -> list[Table]:
+def tables(fit: "Found") -> list[Table]:
     """The motion, its parameters, the motions that are left, the observations, correlations."""
     return [
         ("motion", ("", "best"), _motion(fit)),
@@ -51,7 +51,7 @@ def tables(fit: "Fit") -> list[Table]:
     ]
 
 
-def _motion(fit: "Fit") -> Rows:
+def _motion(fit: "Found") -> Rows:
     return [
         ("regime", str(fit.motion.regime)),
         ("mode", str(fit.mode or "none")),
@@ -64,7 +64,7 @@ def _motion(fit: "Fit") -> Rows:
     ]
 
 
-def _parameters(fit: "Fit") -> Rows:
+def _parameters(fit: "Found") -> Rows:
     point = fit.motion.exact
     values = [*np.zeros(3), *point["omega0"], *point["inertia"], *np.zeros(3)]
     unit = dict(_UNITS) if fit.scaled else {**_UNITS, "moment": "the largest"}
@@ -89,7 +89,7 @@ def _minimum(place: int, one: "Alternative") -> tuple[str, ...]:
     return ("best" if not place else str(place), f"{one.chi2:.6g}", str(one.mode), *ways, moments)
 
 
-def _sets(fit: "Fit") -> Rows:
+def _sets(fit: "Found") -> Rows:
     named: dict[int, list[int]] = {}
     for k, index in fit.outliers:
         named.setdefault(k, []).append(index)
@@ -106,7 +106,7 @@ def _sets(fit: "Fit") -> Rows:
     ]
 
 
-def correlations(fit: "Fit") -> np.ndarray:
+def correlations(fit: "Found") -> np.ndarray:
     """(9, 9) or (12, 12): NaN for what is fixed or not observable."""
     sigma = fit.sigma
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -115,7 +115,7 @@ def correlations(fit: "Fit") -> np.ndarray:
     return found
 
 
-def _correlations(fit: "Fit") -> Rows:
+def _correlations(fit: "Found") -> Rows:
     found = correlations(fit)
     return [
         (name, *("" if np.isnan(x) else f"{x:.2f}" for x in row))
@@ -132,7 +132,7 @@ def duration(seconds: float | None) -> str:
     return f"{seconds / _HOUR:.6g} h" if seconds >= _HOUR else f"{seconds:.6g} s"
 
 
-def to_json(fit: "Fit") -> str:
+def to_json(fit: "Found") -> str:
     """Schema rigidsym.fit/1: numbers are doubles, null where there is none or it is infinite."""
     data = {
         "schema": SCHEMA,
@@ -167,7 +167,7 @@ def _minimum_data(one: "Alternative") -> dict[str, Any]:
     }
 
 
-def _observations(fit: "Fit") -> Iterator[dict[str, Any]]:
+def _observations(fit: "Found") -> Iterator[dict[str, Any]]:
     whole = zip(fit.problem.sets, fit.residuals, fit.against_others, strict=True)
     for k, (one, found, missed) in enumerate(whole):
         yield {
@@ -187,7 +187,7 @@ def _finite(value: float | None) -> float | None:
     return value if value is not None and np.isfinite(value) else None
 
 
-def case(fit: "Fit", samples: int = 401) -> str:
+def case(fit: "Found", samples: int = 401) -> str:
     """A case file of the motion over the times observed, for `rigidsym propagate`."""
     lines = [f"{name} = {_texts(values)}" for name, values in fit.motion.exact.items()]
     times = fit.problem.times

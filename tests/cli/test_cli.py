@@ -24,7 +24,7 @@ from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
 
 COMMANDS = ("reproduce", "derive", "check", "export", "errata", "codegen", "trace", "validate",
-            "propagate", "methods", "plan", "track", "figures")  # fmt: skip
+            "propagate", "methods", "plan", "track", "figures", "fit")  # fmt: skip
 
 CASE = """
 inertia = ["0.0109", "0.04", "0.0506"]

@@ -1,6 +1,7 @@
 """What a newcomer meets: help, templates, completion, formats by name, errata, conclusions."""
 
 import argparse
+import json
 import re
 import shlex
 
@@ -50,6 +51,38 @@ def test_defaults_in_words_are_those_in_the_code():
         assert said[dest].endswith(f"; {value} by default")
     said = {action.dest: str(action.help) for action in COMMANDS["methods"]._actions}
     assert said["digits"] == f"{' '.join(map(str, comparison.DIGITS))} by default"
+
+
+@pytest.mark.parametrize("name", ["observations.csv", "observations.toml"])
+def test_a_template_of_observations_is_fitted(name, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    assert main(["init", name]) == 0
+    assert (tmp_path / name).read_text().startswith("# Observations")
+    capsys.readouterr()
+    assert main(["fit", name, "--starts", "200", "-o", "found", "--json"]) == 0
+    captured = capsys.readouterr()
+    found = json.loads(captured.out)
+    assert (found["schema"], found["converged"]) == ("rigidsym.fit/1", True)
+    assert found == json.loads((tmp_path / "found" / "fit.json").read_text())
+    assert main(["propagate", "found/motion.toml"]) == 0
+    page = (tmp_path / "found" / "fit.html").read_text()
+    assert all(word in page for word in ("Correlations", "Motions by chi2", "<svg"))
+
+
+def test_a_fit_says_what_is_not_observable(capsys):
+    assert main(["fit", "t-handle", "--starts", "200"]) == 0
+    told = capsys.readouterr().out
+    assert "not observable: attitude 1, attitude 2, attitude 3" in told
+    assert "the largest is 1" in told
+
+
+def test_bad_observations_are_one_line(tmp_path, capsys):
+    path = tmp_path / "none.csv"
+    path.write_text("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n")
+    assert main(["fit", str(path), "--sigma-attitudes", "0.1"]) == 2
+    assert capsys.readouterr().err == (
+        "rigidsym fit: attitudes.times[1] = 0.0: must be later than the time before it\n"
+    )
 
 
 @pytest.mark.parametrize("template", ["motion.toml", "slew.toml"])

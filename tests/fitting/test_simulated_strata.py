@@ -21,8 +21,9 @@ STRATA = ("uniform", "near separatrix", "separatrix", "symmetric", "near prolate
           "sphere", "near sphere", "spin", "flat")  # fmt: skip
 # Near the others' edges errors that one direction has move others by more than their own.
 LINEAR = ("uniform", "sphere", "near sphere", "spin")
-# Of data sets of which the search says that it found no minimum.
-MOST_WITHOUT = 0.05
+# Of data sets, a part: of these it is said that there was no minimum.  On the separatrix errors
+# grow by 1e15 in these times, and doubles hardly hold the valley that chi2 has.
+MOST_WITHOUT = {"separatrix": 0.25}
 CHANCE = 0.01
 
 
@@ -76,7 +77,7 @@ def examine(stratum, count):
             assert sum(x.startswith("moment") for x in fit.unobservable) == 2
         elif stratum in ("uniform", "sphere"):
             assert fit.unobservable == ()
-    assert without <= max(1, MOST_WITHOUT * count)
+    assert without <= max(1, MOST_WITHOUT.get(stratum, 0.0) * count)
     assert agree(falls, freedom), (falls, freedom)
     if stratum in LINEAR:
         assert agree(squares, directions), (squares, directions)

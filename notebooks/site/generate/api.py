@@ -8,6 +8,7 @@ from typing import Any
 PACKAGES = {
     "rigidsym": "What most programmes need",
     "rigidsym.manoeuvre": "Manoeuvres",
+    "rigidsym.fitting": "Fits",
     "rigidsym.manoeuvre.flight": "Flights",
     "rigidsym.io": "For other programs",
     "rigidsym.view.scenes": "Pictures",

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from generate import manoeuvres
+from generate import fits, manoeuvres
 from generate.form import Format
 from generate.outline import paths, sample
 from generate.text import code, fenced, prose, table
@@ -364,6 +364,7 @@ FORMATS = (
                 for part in ("by_digits", "by_distance") for name in ("seconds", "seconds_more")},
     ),
     *manoeuvres.FORMATS,
+    *fits.FORMATS,
     Format(
         VALIDATION,
         "`rigidsym validate --json`, and as `validation.json` with `-o DIR`",
