@@ -7,6 +7,7 @@ from typing import Any
 
 PACKAGES = {
     "rigidsym": "What most programmes need",
+    "rigidsym.splitting": "Under a torque",
     "rigidsym.manoeuvre": "Manoeuvres",
     "rigidsym.manoeuvre.flight": "Flights",
     "rigidsym.io": "For other programs",
@@ -26,6 +27,7 @@ PACKAGES = {
 FIRST = (
     "TorqueFreeMotion",
     "propagate",
+    "integrate",
     "plan",
     "generate",
     "PreciseMotion",
