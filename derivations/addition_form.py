@@ -54,6 +54,12 @@ SQUARED = Part(
     rates={"E_t": "S_t**2"},
     reading={"E_t": "the integral of S_t^2 from 0 to t"},
 )
+OVER_SQUARE = Part(
+    witness={"F_t": "0"},
+    units=("D_t",),
+    rates={"F_t": "S_t**2/D_t**2"},
+    reading={"F_t": "the integral of S_t^2/D_t^2 from 0 to t"},
+)
 RATES = Part(
     units=("below",),
     definitions={

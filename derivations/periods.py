@@ -5,6 +5,9 @@ by the same amount each time, so that its mean rate is, with the complete integr
 
     psi_mean = psi_0 + kappa mu J_c/K_1 = 2 Lambda.
 
+Of the rates that about the circulation axis has a mean, the other two have none: dn is the rate of
+Jacobi's amplitude over lambda, which is a whole turn more after each period.
+
 Hence in one period, when the momentum is back where it was in the body, the attitude has turned
 about it by psi_mean T.  Montgomery's formula is the integral of the last claim here: psi' is 2 H/K
 less the rate at which the momentum, seen from the body, sweeps solid angle around sigma e_a.
@@ -40,6 +43,17 @@ COMPLETE = Part(
         "quarter": "elliptic_k(m)",
     },
 )
+# dn is the rate of Jacobi's amplitude, which grows by a whole turn in a period.
+AMPLITUDE = Part(
+    witness={"am": "0", "turn": "6"},
+    units=("lambda_",),
+    definitions={
+        "am_later": "am + turn",
+        "Omega_mean": "sigma*A_a*turn/(lambda_*period)",
+    },
+    rates={"am": "lambda_*dn"},
+    reading={"am": "jacobi_am(u, m)", "turn": "2*pi"},
+)
 # The functions at u_1 + 2 K_1; it starts where u_1 is 0.
 FUNCTIONS = Part(
     witness={"s_later": "0", "c_later": "-1", "d_later": "1", "J_later": "0"},
@@ -68,7 +82,7 @@ POINTS = [
 def derive(book: Book) -> None:
     """The rates, psi and its mean; then the same for the functions; then the solid angle."""
     motion = (*MOTION, half_angle("psi", "psi_rate"), COMPLETE)
-    book.open(join("period", *motion, LATER))
+    book.open(join("period", *motion, AMPLITUDE, LATER))
     book.model("period", "descended")
     book.carry("period", ["descended.solution"])
     book.claim("period.duration", {"period": "4*quarter/lambda_"}, ["10"])
@@ -78,8 +92,13 @@ def derive(book: Book) -> None:
         "chi*tau*A_d*cn_later": "-Omega_d",
     }
     book.claim("period.rates", rates, ["10"])
+    mean = {
+        "sigma*A_a/lambda_*D(am)": "Omega_a",
+        "sigma*A_a/lambda_*(am_later - am)": "Omega_mean*period",
+    }
+    book.claim("period.mean", mean, ["10"])
     book.claim("period.psi", {"psi_later - psi": "psi_mean*period/2"}, ["33", "34"])
-    _functions(book, (*motion, SHIFT))
+    _functions(book, (*motion, SHIFT, AMPLITUDE))
     _mean_rate(book, (*motion, SHIFT))
     _solid_angle(book)
 

@@ -9,13 +9,21 @@ complementary nome; `rates` go with either.  `shift`, `landen` and `scaling` lea
 without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral of the third kind,
 far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
 `fourier` are coefficients of Fourier series, `fourier_rest` those of psi/2.
+`step` has the constants of a step from any state, `projection`, `doubling` and `second_half` double
+a time, `thirds` are psi after the shortest, and `step_rates` the rates after all.
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
+`moments`, `columns` and `sensitivity` are what the rates change by with each input, `excesses` what
+the integrals of their squares have, `elapsed_F` and `elapsed_E` one integral of the elapsed time by
+the other, `turn_constants` and `turn` what the attitude changes by.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
 standard function of known quantities.  The last two say which equations they are used in.
 """
 
+from collections.abc import Iterable
+
+from derivations import attitude_columns, sensitivity_columns
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.book import Entry, definitions, facts, readings
 
@@ -55,6 +63,11 @@ def _by_functions(context: str) -> list[Entry]:
         *BY_THETAS,
         *QUATERNION,
     ]
+
+
+def _all(context: str, names: Iterable[str], *source: str) -> list[Entry]:
+    """Everything that a chapter defines, in its order."""
+    return definitions(context, " ".join(names), *source)
 
 
 SEQUENCES: dict[str, list[Entry]] = {
@@ -152,12 +165,47 @@ SEQUENCES: dict[str, list[Entry]] = {
         *definitions("arctangent", "T_re T_im", "36"),
         *definitions("pi_near", "cos_half_psi sin_half_psi", "18"),
     ],
+    "step": [
+        *definitions("step", "c_ab c_ad c_bd alpha_a alpha_b alpha_d l_a l_b l_d", "10"),
+        *facts("step", "M_a0 M_b0 M_d0 K h e_1"),
+        *definitions("step", "e_2", "10"),
+        *definitions("step", "H_0", "6"),
+        *definitions("step", "psi_0", "33", "34"),
+        *definitions("step", "z_re z_im", "27"),
+        *facts("step", "zr_re zr_im"),
+    ],
+    "doubling": definitions("doubling", "inside X_next Y_next", "10"),
+    "projection": definitions(
+        "turn", "nu_re nu_im rate_re rate_im G_re G_im square F_re F_im w_re w_im", "27", "36"
+    ),
+    "thirds": [
+        *definitions("thirds", "square", "36"),
+        *facts("thirds", "R N"),
+        *definitions("thirds", "U_re U_im P_re P_im cos_half_psi sin_half_psi", "33", "34"),
+    ],
+    "second_half": [
+        *definitions("second_half", "square", "36"),
+        *facts("second_half", "R"),
+        *definitions("second_half", "V_re V_im", "33", "34"),
+    ],
+    "step_rates": [
+        *definitions("step", "f g", "10"),
+        *facts("step", "room Omega_a Omega_b Omega_d"),
+    ],
     "steady": [
         *facts("steady", "omega"),
         *definitions("steady", "axis1 axis2 axis3 theta", "3"),
         *readings("steady", "cos_half_theta sin_half_theta", "3"),
         *definitions("steady", "r1 r2 r3 q0 q1 q2 q3", "37"),
     ],
+    "moments": _all("coefficients", sensitivity_columns.MOMENTS, "5"),
+    "columns": _all("varied_rates", sensitivity_columns.CONSTANTS, "5"),
+    "sensitivity": _all("varied_rates", sensitivity_columns.AT_TIME, "5"),
+    "excesses": definitions("excesses", "excess_a excess_d", "5"),
+    "elapsed_F": definitions("elapsed_F", "F_t", "10"),
+    "elapsed_E": definitions("elapsed_E", "E_t", "10"),
+    "turn_constants": _all("turned_columns_start", attitude_columns.START, "3"),
+    "turn": _all("turned_columns", attitude_columns.AT_TIME, "3"),
     "momentum": MOMENTUM,
     "turned": QUATERNION,
 }
@@ -166,9 +214,18 @@ FORMS: dict[str, list[Entry]] = {
     "periods": [
         *readings("period", "K_1 J_c", "36"),
         *definitions("period", "period psi_mean", "10", "34"),
+        *readings("period", "turn", "10"),
+        *definitions("period", "Omega_mean", "10"),
     ],
     "fourier": definitions("fourier_terms", "a", "DLMF 20.5.13", "DLMF 22.11"),
     "fourier_rest": definitions("fourier_phase", "e a rest_k", "33", "34"),
+    "turned_body": definitions(
+        "turned_attitude", "M1 M2 M3 dM1 dM2 dM3 xi1 xi2 xi3 dq0 dq1 dq2 dq3", "3"
+    ),
+    "fourth_powers": definitions("fourth_powers", "U_t V_t W_t", "10"),
+    "elapsed_slopes": definitions(
+        "varied_integrals", "S_k C_k D_k E_k F_k S_r C_r D_r E_r F_r", "10"
+    ),
     "sine": [
         *definitions("one_rate", "H K_squared", "6", "15"),
         *definitions("one_rate", "alpha root_j root_k", "13", "14"),

@@ -4,8 +4,8 @@ A change of the rates at t = 0 and of the moments is written d; it is the deriva
 on which all of them depend.  In `perturbed` D is that derivative: the change of each
 quantity of the addition form follows by the chain rule.  In `varied` D is the time derivative
 again, and the changes satisfy the variation of Euler's equations.  They need those of S_t, C_t and
-D_t with p and r: where p != r these are elementary in the functions, t and the integral of S_t^2;
-on the separatrix, where p = r, and where both vanish, each has a form of its own.
+D_t with p and r, which are elementary in the functions and two integrals, of S_t^2 and S_t^2/D_t^2:
+on the separatrix, where p = r, and where both vanish, as everywhere else.
 """
 
 from collections.abc import Mapping
@@ -20,6 +20,7 @@ from derivations.addition_form import (
     FUNCTIONS,
     GIVEN,
     OTHERS,
+    OVER_SQUARE,
     RATES,
     SQUARED,
     START,
@@ -43,43 +44,19 @@ VARIED_FUNCTIONS = Part(
     },
     reading={f"d{x}": f"the change of {x}" for x in FUNCTIONS.witness},
 )
+MODULI = Part(witness={"p": "2", "r": "1"}, reading={"p": "lambda^2", "r": "m lambda^2"})
 PARAMETERS = Part(
-    witness={"p": "2", "r": "1", "dp": "1", "dr": "1"},
-    reading={"p": "lambda^2", "r": "m lambda^2", "dp": "a change of p", "dr": "a change of r"},
+    witness={**MODULI.witness, "dp": "1", "dr": "1"},
+    reading={**MODULI.reading, "dp": "a change of p", "dr": "a change of r"},
 )
-# What S_t, C_t and D_t change by, in each of the cases.
-CASES: Mapping[str, Part] = {
-    "varied_general": Part(
-        units=("p - r",),
-        definitions={
-            "X_p": "t - r*E_t",
-            "X_r": "t - p*E_t",
-            "dS_t": "(dr*(S_t*C_t**2 - C_t*D_t*X_r) - dp*(S_t*D_t**2 - C_t*D_t*X_p))/(2*(p - r))",
-            "dC_t": "(p*dr*(S_t*D_t*X_r - S_t**2*C_t) - dp*(p*S_t*D_t*X_p - r*S_t**2*C_t))"
-            "/(2*(p - r))",
-            "dD_t": "(dr*(r*S_t*C_t*X_r - p*S_t**2*D_t) - r*dp*(S_t*C_t*X_p - S_t**2*D_t))"
-            "/(2*(p - r))",
-        },
-    ),
-    "varied_separatrix": Part(
-        units=("p", "C_t"),
-        definitions={
-            "dS_t": "-(dp + dr)*(S_t - C_t**2*t)/(4*p)",
-            "dC_t": "-(2*dp*S_t**2 - (dp + dr)*S_t*(S_t - C_t**2*t))/(4*C_t)",
-            "dD_t": "-(2*dr*S_t**2 - (dp + dr)*S_t*(S_t - C_t**2*t))/(4*C_t)",
-        },
-        relations=("p - r", "C_t - D_t"),
-    ),
-    "varied_constant": Part(
-        definitions={"dS_t": "-(dp + dr)*t**3/6", "dC_t": "-dp*t**2/2", "dD_t": "-dr*t**2/2"},
-        relations=("p", "r", "C_t - 1", "D_t - 1", "S_t - t"),
-    ),
-}
-WITNESSES = {
-    "varied_general": {},
-    "varied_separatrix": {"p": "1", "r": "1"},
-    "varied_constant": {"p": "0", "r": "0"},
-}
+# What S_t, C_t and D_t change by, in every case: nothing divides by p, r or p - r.
+REGULAR = Part(
+    definitions={
+        "dS_t": "-((dr - dp)*C_t*D_t*F_t + dp*(S_t**3 - C_t*D_t*E_t))/2",
+        "dC_t": "((dr - dp)*p*S_t*D_t*F_t - dp*S_t*(S_t*C_t + p*D_t*E_t))/2",
+        "dD_t": "((dr - dp)*(r*S_t*C_t*F_t - S_t**2/D_t) - dp*S_t*(S_t*D_t + r*C_t*E_t))/2",
+    },
+)
 
 
 def derive(book: Book) -> None:
@@ -152,14 +129,14 @@ def _moving(book: Book, changes: Texts) -> None:
 
 
 def _functions(book: Book) -> None:
-    """In each case the changes of S_t, C_t, D_t satisfy the varied equations, from 0."""
+    """The changes of S_t, C_t, D_t satisfy the varied equations, from 0."""
     varied = {f"D({name})": rate for name, rate in VARIED_FUNCTIONS.rates.items()}
     relations = dict.fromkeys(VARIED_FUNCTIONS.relations, "0")
-    still = [Part(part.witness, reading=part.reading) for part in (FUNCTIONS, TIME, SQUARED)]
-    for name, case in CASES.items():
-        at = Part(WITNESSES[name])
-        book.open(join(name, PARAMETERS, FUNCTIONS, TIME, SQUARED, case, at))
-        book.claim(f"{name}.variation", varied | relations, ["5", "10"])
-        book.open(join(f"{name}_start", PARAMETERS, *still, case, START, at, static=True))
-        start = dict.fromkeys(VARIED_FUNCTIONS.witness, "0")
-        book.claim(f"{name}_start.functions", start, ["12"])
+    parts = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
+    book.open(join("varied_regular", PARAMETERS, *parts, REGULAR))
+    book.claim("varied_regular.variation", varied | relations, ["5", "10"])
+    still = [Part(part.witness, part.units, reading=part.reading) for part in parts]
+    start = Part(relations=(*START.relations, "F_t"))
+    book.open(join("varied_regular_start", PARAMETERS, *still, REGULAR, start, static=True))
+    begun = dict.fromkeys(VARIED_FUNCTIONS.witness, "0")
+    book.claim("varied_regular_start.functions", begun, ["12"])

@@ -12,6 +12,7 @@ from rigidsym._version import __version__
 if TYPE_CHECKING:
     from rigidsym.codegen import Generated, generate
     from rigidsym.errors import InputError, PrecisionError
+    from rigidsym.fitting import fit
     from rigidsym.manoeuvre import plan
     from rigidsym.motion import TorqueFreeMotion, propagate
     from rigidsym.principal import PrincipalAxes, principal_axes
@@ -29,6 +30,7 @@ __all__ = [
     "TorqueFreeMotion",
     "Trajectory",
     "__version__",
+    "fit",
     "generate",
     "integrate",
     "plan",
@@ -47,6 +49,7 @@ _HOMES = {
     "Symbolic": "rigidsym.solution.symbolic",
     "TorqueFreeMotion": "rigidsym.motion",
     "Trajectory": "rigidsym.splitting",
+    "fit": "rigidsym.fitting",
     "generate": "rigidsym.codegen",
     "integrate": "rigidsym.splitting",
     "plan": "rigidsym.manoeuvre",

@@ -70,6 +70,16 @@ class MotionInputs(TypedDict, total=False):
 Number = Fraction | Uncertain
 
 
+def middle(value: Number) -> Fraction:
+    """The number itself, or the one that an uncertain number lies about."""
+    return value.middle if isinstance(value, Uncertain) else value
+
+
+def radius(value: Number) -> Fraction:
+    """How far from its middle a number may be; 0 for an exact one."""
+    return value.radius if isinstance(value, Uncertain) else Fraction(0)
+
+
 def is_uncertain(*values: Number) -> bool:
     """Whether any of them is only known within a radius."""
     return any(isinstance(value, Uncertain) for value in values)
@@ -282,7 +292,7 @@ def _rounded(value: Fraction) -> Fraction:
 
 def _end(value: Number, side: int) -> Fraction:
     """The smallest or largest a number can be."""
-    return value.middle + side * value.radius if isinstance(value, Uncertain) else value
+    return middle(value) + side * radius(value)
 
 
 def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]:

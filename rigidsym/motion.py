@@ -16,12 +16,14 @@ from rigidsym import engines, inputs
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
 from rigidsym.inputs import MotionInputs, Number, Quaternion, Times, Vector3
+from rigidsym.sensitivity import Sensitivity
 
 if TYPE_CHECKING:
     from pandas import DataFrame
     from scipy.spatial.transform import Rotation
     from xarray import Dataset
 
+    from rigidsym.engines.sensitivities import Sensitive
     from rigidsym.precise import PreciseMotion
     from rigidsym.precise.boxed import BoxedMotion
     from rigidsym.precise.evaluation import State
@@ -34,7 +36,7 @@ if TYPE_CHECKING:
 
 IDENTITY = (1, 0, 0, 0)
 _IDENTITY = tuple(map(float, IDENTITY))
-_OF_THIS_PROCESS = ("_prepared", "_engine", "_precise", "_boxed", "_quantities")
+_OF_THIS_PROCESS = ("_prepared", "_in_doubles", "_engine", "_precise", "_boxed", "_quantities")
 # Whole numbers up to here are doubles.
 _MOST = 2**53
 Value = TypeVar("Value")
@@ -178,6 +180,49 @@ class TorqueFreeMotion:
         except ValueError as error:
             raise _refused(error, {"t": times, "errors": errors}) from None
 
+    def sensitivity(
+        self, t: ArrayLike, errors: str = "raise"
+    ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
+        """q and omega at t (s) as a call returns them, and their derivatives by all inputs.
+
+        In closed form and at all times, in every regime; see `Sensitivity` for shapes and frames.
+        Errors are below 1e-13 of the larger of a column and the change itself (that of omega0,
+        or |omega0| times the relative change of a moment).  Raises InputError as a call does,
+        and for times at which a motion on its way to spin about the middle axis has derivatives
+        whose squares leave binary64; with errors="nan" there are no numbers then.
+
+        >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
+        >>> q, omega, S = motion.sensitivity([0.0, 180.0])
+        >>> S.attitude.shape, S.rates_t.shape
+        ((2, 3, 9), (2, 3))
+        """
+        prepared, times = self._prepared, _times(t, errors)
+        found = _refusing(
+            lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
+            t=times,
+            errors=errors,
+            engine=self.engine,
+        )
+        q, omega, attitude, rates, attitude_t, rates_t = found
+        if not self._in_doubles:
+            # Exact moments were divided by this.
+            from rigidsym.engines.exact_inputs import moment_unit
+
+            for columns in (attitude, rates):
+                columns[..., 6:] /= moment_unit(self.exact["inertia"])
+        return q, omega, Sensitivity(attitude, rates, attitude_t, rates_t)
+
+    def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
+        """(..., 6, 6): what a small turn in space and a change of the rates at t0 (s) are at t.
+
+        Phi(t2, t0) = Phi(t2, t1) Phi(t1, t0).  Vectors are those of `Sensitivity`; raises as
+        `sensitivity` does.
+        """
+        begin, times = _number("t0", t0), _times(t)
+        q, omega = self(begin)
+        there = self.replace(omega0=omega.tolist(), attitude0=q.tolist()) if begin else self
+        return there.sensitivity(times - begin)[2].transition
+
     def grid(
         self,
         start: float,
@@ -218,14 +263,22 @@ class TorqueFreeMotion:
         return {name: inputs.certain(name, values) for name, values in self._given.items()}
 
     @cached_property
-    def _prepared(self) -> engines.Prepared:
-        if floats := self._floats:
-            return _refusing(lambda: self._engine.prepare(*floats.values()), **floats)
+    def _in_doubles(self) -> dict[str, tuple[float, ...]]:
+        """Inertia, omega0 and attitude0 by name where doubles say all of them."""
+        if self._floats:
+            return self._floats
         given = self.exact
-        doubles = {name: inputs.doubles(name, values) for name, values in given.items()}
-        if any(tuple(map(Fraction, doubles[name])) != given[name] for name in given):
-            return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **doubles)
-        return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
+        doubles = {n: tuple(inputs.doubles(n, values)) for n, values in given.items()}
+        same = all(tuple(map(Fraction, doubles[n])) == given[n] for n in given)
+        return doubles if same else {}
+
+    @cached_property
+    def _prepared(self) -> engines.Prepared:
+        if doubles := self._in_doubles:
+            return _refusing(lambda: self._engine.prepare(*doubles.values()), **doubles)
+        given = self.exact
+        said = {name: inputs.doubles(name, values) for name, values in given.items()}
+        return _refusing(lambda: self._engine.prepare_exactly(*given.values()), **said)
 
     @property
     def regime(self) -> "Regime":
@@ -281,6 +334,25 @@ class TorqueFreeMotion:
         165.897574
         """
         return self._quantities.period
+
+    @property
+    def mean_rates(self) -> tuple[float, float, float]:
+        """The body rates averaged over a period, rad/s; over all times on the separatrix.
+
+        That about the circulation axis alone has a mean, unless all are constant.
+
+        >>> [round(x, 6) for x in TorqueFreeMotion((1, 2, 2.5), (1, 1, 3)).mean_rates]
+        [0.0, 0.0, 2.974532]
+        """
+        return self._quantities.mean_rates
+
+    @property
+    def circulation_rate(self) -> float | None:
+        """2 pi/period: how fast the momentum goes round in the body, on the average, rad/s.
+
+        Zero on the separatrix, None where the rates are constant.
+        """
+        return self._quantities.circulation_rate
 
     @property
     def precession_rate(self) -> float | None:
@@ -461,7 +533,8 @@ def propagate(
     allow_nonphysical: bool = False,
     errors: str = "raise",
     degrees: bool = False,
-) -> tuple[np.ndarray, np.ndarray]:
+    sensitivity: bool = False,
+) -> tuple[np.ndarray, np.ndarray] | tuple[np.ndarray, np.ndarray, Sensitivity]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
     Leading shapes broadcast, those of attitude0 (..., 4) and t (..., N) among them; all numbers are
@@ -470,8 +543,9 @@ def propagate(
     piece of memory are read where they are.  `out` is a
     pair of arrays of the shapes returned, to fill, which share no memory with each other or an
     input.  errors: "raise" InputError for the first body or time that is refused, named by its
-    index, or "nan" for their states.  degrees: omega0 is in deg/s.  Units, conventions and engines
-    are those of `TorqueFreeMotion`.
+    index, or "nan" for their states.  degrees: omega0 is in deg/s.  sensitivity: also return a
+    `Sensitivity`, as `TorqueFreeMotion.sensitivity` does, by omega0 in rad/s; then there is no
+    `out`.  Units, conventions and engines are those of `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     lenient = _is_lenient(errors)
@@ -479,13 +553,23 @@ def propagate(
     if inputs.is_true("degrees", degrees):
         given["omega0"] = np.deg2rad(given["omega0"])
     bodies = {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
-    run, times = engines.engine(engine).propagate, batches.array("t", t, lenient)
-    return _refusing(
-        lambda: run(*(given | bodies).values(), times, out, errors),
-        **given,
-        t=times,
-        errors=errors,
-    )
+    chosen, times = engines.engine(engine), batches.array("t", t, lenient)
+    arguments, said = (given | bodies).values(), {**given, "t": times, "errors": errors}
+    if inputs.is_true("sensitivity", sensitivity):
+        if out is not None:
+            raise InputError("out", "given", "sensitivities have arrays of their own")
+        found = _refusing(
+            lambda: _sensitive(chosen).propagate(*arguments, times, errors), engine=engine, **said
+        )
+        return found[0], found[1], Sensitivity(*found[2:])
+    return _refusing(lambda: chosen.propagate(*arguments, times, out, errors), **said)
+
+
+def _sensitive(engine: engines.Engine) -> "Sensitive":
+    # Here, because who asks for states alone needs nothing of it.
+    from rigidsym.engines.sensitivities import sensitive
+
+    return sensitive(engine)
 
 
 def _objects(

@@ -19,6 +19,7 @@ APART = {
     "rigidsym.generated.torque_free",
     "rigidsym.generated.torque_free_pi",
     "rigidsym.codegen.targets.numpy.runtime",
+    "rigidsym.codegen.targets.numpy.sensitivity",
 }
 
 Graph = Mapping[str, set[str]]

@@ -9,17 +9,18 @@ GRAPH = imports()
 FOUNDATION = "errors language quaternions"
 NUMBERS = f"{FOUNDATION} inputs solution precise"
 ALLOWED = {
-    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode solution.symbolic "
-    "splitting",
+    "rigidsym": "codegen errors fitting manoeuvre motion principal solution.polhode "
+    "solution.symbolic splitting",
     "rigidsym.__main__": "cli",
     "rigidsym._version": "",
     "rigidsym.errors": "",
     "rigidsym.quaternions": "",
+    "rigidsym.sensitivity": "",
     "rigidsym.language": "",
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",
     "rigidsym.principal": "errors inputs quaternions",
-    "rigidsym.motion": f"{NUMBERS} engines io.frames view",
+    "rigidsym.motion": f"{NUMBERS} engines io.frames sensitivity view",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",
@@ -46,6 +47,7 @@ ALLOWED = {
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.splitting": "engines errors inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
+    "rigidsym.fitting": f"{NUMBERS} engines io motion view",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,
     "rigidsym.view.article": "language view.html",
@@ -53,6 +55,7 @@ ALLOWED = {
     "rigidsym.view.plots": f"{NUMBERS} view",
     "rigidsym.view.scenes": f"{NUMBERS} view",
     "rigidsym.view.reproduction": "view",
+    "rigidsym.view.fits": "view",
     "rigidsym.view.text": f"{FOUNDATION} inputs view.html",
     "rigidsym.view.validation": "validate.bounds view",
     "rigidsym.io": "errors io",
@@ -63,8 +66,8 @@ ALLOWED = {
     "rigidsym.io.tracks": "errors io motion",
     # What a user calls for all of it.
     "rigidsym.reproduce": "codegen errors inputs io proof solution validate view",
-    "rigidsym.cli": f"{NUMBERS} codegen derivations engines generated io manoeuvre motion proof "
-    "reproduce validate view",
+    "rigidsym.cli": f"{NUMBERS} codegen derivations engines fitting generated io manoeuvre motion "
+    "proof reproduce validate view",
 }
 # Of other packages: who alone imports them.
 OTHERS = {

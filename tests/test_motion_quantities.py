@@ -58,7 +58,7 @@ def test_small_nutation_keeps_its_digits():
 
 MOVING = [x[:2] for x in MODES if x[0] in ((1, 2, 2), (1, 1, 2), (1, 2, 2.5)) and all(x[1])]
 AT_LARGE = ("energy", "momentum", "parameter", "modulus", "period", "precession_rate",
-            "phase_per_period")  # fmt: skip
+            "phase_per_period", "circulation_rate")  # fmt: skip
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 0, 2)])
@@ -82,6 +82,26 @@ def test_they_are_those_that_expressions_have(body, rates):
     expressions = motion.symbolic().quantities
     for name in AT_LARGE:
         assert getattr(motion, name) == pytest.approx(float(expressions[name]), rel=1e-15)
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 0, 2)])
+@pytest.mark.parametrize(("body", "rates"), MOVING)
+def test_mean_rates_are_those_of_the_motion(body, rates, order):
+    """Means over a period, by sums that are exact for periodic functions."""
+    motion = TorqueFreeMotion([body[k] for k in order], [rates[k] for k in order])
+    t = np.arange(400) * (motion.period / 400)
+    assert np.allclose(motion(t)[1].mean(axis=0), motion.mean_rates, rtol=0, atol=2e-14)
+    expressions = motion.symbolic().quantities
+    mean = sum(motion.mean_rates)
+    assert float(expressions["mean_circulation_rate"]) == pytest.approx(mean, rel=1e-14)
+    assert motion.circulation_rate == pytest.approx(float(expressions["circulation_rate"]))
+
+
+def test_mean_rates_of_the_edges():
+    assert TorqueFreeMotion((4, 5, 9), (3, 1, 1)).mean_rates == (0.0, 0.0, 0.0)
+    assert TorqueFreeMotion((4, 5, 9), (3, 1, 1)).circulation_rate == 0
+    assert TorqueFreeMotion((1, 2, 2.5), (0, -2, 0)).mean_rates == (0.0, -2.0, 0.0)
+    assert TorqueFreeMotion((1, 2, 2.5), (0, -2, 0)).circulation_rate is None
 
 
 def test_the_separatrix_takes_forever():
@@ -110,7 +130,7 @@ def test_quantities_of_extreme_sizes():
 
 def test_uncertain_motions_have_none_of_it():
     vague = PAPER.replace(omega0=("0.05 +/- 1e-9", 0.03, -0.02))
-    for name in ("mode", "nutation", *AT_LARGE):
+    for name in ("mode", "nutation", "mean_rates", *AT_LARGE):
         with pytest.raises(InputError, match="is uncertain"):
             getattr(vague, name)
 

@@ -11,6 +11,7 @@ from rigidsym._version import __version__
 from rigidsym.cli import (
     code,
     errata,
+    fits,
     manoeuvres,
     proofs,
     reproduction,
@@ -23,7 +24,7 @@ from rigidsym.cli.output import BARS, discard_output, prepare_output
 from rigidsym.errors import InputError, LedgerError, PrecisionError
 
 # In the order of the help.
-_GROUPS = (reproduction, errata, proofs, code, validation, states, manoeuvres, templates)
+_GROUPS = (reproduction, errata, proofs, code, validation, states, manoeuvres, fits, templates)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

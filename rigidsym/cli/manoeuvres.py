@@ -1,12 +1,9 @@
 """The commands `plan`, `track`, `figures` and `compare`."""
 
 from argparse import Namespace
-from collections.abc import Generator
-from contextlib import contextmanager
 
 from rigidsym.cli.arguments import Command, as_count, as_path
-from rigidsym.cli.output import progress, say_written, table
-from rigidsym.errors import InputError
+from rigidsym.cli.output import packages, progress, say_written, table
 
 
 def add(command: Command) -> None:
@@ -61,7 +58,7 @@ def _plan(options: Namespace) -> int:
     asked, _ = open_manoeuvre(options.manoeuvre)
     if options.output:
         probe(options.output)
-    with _app():
+    with packages():
         from rigidsym.manoeuvre import solve
     found = solve(asked, options.all)
     written = found.write(options.output) if options.output else []
@@ -74,13 +71,13 @@ def _plan(options: Namespace) -> int:
 
 
 def _track(options: Namespace) -> int:
-    with _app():
+    with packages():
         from rigidsym.manoeuvre.flight.track import track
     from rigidsym.io.files import probe
 
     if options.output:
         probe(options.output)
-    with _app():
+    with packages():
         found = track(options.manoeuvre, progress("track"))
         written = found.write(options.output) if options.output else []
     if options.json:
@@ -92,12 +89,12 @@ def _track(options: Namespace) -> int:
 
 
 def _figures(options: Namespace) -> int:
-    with _app():
+    with packages():
         from rigidsym.manoeuvre.figures import figures
     from rigidsym.io.files import probe
 
     probe(options.output)
-    with _app():
+    with packages():
         found = figures(progress("figures"))
         written = found.write(options.output)
     table("rigidsym figures", ("figure", "this shows"), found.rows())
@@ -106,7 +103,7 @@ def _figures(options: Namespace) -> int:
 
 
 def _compare(options: Namespace) -> int:
-    with _app():
+    with packages():
         from rigidsym.manoeuvre.comparison import compare
     from rigidsym.io.files import probe
 
@@ -124,12 +121,3 @@ def _compare(options: Namespace) -> int:
         print(found.conclusion)
     say_written(written)
     return 0
-
-
-@contextmanager
-def _app() -> Generator[None]:
-    """A package that is not installed becomes one line."""
-    try:
-        yield
-    except ImportError as error:
-        raise InputError("packages", error.name or "missing", str(error)) from None

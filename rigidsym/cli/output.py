@@ -8,6 +8,8 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rigidsym.errors import InputError
+
 if TYPE_CHECKING:
     from rich.table import Table
 
@@ -38,6 +40,15 @@ def reader_may_leave() -> Generator[None]:
         sys.stdout.flush()
     except BrokenPipeError:
         discard_output()
+
+
+@contextmanager
+def packages() -> Generator[None]:
+    """A package that is not installed becomes one line."""
+    try:
+        yield
+    except ImportError as error:
+        raise InputError("packages", error.name or "missing", str(error)) from None
 
 
 def progress(label: str) -> Callable[[int, int], None]:

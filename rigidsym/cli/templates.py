@@ -8,16 +8,14 @@ from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import say_written
 from rigidsym.errors import InputError, package
 
-TEMPLATES = ("motion.toml", "slew.toml")
+TEMPLATES = ("motion.toml", "slew.toml", "observations.csv", "observations.toml")
 SHELLS = ("bash", "zsh", "tcsh")
 
 
 def add(command: Command) -> None:
     """Give the command line its commands about files to begin with."""
     init = command("init", _init, "write a file to begin with, with comments", "init motion.toml")
-    init.add_argument(
-        "template", metavar="TEMPLATE", choices=TEMPLATES, help=" or ".join(TEMPLATES)
-    )
+    init.add_argument("template", metavar="TEMPLATE", choices=TEMPLATES, help=", ".join(TEMPLATES))
     init.add_argument(
         "-o", "--output", metavar="FILE", type=as_path, help="TEMPLATE, here, by default"
     )

@@ -80,7 +80,7 @@ def add(command: Command) -> None:
 
 def _compare_forms(options: Namespace) -> int:
     from rigidsym.io.files import probe, write_text
-    from rigidsym.validate.forms import COLUMNS, compare_forms
+    from rigidsym.validate.forms import COLUMNS, STRATA_COLUMNS, compare_forms
 
     if options.output:
         probe(options.output)
@@ -94,6 +94,8 @@ def _compare_forms(options: Namespace) -> int:
             print(found.to_json(), end="")
         else:
             table("rigidsym compare-forms", COLUMNS, [one.row() for one in found.costs])
+            title = "worst errors by stratum, in NumPy"
+            table(title, STRATA_COLUMNS, [one.row() for one in found.strata])
             print(found.conclusion)
     return 0
 
@@ -124,7 +126,7 @@ def _chosen(options: Namespace) -> "Choices":
     if options.targets:
         chosen["targets"] = options.targets
     elif not options.resume:
-        chosen["targets"] = _available()
+        chosen["targets"] = _available(options.faults)
     if options.peer:
         chosen["peers"] = options.peer
     if options.stratum:
@@ -138,11 +140,12 @@ def _chosen(options: Namespace) -> "Choices":
     return chosen
 
 
-def _available() -> list[str]:
+def _available(faults: bool) -> list[str]:
     """The targets that can be measured on this machine; says why another cannot."""
+    from rigidsym import engines
     from rigidsym.validate.implementations import missing
 
-    reasons = missing()
+    reasons = missing(engines.EVERY if faults else engines.ENGINES)
     for target, reason in reasons.items():
         if reason:
             say(f"{target} is not measured: {reason}")

@@ -21,6 +21,9 @@ LIMITS = (
     Limit("tolerated", -60, "of the momentum, by which that, or middle-axis spin, may be wrong"),
     Limit("min_moment_ratio", -200, "of one principal moment over another"),
     Limit("max_circular", -1, "of k_1^2 on the circular branch; above it, the hyperbolic one"),
+    Limit(
+        "max_real", -1, "of m where the elapsed time has thetas of its own; above, of i times it"
+    ),
     Limit("max_angle", 46, "of |omega0 t|, rad"),
     Limit("max_rate", 990, "of a rate, rad/s: exact products with it are still held"),
 )

@@ -9,8 +9,11 @@ from rigidsym.codegen.ir import KINDS
 
 # Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
 RUNTIMES = {
-    "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
-    "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
+    "numpy": tuple(f"targets/numpy/{x}.py" for x in ("runtime", "sensitivity", "double_double")),
+    "c": tuple(
+        f"targets/c/{x}.c"
+        for x in ("runtime", "sensitivity", "exact", "arithmetic", "double_double")
+    ),
 }
 _COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
 MEANINGS = {

@@ -6,9 +6,11 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, States
 
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
+# The last axes of states and what they change by.
+SENSITIVITIES = ((4,), (3,), (3, 9), (3, 9), (3,), (3,))
 SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 
@@ -92,6 +94,14 @@ def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States
     if any(np.may_share_memory(x, y) for x, y in apart):
         raise EngineError("out", "q and omega must not overlap each other or the inputs")
     return q, omega
+
+
+def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
+    """New arrays for states of this shape and what they change by."""
+    q, omega, attitude, rates, attitude_t, rates_t = (
+        np.empty((*shape, *last)) for last in SENSITIVITIES
+    )
+    return q, omega, attitude, rates, attitude_t, rates_t
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:

@@ -28,10 +28,10 @@ _NOT_FINITE, _SEPARATRIX, _TIME = 1, 5, 6
 class CEngine:
     """torque_free.c as an `Engine`; prepared motions and the engine may be shared by threads."""
 
-    __slots__ = ("_library", "_prepared_type", "_state_at")
+    __slots__ = ("_prepared_type", "_state_at", "library")
 
     def __init__(self, library: Library) -> None:
-        self._library = library
+        self.library = library
         self._state_at = library.state_at
         # An array of doubles is aligned as a prepared motion has to be.
         self._prepared_type = c_double * -(-library.motion_size() // _DOUBLE)
@@ -39,7 +39,7 @@ class CEngine:
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
         given = arrays.named(inertia, omega0, attitude0)
-        return self._made(self._library.motion_init, _vectors(given, ()))
+        return self._made(self.library.motion_init, _vectors(given, ()))
 
     def prepare_from_double_doubles(
         self,
@@ -57,7 +57,7 @@ class CEngine:
         named = {"inertia": inertia, "differences": differences, "omega0": omega0}
         named |= {"attitude0": attitude0, "discriminant": discriminant}
         given = _vectors({name: np.asarray(value, float) for name, value in named.items()}, (2,))
-        return self._made(self._library.motion_init_double_doubles, given, unit)
+        return self._made(self.library.motion_init_double_doubles, given, unit)
 
     def prepare_exactly(
         self,
@@ -86,16 +86,16 @@ class CEngine:
         endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
         if code == _NOT_FINITE and endless:
             return EngineError(endless[0], "every number must be finite", body)
-        field, _, rule = self._library.message(code).decode().rpartition(": ")
+        field, _, rule = self.library.message(code).decode().rpartition(": ")
         return EngineError(field or "engine", rule, body)
 
-    def _refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
+    def refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
         """What a code means for these times, with the index of the first that it is meant by."""
-        last, flat = self._library.last_time(prepared), t.reshape(-1)
+        last, flat = self.library.last_time(prepared), t.reshape(-1)
         endless, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
         if endless.size:
             return EngineError("t", arrays.BAD_TIMES, time=int(endless[0]))
-        rule = self._library.message(code).decode().partition(": ")[2]
+        rule = self.library.message(code).decode().partition(": ")[2]
         if code == _SEPARATRIX:
             rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
         return EngineError("t", rule, time=int(late[0]) if late.size else None)
@@ -114,16 +114,16 @@ class CEngine:
 
         def part(begin: int, end: int) -> int:
             places = _offset(inputs, begin, (1, 4, 3))
-            return self._library.states_at(prepared, end - begin, *places)
+            return self.library.states_at(prepared, end - begin, *places)
 
         if code := max(_shared(part, t.size)):
-            raise self._refused_times(code, prepared, t)
+            raise self.refused_times(code, prepared, t)
         return q, omega
 
     def _lenient(self, prepared: Prepared, t: np.ndarray, out: Outputs) -> States:
         """States where there are any, else NaN."""
         q, omega = arrays.outputs(out, t.shape, t)
-        near = np.isfinite(t) & (np.abs(t) <= self._library.last_time(prepared))
+        near = np.isfinite(t) & (np.abs(t) <= self.library.last_time(prepared))
         self.states(prepared, np.where(near, t, 0.0), (q, omega))
         q[~near] = omega[~near] = np.nan
         return q, omega
@@ -134,7 +134,7 @@ class CEngine:
         state: Any = _State()
         place = addressof(state)
         if code := self._state_at(prepared, t, place, place + _OMEGA):
-            raise self._refused_times(code, prepared, np.array(t))
+            raise self.refused_times(code, prepared, np.array(t))
         return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
 
     def grid(
@@ -146,11 +146,11 @@ class CEngine:
 
         def part(begin: int, end: int) -> int:
             places = _offset(outputs, begin, (4, 3))
-            return self._library.states_on_grid(prepared, start, step, begin, end - begin, *places)
+            return self.library.states_on_grid(prepared, start, step, begin, end - begin, *places)
 
         if code := max(_shared(part, count)):
-            first = _first_beyond(start, step, self._library.last_time(prepared))
-            refused = self._refused_times(code, prepared, np.array(start + first * step))
+            first = _first_beyond(start, step, self.library.last_time(prepared))
+            refused = self.refused_times(code, prepared, np.array(start + first * step))
             raise EngineError(refused.field, refused.rule, time=min(first, count - 1))
         return q, omega
 
@@ -214,7 +214,7 @@ class CEngine:
             failed = ctypes.c_size_t(0)
             *given, own, q, omega = _offset(rows, begin, sizes)
             told = codes[begin:].ctypes.data if lenient else None
-            code = self._library.propagate(
+            code = self.library.propagate(
                 end - begin, *given, times, own, stride, q, omega, told, addressof(failed)
             )
             return begin + failed.value if code else None

@@ -54,6 +54,11 @@ def exact_inputs(
     return ExactInputs(*([pair(x) for x in xs] for xs in given), decides, 2.0**exponent)
 
 
+def moment_unit(inertia: Sequence[Fraction]) -> float:
+    """What `exact_inputs` has divided the moments by: a power of two, in kg m^2."""
+    return 2.0 ** _over_power_of_two(inertia)[1]
+
+
 def pair(value: Fraction) -> DoubleDouble:
     """The nearest double, but zero for zero alone, and the nearest double to what is left.
 

@@ -5,13 +5,15 @@ import re
 from collections.abc import Callable, Mapping
 from ctypes import c_char_p, c_double, c_int, c_size_t, c_void_p
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePath
 
 _Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
 _BODY = (c_void_p,) * 3
 _OUT = (c_void_p,) * 2
 _ARITHMETIC = 8
-# Name after torque_free_, result, arguments.
+# Of the theta form alone.
+_SENSITIVITY = "states_with_sensitivity", (c_void_p, c_size_t, *(c_void_p,) * 7)
+# Name after the prefix, result, arguments.
 _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "digest": (c_char_p, ()),
     "message": (c_char_p, (c_int,)),
@@ -47,12 +49,13 @@ class Library:
     states_on_grid: Callable[..., int]
     propagate: Callable[..., int]
     last_time: Callable[..., float]
+    states_with_sensitivity: Callable[..., int] | None
 
 
 def load(path: Path, sources: Mapping[str, str]) -> Library:
     """The library in a file; raises LibraryError where it was not built from the sources."""
     try:
-        functions = _functions(ctypes.CDLL(str(path)))
+        functions = _functions(ctypes.CDLL(str(path)), _prefix(sources))
     except (OSError, AttributeError) as error:
         raise LibraryError(f"{path} cannot be loaded ({_reason(error, path)})") from None
     expected = written_digest(sources)
@@ -76,11 +79,20 @@ def written_digest(sources: Mapping[str, str]) -> str | None:
     return found[1] if found else None
 
 
-def _functions(shared: ctypes.CDLL) -> Library:
-    functions = {name: getattr(shared, f"torque_free_{name}") for name in _SIGNATURES}
+def _prefix(sources: Mapping[str, str]) -> str:
+    """What names begin with: a module's own, as its header's does."""
+    return next(PurePath(name).stem for name in sources if name.endswith(".h"))
+
+
+def _functions(shared: ctypes.CDLL, prefix: str) -> Library:
+    functions = {name: getattr(shared, f"{prefix}_{name}") for name in _SIGNATURES}
     for name, (result, arguments) in _SIGNATURES.items():
         functions[name].restype, functions[name].argtypes = result, arguments
-    return Library(**functions)
+    name, arguments = _SENSITIVITY
+    more = getattr(shared, f"{prefix}_{name}", None)
+    if more is not None:
+        more.restype, more.argtypes = c_int, arguments
+    return Library(**functions, states_with_sensitivity=more)
 
 
 def _reason(error: Exception, path: Path) -> str:

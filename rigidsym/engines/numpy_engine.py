@@ -1,7 +1,7 @@
 """The engine on the generated NumPy module: works everywhere, one compiler less to trust."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Protocol, TypedDict
@@ -30,6 +30,7 @@ class Prepared(TypedDict):
     axes: np.ndarray
     q0: np.ndarray
     omega0: np.ndarray
+    moment_unit: np.ndarray
     groups: list[tuple[str, np.ndarray, dict[str, np.ndarray]]]
 
 
@@ -124,18 +125,33 @@ class NumpyEngine:
         q, omega = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
         t, count = arrays.rows_of_times(t, shape), math.prod(shape)
         rows = q.reshape(count, t.shape[1], 4), omega.reshape(count, t.shape[1], 3)
-        whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
-        for first in range(0, count, _BODIES):
-            some = slice(first, first + _BODIES)
-            index = np.unravel_index(range(count)[some], shape) if shape else ()
-            bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
-            try:
-                prepared = self.module.prepare(*bodies, errors)
-                times = t[some] if len(t) > 1 else t[0]
-                self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
-            except ValueError as error:
-                raise _of_batch(error, first) from None
+
+        def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
+            self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
+
+        in_blocks(self.module, given, t, shape, errors, run)
         return q, omega
+
+
+def in_blocks(
+    module: Module,
+    given: Mapping[str, np.ndarray],
+    t: np.ndarray,
+    shape: tuple[int, ...],
+    errors: str,
+    run: Callable[[Prepared, np.ndarray, slice], None],
+) -> None:
+    """Prepare a block of bodies at a time, and run it at its times."""
+    whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
+    for first in range(0, math.prod(shape), _BODIES):
+        some = slice(first, first + _BODIES)
+        index = np.unravel_index(range(math.prod(shape))[some], shape) if shape else ()
+        bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
+        try:
+            prepared = module.prepare(*bodies, errors)
+            run(prepared, t[some] if len(t) > 1 else t[0], some)
+        except ValueError as error:
+            raise _of_batch(error, first) from None
 
 
 def _of_batch(error: ValueError, first: int) -> EngineError:

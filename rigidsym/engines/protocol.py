@@ -9,6 +9,9 @@ from numpy.typing import ArrayLike
 
 States = tuple[np.ndarray, np.ndarray]
 Outputs = States | None
+# q (..., 4) and omega (..., 3), then what a small turn and the rates (..., 3, 9) change by with a
+# small turn at t = 0, the rates there and the moments, and both (..., 3) with the time.
+Sensitivities = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 # The constants of one motion, in a form that is the engine's own and that nobody else reads.
 Prepared: TypeAlias = Any
 

@@ -1289,6 +1289,993 @@ static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, con
     }
 }
 
+/* p, r, p - r, sqrt(p), p or 1 to divide by, and the modulus with its complement. */
+static void moduli(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
+    double_double c_ad, double_double c_bd, double_double Omega_a0,
+    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
+    double axis_b, double axis_d, double_double *p_out, double_double *r_out,
+    double_double *apart_out, double_double *lambda__out, double_double *divisor_out,
+    double_double *modulus_out, double_double *complement_out)
+{
+    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+    const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
+    const double_double alpha_b = dd_div_xx(dd_mul_dx(-epsilon, c_ad), c_b); /* fact: definition coefficients.alpha_b; (5) */
+    const double_double alpha_d = dd_div_xx(dd_mul_dx(epsilon, c_ab), c_d); /* fact: definition coefficients.alpha_d; (5) */
+    const double_double tilt = dd_div_xx(dd_mul_dx(epsilon, E_b), dd_mul_xx(c_a, c_d)); /* fact: definition coefficients.tilt; (5) */
+    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), dd_mul_xx(Omega_b0, Omega_b0)); /* fact: definition varied_rates.k; (5) */
+    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), dd_mul_xx(Omega_a0, Omega_a0)); /* fact: definition varied_rates.kappa_a; (5) */
+    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), dd_mul_xx(Omega_d0, Omega_d0)); /* fact: definition varied_rates.kappa_d; (5) */
+    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
+    const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
+    const double_double apart = dd_mul_xx(dd_neg(alpha_b), tilt); /* fact: definition varied_rates.apart; (5) */
+    const double_double lambda_ = dd_sqrt(p); /* arithmetic */
+    const double_double divisor = dd_choose(dd_rounded(p), 0.0, dd_of(1.0), p); /* arithmetic */
+    const double_double modulus = dd_sqrt(dd_div_xx(r, divisor)); /* classical: DLMF 22.2.2 */
+    const double_double complement = dd_sqrt(dd_choose(dd_rounded(p), 0.0, dd_of(1.0), dd_div_xx(apart, divisor))); /* classical: DLMF 19.2.8 */
+    *p_out = p;
+    *r_out = r;
+    *apart_out = apart;
+    *lambda__out = lambda_;
+    *divisor_out = divisor;
+    *modulus_out = modulus;
+    *complement_out = complement;
+}
+
+/* What sensitivities of the rates are made from, at t = 0. */
+static void columns_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
+    double_double c_ad, double_double c_bd, double_double Omega_a0,
+    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
+    double axis_b, double axis_d, torque_free_columns *motion)
+{
+    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+    const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
+    const double_double alpha_b = dd_div_xx(dd_mul_dx(-epsilon, c_ad), c_b); /* fact: definition coefficients.alpha_b; (5) */
+    const double_double alpha_d = dd_div_xx(dd_mul_dx(epsilon, c_ab), c_d); /* fact: definition coefficients.alpha_d; (5) */
+    const double_double tilt = dd_div_xx(dd_mul_dx(epsilon, E_b), dd_mul_xx(c_a, c_d)); /* fact: definition coefficients.tilt; (5) */
+    const double_double alpha_a_by_c_a = dd_div_xx(dd_neg(alpha_a), c_a); /* fact: definition coefficients.alpha_a_by_c_a; (5) */
+    const double_double alpha_a_by_c_b = dd_div_dx(epsilon, c_a); /* fact: definition coefficients.alpha_a_by_c_b; (5) */
+    const double_double alpha_a_by_c_d = dd_div_dx(-epsilon, c_a); /* fact: definition coefficients.alpha_a_by_c_d; (5) */
+    const double_double alpha_b_by_c_b = dd_div_xx(dd_neg(alpha_b), c_b); /* fact: definition coefficients.alpha_b_by_c_b; (5) */
+    const double_double alpha_b_by_c_d = dd_div_dx(epsilon, c_b); /* fact: definition coefficients.alpha_b_by_c_d; (5) */
+    const double_double alpha_b_by_c_a = dd_div_dx(-epsilon, c_b); /* fact: definition coefficients.alpha_b_by_c_a; (5) */
+    const double_double alpha_d_by_c_d = dd_div_xx(dd_neg(alpha_d), c_d); /* fact: definition coefficients.alpha_d_by_c_d; (5) */
+    const double_double alpha_d_by_c_a = dd_div_dx(epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_a; (5) */
+    const double_double alpha_d_by_c_b = dd_div_dx(-epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_b; (5) */
+    const double_double common_1 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
+    const double_double common_2 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.apart_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.apart_by_c_b, definition varied_rates.kappa_by_c_d, definition varied_rates.apart_by_c_d; (5) */
+    const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_1), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_a; (5) */
+    const double_double common_3 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.apart_by_c_a, definition varied_rates.apart_by_c_b, definition varied_rates.apart_by_c_d; (5) */
+    const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_1), dd_mul_xx(alpha_b, common_3)); /* fact: definition varied_rates.g_d; (5) */
+    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_1); /* fact: definition varied_rates.k; (5) */
+    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), common_2); /* fact: definition varied_rates.kappa_a; (5) */
+    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), common_3); /* fact: definition varied_rates.kappa_d; (5) */
+    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
+    const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
+    const double_double p_by_Omega_a = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_b), alpha_d), Omega_a0); /* fact: definition varied_rates.p_by_Omega_a; (5) */
+    const double_double p_by_Omega_b = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_a), alpha_d), Omega_b0); /* fact: definition varied_rates.p_by_Omega_b; (5) */
+    const double_double r_by_Omega_d = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_a), alpha_b), Omega_d0); /* fact: definition varied_rates.r_by_Omega_d; (5) */
+    const double_double kappa_by_c_a = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_a, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_a))), common_2); /* fact: definition varied_rates.kappa_by_c_a; (5) */
+    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_1)); /* fact: definition varied_rates.p_by_c_a; (5) */
+    const double_double apart_by_c_a = dd_sub_xx(dd_mul_xx(alpha_b, dd_sub_xx(dd_mul_xx(alpha_a_by_c_a, common_3), dd_mul_xx(alpha_d_by_c_a, common_2))), dd_mul_xx(alpha_b_by_c_a, tilt)); /* fact: definition varied_rates.apart_by_c_a; (5) */
+    const double_double a_by_c_a = dd_mul_xx(dd_mul_xx(alpha_a_by_c_a, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_a; (5) */
+    const double_double b_by_c_a = dd_mul_xx(dd_mul_xx(alpha_b_by_c_a, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_a; (5) */
+    const double_double d_by_c_a = dd_mul_xx(dd_mul_xx(alpha_d_by_c_a, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_a; (5) */
+    const double_double kappa_by_c_b = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_b, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_b))), common_2); /* fact: definition varied_rates.kappa_by_c_b; (5) */
+    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_1)); /* fact: definition varied_rates.p_by_c_b; (5) */
+    const double_double apart_by_c_b = dd_sub_xx(dd_mul_xx(alpha_b, dd_sub_xx(dd_mul_xx(alpha_a_by_c_b, common_3), dd_mul_xx(alpha_d_by_c_b, common_2))), dd_mul_xx(alpha_b_by_c_b, tilt)); /* fact: definition varied_rates.apart_by_c_b; (5) */
+    const double_double a_by_c_b = dd_mul_xx(dd_mul_xx(alpha_a_by_c_b, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_b; (5) */
+    const double_double b_by_c_b = dd_mul_xx(dd_mul_xx(alpha_b_by_c_b, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_b; (5) */
+    const double_double d_by_c_b = dd_mul_xx(dd_mul_xx(alpha_d_by_c_b, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_b; (5) */
+    const double_double kappa_by_c_d = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_d, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_d))), common_2); /* fact: definition varied_rates.kappa_by_c_d; (5) */
+    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_1)); /* fact: definition varied_rates.p_by_c_d; (5) */
+    const double_double apart_by_c_d = dd_sub_xx(dd_mul_xx(alpha_b, dd_sub_xx(dd_mul_xx(alpha_a_by_c_d, common_3), dd_mul_xx(alpha_d_by_c_d, common_2))), dd_mul_xx(alpha_b_by_c_d, tilt)); /* fact: definition varied_rates.apart_by_c_d; (5) */
+    const double_double a_by_c_d = dd_mul_xx(dd_mul_xx(alpha_a_by_c_d, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_d; (5) */
+    const double_double b_by_c_d = dd_mul_xx(dd_mul_xx(alpha_b_by_c_d, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_d; (5) */
+    const double_double d_by_c_d = dd_mul_xx(dd_mul_xx(alpha_d_by_c_d, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_d; (5) */
+    const double_double alpha_divisor = dd_choose(dd_rounded(dd_size(alpha_b)), 0.0, dd_of(1.0), alpha_b); /* arithmetic */
+    motion->Omega_a0 = dd_rounded(Omega_a0);
+    motion->Omega_b0 = dd_rounded(Omega_b0);
+    motion->Omega_d0 = dd_rounded(Omega_d0);
+    motion->alpha_a = dd_rounded(alpha_a);
+    motion->alpha_b = dd_rounded(alpha_b);
+    motion->alpha_d = dd_rounded(alpha_d);
+    motion->alpha_divisor = dd_rounded(alpha_divisor);
+    motion->k = dd_rounded(k);
+    motion->kappa_a = dd_rounded(kappa_a);
+    motion->kappa_d = dd_rounded(kappa_d);
+    motion->p = dd_rounded(p);
+    motion->r = dd_rounded(r);
+    motion->g_a = dd_rounded(g_a);
+    motion->g_d = dd_rounded(g_d);
+    motion->p_by_Omega_a = dd_rounded(p_by_Omega_a);
+    motion->p_by_Omega_b = dd_rounded(p_by_Omega_b);
+    motion->r_by_Omega_d = dd_rounded(r_by_Omega_d);
+    motion->kappa_by_c_a = dd_rounded(kappa_by_c_a);
+    motion->kappa_by_c_b = dd_rounded(kappa_by_c_b);
+    motion->kappa_by_c_d = dd_rounded(kappa_by_c_d);
+    motion->p_by_c_a = dd_rounded(p_by_c_a);
+    motion->p_by_c_b = dd_rounded(p_by_c_b);
+    motion->p_by_c_d = dd_rounded(p_by_c_d);
+    motion->apart_by_c_a = dd_rounded(apart_by_c_a);
+    motion->apart_by_c_b = dd_rounded(apart_by_c_b);
+    motion->apart_by_c_d = dd_rounded(apart_by_c_d);
+    motion->a_by_c_a = dd_rounded(a_by_c_a);
+    motion->a_by_c_b = dd_rounded(a_by_c_b);
+    motion->a_by_c_d = dd_rounded(a_by_c_d);
+    motion->b_by_c_a = dd_rounded(b_by_c_a);
+    motion->b_by_c_b = dd_rounded(b_by_c_b);
+    motion->b_by_c_d = dd_rounded(b_by_c_d);
+    motion->d_by_c_a = dd_rounded(d_by_c_a);
+    motion->d_by_c_b = dd_rounded(d_by_c_b);
+    motion->d_by_c_d = dd_rounded(d_by_c_d);
+}
+
+/* What the rates change by, and integrals of their squares, from functions of the time. */
+static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
+    const double *restrict C_t_in, const double *restrict D_t_in,
+    const double *restrict E_t_in, const double *restrict f_in,
+    const double *restrict t_in, const double *restrict Omega_a_in,
+    const double *restrict Omega_b_in, const double *restrict Omega_d_in,
+    double *restrict Omega_a_by_Omega_a_out, double *restrict Omega_a_by_Omega_b_out,
+    double *restrict Omega_a_by_Omega_d_out, double *restrict Omega_a_by_c_a_out,
+    double *restrict Omega_a_by_c_b_out, double *restrict Omega_a_by_c_d_out,
+    double *restrict Omega_b_by_Omega_a_out, double *restrict Omega_b_by_Omega_b_out,
+    double *restrict Omega_b_by_Omega_d_out, double *restrict Omega_b_by_c_a_out,
+    double *restrict Omega_b_by_c_b_out, double *restrict Omega_b_by_c_d_out,
+    double *restrict Omega_d_by_Omega_a_out, double *restrict Omega_d_by_Omega_b_out,
+    double *restrict Omega_d_by_Omega_d_out, double *restrict Omega_d_by_c_a_out,
+    double *restrict Omega_d_by_c_b_out, double *restrict Omega_d_by_c_d_out,
+    double *restrict excess_a_out, double *restrict excess_b_out,
+    double *restrict excess_d_out)
+{
+    const double Omega_a0 = motion->Omega_a0;
+    const double Omega_b0 = motion->Omega_b0;
+    const double Omega_d0 = motion->Omega_d0;
+    const double alpha_a = motion->alpha_a;
+    const double alpha_b = motion->alpha_b;
+    const double alpha_d = motion->alpha_d;
+    const double alpha_divisor = motion->alpha_divisor;
+    const double k = motion->k;
+    const double kappa_a = motion->kappa_a;
+    const double kappa_d = motion->kappa_d;
+    const double p = motion->p;
+    const double r = motion->r;
+    const double g_a = motion->g_a;
+    const double g_d = motion->g_d;
+    const double p_by_Omega_a = motion->p_by_Omega_a;
+    const double p_by_Omega_b = motion->p_by_Omega_b;
+    const double r_by_Omega_d = motion->r_by_Omega_d;
+    const double kappa_by_c_a = motion->kappa_by_c_a;
+    const double kappa_by_c_b = motion->kappa_by_c_b;
+    const double kappa_by_c_d = motion->kappa_by_c_d;
+    const double p_by_c_a = motion->p_by_c_a;
+    const double p_by_c_b = motion->p_by_c_b;
+    const double p_by_c_d = motion->p_by_c_d;
+    const double apart_by_c_a = motion->apart_by_c_a;
+    const double apart_by_c_b = motion->apart_by_c_b;
+    const double apart_by_c_d = motion->apart_by_c_d;
+    const double a_by_c_a = motion->a_by_c_a;
+    const double a_by_c_b = motion->a_by_c_b;
+    const double a_by_c_d = motion->a_by_c_d;
+    const double b_by_c_a = motion->b_by_c_a;
+    const double b_by_c_b = motion->b_by_c_b;
+    const double b_by_c_d = motion->b_by_c_d;
+    const double d_by_c_a = motion->d_by_c_a;
+    const double d_by_c_b = motion->d_by_c_b;
+    const double d_by_c_d = motion->d_by_c_d;
+    for (size_t i = 0; i < n; i++) {
+        const double S_t = S_t_in[i];
+        const double C_t = C_t_in[i];
+        const double D_t = D_t_in[i];
+        const double E_t = E_t_in[i];
+        const double f = f_in[i];
+        const double t = t_in[i];
+        const double Omega_a = Omega_a_in[i];
+        const double Omega_b = Omega_b_in[i];
+        const double Omega_d = Omega_d_in[i];
+        const double common_1 = D_t * D_t; /* fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5) */
+        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double below = fused(kappa_d, common_2, common_1); /* fact: definition varied_rates.below; (5) */
+        const double over = 1.0 / below; /* fact: definition varied_rates.over; (5) */
+        const double common_3 = C_t * D_t; /* fact: definition varied_rates.S_k, definition varied_rates.Omega_b_by_Omega_b; (5) */
+        const double S_k = fused(common_3, E_t, -(common_2 * S_t)) / 2.0; /* fact: definition varied_rates.S_k; (5) */
+        const double common_4 = S_t * C_t; /* fact: definition varied_rates.C_k, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double C_k = -S_t * fused(p * D_t, E_t, common_4) / 2.0; /* fact: definition varied_rates.C_k; (5) */
+        const double common_5 = S_t * D_t; /* fact: definition varied_rates.D_k, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double D_k = -S_t * fused(r * C_t, E_t, common_5) / 2.0; /* fact: definition varied_rates.D_k; (5) */
+        const double below_k = -S_t * fused(S_t, below, k * C_t * D_t * E_t); /* fact: definition varied_rates.below_k; (5) */
+        const double common_6 = alpha_a * Omega_b0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double common_7 = common_6 * Omega_d0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5) */
+        const double Omega_a_k = over * fused(-Omega_a, below_k, fused(Omega_a0, D_k, common_7 * fused(S_k, C_t, S_t * C_k))); /* fact: definition varied_rates.Omega_a_k; (5) */
+        const double common_8 = alpha_b * Omega_d0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r, definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double common_9 = common_8 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
+        const double common_10 = C_t * C_t; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double Omega_b_k = over * fused(common_9, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * over * fused(kappa_a + kappa_d, common_10 * common_1, common_2 * fused(p * kappa_a, common_1, r * kappa_d * common_10)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_11 = alpha_d * Omega_a0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r, definition varied_rates.Omega_d_by_Omega_b; (5) */
+        const double common_12 = common_11 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
+        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_12 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
+        const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
+        const double C_r = p * S_t * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
+        const double D_r = fused(r * S_t * C_t, f, -common_2) / (2.0 * D_t); /* fact: definition varied_rates.D_r; (5) */
+        const double below_r = k * S_t * C_t * f; /* fact: definition varied_rates.below_r; (5) */
+        const double Omega_a_r = over * fused(-Omega_a, below_r, fused(Omega_a0, D_r, common_7 * fused(S_r, C_t, S_t * C_r))); /* fact: definition varied_rates.Omega_a_r; (5) */
+        const double Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_9 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
+        const double Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_12 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
+        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a), common_2, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
+        const double Omega_b_by_Omega_a = fused(over, fused(common_8, S_t, -(Omega_b * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
+        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * Omega_a_k); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
+        const double Omega_b_by_Omega_b = fused(over, common_3, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
+        const double Omega_d_by_Omega_b = fused(over, common_11 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
+        const double Omega_a_by_Omega_d = fused(over, common_6 * S_t * C_t, r_by_Omega_d * Omega_a_r); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
+        const double Omega_d_by_Omega_d = fused(over, C_t, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
+        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(over, fused(a_by_c_a, common_4, -(Omega_a * kappa_by_c_a * common_2)), p_by_c_a * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
+        const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_2)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
+        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_5, -(Omega_d * kappa_by_c_a * common_2)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
+        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(over, fused(a_by_c_b, common_4, -(Omega_a * kappa_by_c_b * common_2)), p_by_c_b * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
+        const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_2)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
+        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_5, -(Omega_d * kappa_by_c_b * common_2)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
+        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(over, fused(a_by_c_d, common_4, -(Omega_a * kappa_by_c_d * common_2)), p_by_c_d * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_2)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
+        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_5, -(Omega_d * kappa_by_c_d * common_2)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
+        const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t, -(Omega_b0 * t))); /* fact: definition varied_rates.excess_b; (5) */
+        const double excess_a = alpha_a / alpha_divisor * excess_b; /* fact: definition excesses.excess_a; (5) */
+        const double excess_d = alpha_d / alpha_divisor * excess_b; /* fact: definition excesses.excess_d; (5) */
+        Omega_a_by_Omega_a_out[i] = Omega_a_by_Omega_a;
+        Omega_a_by_Omega_b_out[i] = Omega_a_by_Omega_b;
+        Omega_a_by_Omega_d_out[i] = Omega_a_by_Omega_d;
+        Omega_a_by_c_a_out[i] = Omega_a_by_c_a;
+        Omega_a_by_c_b_out[i] = Omega_a_by_c_b;
+        Omega_a_by_c_d_out[i] = Omega_a_by_c_d;
+        Omega_b_by_Omega_a_out[i] = Omega_b_by_Omega_a;
+        Omega_b_by_Omega_b_out[i] = Omega_b_by_Omega_b;
+        Omega_b_by_Omega_d_out[i] = Omega_b_by_Omega_d;
+        Omega_b_by_c_a_out[i] = Omega_b_by_c_a;
+        Omega_b_by_c_b_out[i] = Omega_b_by_c_b;
+        Omega_b_by_c_d_out[i] = Omega_b_by_c_d;
+        Omega_d_by_Omega_a_out[i] = Omega_d_by_Omega_a;
+        Omega_d_by_Omega_b_out[i] = Omega_d_by_Omega_b;
+        Omega_d_by_Omega_d_out[i] = Omega_d_by_Omega_d;
+        Omega_d_by_c_a_out[i] = Omega_d_by_c_a;
+        Omega_d_by_c_b_out[i] = Omega_d_by_c_b;
+        Omega_d_by_c_d_out[i] = Omega_d_by_c_d;
+        excess_a_out[i] = excess_a;
+        excess_b_out[i] = excess_b;
+        excess_d_out[i] = excess_d;
+    }
+}
+
+/* Constants of the elapsed time for m <= 1/2, from `_moduli`. */
+static void real_constants(double_double p, double_double r, double_double apart, double_double lambda_,
+    double_double divisor, double_double modulus, double_double complement,
+    torque_free_real *motion)
+{
+    const double_double ratio = root_ratio(modulus, complement); /* classical: DLMF 20.9.1 */
+    const double_double root_nome = dd_div_xx(modulus, ratio); /* classical: DLMF 20.9.1 */
+    const double_double Q = dd_mul_xx(root_nome, root_nome); /* classical: DLMF 20.9.1 */
+    const double_double Q2 = dd_mul_xx(Q, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q4 = dd_mul_xx(Q2, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q6 = dd_mul_xx(Q4, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_1 = dd_mul_xx(Q4, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q9 = dd_mul_xx(common_1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q12 = dd_mul_xx(Q6, Q6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q16 = dd_mul_xx(Q12, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double Q20 = dd_mul_xx(Q16, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_2 = dd_mul_dx(2.0, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double common_3 = dd_mul_dx(2.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double even_0 = dd_add_xx(dd_sub_dx(1.0, common_2), common_3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_4 = dd_mul_dx(16.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double even_1 = dd_sub_xx(dd_mul_dx(4.0, Q4), common_4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double even_2 = common_4; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_5 = dd_mul_dx(2.0, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+    const double_double odd_0 = dd_sub_xx(common_5, dd_mul_dx(6.0, Q9)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double odd_1 = dd_mul_dx(8.0, Q9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_0 = dd_add_xx(dd_add_xx(dd_sub_xx(dd_sub_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double common_6 = dd_mul_dx(4.0, Q12); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_1 = dd_sub_xx(dd_sub_xx(dd_mul_dx(4.0, Q6), common_6), dd_mul_dx(12.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_even_2 = dd_mul_dx(16.0, Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_odd_0 = dd_sub_xx(dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, Q2), dd_mul_dx(2.0, Q6)), common_6), dd_mul_dx(4.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double sine_odd_1 = dd_add_xx(dd_mul_dx(-8.0, Q12), dd_mul_dx(8.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+    const double_double two = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.2 */
+    const double_double even_sum = dd_add_xx(dd_add_dx(1.0, common_2), common_3); /* classical: DLMF 20.2.3 */
+    const double_double common_7 = dd_mul_dx(2.0, Q9); /* classical: DLMF 20.2.3 */
+    const double_double odd_sum = dd_add_xx(dd_add_xx(common_5, common_7), dd_mul_xx(common_7, Q16)); /* classical: DLMF 20.2.3 */
+    const double_double three = dd_add_xx(even_sum, odd_sum); /* classical: DLMF 20.2.3 */
+    const double_double four = dd_sub_xx(even_sum, odd_sum); /* classical: DLMF 20.2.4 */
+    const double_double g = dd_div_dx(1.0, dd_mul_xx(three, three)); /* classical: DLMF 20.9.2 */
+    const double_double v_rate = dd_div_xx(dd_mul_xx(lambda_, g), pi); /* arithmetic */
+    const double_double over_lambda = dd_div_dx(1.0, dd_sqrt(divisor)); /* classical: DLMF 22.2.4 */
+    const double_double gain_S = dd_mul_xx(dd_div_xx(three, two), over_lambda); /* classical: DLMF 22.2.4 */
+    const double_double gain_C = dd_div_xx(four, two); /* classical: DLMF 22.2.5 */
+    const double_double gain_D = dd_div_xx(four, three); /* classical: DLMF 22.2.6 */
+    const double_double Q_over_m = dd_div_dx(1.0, dd_mul_xx(ratio, ratio)); /* classical: DLMF 22.16.30 */
+    const double_double Q8 = common_1; /* classical: DLMF 20.2.4 */
+    const double_double per_square = dd_mul_xx(dd_mul_xx(Q_over_m, g), dd_mul_xx(over_lambda, over_lambda)); /* classical: DLMF 22.16.30 */
+    const double_double common_8 = dd_mul_xx(Q, Q2); /* classical: DLMF 22.16.30, DLMF 20.2.4 */
+    const double_double E_rate = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(8.0, g), per_square), dd_add_xx(dd_sub_dx(1.0, dd_mul_dx(4.0, common_8)), dd_mul_dx(9.0, Q8))), four); /* classical: DLMF 22.16.30 */
+    const double_double per_cube = dd_mul_xx(dd_mul_dx(4.0, per_square), over_lambda); /* classical: DLMF 22.16.30 */
+    const double_double slope_0 = dd_mul_xx(per_cube, dd_sub_dx(1.0, dd_mul_dx(3.0, Q8))); /* classical: DLMF 20.2.4 */
+    const double_double slope_1 = dd_neg(dd_mul_xx(dd_mul_dx(4.0, per_cube), common_8)); /* classical: DLMF 20.2.4 */
+    const double_double slope_2 = dd_mul_xx(dd_mul_dx(12.0, per_cube), Q8); /* classical: DLMF 20.2.4 */
+    const double p_d = dd_rounded(p); /* arithmetic */
+    const double r_d = dd_rounded(r); /* arithmetic */
+    const double apart_d = dd_rounded(apart); /* arithmetic */
+    const double E_one = -4.0 * (p_d + r_d); /* classical: DLMF 22.10 */
+    const double E_two = 6.0 * (p_d * r_d); /* classical: DLMF 22.10 */
+    const double F_one = 4.0 * (r_d - apart_d); /* classical: DLMF 22.10 */
+    const double F_two = -6.0 * (r_d * apart_d); /* classical: DLMF 22.10 */
+    const double E_square_0 = 1.0; /* classical: DLMF 22.10 */
+    const double common_9 = 1.0 / 3.0; /* classical: DLMF 22.10 */
+    const double E_0 = common_9; /* classical: DLMF 22.10 */
+    const double E_square_1 = E_one * E_square_0 / 12.0; /* classical: DLMF 22.10 */
+    const double E_1 = E_square_1 / 5.0; /* classical: DLMF 22.10 */
+    const double E_square_2 = fused(E_one, E_square_1, E_two * (E_square_0 * E_square_0)) / 30.0; /* classical: DLMF 22.10 */
+    const double E_2 = E_square_2 / 7.0; /* classical: DLMF 22.10 */
+    const double E_square_3 = fused(E_one, E_square_2, E_two * fused(E_square_0, E_square_1, E_square_1 * E_square_0)) / 56.0; /* classical: DLMF 22.10 */
+    const double E_3 = E_square_3 / 9.0; /* classical: DLMF 22.10 */
+    const double E_square_4 = fused(E_one, E_square_3, E_two * fused(E_square_2, E_square_0, fused(E_square_0, E_square_2, E_square_1 * E_square_1))) / 90.0; /* classical: DLMF 22.10 */
+    const double E_4 = E_square_4 / 11.0; /* classical: DLMF 22.10 */
+    const double E_square_5 = fused(E_one, E_square_4, E_two * fused(E_square_3, E_square_0, fused(E_square_2, E_square_1, fused(E_square_0, E_square_3, E_square_1 * E_square_2)))) / 132.0; /* classical: DLMF 22.10 */
+    const double E_5 = E_square_5 / 13.0; /* classical: DLMF 22.10 */
+    const double E_square_6 = fused(E_one, E_square_5, E_two * fused(E_square_4, E_square_0, fused(E_square_3, E_square_1, fused(E_square_2, E_square_2, fused(E_square_0, E_square_4, E_square_1 * E_square_3))))) / 182.0; /* classical: DLMF 22.10 */
+    const double E_6 = E_square_6 / 15.0; /* classical: DLMF 22.10 */
+    const double E_square_7 = fused(E_one, E_square_6, E_two * fused(E_square_5, E_square_0, fused(E_square_4, E_square_1, fused(E_square_3, E_square_2, fused(E_square_2, E_square_3, fused(E_square_0, E_square_5, E_square_1 * E_square_4)))))) / 240.0; /* classical: DLMF 22.10 */
+    const double E_7 = E_square_7 / 17.0; /* classical: DLMF 22.10 */
+    const double E_square_8 = fused(E_one, E_square_7, E_two * fused(E_square_6, E_square_0, fused(E_square_5, E_square_1, fused(E_square_4, E_square_2, fused(E_square_3, E_square_3, fused(E_square_2, E_square_4, fused(E_square_0, E_square_6, E_square_1 * E_square_5))))))) / 306.0; /* classical: DLMF 22.10 */
+    const double E_8 = E_square_8 / 19.0; /* classical: DLMF 22.10 */
+    const double E_square_9 = fused(E_one, E_square_8, E_two * fused(E_square_7, E_square_0, fused(E_square_6, E_square_1, fused(E_square_5, E_square_2, fused(E_square_4, E_square_3, fused(E_square_3, E_square_4, fused(E_square_2, E_square_5, fused(E_square_0, E_square_7, E_square_1 * E_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
+    const double E_9 = E_square_9 / 21.0; /* classical: DLMF 22.10 */
+    const double F_square_0 = 1.0; /* classical: DLMF 22.10 */
+    const double F_0 = common_9; /* classical: DLMF 22.10 */
+    const double F_square_1 = F_one * F_square_0 / 12.0; /* classical: DLMF 22.10 */
+    const double F_1 = F_square_1 / 5.0; /* classical: DLMF 22.10 */
+    const double F_square_2 = fused(F_one, F_square_1, F_two * (F_square_0 * F_square_0)) / 30.0; /* classical: DLMF 22.10 */
+    const double F_2 = F_square_2 / 7.0; /* classical: DLMF 22.10 */
+    const double F_square_3 = fused(F_one, F_square_2, F_two * fused(F_square_0, F_square_1, F_square_1 * F_square_0)) / 56.0; /* classical: DLMF 22.10 */
+    const double F_3 = F_square_3 / 9.0; /* classical: DLMF 22.10 */
+    const double F_square_4 = fused(F_one, F_square_3, F_two * fused(F_square_2, F_square_0, fused(F_square_0, F_square_2, F_square_1 * F_square_1))) / 90.0; /* classical: DLMF 22.10 */
+    const double F_4 = F_square_4 / 11.0; /* classical: DLMF 22.10 */
+    const double F_square_5 = fused(F_one, F_square_4, F_two * fused(F_square_3, F_square_0, fused(F_square_2, F_square_1, fused(F_square_0, F_square_3, F_square_1 * F_square_2)))) / 132.0; /* classical: DLMF 22.10 */
+    const double F_5 = F_square_5 / 13.0; /* classical: DLMF 22.10 */
+    const double F_square_6 = fused(F_one, F_square_5, F_two * fused(F_square_4, F_square_0, fused(F_square_3, F_square_1, fused(F_square_2, F_square_2, fused(F_square_0, F_square_4, F_square_1 * F_square_3))))) / 182.0; /* classical: DLMF 22.10 */
+    const double F_6 = F_square_6 / 15.0; /* classical: DLMF 22.10 */
+    const double F_square_7 = fused(F_one, F_square_6, F_two * fused(F_square_5, F_square_0, fused(F_square_4, F_square_1, fused(F_square_3, F_square_2, fused(F_square_2, F_square_3, fused(F_square_0, F_square_5, F_square_1 * F_square_4)))))) / 240.0; /* classical: DLMF 22.10 */
+    const double F_7 = F_square_7 / 17.0; /* classical: DLMF 22.10 */
+    const double F_square_8 = fused(F_one, F_square_7, F_two * fused(F_square_6, F_square_0, fused(F_square_5, F_square_1, fused(F_square_4, F_square_2, fused(F_square_3, F_square_3, fused(F_square_2, F_square_4, fused(F_square_0, F_square_6, F_square_1 * F_square_5))))))) / 306.0; /* classical: DLMF 22.10 */
+    const double F_8 = F_square_8 / 19.0; /* classical: DLMF 22.10 */
+    const double F_square_9 = fused(F_one, F_square_8, F_two * fused(F_square_7, F_square_0, fused(F_square_6, F_square_1, fused(F_square_5, F_square_2, fused(F_square_4, F_square_3, fused(F_square_3, F_square_4, fused(F_square_2, F_square_5, fused(F_square_0, F_square_7, F_square_1 * F_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
+    const double F_9 = F_square_9 / 21.0; /* classical: DLMF 22.10 */
+    motion->v_rate_hi = v_rate.hi;
+    motion->v_rate_lo = v_rate.lo;
+    motion->even_0 = dd_rounded(even_0);
+    motion->even_1 = dd_rounded(even_1);
+    motion->even_2 = dd_rounded(even_2);
+    motion->odd_0 = dd_rounded(odd_0);
+    motion->odd_1 = dd_rounded(odd_1);
+    motion->sine_even_0 = dd_rounded(sine_even_0);
+    motion->sine_even_1 = dd_rounded(sine_even_1);
+    motion->sine_even_2 = dd_rounded(sine_even_2);
+    motion->sine_odd_0 = dd_rounded(sine_odd_0);
+    motion->sine_odd_1 = dd_rounded(sine_odd_1);
+    motion->gain_S = dd_rounded(gain_S);
+    motion->gain_C = dd_rounded(gain_C);
+    motion->gain_D = dd_rounded(gain_D);
+    motion->E_rate = dd_rounded(E_rate);
+    motion->slope_0 = dd_rounded(slope_0);
+    motion->slope_1 = dd_rounded(slope_1);
+    motion->slope_2 = dd_rounded(slope_2);
+    motion->p = dd_rounded(p);
+    motion->apart = dd_rounded(apart);
+    motion->E_0 = E_0;
+    motion->E_1 = E_1;
+    motion->E_2 = E_2;
+    motion->E_3 = E_3;
+    motion->E_4 = E_4;
+    motion->E_5 = E_5;
+    motion->E_6 = E_6;
+    motion->E_7 = E_7;
+    motion->E_8 = E_8;
+    motion->E_9 = E_9;
+    motion->F_0 = F_0;
+    motion->F_1 = F_1;
+    motion->F_2 = F_2;
+    motion->F_3 = F_3;
+    motion->F_4 = F_4;
+    motion->F_5 = F_5;
+    motion->F_6 = F_6;
+    motion->F_7 = F_7;
+    motion->F_8 = F_8;
+    motion->F_9 = F_9;
+}
+
+/* What changes with time where m <= 1/2, at t + t_lo. */
+static void real_angles(const torque_free_real *motion, size_t n, const double *restrict t_in,
+    const double *restrict t_lo_in, double *restrict sin_v_out,
+    double *restrict cos_v_out)
+{
+    const double v_rate_hi = motion->v_rate_hi;
+    const double v_rate_lo = motion->v_rate_lo;
+    for (size_t i = 0; i < n; i++) {
+        const double t = t_in[i];
+        const double t_lo = t_lo_in[i];
+        const double v = v_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double v_error = product_error(v_rate_hi, t, v) + fused(v_rate_lo, t, v_rate_hi * t_lo); /* arithmetic: Dekker 1971 */
+        const double v_whole = nearest(v); /* classical: DLMF 4.16 */
+        const double v_rest = v - v_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
+        const double v_turns = v_rest + v_error; /* classical: DLMF 4.16 */
+        const double v_square = v_turns * v_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double v_sign = alternating(v_whole); /* classical: DLMF 4.16 */
+        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
+        sin_v_out[i] = sin_v;
+        cos_v_out[i] = cos_v;
+    }
+}
+
+/* S_t, C_t, D_t, E_t and D_t F_t where m <= 1/2, from `_real_angles`. */
+static void real_state(const torque_free_real *motion, size_t n, const double *restrict sin_v_in,
+    const double *restrict cos_v_in, const double *restrict t_in,
+    double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
+    double *restrict E_t_out, double *restrict f_out)
+{
+    const double even_0 = motion->even_0;
+    const double even_1 = motion->even_1;
+    const double even_2 = motion->even_2;
+    const double odd_0 = motion->odd_0;
+    const double odd_1 = motion->odd_1;
+    const double sine_even_0 = motion->sine_even_0;
+    const double sine_even_1 = motion->sine_even_1;
+    const double sine_even_2 = motion->sine_even_2;
+    const double sine_odd_0 = motion->sine_odd_0;
+    const double sine_odd_1 = motion->sine_odd_1;
+    const double gain_S = motion->gain_S;
+    const double gain_C = motion->gain_C;
+    const double gain_D = motion->gain_D;
+    const double E_rate = motion->E_rate;
+    const double slope_0 = motion->slope_0;
+    const double slope_1 = motion->slope_1;
+    const double slope_2 = motion->slope_2;
+    const double p = motion->p;
+    const double apart = motion->apart;
+    const double E_0 = motion->E_0;
+    const double E_1 = motion->E_1;
+    const double E_2 = motion->E_2;
+    const double E_3 = motion->E_3;
+    const double E_4 = motion->E_4;
+    const double E_5 = motion->E_5;
+    const double E_6 = motion->E_6;
+    const double E_7 = motion->E_7;
+    const double E_8 = motion->E_8;
+    const double E_9 = motion->E_9;
+    const double F_0 = motion->F_0;
+    const double F_1 = motion->F_1;
+    const double F_2 = motion->F_2;
+    const double F_3 = motion->F_3;
+    const double F_4 = motion->F_4;
+    const double F_5 = motion->F_5;
+    const double F_6 = motion->F_6;
+    const double F_7 = motion->F_7;
+    const double F_8 = motion->F_8;
+    const double F_9 = motion->F_9;
+    for (size_t i = 0; i < n; i++) {
+        const double sin_v = sin_v_in[i];
+        const double cos_v = cos_v_in[i];
+        const double t = t_in[i];
+        const double x = fused(-2.0, sin_v * sin_v, 1.0); /* classical: DLMF 4.21.27 */
+        const double x2 = x * x; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double sum_even = fused(x2, fused(x2, even_2, even_1), even_0); /* classical: DLMF 20.2.4 */
+        const double sum_odd = x * fused(x2, odd_1, odd_0); /* classical: DLMF 20.2.4 */
+        const double theta4_v = sum_even - sum_odd; /* classical: DLMF 20.2.4 */
+        const double theta3_v = sum_even + sum_odd; /* classical: DLMF 20.2.3 */
+        const double part_even = fused(x2, fused(x2, sine_even_2, sine_even_1), sine_even_0); /* classical: DLMF 20.2.1 */
+        const double part_odd = x * fused(x2, sine_odd_1, sine_odd_0); /* classical: DLMF 20.2.1 */
+        const double theta1_v = sin_v * (part_even + part_odd); /* classical: DLMF 20.2.1 */
+        const double theta2_v = cos_v * (part_even - part_odd); /* classical: DLMF 20.2.2 */
+        const double over = 1.0 / theta4_v; /* arithmetic */
+        const double t2 = t * t; /* classical: DLMF 22.10 */
+        const double growth = p * t2; /* classical: DLMF 22.10 */
+        const double S_t = choose(growth, 1.0 / 18014398509481984.0, t, gain_S * (theta1_v * over)); /* classical: DLMF 22.2.4 */
+        const double C_t = gain_C * (theta2_v * over); /* classical: DLMF 22.2.5 */
+        const double D_t = gain_D * (theta3_v * over); /* classical: DLMF 22.2.6 */
+        const double E_far = fused(E_rate, t, -(2.0 * (sin_v * cos_v) * fused(x, fused(x, slope_2, slope_1), slope_0) * over)); /* classical: DLMF 22.16.30 */
+        const double common_1 = t * t2; /* classical: DLMF 22.10 */
+        const double E_near = common_1 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, E_9, E_8), E_7), E_6), E_5), E_4), E_3), E_2), E_1), E_0); /* classical: DLMF 22.10 */
+        const double F_near = common_1 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, F_9, F_8), F_7), F_6), F_5), F_4), F_3), F_2), F_1), F_0); /* classical: DLMF 22.10 */
+        const double common_2 = 1.0 / 16.0; /* classical: DLMF 22.16.30 */
+        const double E_t = choose(growth, common_2, E_near, E_far); /* classical: DLMF 22.16.30 */
+        const double F_far = fused(-S_t, C_t / D_t, fused(-p, E_t, t)) / apart; /* fact: definition elapsed_F.F_t; (10) */
+        const double F_t = choose(growth, common_2, F_near, F_far); /* classical: DLMF 22.16.30 */
+        const double f = D_t * F_t; /* fact: definition varied_rates.f; (5) */
+        S_t_out[i] = S_t;
+        C_t_out[i] = C_t;
+        D_t_out[i] = D_t;
+        E_t_out[i] = E_t;
+        f_out[i] = f;
+    }
+}
+
+/* Constants of the elapsed time for m > 1/2, from `_moduli`. */
+static void imaginary_constants(double_double p, double_double r, double_double apart, double_double lambda_,
+    double_double modulus, double_double complement, torque_free_imaginary *motion)
+{
+    const double_double ratio = root_ratio(complement, modulus); /* classical: DLMF 20.9.1 */
+    const double_double root_nome = dd_div_xx(complement, ratio); /* classical: DLMF 20.9.1 */
+    const double_double nome2 = dd_mul_xx(root_nome, root_nome); /* classical: DLMF 20.9.1 */
+    const double_double nome4 = dd_mul_xx(nome2, nome2); /* classical: DLMF 20.2.2 */
+    const double_double nome6 = dd_mul_xx(nome4, nome2); /* classical: DLMF 20.2.2 */
+    const double_double nome8 = dd_mul_xx(nome4, nome4); /* classical: DLMF 20.2.2 */
+    const double_double nome12 = dd_mul_xx(nome8, nome4); /* classical: DLMF 20.2.2 */
+    const double_double nome16 = dd_mul_xx(nome8, nome8); /* classical: DLMF 20.2.2 */
+    const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* classical: DLMF 20.2.2 */
+    const double_double common_1 = dd_mul_dx(2.0, nome2); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_2 = dd_mul_dx(2.0, nome8); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_3 = dd_mul_dx(2.0, dd_mul_xx(nome12, nome6)); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_1), common_2), common_3); /* classical: DLMF 20.2.3 */
+    const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_1), common_2), common_3); /* classical: DLMF 20.2.4 */
+    const double_double g = dd_div_dx(1.0, dd_mul_xx(three, three)); /* classical: DLMF 20.9.2 */
+    const double_double y_rate = dd_mul_xx(lambda_, g); /* arithmetic */
+    const double nome_d = dd_rounded(nome2); /* classical: DLMF 20.2.2 */
+    const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome2))); /* classical: DLMF 20.2.2 */
+    const double period_far = choose(nome_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 20.2.7 */
+    const double period_d = dd_rounded(dd_choose(nome_d, 0.0, dd_of(1.0), period)); /* classical: DLMF 20.2.7 */
+    const double period_inverse = choose(nome_d, 0.0, 0.0, 1.0 / period_d); /* classical: DLMF 20.2.7 */
+    const double_double over_lambda = dd_div_dx(1.0, lambda_); /* classical: DLMF 22.2.4 */
+    const double_double gain_S = dd_mul_xx(dd_div_xx(three, four), over_lambda); /* classical: DLMF 22.2.4 */
+    const double_double gain_C = dd_div_xx(two, four); /* classical: DLMF 22.2.5 */
+    const double_double gain_D = dd_div_xx(two, three); /* classical: DLMF 22.2.6 */
+    const double_double scale = dd_div_xx(dd_mul_xx(dd_div_xx(dd_mul_dx(8.0, g), dd_mul_xx(ratio, ratio)), over_lambda), r); /* classical: DLMF 22.16.30 */
+    const double_double f_gain = dd_mul_xx(scale, gain_D); /* classical: DLMF 22.16.30 */
+    const double_double f_rate = dd_div_xx(dd_mul_xx(scale, dd_add_xx(dd_add_dx(1.0, dd_mul_dx(4.0, nome6)), dd_mul_dx(9.0, nome16))), three); /* classical: DLMF 22.16.30 */
+    const double_double m_1 = dd_mul_xx(complement, complement); /* classical: DLMF 19.2.8 */
+    const double_double m_safe = dd_choose(nome_d, 0.0, dd_of(1.0), m_1); /* classical: DLMF 22.16.30 */
+    const double_double whole = dd_choose(nome_d, 0.0, dd_of(0.0), dd_div_xx(dd_mul_xx(dd_div_xx(dd_mul_dx(2.0, g), m_safe), over_lambda), r)); /* classical: DLMF 22.16.30 */
+    const double_double f_period = dd_sub_xx(whole, dd_mul_xx(f_rate, period)); /* classical: DLMF 22.16.30 */
+    const double p_d = dd_rounded(p); /* arithmetic */
+    const double r_d = dd_rounded(r); /* arithmetic */
+    const double apart_d = dd_rounded(apart); /* arithmetic */
+    const double E_one = -4.0 * (p_d + r_d); /* classical: DLMF 22.10 */
+    const double E_two = 6.0 * (p_d * r_d); /* classical: DLMF 22.10 */
+    const double F_one = 4.0 * (r_d - apart_d); /* classical: DLMF 22.10 */
+    const double F_two = -6.0 * (r_d * apart_d); /* classical: DLMF 22.10 */
+    const double E_square_0 = 1.0; /* classical: DLMF 22.10 */
+    const double common_4 = 1.0 / 3.0; /* classical: DLMF 22.10 */
+    const double E_0 = common_4; /* classical: DLMF 22.10 */
+    const double E_square_1 = E_one * E_square_0 / 12.0; /* classical: DLMF 22.10 */
+    const double E_1 = E_square_1 / 5.0; /* classical: DLMF 22.10 */
+    const double E_square_2 = fused(E_one, E_square_1, E_two * (E_square_0 * E_square_0)) / 30.0; /* classical: DLMF 22.10 */
+    const double E_2 = E_square_2 / 7.0; /* classical: DLMF 22.10 */
+    const double E_square_3 = fused(E_one, E_square_2, E_two * fused(E_square_0, E_square_1, E_square_1 * E_square_0)) / 56.0; /* classical: DLMF 22.10 */
+    const double E_3 = E_square_3 / 9.0; /* classical: DLMF 22.10 */
+    const double E_square_4 = fused(E_one, E_square_3, E_two * fused(E_square_2, E_square_0, fused(E_square_0, E_square_2, E_square_1 * E_square_1))) / 90.0; /* classical: DLMF 22.10 */
+    const double E_4 = E_square_4 / 11.0; /* classical: DLMF 22.10 */
+    const double E_square_5 = fused(E_one, E_square_4, E_two * fused(E_square_3, E_square_0, fused(E_square_2, E_square_1, fused(E_square_0, E_square_3, E_square_1 * E_square_2)))) / 132.0; /* classical: DLMF 22.10 */
+    const double E_5 = E_square_5 / 13.0; /* classical: DLMF 22.10 */
+    const double E_square_6 = fused(E_one, E_square_5, E_two * fused(E_square_4, E_square_0, fused(E_square_3, E_square_1, fused(E_square_2, E_square_2, fused(E_square_0, E_square_4, E_square_1 * E_square_3))))) / 182.0; /* classical: DLMF 22.10 */
+    const double E_6 = E_square_6 / 15.0; /* classical: DLMF 22.10 */
+    const double E_square_7 = fused(E_one, E_square_6, E_two * fused(E_square_5, E_square_0, fused(E_square_4, E_square_1, fused(E_square_3, E_square_2, fused(E_square_2, E_square_3, fused(E_square_0, E_square_5, E_square_1 * E_square_4)))))) / 240.0; /* classical: DLMF 22.10 */
+    const double E_7 = E_square_7 / 17.0; /* classical: DLMF 22.10 */
+    const double E_square_8 = fused(E_one, E_square_7, E_two * fused(E_square_6, E_square_0, fused(E_square_5, E_square_1, fused(E_square_4, E_square_2, fused(E_square_3, E_square_3, fused(E_square_2, E_square_4, fused(E_square_0, E_square_6, E_square_1 * E_square_5))))))) / 306.0; /* classical: DLMF 22.10 */
+    const double E_8 = E_square_8 / 19.0; /* classical: DLMF 22.10 */
+    const double E_square_9 = fused(E_one, E_square_8, E_two * fused(E_square_7, E_square_0, fused(E_square_6, E_square_1, fused(E_square_5, E_square_2, fused(E_square_4, E_square_3, fused(E_square_3, E_square_4, fused(E_square_2, E_square_5, fused(E_square_0, E_square_7, E_square_1 * E_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
+    const double E_9 = E_square_9 / 21.0; /* classical: DLMF 22.10 */
+    const double F_square_0 = 1.0; /* classical: DLMF 22.10 */
+    const double F_0 = common_4; /* classical: DLMF 22.10 */
+    const double F_square_1 = F_one * F_square_0 / 12.0; /* classical: DLMF 22.10 */
+    const double F_1 = F_square_1 / 5.0; /* classical: DLMF 22.10 */
+    const double F_square_2 = fused(F_one, F_square_1, F_two * (F_square_0 * F_square_0)) / 30.0; /* classical: DLMF 22.10 */
+    const double F_2 = F_square_2 / 7.0; /* classical: DLMF 22.10 */
+    const double F_square_3 = fused(F_one, F_square_2, F_two * fused(F_square_0, F_square_1, F_square_1 * F_square_0)) / 56.0; /* classical: DLMF 22.10 */
+    const double F_3 = F_square_3 / 9.0; /* classical: DLMF 22.10 */
+    const double F_square_4 = fused(F_one, F_square_3, F_two * fused(F_square_2, F_square_0, fused(F_square_0, F_square_2, F_square_1 * F_square_1))) / 90.0; /* classical: DLMF 22.10 */
+    const double F_4 = F_square_4 / 11.0; /* classical: DLMF 22.10 */
+    const double F_square_5 = fused(F_one, F_square_4, F_two * fused(F_square_3, F_square_0, fused(F_square_2, F_square_1, fused(F_square_0, F_square_3, F_square_1 * F_square_2)))) / 132.0; /* classical: DLMF 22.10 */
+    const double F_5 = F_square_5 / 13.0; /* classical: DLMF 22.10 */
+    const double F_square_6 = fused(F_one, F_square_5, F_two * fused(F_square_4, F_square_0, fused(F_square_3, F_square_1, fused(F_square_2, F_square_2, fused(F_square_0, F_square_4, F_square_1 * F_square_3))))) / 182.0; /* classical: DLMF 22.10 */
+    const double F_6 = F_square_6 / 15.0; /* classical: DLMF 22.10 */
+    const double F_square_7 = fused(F_one, F_square_6, F_two * fused(F_square_5, F_square_0, fused(F_square_4, F_square_1, fused(F_square_3, F_square_2, fused(F_square_2, F_square_3, fused(F_square_0, F_square_5, F_square_1 * F_square_4)))))) / 240.0; /* classical: DLMF 22.10 */
+    const double F_7 = F_square_7 / 17.0; /* classical: DLMF 22.10 */
+    const double F_square_8 = fused(F_one, F_square_7, F_two * fused(F_square_6, F_square_0, fused(F_square_5, F_square_1, fused(F_square_4, F_square_2, fused(F_square_3, F_square_3, fused(F_square_2, F_square_4, fused(F_square_0, F_square_6, F_square_1 * F_square_5))))))) / 306.0; /* classical: DLMF 22.10 */
+    const double F_8 = F_square_8 / 19.0; /* classical: DLMF 22.10 */
+    const double F_square_9 = fused(F_one, F_square_8, F_two * fused(F_square_7, F_square_0, fused(F_square_6, F_square_1, fused(F_square_5, F_square_2, fused(F_square_4, F_square_3, fused(F_square_3, F_square_4, fused(F_square_2, F_square_5, fused(F_square_0, F_square_7, F_square_1 * F_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
+    const double F_9 = F_square_9 / 21.0; /* classical: DLMF 22.10 */
+    motion->y_rate_hi = y_rate.hi;
+    motion->y_rate_lo = y_rate.lo;
+    motion->period_hi = period.hi;
+    motion->period_lo = period.lo;
+    motion->period_far = period_far;
+    motion->period_inverse = period_inverse;
+    motion->nome2 = dd_rounded(nome2);
+    motion->nome4 = dd_rounded(nome4);
+    motion->nome6 = dd_rounded(nome6);
+    motion->nome8 = dd_rounded(nome8);
+    motion->nome12 = dd_rounded(nome12);
+    motion->nome16 = dd_rounded(nome16);
+    motion->gain_S = dd_rounded(gain_S);
+    motion->gain_C = dd_rounded(gain_C);
+    motion->gain_D = dd_rounded(gain_D);
+    motion->f_gain = dd_rounded(f_gain);
+    motion->f_rate = dd_rounded(f_rate);
+    motion->f_period = dd_rounded(f_period);
+    motion->p = dd_rounded(p);
+    motion->apart = dd_rounded(apart);
+    motion->E_0 = E_0;
+    motion->E_1 = E_1;
+    motion->E_2 = E_2;
+    motion->E_3 = E_3;
+    motion->E_4 = E_4;
+    motion->E_5 = E_5;
+    motion->E_6 = E_6;
+    motion->E_7 = E_7;
+    motion->E_8 = E_8;
+    motion->E_9 = E_9;
+    motion->F_0 = F_0;
+    motion->F_1 = F_1;
+    motion->F_2 = F_2;
+    motion->F_3 = F_3;
+    motion->F_4 = F_4;
+    motion->F_5 = F_5;
+    motion->F_6 = F_6;
+    motion->F_7 = F_7;
+    motion->F_8 = F_8;
+    motion->F_9 = F_9;
+}
+
+/* What changes with time where m > 1/2, at t + t_lo. */
+static void imaginary_angles(const torque_free_imaginary *motion, size_t n, const double *restrict t_in,
+    const double *restrict t_lo_in, double *restrict w_out, double *restrict p2_out,
+    double *restrict y_out, double *restrict side_out, double *restrict flip_out,
+    double *restrict periods_out)
+{
+    const double y_rate_hi = motion->y_rate_hi;
+    const double y_rate_lo = motion->y_rate_lo;
+    const double period_hi = motion->period_hi;
+    const double period_lo = motion->period_lo;
+    const double period_far = motion->period_far;
+    const double period_inverse = motion->period_inverse;
+    for (size_t i = 0; i < n; i++) {
+        const double t = t_in[i];
+        const double t_lo = t_lo_in[i];
+        const double p_y = y_rate_hi * t; /* arithmetic: Dekker 1971 */
+        const double p_y_error = product_error(y_rate_hi, t, p_y) + fused(y_rate_lo, t, y_rate_hi * t_lo); /* arithmetic: Dekker 1971 */
+        const double periods = nearest(p_y * period_inverse); /* classical: DLMF 20.2.7 */
+        const double back = period_hi * periods; /* arithmetic: Dekker 1971 */
+        const double back_error = fused(period_lo, periods, product_error(period_hi, periods, back)); /* arithmetic: Dekker 1971 */
+        const double ahead = p_y + -back; /* arithmetic: Knuth 4.2.2 */
+        const double ahead_other = ahead - p_y; /* arithmetic: Knuth 4.2.2 */
+        const double ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other); /* arithmetic: Knuth 4.2.2 */
+        const double y = ahead + (ahead_error + (p_y_error - back_error)); /* classical: DLMF 20.2.7 */
+        const double side = choose(0.0, y, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double flip = alternating(periods); /* classical: DLMF 20.2.6 */
+        const double depth = fabs(y); /* classical: DLMF 20.2.2 */
+        const double w = exponential(-depth); /* classical: DLMF 20.2.2 */
+        const double p2 = exponential(fused(2.0, depth, -period_far)); /* classical: DLMF 20.2.2 */
+        w_out[i] = w;
+        p2_out[i] = p2;
+        y_out[i] = y;
+        side_out[i] = side;
+        flip_out[i] = flip;
+        periods_out[i] = periods;
+    }
+}
+
+/* S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`. */
+static void imaginary_state(const torque_free_imaginary *motion, size_t n, const double *restrict w_in,
+    const double *restrict p2_in, const double *restrict y_in,
+    const double *restrict side_in, const double *restrict flip_in,
+    const double *restrict periods_in, const double *restrict t_in,
+    double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
+    double *restrict E_t_out, double *restrict f_out)
+{
+    const double nome2 = motion->nome2;
+    const double nome4 = motion->nome4;
+    const double nome6 = motion->nome6;
+    const double nome8 = motion->nome8;
+    const double nome12 = motion->nome12;
+    const double nome16 = motion->nome16;
+    const double gain_S = motion->gain_S;
+    const double gain_C = motion->gain_C;
+    const double gain_D = motion->gain_D;
+    const double f_gain = motion->f_gain;
+    const double f_rate = motion->f_rate;
+    const double f_period = motion->f_period;
+    const double p = motion->p;
+    const double apart = motion->apart;
+    const double E_0 = motion->E_0;
+    const double E_1 = motion->E_1;
+    const double E_2 = motion->E_2;
+    const double E_3 = motion->E_3;
+    const double E_4 = motion->E_4;
+    const double E_5 = motion->E_5;
+    const double E_6 = motion->E_6;
+    const double E_7 = motion->E_7;
+    const double E_8 = motion->E_8;
+    const double E_9 = motion->E_9;
+    const double F_0 = motion->F_0;
+    const double F_1 = motion->F_1;
+    const double F_2 = motion->F_2;
+    const double F_3 = motion->F_3;
+    const double F_4 = motion->F_4;
+    const double F_5 = motion->F_5;
+    const double F_6 = motion->F_6;
+    const double F_7 = motion->F_7;
+    const double F_8 = motion->F_8;
+    const double F_9 = motion->F_9;
+    for (size_t i = 0; i < n; i++) {
+        const double w = w_in[i];
+        const double p2 = p2_in[i];
+        const double y = y_in[i];
+        const double side = side_in[i];
+        const double flip = flip_in[i];
+        const double periods = periods_in[i];
+        const double t = t_in[i];
+        const double common_1 = w * w; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
+        const double qw2 = nome2 * common_1; /* classical: DLMF 20.2.2 */
+        const double w2 = common_1; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double common_2 = p2 * nome8; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
+        const double tall = fused(p2, nome2 + common_2, 1.0); /* classical: DLMF 20.2.2 */
+        const double common_3 = qw2 * nome8; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
+        const double deep = w2 * fused(qw2, nome2 + common_3, 1.0); /* classical: DLMF 20.2.2 */
+        const double theta2_y = tall + deep; /* classical: DLMF 20.2.2 */
+        const double theta1_y = side * fused(-w2, fused(qw2, common_3 - nome2, 1.0), fused(p2, common_2 - nome2, 1.0)); /* classical: DLMF 20.2.1 */
+        const double common_4 = p2 * p2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
+        const double common_5 = nome12 * common_4; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
+        const double ends = fused(p2, 1.0 + common_5, w2 * nome2); /* classical: DLMF 20.2.3 */
+        const double common_6 = w2 * w2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
+        const double middle = fused(common_6, nome8, fused(nome4, common_4, 1.0)); /* classical: DLMF 20.2.3 */
+        const double theta3_y = 2.0 * (w * (middle + ends)); /* classical: DLMF 20.2.3 */
+        const double theta4_y = 2.0 * (w * (middle - ends)); /* classical: DLMF 20.2.4 */
+        const double over = 1.0 / theta2_y; /* arithmetic */
+        const double t2 = t * t; /* classical: DLMF 22.10 */
+        const double growth = p * t2; /* classical: DLMF 22.10 */
+        const double S_t = choose(growth, 1.0 / 18014398509481984.0, t, gain_S * (flip * theta1_y * over)); /* classical: DLMF 22.2.4 */
+        const double C_t = gain_C * (flip * theta4_y * over); /* classical: DLMF 22.2.5 */
+        const double D_t = gain_D * (theta3_y * over); /* classical: DLMF 22.2.6 */
+        const double rise = (1.0 - common_6) / 2.0 + fused(nome4, p2, -(nome6 * (common_6 * w2))) + 3.0 * fused(-nome16, common_6 * common_6, common_5) / 2.0; /* classical: DLMF 22.16.30 */
+        const double f_far = fused(f_gain * side * (rise / w), over, D_t * fused(periods, f_period, -(f_rate * y))); /* classical: DLMF 22.16.30 */
+        const double common_7 = t * t2; /* classical: DLMF 22.10 */
+        const double E_near = common_7 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, E_9, E_8), E_7), E_6), E_5), E_4), E_3), E_2), E_1), E_0); /* classical: DLMF 22.10 */
+        const double F_near = common_7 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, F_9, F_8), F_7), F_6), F_5), F_4), F_3), F_2), F_1), F_0); /* classical: DLMF 22.10 */
+        const double common_8 = 1.0 / 16.0; /* classical: DLMF 22.16.30 */
+        const double f = choose(growth, common_8, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
+        const double E_far = (fused(-S_t, C_t / D_t, t) - apart * f / D_t) / p; /* fact: definition elapsed_E.E_t; (10) */
+        const double E_t = choose(growth, common_8, E_near, E_far); /* classical: DLMF 22.16.30 */
+        S_t_out[i] = S_t;
+        C_t_out[i] = C_t;
+        D_t_out[i] = D_t;
+        E_t_out[i] = E_t;
+        f_out[i] = f;
+    }
+}
+
+/* What sensitivities of the attitude are made from, at t = 0; not at rest. */
+static void turn_constants(double c1, double c2, double c3, double Omega1_0, double Omega2_0, double Omega3_0,
+    double p0, double p1, double p2, double p3, torque_free_turn *motion)
+{
+    const double common_1 = c1 * Omega1_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
+    const double common_2 = c2 * Omega2_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
+    const double common_3 = c3 * Omega3_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
+    const double K_squared = fused(common_3, common_3, fused(common_1, common_1, common_2 * common_2)); /* fact: definition turned_columns_start.K_squared; (3) */
+    const double common_4 = p2 * p2; /* fact: definition turned_columns_start.P11, definition turned_columns_start.P33; (3) */
+    const double common_5 = p3 * p3; /* fact: definition turned_columns_start.P11, definition turned_columns_start.P22; (3) */
+    const double P11 = fused(-2.0, common_4 + common_5, 1.0); /* fact: definition turned_columns_start.P11; (3) */
+    const double common_6 = p1 * p2; /* fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3) */
+    const double common_7 = p0 * p3; /* fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3) */
+    const double P12 = 2.0 * (common_6 - common_7); /* fact: definition turned_columns_start.P12; (3) */
+    const double common_8 = p3 * p1; /* fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3) */
+    const double common_9 = p0 * p2; /* fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3) */
+    const double P13 = 2.0 * (common_8 + common_9); /* fact: definition turned_columns_start.P13; (3) */
+    const double P21 = 2.0 * (common_6 + common_7); /* fact: definition turned_columns_start.P21; (3) */
+    const double common_10 = p1 * p1; /* fact: definition turned_columns_start.P22, definition turned_columns_start.P33; (3) */
+    const double P22 = fused(-2.0, common_5 + common_10, 1.0); /* fact: definition turned_columns_start.P22; (3) */
+    const double common_11 = p2 * p3; /* fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3) */
+    const double common_12 = p0 * p1; /* fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3) */
+    const double P23 = 2.0 * (common_11 - common_12); /* fact: definition turned_columns_start.P23; (3) */
+    const double P31 = 2.0 * (common_8 - common_9); /* fact: definition turned_columns_start.P31; (3) */
+    const double P32 = 2.0 * (common_11 + common_12); /* fact: definition turned_columns_start.P32; (3) */
+    const double P33 = fused(-2.0, common_10 + common_4, 1.0); /* fact: definition turned_columns_start.P33; (3) */
+    const double l1 = fused(P13, common_3, fused(P11, common_1, P12 * common_2)) / K_squared; /* fact: definition turned_columns_start.l1; (3) */
+    const double l2 = fused(P23, common_3, fused(P21, common_1, P22 * common_2)) / K_squared; /* fact: definition turned_columns_start.l2; (3) */
+    const double l3 = fused(P33, common_3, fused(P31, common_1, P32 * common_2)) / K_squared; /* fact: definition turned_columns_start.l3; (3) */
+    const double B11 = fused(l2, P31, -(l3 * P21)); /* fact: definition turned_columns_start.B11; (3) */
+    const double B21 = fused(l3, P11, -(l1 * P31)); /* fact: definition turned_columns_start.B21; (3) */
+    const double B31 = fused(l1, P21, -(l2 * P11)); /* fact: definition turned_columns_start.B31; (3) */
+    const double B12 = fused(l2, P32, -(l3 * P22)); /* fact: definition turned_columns_start.B12; (3) */
+    const double B22 = fused(l3, P12, -(l1 * P32)); /* fact: definition turned_columns_start.B22; (3) */
+    const double B32 = fused(l1, P22, -(l2 * P12)); /* fact: definition turned_columns_start.B32; (3) */
+    const double B13 = fused(l2, P33, -(l3 * P23)); /* fact: definition turned_columns_start.B13; (3) */
+    const double B23 = fused(l3, P13, -(l1 * P33)); /* fact: definition turned_columns_start.B23; (3) */
+    const double B33 = fused(l1, P23, -(l2 * P13)); /* fact: definition turned_columns_start.B33; (3) */
+    motion->c1 = c1;
+    motion->c2 = c2;
+    motion->c3 = c3;
+    motion->Omega1_0 = Omega1_0;
+    motion->Omega2_0 = Omega2_0;
+    motion->Omega3_0 = Omega3_0;
+    motion->l1 = l1;
+    motion->l2 = l2;
+    motion->l3 = l3;
+    motion->B11 = B11;
+    motion->B12 = B12;
+    motion->B13 = B13;
+    motion->B21 = B21;
+    motion->B22 = B22;
+    motion->B23 = B23;
+    motion->B31 = B31;
+    motion->B32 = B32;
+    motion->B33 = B33;
+}
+
+/* What the attitude changes by, and the state with the time. */
+static void turn_state(const torque_free_turn *motion, size_t n, const double *restrict q0_in,
+    const double *restrict q1_in, const double *restrict q2_in,
+    const double *restrict q3_in, const double *restrict Omega1_in,
+    const double *restrict Omega2_in, const double *restrict Omega3_in,
+    const double *restrict Omega1_by_Omega1_in,
+    const double *restrict Omega1_by_Omega2_in,
+    const double *restrict Omega1_by_Omega3_in, const double *restrict Omega1_by_c1_in,
+    const double *restrict Omega1_by_c2_in, const double *restrict Omega1_by_c3_in,
+    const double *restrict Omega2_by_Omega1_in,
+    const double *restrict Omega2_by_Omega2_in,
+    const double *restrict Omega2_by_Omega3_in, const double *restrict Omega2_by_c1_in,
+    const double *restrict Omega2_by_c2_in, const double *restrict Omega2_by_c3_in,
+    const double *restrict Omega3_by_Omega1_in,
+    const double *restrict Omega3_by_Omega2_in,
+    const double *restrict Omega3_by_Omega3_in, const double *restrict Omega3_by_c1_in,
+    const double *restrict Omega3_by_c2_in, const double *restrict Omega3_by_c3_in,
+    const double *restrict excess1_in, const double *restrict excess2_in,
+    const double *restrict excess3_in, const double *restrict t_in,
+    double *restrict eta1_by_Omega1_out, double *restrict eta1_by_Omega2_out,
+    double *restrict eta1_by_Omega3_out, double *restrict eta1_by_c1_out,
+    double *restrict eta1_by_c2_out, double *restrict eta1_by_c3_out,
+    double *restrict eta2_by_Omega1_out, double *restrict eta2_by_Omega2_out,
+    double *restrict eta2_by_Omega3_out, double *restrict eta2_by_c1_out,
+    double *restrict eta2_by_c2_out, double *restrict eta2_by_c3_out,
+    double *restrict eta3_by_Omega1_out, double *restrict eta3_by_Omega2_out,
+    double *restrict eta3_by_Omega3_out, double *restrict eta3_by_c1_out,
+    double *restrict eta3_by_c2_out, double *restrict eta3_by_c3_out,
+    double *restrict eta1_by_t_out, double *restrict eta2_by_t_out,
+    double *restrict eta3_by_t_out, double *restrict Omega1_by_t_out,
+    double *restrict Omega2_by_t_out, double *restrict Omega3_by_t_out)
+{
+    const double c1 = motion->c1;
+    const double c2 = motion->c2;
+    const double c3 = motion->c3;
+    const double Omega1_0 = motion->Omega1_0;
+    const double Omega2_0 = motion->Omega2_0;
+    const double Omega3_0 = motion->Omega3_0;
+    const double l1 = motion->l1;
+    const double l2 = motion->l2;
+    const double l3 = motion->l3;
+    const double B11 = motion->B11;
+    const double B12 = motion->B12;
+    const double B13 = motion->B13;
+    const double B21 = motion->B21;
+    const double B22 = motion->B22;
+    const double B23 = motion->B23;
+    const double B31 = motion->B31;
+    const double B32 = motion->B32;
+    const double B33 = motion->B33;
+    for (size_t i = 0; i < n; i++) {
+        const double q0 = q0_in[i];
+        const double q1 = q1_in[i];
+        const double q2 = q2_in[i];
+        const double q3 = q3_in[i];
+        const double Omega1 = Omega1_in[i];
+        const double Omega2 = Omega2_in[i];
+        const double Omega3 = Omega3_in[i];
+        const double Omega1_by_Omega1 = Omega1_by_Omega1_in[i];
+        const double Omega1_by_Omega2 = Omega1_by_Omega2_in[i];
+        const double Omega1_by_Omega3 = Omega1_by_Omega3_in[i];
+        const double Omega1_by_c1 = Omega1_by_c1_in[i];
+        const double Omega1_by_c2 = Omega1_by_c2_in[i];
+        const double Omega1_by_c3 = Omega1_by_c3_in[i];
+        const double Omega2_by_Omega1 = Omega2_by_Omega1_in[i];
+        const double Omega2_by_Omega2 = Omega2_by_Omega2_in[i];
+        const double Omega2_by_Omega3 = Omega2_by_Omega3_in[i];
+        const double Omega2_by_c1 = Omega2_by_c1_in[i];
+        const double Omega2_by_c2 = Omega2_by_c2_in[i];
+        const double Omega2_by_c3 = Omega2_by_c3_in[i];
+        const double Omega3_by_Omega1 = Omega3_by_Omega1_in[i];
+        const double Omega3_by_Omega2 = Omega3_by_Omega2_in[i];
+        const double Omega3_by_Omega3 = Omega3_by_Omega3_in[i];
+        const double Omega3_by_c1 = Omega3_by_c1_in[i];
+        const double Omega3_by_c2 = Omega3_by_c2_in[i];
+        const double Omega3_by_c3 = Omega3_by_c3_in[i];
+        const double excess1 = excess1_in[i];
+        const double excess2 = excess2_in[i];
+        const double excess3 = excess3_in[i];
+        const double t = t_in[i];
+        const double common_1 = q2 * q2; /* fact: definition turned_columns.R11, definition turned_columns.R33; (3) */
+        const double common_2 = q3 * q3; /* fact: definition turned_columns.R11, definition turned_columns.R22; (3) */
+        const double R11 = fused(-2.0, common_1 + common_2, 1.0); /* fact: definition turned_columns.R11; (3) */
+        const double common_3 = q1 * q2; /* fact: definition turned_columns.R12, definition turned_columns.R21; (3) */
+        const double common_4 = q0 * q3; /* fact: definition turned_columns.R12, definition turned_columns.R21; (3) */
+        const double R12 = 2.0 * (common_3 - common_4); /* fact: definition turned_columns.R12; (3) */
+        const double common_5 = q3 * q1; /* fact: definition turned_columns.R13, definition turned_columns.R31; (3) */
+        const double common_6 = q0 * q2; /* fact: definition turned_columns.R13, definition turned_columns.R31; (3) */
+        const double R13 = 2.0 * (common_5 + common_6); /* fact: definition turned_columns.R13; (3) */
+        const double R21 = 2.0 * (common_3 + common_4); /* fact: definition turned_columns.R21; (3) */
+        const double common_7 = q1 * q1; /* fact: definition turned_columns.R22, definition turned_columns.R33; (3) */
+        const double R22 = fused(-2.0, common_2 + common_7, 1.0); /* fact: definition turned_columns.R22; (3) */
+        const double common_8 = q2 * q3; /* fact: definition turned_columns.R23, definition turned_columns.R32; (3) */
+        const double common_9 = q0 * q1; /* fact: definition turned_columns.R23, definition turned_columns.R32; (3) */
+        const double R23 = 2.0 * (common_8 - common_9); /* fact: definition turned_columns.R23; (3) */
+        const double R31 = 2.0 * (common_5 - common_6); /* fact: definition turned_columns.R31; (3) */
+        const double R32 = 2.0 * (common_8 + common_9); /* fact: definition turned_columns.R32; (3) */
+        const double R33 = fused(-2.0, common_7 + common_1, 1.0); /* fact: definition turned_columns.R33; (3) */
+        const double X11 = fused(l2, R31, -(l3 * R21)); /* fact: definition turned_columns.X11; (3) */
+        const double X21 = fused(l3, R11, -(l1 * R31)); /* fact: definition turned_columns.X21; (3) */
+        const double X31 = fused(l1, R21, -(l2 * R11)); /* fact: definition turned_columns.X31; (3) */
+        const double X12 = fused(l2, R32, -(l3 * R22)); /* fact: definition turned_columns.X12; (3) */
+        const double X22 = fused(l3, R12, -(l1 * R32)); /* fact: definition turned_columns.X22; (3) */
+        const double X32 = fused(l1, R22, -(l2 * R12)); /* fact: definition turned_columns.X32; (3) */
+        const double X13 = fused(l2, R33, -(l3 * R23)); /* fact: definition turned_columns.X13; (3) */
+        const double X23 = fused(l3, R13, -(l1 * R33)); /* fact: definition turned_columns.X23; (3) */
+        const double X33 = fused(l1, R23, -(l2 * R13)); /* fact: definition turned_columns.X33; (3) */
+        const double Y11 = c1 * X11; /* fact: definition turned_columns.Y11; (3) */
+        const double Y12 = c2 * X12; /* fact: definition turned_columns.Y12; (3) */
+        const double Y13 = c3 * X13; /* fact: definition turned_columns.Y13; (3) */
+        const double Y21 = c1 * X21; /* fact: definition turned_columns.Y21; (3) */
+        const double Y22 = c2 * X22; /* fact: definition turned_columns.Y22; (3) */
+        const double Y23 = c3 * X23; /* fact: definition turned_columns.Y23; (3) */
+        const double Y31 = c1 * X31; /* fact: definition turned_columns.Y31; (3) */
+        const double Y32 = c2 * X32; /* fact: definition turned_columns.Y32; (3) */
+        const double Y33 = c3 * X33; /* fact: definition turned_columns.Y33; (3) */
+        const double common_10 = t * (c1 * Omega1_0); /* fact: definition turned_columns.eta1_by_Omega1, definition turned_columns.eta2_by_Omega1, definition turned_columns.eta3_by_Omega1; (3) */
+        const double eta1_by_Omega1 = fused(common_10, l1, fused(c1, B11, -fused(Y13, Omega3_by_Omega1, fused(Y11, Omega1_by_Omega1, Y12 * Omega2_by_Omega1)))); /* fact: definition turned_columns.eta1_by_Omega1; (3) */
+        const double eta2_by_Omega1 = fused(common_10, l2, fused(c1, B21, -fused(Y23, Omega3_by_Omega1, fused(Y21, Omega1_by_Omega1, Y22 * Omega2_by_Omega1)))); /* fact: definition turned_columns.eta2_by_Omega1; (3) */
+        const double eta3_by_Omega1 = fused(common_10, l3, fused(c1, B31, -fused(Y33, Omega3_by_Omega1, fused(Y31, Omega1_by_Omega1, Y32 * Omega2_by_Omega1)))); /* fact: definition turned_columns.eta3_by_Omega1; (3) */
+        const double common_11 = t * (c2 * Omega2_0); /* fact: definition turned_columns.eta1_by_Omega2, definition turned_columns.eta2_by_Omega2, definition turned_columns.eta3_by_Omega2; (3) */
+        const double eta1_by_Omega2 = fused(common_11, l1, fused(c2, B12, -fused(Y13, Omega3_by_Omega2, fused(Y11, Omega1_by_Omega2, Y12 * Omega2_by_Omega2)))); /* fact: definition turned_columns.eta1_by_Omega2; (3) */
+        const double eta2_by_Omega2 = fused(common_11, l2, fused(c2, B22, -fused(Y23, Omega3_by_Omega2, fused(Y21, Omega1_by_Omega2, Y22 * Omega2_by_Omega2)))); /* fact: definition turned_columns.eta2_by_Omega2; (3) */
+        const double eta3_by_Omega2 = fused(common_11, l3, fused(c2, B32, -fused(Y33, Omega3_by_Omega2, fused(Y31, Omega1_by_Omega2, Y32 * Omega2_by_Omega2)))); /* fact: definition turned_columns.eta3_by_Omega2; (3) */
+        const double common_12 = t * (c3 * Omega3_0); /* fact: definition turned_columns.eta1_by_Omega3, definition turned_columns.eta2_by_Omega3, definition turned_columns.eta3_by_Omega3; (3) */
+        const double eta1_by_Omega3 = fused(common_12, l1, fused(c3, B13, -fused(Y13, Omega3_by_Omega3, fused(Y11, Omega1_by_Omega3, Y12 * Omega2_by_Omega3)))); /* fact: definition turned_columns.eta1_by_Omega3; (3) */
+        const double eta2_by_Omega3 = fused(common_12, l2, fused(c3, B23, -fused(Y23, Omega3_by_Omega3, fused(Y21, Omega1_by_Omega3, Y22 * Omega2_by_Omega3)))); /* fact: definition turned_columns.eta2_by_Omega3; (3) */
+        const double eta3_by_Omega3 = fused(common_12, l3, fused(c3, B33, -fused(Y33, Omega3_by_Omega3, fused(Y31, Omega1_by_Omega3, Y32 * Omega2_by_Omega3)))); /* fact: definition turned_columns.eta3_by_Omega3; (3) */
+        const double eta1_by_c1 = fused(Omega1_0, B11, -fused(Omega1, X11, fused(Y13, Omega3_by_c1, fused(Y11, Omega1_by_c1, Y12 * Omega2_by_c1)))) - excess1 * l1 / 2.0; /* fact: definition turned_columns.eta1_by_c1; (3) */
+        const double eta2_by_c1 = fused(Omega1_0, B21, -fused(Omega1, X21, fused(Y23, Omega3_by_c1, fused(Y21, Omega1_by_c1, Y22 * Omega2_by_c1)))) - excess1 * l2 / 2.0; /* fact: definition turned_columns.eta2_by_c1; (3) */
+        const double eta3_by_c1 = fused(Omega1_0, B31, -fused(Omega1, X31, fused(Y33, Omega3_by_c1, fused(Y31, Omega1_by_c1, Y32 * Omega2_by_c1)))) - excess1 * l3 / 2.0; /* fact: definition turned_columns.eta3_by_c1; (3) */
+        const double eta1_by_c2 = fused(Omega2_0, B12, -fused(Omega2, X12, fused(Y13, Omega3_by_c2, fused(Y11, Omega1_by_c2, Y12 * Omega2_by_c2)))) - excess2 * l1 / 2.0; /* fact: definition turned_columns.eta1_by_c2; (3) */
+        const double eta2_by_c2 = fused(Omega2_0, B22, -fused(Omega2, X22, fused(Y23, Omega3_by_c2, fused(Y21, Omega1_by_c2, Y22 * Omega2_by_c2)))) - excess2 * l2 / 2.0; /* fact: definition turned_columns.eta2_by_c2; (3) */
+        const double eta3_by_c2 = fused(Omega2_0, B32, -fused(Omega2, X32, fused(Y33, Omega3_by_c2, fused(Y31, Omega1_by_c2, Y32 * Omega2_by_c2)))) - excess2 * l3 / 2.0; /* fact: definition turned_columns.eta3_by_c2; (3) */
+        const double eta1_by_c3 = fused(Omega3_0, B13, -fused(Omega3, X13, fused(Y13, Omega3_by_c3, fused(Y11, Omega1_by_c3, Y12 * Omega2_by_c3)))) - excess3 * l1 / 2.0; /* fact: definition turned_columns.eta1_by_c3; (3) */
+        const double eta2_by_c3 = fused(Omega3_0, B23, -fused(Omega3, X23, fused(Y23, Omega3_by_c3, fused(Y21, Omega1_by_c3, Y22 * Omega2_by_c3)))) - excess3 * l2 / 2.0; /* fact: definition turned_columns.eta2_by_c3; (3) */
+        const double eta3_by_c3 = fused(Omega3_0, B33, -fused(Omega3, X33, fused(Y33, Omega3_by_c3, fused(Y31, Omega1_by_c3, Y32 * Omega2_by_c3)))) - excess3 * l3 / 2.0; /* fact: definition turned_columns.eta3_by_c3; (3) */
+        const double eta1_by_t = fused(R13, Omega3, fused(R11, Omega1, R12 * Omega2)); /* fact: definition turned_columns.eta1_by_t; (3) */
+        const double eta2_by_t = fused(R23, Omega3, fused(R21, Omega1, R22 * Omega2)); /* fact: definition turned_columns.eta2_by_t; (3) */
+        const double eta3_by_t = fused(R33, Omega3, fused(R31, Omega1, R32 * Omega2)); /* fact: definition turned_columns.eta3_by_t; (3) */
+        const double Omega1_by_t = (c2 - c3) / c1 * Omega2 * Omega3; /* fact: definition turned_columns.Omega1_by_t; (3) */
+        const double Omega2_by_t = (c3 - c1) / c2 * Omega3 * Omega1; /* fact: definition turned_columns.Omega2_by_t; (3) */
+        const double Omega3_by_t = (c1 - c2) / c3 * Omega1 * Omega2; /* fact: definition turned_columns.Omega3_by_t; (3) */
+        eta1_by_Omega1_out[i] = eta1_by_Omega1;
+        eta1_by_Omega2_out[i] = eta1_by_Omega2;
+        eta1_by_Omega3_out[i] = eta1_by_Omega3;
+        eta1_by_c1_out[i] = eta1_by_c1;
+        eta1_by_c2_out[i] = eta1_by_c2;
+        eta1_by_c3_out[i] = eta1_by_c3;
+        eta2_by_Omega1_out[i] = eta2_by_Omega1;
+        eta2_by_Omega2_out[i] = eta2_by_Omega2;
+        eta2_by_Omega3_out[i] = eta2_by_Omega3;
+        eta2_by_c1_out[i] = eta2_by_c1;
+        eta2_by_c2_out[i] = eta2_by_c2;
+        eta2_by_c3_out[i] = eta2_by_c3;
+        eta3_by_Omega1_out[i] = eta3_by_Omega1;
+        eta3_by_Omega2_out[i] = eta3_by_Omega2;
+        eta3_by_Omega3_out[i] = eta3_by_Omega3;
+        eta3_by_c1_out[i] = eta3_by_c1;
+        eta3_by_c2_out[i] = eta3_by_c2;
+        eta3_by_c3_out[i] = eta3_by_c3;
+        eta1_by_t_out[i] = eta1_by_t;
+        eta2_by_t_out[i] = eta2_by_t;
+        eta3_by_t_out[i] = eta3_by_t;
+        Omega1_by_t_out[i] = Omega1_by_t;
+        Omega2_by_t_out[i] = Omega2_by_t;
+        Omega3_by_t_out[i] = Omega3_by_t;
+    }
+}
+
 /* The axis and the rate of a motion with constant rates. */
 static void steady_constants(double_double Omega1, double_double Omega2, double_double Omega3, double_double p0,
     double_double p1, double_double p2, double_double p3, torque_free_steady *motion)
@@ -1461,6 +2448,7 @@ static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
 static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
+static const double max_real = 0.5; /* 2^-1, of m where the elapsed time has thetas of its own; above, of i times it */
 static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
@@ -1653,6 +2641,17 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
+/* What sensitivities are made from, where they are asked for. */
+static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
+                 const double_double omega[3], double_double E_b)
+{
+    for (int k = 0; k < 10; k++) {
+        const double_double x = k < 3 ? c[k] : k < 6 ? apart[k - 3] : k < 9 ? omega[k - 6] : E_b;
+        motion->given[2 * k] = x.hi;
+        motion->given[2 * k + 1] = x.lo;
+    }
+}
+
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
    before faint ones were taken for zero. */
 static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
@@ -1683,6 +2682,8 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
+    made.moment_unit = 1.0;
+    keep(&made, c, apart, omega, discriminant);
     const double side = side_of(apart, omega, made.axis, discriminant.hi);
     if (side < 0.0) {
         const int first = made.axis[0];
@@ -1736,6 +2737,8 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
     const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
         motion->omega0[k] = omega0[k];
+    if (code == TORQUE_FREE_OK)
+        motion->moment_unit = ldexp(1.0, c_scale);
     return code;
 }
 
@@ -2075,7 +3078,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "1a7feaf54d2707d041d29f9360042e0bb90ffe52ec41cb447af4dd4ef0231fdd"; }
+const char *torque_free_digest(void) { return "d8e39b9bc8d740d6c75d0e8e36ed76eb1fcd0bc862b154a7626879b2674605a2"; }
 
 const char *torque_free_message(int code)
 {
@@ -2088,7 +3091,197 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
+    case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }
+}
+
+/* How many sensitivities are computed side by side: each takes some eighty doubles of stack. */
+enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
+
+/* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
+typedef struct {
+    torque_free_columns columns;
+    torque_free_turn turn;
+    torque_free_real real;
+    torque_free_imaginary imaginary;
+    int axis[3], is_real, at_rest;
+} sensitive;
+
+static double_double given_pair(const torque_free_motion *motion, int k)
+{
+    const double_double x = {motion->given[2 * k], motion->given[2 * k + 1]};
+    return x;
+}
+
+static void sensitive_init(const torque_free_motion *motion, sensitive *made)
+{
+    double_double c[3], apart_from_next[3], omega[3];
+    const double_double E_b = given_pair(motion, 9);
+    int *axis = made->axis;
+    made->at_rest = 1;
+    for (int k = 0; k < 3; k++) {
+        c[k] = given_pair(motion, k);
+        apart_from_next[k] = given_pair(motion, 3 + k);
+        omega[k] = given_pair(motion, 6 + k);
+        axis[k] = motion->axis[k];
+        made->at_rest = made->at_rest && is_zero(omega[k]);
+    }
+    if (difference(apart_from_next, axis[0], axis[2]).hi * E_b.hi < 0.0) {
+        axis[0] = motion->axis[2];
+        axis[2] = motion->axis[0];
+    }
+    const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    const double_double c_ab = difference(apart_from_next, axis[0], axis[1]);
+    const double_double c_ad = difference(apart_from_next, axis[0], axis[2]);
+    const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
+    const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
+    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
+    double_double p, r, apart, lambda_, divisor, modulus, complement;
+    moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &p, &r, &apart, &lambda_, &divisor, &modulus, &complement);
+    columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &made->columns);
+    made->is_real = modulus.hi * modulus.hi <= max_real;
+    if (made->is_real)
+        real_constants(p, r, apart, lambda_, divisor, modulus, complement, &made->real);
+    else
+        imaginary_constants(p, r, apart, lambda_, modulus, complement, &made->imaginary);
+    if (!made->at_rest)
+        turn_constants(c[0].hi, c[1].hi, c[2].hi, omega[0].hi, omega[1].hi, omega[2].hi, motion->q0[0],
+                       motion->q0[1], motion->q0[2], motion->q0[3], &made->turn);
+}
+
+/* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */
+static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
+{
+    double in[6 * SENSITIVE], rest[SENSITIVE];
+    for (size_t i = 0; i < n; i++)
+        rest[i] = 0.0;
+    if (made->is_real) {
+        real_angles(&made->real, n, t, rest, in, in + SENSITIVE);
+        real_state(&made->real, n, in, in + SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s);
+    } else {
+        imaginary_angles(&made->imaginary, n, t, rest, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE);
+        imaginary_state(&made->imaginary, n, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s,
+                        to + 4 * s);
+    }
+}
+
+/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times `by_moment`. */
+static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
+                 double by_moment)
+{
+    for (int k = 0; k < 3; k++) {
+        row[k] = turn[k];
+        row[3 + k] = by_rate * column[k][i];
+        row[6 + k] = by_moment * column[3 + k][i];
+    }
+}
+
+/* What n <= SENSITIVE states change by, at inner times t. */
+static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, size_t n,
+                                const double *restrict t, const double *restrict q, const double *restrict omega,
+                                double *restrict attitude, double *restrict rates, double *restrict attitude_t,
+                                double *restrict rates_t)
+{
+    enum { s = SENSITIVE };
+    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    static const double zeros[3] = {0.0, 0.0, 0.0};
+    double functions[5 * s], state[7 * s], columns[21 * s], turned_by[24 * s];
+    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    const double *by[18], *excess[3], *eta[18];
+    const int *axis = made->axis;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < 4; k++)
+            state[k * s + i] = q[4 * i + k];
+        for (size_t k = 0; k < 3; k++)
+            state[(4 + k) * s + i] = omega[3 * i + k] * over;
+    }
+    elapsed(made, n, s, t, functions);
+    columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
+                  functions + 4 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  state + (4 + axis[2]) * s, columns, columns + s, columns + 2 * s, columns + 3 * s, columns + 4 * s, columns + 5 * s, columns + 6 * s, columns + 7 * s, columns + 8 * s, columns + 9 * s, columns + 10 * s, columns + 11 * s, columns + 12 * s, columns + 13 * s, columns + 14 * s, columns + 15 * s, columns + 16 * s, columns + 17 * s, columns + 18 * s, columns + 19 * s, columns + 20 * s);
+    for (int x = 0; x < 3; x++) {
+        excess[axis[x]] = columns + (18 + x) * s;
+        for (int y = 0; y < 3; y++) {
+            by[6 * axis[x] + axis[y]] = columns + (6 * x + y) * s;
+            by[6 * axis[x] + 3 + axis[y]] = columns + (6 * x + 3 + y) * s;
+        }
+    }
+    for (int k = 0; k < 18; k++)
+        eta[k] = turned_by + k * s;
+    turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
+               state + 6 * s, by[0], by[1], by[2], by[3], by[4], by[5], by[6], by[7], by[8], by[9], by[10], by[11], by[12], by[13], by[14], by[15], by[16], by[17], excess[0], excess[1], excess[2], t, turned_by, turned_by + s, turned_by + 2 * s, turned_by + 3 * s, turned_by + 4 * s, turned_by + 5 * s, turned_by + 6 * s, turned_by + 7 * s, turned_by + 8 * s, turned_by + 9 * s, turned_by + 10 * s, turned_by + 11 * s, turned_by + 12 * s, turned_by + 13 * s, turned_by + 14 * s, turned_by + 15 * s, turned_by + 16 * s, turned_by + 17 * s, turned_by + 18 * s, turned_by + 19 * s, turned_by + 20 * s, turned_by + 21 * s, turned_by + 22 * s, turned_by + 23 * s);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < 3; k++) {
+            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment);
+            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, unit * over_moment);
+            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
+            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
+        }
+}
+
+/* A body at rest begins to turn as it is given rates, and goes on; at t = 0 changes are those given. */
+static void plain_sensitivity(const torque_free_motion *motion, double t, double *restrict attitude,
+                              double *restrict rates)
+{
+    const double *q = motion->q0;
+    const double start[3][3] = {
+        {1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]), 2.0 * (q[1] * q[2] - q[0] * q[3]), 2.0 * (q[1] * q[3] + q[0] * q[2])},
+        {2.0 * (q[1] * q[2] + q[0] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[3] * q[3]), 2.0 * (q[2] * q[3] - q[0] * q[1])},
+        {2.0 * (q[1] * q[3] - q[0] * q[2]), 2.0 * (q[2] * q[3] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2])}};
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 9; j++) {
+            attitude[9 * k + j] = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
+            rates[9 * k + j] = j == 3 + k ? 1.0 : 0.0;
+        }
+}
+
+static int any_lost(size_t n, const double *x)
+{
+    int lost = 0;
+    for (size_t k = 0; k < n; k++)
+        lost |= isnan(x[k]);
+    return lost;
+}
+
+static void no_numbers(size_t n, double *x)
+{
+    for (size_t k = 0; k < n; k++)
+        x[k] = NAN;
+}
+
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
+                                        double *omega, double *attitude, double *rates, double *attitude_t,
+                                        double *rates_t)
+{
+    const size_t most = SENSITIVE;
+    sensitive made;
+    int code = states_at(motion, n, t, q, omega, 0);
+    if (code != TORQUE_FREE_OK)
+        return code;
+    sensitive_init(motion, &made);
+    for (size_t i = 0; i < n; i += most) {
+        const size_t count = n - i < most ? n - i : most;
+        double inner[SENSITIVE];
+        int zero;
+        (void)scaled_times(motion, count, t + i, inner, &zero);
+        if (!made.at_rest)
+            block_sensitivities(motion, &made, count, inner, q + 4 * i, omega + 3 * i, attitude + 27 * i,
+                                rates + 27 * i, attitude_t + 3 * i, rates_t + 3 * i);
+        for (size_t k = i; k < i + count; k++) {
+            if (made.at_rest || !(t[k] < 0.0 || t[k] > 0.0))
+                plain_sensitivity(motion, t[k], attitude + 27 * k, rates + 27 * k);
+            for (size_t j = 3 * k; made.at_rest && j < 3 * k + 3; j++)
+                attitude_t[j] = rates_t[j] = 0.0;
+            if (any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
+                no_numbers(27, attitude + 27 * k);
+                no_numbers(27, rates + 27 * k);
+                no_numbers(3, attitude_t + 3 * k);
+                no_numbers(3, rates_t + 3 * k);
+                code = TORQUE_FREE_GROWTH;
+            }
+        }
+    }
+    return code;
 }

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    227  16 %  follow facts of the ledger, each named on its line
-    320  23 %  follow classical formulas, each with its reference
-     42   3 %  are arithmetic: sums, products, quotients, roots, reductions
-    829  58 %  are the runtime, written by hand
+    430  21 %  follow facts of the ledger, each named on its line
+    555  27 %  follow classical formulas, each with its reference
+     65   3 %  are arithmetic: sums, products, quotients, roots, reductions
+   1015  49 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 1a7feaf54d2707d041d29f9360042e0bb90ffe52ec41cb447af4dd4ef0231fdd
+digest d8e39b9bc8d740d6c75d0e8e36ed76eb1fcd0bc862b154a7626879b2674605a2
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -83,6 +83,33 @@ typedef struct {
 } torque_free_hyperbolic;
 
 typedef struct {
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, k, kappa_a;
+    double kappa_d, p, r, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a;
+    double kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b;
+    double apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a;
+    double d_by_c_b, d_by_c_d;
+} torque_free_columns;
+
+typedef struct {
+    double v_rate_hi, v_rate_lo, even_0, even_1, even_2, odd_0, odd_1, sine_even_0, sine_even_1;
+    double sine_even_2, sine_odd_0, sine_odd_1, gain_S, gain_C, gain_D, E_rate, slope_0;
+    double slope_1, slope_2, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0;
+    double F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9;
+} torque_free_real;
+
+typedef struct {
+    double y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse, nome2, nome4;
+    double nome6, nome8, nome12, nome16, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p;
+    double apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4;
+    double F_5, F_6, F_7, F_8, F_9;
+} torque_free_imaginary;
+
+typedef struct {
+    double c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23;
+    double B31, B32, B33;
+} torque_free_turn;
+
+typedef struct {
     double Lambda_rate_hi, Lambda_rate_lo, axis1, axis2, axis3, p0, p1, p2, p3;
 } torque_free_steady;
 
@@ -97,7 +124,8 @@ enum {
                                    about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
     TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
-    TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
 };
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
@@ -114,6 +142,8 @@ typedef struct {
         torque_free_hyperbolic hyperbolic;
         torque_free_steady steady;
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
@@ -168,6 +198,16 @@ const char *torque_free_digest(void);
 
 /* What a code means, in one line. */
 const char *torque_free_message(int code);
+
+/* The states at n times t[n] (s), as torque_free_states_at has them, and what they change by.
+   attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes by [eta] times
+   itself.  rates[n][3][9]: the body rates.  Their columns: the small turn at t = 0, omega0 and the
+   principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; what leaves
+   binary64 is infinite.  Returns 0, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX, or TORQUE_FREE_GROWTH with
+   states at all times and changes that are NaN at some. */
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
+                                        double *omega, double *attitude, double *rates, double *attitude_t,
+                                        double *rates_t);
 #ifdef __cplusplus
 }
 #endif

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    226  19 %  follow facts of the ledger, each named on its line
-    314  27 %  follow classical formulas, each with its reference
-     42   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    598  51 %  are the runtime, written by hand
+    429  24 %  follow facts of the ledger, each named on its line
+    549  30 %  follow classical formulas, each with its reference
+     65   4 %  are arithmetic: sums, products, quotients, roots, reductions
+    782  43 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest aa4ba79f1771adb01d1aac2b37b5d37523f0ef7d979a9f3e4a71026bfc41ac45
+digest 6b103af5ee3b2279c3f2da44ed1f65c2e7f8c9b58fead34d5e80edc7bf9ff77c
 """
 
 # ruff: noqa
@@ -880,6 +880,522 @@ def _hyperbolic_state(w, p, side, flip, X_im, X_re, re_0, re_1, re_2, re_3, im_0
     return q_0, q_a, q_b, q_d, Omega_a, Omega_b, Omega_d
 
 
+def _moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d):
+    """p, r, p - r, sqrt(p), p or 1 to divide by, and the modulus with its complement."""
+    epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
+    alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
+    alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
+    alpha_d = epsilon * c_ab / c_d  # fact: definition coefficients.alpha_d; (5)
+    tilt = epsilon * E_b / (c_a * c_d)  # fact: definition coefficients.tilt; (5)
+    k = alpha_a * alpha_d * (Omega_b0 * Omega_b0)  # fact: definition varied_rates.k; (5)
+    kappa_a = -alpha_b * alpha_d * (Omega_a0 * Omega_a0)  # fact: definition varied_rates.kappa_a; (5)
+    kappa_d = -alpha_a * alpha_b * (Omega_d0 * Omega_d0)  # fact: definition varied_rates.kappa_d; (5)
+    p = k + kappa_a  # fact: definition varied_rates.p; (5)
+    r = k + kappa_d  # fact: definition varied_rates.r; (5)
+    apart = -alpha_b * tilt  # fact: definition varied_rates.apart; (5)
+    lambda_ = _sqrt(p)  # arithmetic
+    divisor = _choose(_rounded(p), 0, 1, p)  # arithmetic
+    modulus = _sqrt(r / divisor)  # classical: DLMF 22.2.2
+    complement = _sqrt(_choose(_rounded(p), 0, 1, apart / divisor))  # classical: DLMF 19.2.8
+    return p, r, apart, lambda_, divisor, modulus, complement
+
+
+def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d):
+    """What sensitivities of the rates are made from, at t = 0."""
+    epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
+    alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
+    alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
+    alpha_d = epsilon * c_ab / c_d  # fact: definition coefficients.alpha_d; (5)
+    tilt = epsilon * E_b / (c_a * c_d)  # fact: definition coefficients.tilt; (5)
+    alpha_a_by_c_a = -alpha_a / c_a  # fact: definition coefficients.alpha_a_by_c_a; (5)
+    alpha_a_by_c_b = epsilon / c_a  # fact: definition coefficients.alpha_a_by_c_b; (5)
+    alpha_a_by_c_d = -epsilon / c_a  # fact: definition coefficients.alpha_a_by_c_d; (5)
+    alpha_b_by_c_b = -alpha_b / c_b  # fact: definition coefficients.alpha_b_by_c_b; (5)
+    alpha_b_by_c_d = epsilon / c_b  # fact: definition coefficients.alpha_b_by_c_d; (5)
+    alpha_b_by_c_a = -epsilon / c_b  # fact: definition coefficients.alpha_b_by_c_a; (5)
+    alpha_d_by_c_d = -alpha_d / c_d  # fact: definition coefficients.alpha_d_by_c_d; (5)
+    alpha_d_by_c_a = epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_a; (5)
+    alpha_d_by_c_b = -epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_b; (5)
+    common_1 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5)
+    common_2 = Omega_a0 * Omega_a0  # fact: definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.apart_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.apart_by_c_b, definition varied_rates.kappa_by_c_d, definition varied_rates.apart_by_c_d; (5)
+    g_a = alpha_a * common_1 - alpha_b * common_2  # fact: definition varied_rates.g_a; (5)
+    common_3 = Omega_d0 * Omega_d0  # fact: definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.apart_by_c_a, definition varied_rates.apart_by_c_b, definition varied_rates.apart_by_c_d; (5)
+    g_d = alpha_d * common_1 - alpha_b * common_3  # fact: definition varied_rates.g_d; (5)
+    k = alpha_a * alpha_d * common_1  # fact: definition varied_rates.k; (5)
+    kappa_a = -alpha_b * alpha_d * common_2  # fact: definition varied_rates.kappa_a; (5)
+    kappa_d = -alpha_a * alpha_b * common_3  # fact: definition varied_rates.kappa_d; (5)
+    p = k + kappa_a  # fact: definition varied_rates.p; (5)
+    r = k + kappa_d  # fact: definition varied_rates.r; (5)
+    p_by_Omega_a = -2 * alpha_b * alpha_d * Omega_a0  # fact: definition varied_rates.p_by_Omega_a; (5)
+    p_by_Omega_b = 2 * alpha_a * alpha_d * Omega_b0  # fact: definition varied_rates.p_by_Omega_b; (5)
+    r_by_Omega_d = -2 * alpha_a * alpha_b * Omega_d0  # fact: definition varied_rates.r_by_Omega_d; (5)
+    kappa_by_c_a = -(alpha_b_by_c_a * alpha_d + alpha_b * alpha_d_by_c_a) * common_2  # fact: definition varied_rates.kappa_by_c_a; (5)
+    p_by_c_a = kappa_by_c_a + (alpha_a_by_c_a * alpha_d + alpha_a * alpha_d_by_c_a) * common_1  # fact: definition varied_rates.p_by_c_a; (5)
+    apart_by_c_a = alpha_b * (alpha_a_by_c_a * common_3 - alpha_d_by_c_a * common_2) - alpha_b_by_c_a * tilt  # fact: definition varied_rates.apart_by_c_a; (5)
+    a_by_c_a = alpha_a_by_c_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_a; (5)
+    b_by_c_a = alpha_b_by_c_a * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_a; (5)
+    d_by_c_a = alpha_d_by_c_a * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_a; (5)
+    kappa_by_c_b = -(alpha_b_by_c_b * alpha_d + alpha_b * alpha_d_by_c_b) * common_2  # fact: definition varied_rates.kappa_by_c_b; (5)
+    p_by_c_b = kappa_by_c_b + (alpha_a_by_c_b * alpha_d + alpha_a * alpha_d_by_c_b) * common_1  # fact: definition varied_rates.p_by_c_b; (5)
+    apart_by_c_b = alpha_b * (alpha_a_by_c_b * common_3 - alpha_d_by_c_b * common_2) - alpha_b_by_c_b * tilt  # fact: definition varied_rates.apart_by_c_b; (5)
+    a_by_c_b = alpha_a_by_c_b * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_b; (5)
+    b_by_c_b = alpha_b_by_c_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_b; (5)
+    d_by_c_b = alpha_d_by_c_b * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_b; (5)
+    kappa_by_c_d = -(alpha_b_by_c_d * alpha_d + alpha_b * alpha_d_by_c_d) * common_2  # fact: definition varied_rates.kappa_by_c_d; (5)
+    p_by_c_d = kappa_by_c_d + (alpha_a_by_c_d * alpha_d + alpha_a * alpha_d_by_c_d) * common_1  # fact: definition varied_rates.p_by_c_d; (5)
+    apart_by_c_d = alpha_b * (alpha_a_by_c_d * common_3 - alpha_d_by_c_d * common_2) - alpha_b_by_c_d * tilt  # fact: definition varied_rates.apart_by_c_d; (5)
+    a_by_c_d = alpha_a_by_c_d * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_d; (5)
+    b_by_c_d = alpha_b_by_c_d * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_d; (5)
+    d_by_c_d = alpha_d_by_c_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_d; (5)
+    alpha_divisor = _choose(_rounded(abs(alpha_b)), 0, 1, alpha_b)  # arithmetic
+    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(k), _rounded(kappa_a), _rounded(kappa_d), _rounded(p), _rounded(r), _rounded(g_a), _rounded(g_d), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
+
+
+def _columns_state(S_t, C_t, D_t, E_t, f, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, k, kappa_a, kappa_d, p, r, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
+    """What the rates change by, and integrals of their squares, from functions of the time."""
+    common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
+    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
+    below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
+    over = 1 / below  # fact: definition varied_rates.over; (5)
+    common_3 = C_t * D_t  # fact: definition varied_rates.S_k, definition varied_rates.Omega_b_by_Omega_b; (5)
+    S_k = (common_3 * E_t - common_2 * S_t) / 2  # fact: definition varied_rates.S_k; (5)
+    common_4 = S_t * C_t  # fact: definition varied_rates.C_k, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    C_k = -S_t * (common_4 + p * D_t * E_t) / 2  # fact: definition varied_rates.C_k; (5)
+    common_5 = S_t * D_t  # fact: definition varied_rates.D_k, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
+    D_k = -S_t * (common_5 + r * C_t * E_t) / 2  # fact: definition varied_rates.D_k; (5)
+    below_k = -S_t * (S_t * below + k * C_t * D_t * E_t)  # fact: definition varied_rates.below_k; (5)
+    common_6 = alpha_a * Omega_b0  # fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition varied_rates.Omega_a_by_Omega_d; (5)
+    common_7 = common_6 * Omega_d0  # fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5)
+    Omega_a_k = over * (Omega_a0 * D_k + common_7 * (S_k * C_t + S_t * C_k) - Omega_a * below_k)  # fact: definition varied_rates.Omega_a_k; (5)
+    common_8 = alpha_b * Omega_d0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r, definition varied_rates.Omega_b_by_Omega_a; (5)
+    common_9 = common_8 * Omega_a0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5)
+    common_10 = C_t * C_t  # fact: definition varied_rates.Omega_b_k; (5)
+    Omega_b_k = over * (common_9 * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * over * ((kappa_a + kappa_d) * (common_10 * common_1) + common_2 * (p * kappa_a * common_1 + r * kappa_d * common_10)) / 2)  # fact: definition varied_rates.Omega_b_k; (5)
+    common_11 = alpha_d * Omega_a0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r, definition varied_rates.Omega_d_by_Omega_b; (5)
+    common_12 = common_11 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
+    Omega_d_k = over * (Omega_d0 * C_k + common_12 * (S_k * D_t + S_t * D_k) - Omega_d * below_k)  # fact: definition varied_rates.Omega_d_k; (5)
+    S_r = -C_t * f / 2  # fact: definition varied_rates.S_r; (5)
+    C_r = p * S_t * f / 2  # fact: definition varied_rates.C_r; (5)
+    D_r = (r * S_t * C_t * f - common_2) / (2 * D_t)  # fact: definition varied_rates.D_r; (5)
+    below_r = k * S_t * C_t * f  # fact: definition varied_rates.below_r; (5)
+    Omega_a_r = over * (Omega_a0 * D_r + common_7 * (S_r * C_t + S_t * C_r) - Omega_a * below_r)  # fact: definition varied_rates.Omega_a_r; (5)
+    Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_9 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
+    Omega_d_r = over * (Omega_d0 * C_r + common_12 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
+    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
+    Omega_b_by_Omega_a = over * (common_8 * S_t - Omega_b * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
+    Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
+    Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * Omega_a_k  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
+    Omega_b_by_Omega_b = over * common_3 + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
+    Omega_d_by_Omega_b = over * (common_11 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
+    Omega_a_by_Omega_d = over * (common_6 * S_t * C_t) + r_by_Omega_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
+    Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
+    Omega_d_by_Omega_d = over * C_t + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
+    Omega_a_by_c_a = over * (a_by_c_a * common_4 - Omega_a * kappa_by_c_a * common_2) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
+    Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_2) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
+    Omega_d_by_c_a = over * (d_by_c_a * common_5 - Omega_d * kappa_by_c_a * common_2) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
+    Omega_a_by_c_b = over * (a_by_c_b * common_4 - Omega_a * kappa_by_c_b * common_2) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
+    Omega_b_by_c_b = over * (b_by_c_b * S_t - Omega_b * kappa_by_c_b * common_2) + p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_b; (5)
+    Omega_d_by_c_b = over * (d_by_c_b * common_5 - Omega_d * kappa_by_c_b * common_2) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
+    Omega_a_by_c_d = over * (a_by_c_d * common_4 - Omega_a * kappa_by_c_d * common_2) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_2) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
+    Omega_d_by_c_d = over * (d_by_c_d * common_5 - Omega_d * kappa_by_c_d * common_2) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
+    excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * S_t - Omega_b0 * t)  # fact: definition varied_rates.excess_b; (5)
+    excess_a = alpha_a / alpha_divisor * excess_b  # fact: definition excesses.excess_a; (5)
+    excess_d = alpha_d / alpha_divisor * excess_b  # fact: definition excesses.excess_d; (5)
+    return Omega_a_by_Omega_a, Omega_a_by_Omega_b, Omega_a_by_Omega_d, Omega_a_by_c_a, Omega_a_by_c_b, Omega_a_by_c_d, Omega_b_by_Omega_a, Omega_b_by_Omega_b, Omega_b_by_Omega_d, Omega_b_by_c_a, Omega_b_by_c_b, Omega_b_by_c_d, Omega_d_by_Omega_a, Omega_d_by_Omega_b, Omega_d_by_Omega_d, Omega_d_by_c_a, Omega_d_by_c_b, Omega_d_by_c_d, excess_a, excess_b, excess_d
+
+
+def _real_constants(p, r, apart, lambda_, divisor, modulus, complement):
+    """Constants of the elapsed time for m <= 1/2, from `_moduli`."""
+    ratio = _root_ratio(modulus, complement)  # classical: DLMF 20.9.1
+    root_nome = modulus / ratio  # classical: DLMF 20.9.1
+    Q = root_nome * root_nome  # classical: DLMF 20.9.1
+    Q2 = Q * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q4 = Q2 * Q2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q6 = Q4 * Q2  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_1 = Q4 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q9 = common_1 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q12 = Q6 * Q6  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q16 = Q12 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    Q20 = Q16 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_2 = 2 * Q4  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
+    common_3 = 2 * Q16  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
+    even_0 = 1 - common_2 + common_3  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_4 = 16 * Q16  # classical: DLMF 20.2.1, DLMF 20.2.4
+    even_1 = 4 * Q4 - common_4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    even_2 = common_4  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_5 = 2 * Q  # classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3
+    odd_0 = common_5 - 6 * Q9  # classical: DLMF 20.2.1, DLMF 20.2.4
+    odd_1 = 8 * Q9  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_even_0 = 1 - Q2 - Q6 + Q12 + Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    common_6 = 4 * Q12  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_even_1 = 4 * Q6 - common_6 - 12 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_even_2 = 16 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_odd_0 = -2 * Q2 + 2 * Q6 + common_6 - 4 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sine_odd_1 = -8 * Q12 + 8 * Q20  # classical: DLMF 20.2.1, DLMF 20.2.4
+    two = 1 + Q2 + Q6 + Q12 + Q20  # classical: DLMF 20.2.2
+    even_sum = 1 + common_2 + common_3  # classical: DLMF 20.2.3
+    common_7 = 2 * Q9  # classical: DLMF 20.2.3
+    odd_sum = common_5 + common_7 + common_7 * Q16  # classical: DLMF 20.2.3
+    three = even_sum + odd_sum  # classical: DLMF 20.2.3
+    four = even_sum - odd_sum  # classical: DLMF 20.2.4
+    g = 1 / (three * three)  # classical: DLMF 20.9.2
+    v_rate = lambda_ * g / pi  # arithmetic
+    over_lambda = 1 / _sqrt(divisor)  # classical: DLMF 22.2.4
+    gain_S = three / two * over_lambda  # classical: DLMF 22.2.4
+    gain_C = four / two  # classical: DLMF 22.2.5
+    gain_D = four / three  # classical: DLMF 22.2.6
+    Q_over_m = 1 / (ratio * ratio)  # classical: DLMF 22.16.30
+    Q8 = common_1  # classical: DLMF 20.2.4
+    per_square = Q_over_m * g * (over_lambda * over_lambda)  # classical: DLMF 22.16.30
+    common_8 = Q * Q2  # classical: DLMF 22.16.30, DLMF 20.2.4
+    E_rate = 8 * g * per_square * (1 - 4 * common_8 + 9 * Q8) / four  # classical: DLMF 22.16.30
+    per_cube = 4 * per_square * over_lambda  # classical: DLMF 22.16.30
+    slope_0 = per_cube * (1 - 3 * Q8)  # classical: DLMF 20.2.4
+    slope_1 = -(4 * per_cube * common_8)  # classical: DLMF 20.2.4
+    slope_2 = 12 * per_cube * Q8  # classical: DLMF 20.2.4
+    p_d = _rounded(p)  # arithmetic
+    r_d = _rounded(r)  # arithmetic
+    apart_d = _rounded(apart)  # arithmetic
+    E_one = -4 * (p_d + r_d)  # classical: DLMF 22.10
+    E_two = 6 * (p_d * r_d)  # classical: DLMF 22.10
+    F_one = 4 * (r_d - apart_d)  # classical: DLMF 22.10
+    F_two = -6 * (r_d * apart_d)  # classical: DLMF 22.10
+    E_square_0 = 1  # classical: DLMF 22.10
+    common_9 = 1 / 3  # classical: DLMF 22.10
+    E_0 = common_9  # classical: DLMF 22.10
+    E_square_1 = E_one * E_square_0 / 12  # classical: DLMF 22.10
+    E_1 = E_square_1 / 5  # classical: DLMF 22.10
+    E_square_2 = (E_one * E_square_1 + E_two * (E_square_0 * E_square_0)) / 30  # classical: DLMF 22.10
+    E_2 = E_square_2 / 7  # classical: DLMF 22.10
+    E_square_3 = (E_one * E_square_2 + E_two * (E_square_0 * E_square_1 + E_square_1 * E_square_0)) / 56  # classical: DLMF 22.10
+    E_3 = E_square_3 / 9  # classical: DLMF 22.10
+    E_square_4 = (E_one * E_square_3 + E_two * (E_square_0 * E_square_2 + E_square_1 * E_square_1 + E_square_2 * E_square_0)) / 90  # classical: DLMF 22.10
+    E_4 = E_square_4 / 11  # classical: DLMF 22.10
+    E_square_5 = (E_one * E_square_4 + E_two * (E_square_0 * E_square_3 + E_square_1 * E_square_2 + E_square_2 * E_square_1 + E_square_3 * E_square_0)) / 132  # classical: DLMF 22.10
+    E_5 = E_square_5 / 13  # classical: DLMF 22.10
+    E_square_6 = (E_one * E_square_5 + E_two * (E_square_0 * E_square_4 + E_square_1 * E_square_3 + E_square_2 * E_square_2 + E_square_3 * E_square_1 + E_square_4 * E_square_0)) / 182  # classical: DLMF 22.10
+    E_6 = E_square_6 / 15  # classical: DLMF 22.10
+    E_square_7 = (E_one * E_square_6 + E_two * (E_square_0 * E_square_5 + E_square_1 * E_square_4 + E_square_2 * E_square_3 + E_square_3 * E_square_2 + E_square_4 * E_square_1 + E_square_5 * E_square_0)) / 240  # classical: DLMF 22.10
+    E_7 = E_square_7 / 17  # classical: DLMF 22.10
+    E_square_8 = (E_one * E_square_7 + E_two * (E_square_0 * E_square_6 + E_square_1 * E_square_5 + E_square_2 * E_square_4 + E_square_3 * E_square_3 + E_square_4 * E_square_2 + E_square_5 * E_square_1 + E_square_6 * E_square_0)) / 306  # classical: DLMF 22.10
+    E_8 = E_square_8 / 19  # classical: DLMF 22.10
+    E_square_9 = (E_one * E_square_8 + E_two * (E_square_0 * E_square_7 + E_square_1 * E_square_6 + E_square_2 * E_square_5 + E_square_3 * E_square_4 + E_square_4 * E_square_3 + E_square_5 * E_square_2 + E_square_6 * E_square_1 + E_square_7 * E_square_0)) / 380  # classical: DLMF 22.10
+    E_9 = E_square_9 / 21  # classical: DLMF 22.10
+    F_square_0 = 1  # classical: DLMF 22.10
+    F_0 = common_9  # classical: DLMF 22.10
+    F_square_1 = F_one * F_square_0 / 12  # classical: DLMF 22.10
+    F_1 = F_square_1 / 5  # classical: DLMF 22.10
+    F_square_2 = (F_one * F_square_1 + F_two * (F_square_0 * F_square_0)) / 30  # classical: DLMF 22.10
+    F_2 = F_square_2 / 7  # classical: DLMF 22.10
+    F_square_3 = (F_one * F_square_2 + F_two * (F_square_0 * F_square_1 + F_square_1 * F_square_0)) / 56  # classical: DLMF 22.10
+    F_3 = F_square_3 / 9  # classical: DLMF 22.10
+    F_square_4 = (F_one * F_square_3 + F_two * (F_square_0 * F_square_2 + F_square_1 * F_square_1 + F_square_2 * F_square_0)) / 90  # classical: DLMF 22.10
+    F_4 = F_square_4 / 11  # classical: DLMF 22.10
+    F_square_5 = (F_one * F_square_4 + F_two * (F_square_0 * F_square_3 + F_square_1 * F_square_2 + F_square_2 * F_square_1 + F_square_3 * F_square_0)) / 132  # classical: DLMF 22.10
+    F_5 = F_square_5 / 13  # classical: DLMF 22.10
+    F_square_6 = (F_one * F_square_5 + F_two * (F_square_0 * F_square_4 + F_square_1 * F_square_3 + F_square_2 * F_square_2 + F_square_3 * F_square_1 + F_square_4 * F_square_0)) / 182  # classical: DLMF 22.10
+    F_6 = F_square_6 / 15  # classical: DLMF 22.10
+    F_square_7 = (F_one * F_square_6 + F_two * (F_square_0 * F_square_5 + F_square_1 * F_square_4 + F_square_2 * F_square_3 + F_square_3 * F_square_2 + F_square_4 * F_square_1 + F_square_5 * F_square_0)) / 240  # classical: DLMF 22.10
+    F_7 = F_square_7 / 17  # classical: DLMF 22.10
+    F_square_8 = (F_one * F_square_7 + F_two * (F_square_0 * F_square_6 + F_square_1 * F_square_5 + F_square_2 * F_square_4 + F_square_3 * F_square_3 + F_square_4 * F_square_2 + F_square_5 * F_square_1 + F_square_6 * F_square_0)) / 306  # classical: DLMF 22.10
+    F_8 = F_square_8 / 19  # classical: DLMF 22.10
+    F_square_9 = (F_one * F_square_8 + F_two * (F_square_0 * F_square_7 + F_square_1 * F_square_6 + F_square_2 * F_square_5 + F_square_3 * F_square_4 + F_square_4 * F_square_3 + F_square_5 * F_square_2 + F_square_6 * F_square_1 + F_square_7 * F_square_0)) / 380  # classical: DLMF 22.10
+    F_9 = F_square_9 / 21  # classical: DLMF 22.10
+    return v_rate.hi, v_rate.lo, _rounded(even_0), _rounded(even_1), _rounded(even_2), _rounded(odd_0), _rounded(odd_1), _rounded(sine_even_0), _rounded(sine_even_1), _rounded(sine_even_2), _rounded(sine_odd_0), _rounded(sine_odd_1), _rounded(gain_S), _rounded(gain_C), _rounded(gain_D), _rounded(E_rate), _rounded(slope_0), _rounded(slope_1), _rounded(slope_2), _rounded(p), _rounded(apart), E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9
+
+
+def _real_angles(t, v_rate_hi, v_rate_lo):
+    """What changes with time where m <= 1/2, at t + t_lo."""
+    v = v_rate_hi * t  # arithmetic: Dekker 1971
+    v_error = _product_error(v_rate_hi, t, v) + v_rate_lo * t  # arithmetic: Dekker 1971
+    v_whole = _nearest(v)  # classical: DLMF 4.16
+    v_rest = v - v_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
+    v_turns = v_rest + v_error  # classical: DLMF 4.16
+    v_square = v_turns * v_turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    v_sign = _alternating(v_whole)  # classical: DLMF 4.16
+    sin_v = v_sign * (v_turns * pi_hi + v_turns * _horner(v_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
+    cos_v = v_sign * _horner(v_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
+    return sin_v, cos_v
+
+
+def _real_state(sin_v, cos_v, t, even_0, even_1, even_2, odd_0, odd_1, sine_even_0, sine_even_1, sine_even_2, sine_odd_0, sine_odd_1, gain_S, gain_C, gain_D, E_rate, slope_0, slope_1, slope_2, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
+    """S_t, C_t, D_t, E_t and D_t F_t where m <= 1/2, from `_real_angles`."""
+    x = 1 - 2 * (sin_v * sin_v)  # classical: DLMF 4.21.27
+    x2 = x * x  # classical: DLMF 20.2.1, DLMF 20.2.4
+    sum_even = _horner(x2, even_0, even_1, even_2)  # classical: DLMF 20.2.4
+    sum_odd = x * (odd_0 + x2 * odd_1)  # classical: DLMF 20.2.4
+    theta4_v = sum_even - sum_odd  # classical: DLMF 20.2.4
+    theta3_v = sum_even + sum_odd  # classical: DLMF 20.2.3
+    part_even = _horner(x2, sine_even_0, sine_even_1, sine_even_2)  # classical: DLMF 20.2.1
+    part_odd = x * (sine_odd_0 + x2 * sine_odd_1)  # classical: DLMF 20.2.1
+    theta1_v = sin_v * (part_even + part_odd)  # classical: DLMF 20.2.1
+    theta2_v = cos_v * (part_even - part_odd)  # classical: DLMF 20.2.2
+    over = 1 / theta4_v  # arithmetic
+    t2 = t * t  # classical: DLMF 22.10
+    growth = p * t2  # classical: DLMF 22.10
+    S_t = _choose(growth, 1 / 18014398509481984, t, gain_S * (theta1_v * over))  # classical: DLMF 22.2.4
+    C_t = gain_C * (theta2_v * over)  # classical: DLMF 22.2.5
+    D_t = gain_D * (theta3_v * over)  # classical: DLMF 22.2.6
+    E_far = E_rate * t - 2 * (sin_v * cos_v) * _horner(x, slope_0, slope_1, slope_2) * over  # classical: DLMF 22.16.30
+    common_1 = t * t2  # classical: DLMF 22.10
+    E_near = common_1 * _horner(t2, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9)  # classical: DLMF 22.10
+    F_near = common_1 * _horner(t2, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9)  # classical: DLMF 22.10
+    common_2 = 1 / 16  # classical: DLMF 22.16.30
+    E_t = _choose(growth, common_2, E_near, E_far)  # classical: DLMF 22.16.30
+    F_far = (t - p * E_t - S_t * (C_t / D_t)) / apart  # fact: definition elapsed_F.F_t; (10)
+    F_t = _choose(growth, common_2, F_near, F_far)  # classical: DLMF 22.16.30
+    f = D_t * F_t  # fact: definition varied_rates.f; (5)
+    return S_t, C_t, D_t, E_t, f
+
+
+def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
+    """Constants of the elapsed time for m > 1/2, from `_moduli`."""
+    ratio = _root_ratio(complement, modulus)  # classical: DLMF 20.9.1
+    root_nome = complement / ratio  # classical: DLMF 20.9.1
+    nome2 = root_nome * root_nome  # classical: DLMF 20.9.1
+    nome4 = nome2 * nome2  # classical: DLMF 20.2.2
+    nome6 = nome4 * nome2  # classical: DLMF 20.2.2
+    nome8 = nome4 * nome4  # classical: DLMF 20.2.2
+    nome12 = nome8 * nome4  # classical: DLMF 20.2.2
+    nome16 = nome8 * nome8  # classical: DLMF 20.2.2
+    two = 1 + nome4 + nome12  # classical: DLMF 20.2.2
+    common_1 = 2 * nome2  # classical: DLMF 20.2.3, DLMF 20.2.4
+    common_2 = 2 * nome8  # classical: DLMF 20.2.3, DLMF 20.2.4
+    common_3 = 2 * (nome12 * nome6)  # classical: DLMF 20.2.3, DLMF 20.2.4
+    three = 1 + common_1 + common_2 + common_3  # classical: DLMF 20.2.3
+    four = 1 - common_1 + common_2 - common_3  # classical: DLMF 20.2.4
+    g = 1 / (three * three)  # classical: DLMF 20.9.2
+    y_rate = lambda_ * g  # arithmetic
+    nome_d = _rounded(nome2)  # classical: DLMF 20.2.2
+    period = -_logarithm(_choose(nome_d, 0, 1, nome2))  # classical: DLMF 20.2.2
+    period_far = _choose(nome_d, 0, never, _rounded(period))  # classical: DLMF 20.2.7
+    period_d = _rounded(_choose(nome_d, 0, 1, period))  # classical: DLMF 20.2.7
+    period_inverse = _choose(nome_d, 0, 0, 1 / period_d)  # classical: DLMF 20.2.7
+    over_lambda = 1 / lambda_  # classical: DLMF 22.2.4
+    gain_S = three / four * over_lambda  # classical: DLMF 22.2.4
+    gain_C = two / four  # classical: DLMF 22.2.5
+    gain_D = two / three  # classical: DLMF 22.2.6
+    scale = 8 * g / (ratio * ratio) * over_lambda / r  # classical: DLMF 22.16.30
+    f_gain = scale * gain_D  # classical: DLMF 22.16.30
+    f_rate = scale * (1 + 4 * nome6 + 9 * nome16) / three  # classical: DLMF 22.16.30
+    m_1 = complement * complement  # classical: DLMF 19.2.8
+    m_safe = _choose(nome_d, 0, 1, m_1)  # classical: DLMF 22.16.30
+    whole = _choose(nome_d, 0, 0, 2 * g / m_safe * over_lambda / r)  # classical: DLMF 22.16.30
+    f_period = whole - f_rate * period  # classical: DLMF 22.16.30
+    p_d = _rounded(p)  # arithmetic
+    r_d = _rounded(r)  # arithmetic
+    apart_d = _rounded(apart)  # arithmetic
+    E_one = -4 * (p_d + r_d)  # classical: DLMF 22.10
+    E_two = 6 * (p_d * r_d)  # classical: DLMF 22.10
+    F_one = 4 * (r_d - apart_d)  # classical: DLMF 22.10
+    F_two = -6 * (r_d * apart_d)  # classical: DLMF 22.10
+    E_square_0 = 1  # classical: DLMF 22.10
+    common_4 = 1 / 3  # classical: DLMF 22.10
+    E_0 = common_4  # classical: DLMF 22.10
+    E_square_1 = E_one * E_square_0 / 12  # classical: DLMF 22.10
+    E_1 = E_square_1 / 5  # classical: DLMF 22.10
+    E_square_2 = (E_one * E_square_1 + E_two * (E_square_0 * E_square_0)) / 30  # classical: DLMF 22.10
+    E_2 = E_square_2 / 7  # classical: DLMF 22.10
+    E_square_3 = (E_one * E_square_2 + E_two * (E_square_0 * E_square_1 + E_square_1 * E_square_0)) / 56  # classical: DLMF 22.10
+    E_3 = E_square_3 / 9  # classical: DLMF 22.10
+    E_square_4 = (E_one * E_square_3 + E_two * (E_square_0 * E_square_2 + E_square_1 * E_square_1 + E_square_2 * E_square_0)) / 90  # classical: DLMF 22.10
+    E_4 = E_square_4 / 11  # classical: DLMF 22.10
+    E_square_5 = (E_one * E_square_4 + E_two * (E_square_0 * E_square_3 + E_square_1 * E_square_2 + E_square_2 * E_square_1 + E_square_3 * E_square_0)) / 132  # classical: DLMF 22.10
+    E_5 = E_square_5 / 13  # classical: DLMF 22.10
+    E_square_6 = (E_one * E_square_5 + E_two * (E_square_0 * E_square_4 + E_square_1 * E_square_3 + E_square_2 * E_square_2 + E_square_3 * E_square_1 + E_square_4 * E_square_0)) / 182  # classical: DLMF 22.10
+    E_6 = E_square_6 / 15  # classical: DLMF 22.10
+    E_square_7 = (E_one * E_square_6 + E_two * (E_square_0 * E_square_5 + E_square_1 * E_square_4 + E_square_2 * E_square_3 + E_square_3 * E_square_2 + E_square_4 * E_square_1 + E_square_5 * E_square_0)) / 240  # classical: DLMF 22.10
+    E_7 = E_square_7 / 17  # classical: DLMF 22.10
+    E_square_8 = (E_one * E_square_7 + E_two * (E_square_0 * E_square_6 + E_square_1 * E_square_5 + E_square_2 * E_square_4 + E_square_3 * E_square_3 + E_square_4 * E_square_2 + E_square_5 * E_square_1 + E_square_6 * E_square_0)) / 306  # classical: DLMF 22.10
+    E_8 = E_square_8 / 19  # classical: DLMF 22.10
+    E_square_9 = (E_one * E_square_8 + E_two * (E_square_0 * E_square_7 + E_square_1 * E_square_6 + E_square_2 * E_square_5 + E_square_3 * E_square_4 + E_square_4 * E_square_3 + E_square_5 * E_square_2 + E_square_6 * E_square_1 + E_square_7 * E_square_0)) / 380  # classical: DLMF 22.10
+    E_9 = E_square_9 / 21  # classical: DLMF 22.10
+    F_square_0 = 1  # classical: DLMF 22.10
+    F_0 = common_4  # classical: DLMF 22.10
+    F_square_1 = F_one * F_square_0 / 12  # classical: DLMF 22.10
+    F_1 = F_square_1 / 5  # classical: DLMF 22.10
+    F_square_2 = (F_one * F_square_1 + F_two * (F_square_0 * F_square_0)) / 30  # classical: DLMF 22.10
+    F_2 = F_square_2 / 7  # classical: DLMF 22.10
+    F_square_3 = (F_one * F_square_2 + F_two * (F_square_0 * F_square_1 + F_square_1 * F_square_0)) / 56  # classical: DLMF 22.10
+    F_3 = F_square_3 / 9  # classical: DLMF 22.10
+    F_square_4 = (F_one * F_square_3 + F_two * (F_square_0 * F_square_2 + F_square_1 * F_square_1 + F_square_2 * F_square_0)) / 90  # classical: DLMF 22.10
+    F_4 = F_square_4 / 11  # classical: DLMF 22.10
+    F_square_5 = (F_one * F_square_4 + F_two * (F_square_0 * F_square_3 + F_square_1 * F_square_2 + F_square_2 * F_square_1 + F_square_3 * F_square_0)) / 132  # classical: DLMF 22.10
+    F_5 = F_square_5 / 13  # classical: DLMF 22.10
+    F_square_6 = (F_one * F_square_5 + F_two * (F_square_0 * F_square_4 + F_square_1 * F_square_3 + F_square_2 * F_square_2 + F_square_3 * F_square_1 + F_square_4 * F_square_0)) / 182  # classical: DLMF 22.10
+    F_6 = F_square_6 / 15  # classical: DLMF 22.10
+    F_square_7 = (F_one * F_square_6 + F_two * (F_square_0 * F_square_5 + F_square_1 * F_square_4 + F_square_2 * F_square_3 + F_square_3 * F_square_2 + F_square_4 * F_square_1 + F_square_5 * F_square_0)) / 240  # classical: DLMF 22.10
+    F_7 = F_square_7 / 17  # classical: DLMF 22.10
+    F_square_8 = (F_one * F_square_7 + F_two * (F_square_0 * F_square_6 + F_square_1 * F_square_5 + F_square_2 * F_square_4 + F_square_3 * F_square_3 + F_square_4 * F_square_2 + F_square_5 * F_square_1 + F_square_6 * F_square_0)) / 306  # classical: DLMF 22.10
+    F_8 = F_square_8 / 19  # classical: DLMF 22.10
+    F_square_9 = (F_one * F_square_8 + F_two * (F_square_0 * F_square_7 + F_square_1 * F_square_6 + F_square_2 * F_square_5 + F_square_3 * F_square_4 + F_square_4 * F_square_3 + F_square_5 * F_square_2 + F_square_6 * F_square_1 + F_square_7 * F_square_0)) / 380  # classical: DLMF 22.10
+    F_9 = F_square_9 / 21  # classical: DLMF 22.10
+    return y_rate.hi, y_rate.lo, period.hi, period.lo, period_far, period_inverse, _rounded(nome2), _rounded(nome4), _rounded(nome6), _rounded(nome8), _rounded(nome12), _rounded(nome16), _rounded(gain_S), _rounded(gain_C), _rounded(gain_D), _rounded(f_gain), _rounded(f_rate), _rounded(f_period), _rounded(p), _rounded(apart), E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9
+
+
+def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse):
+    """What changes with time where m > 1/2, at t + t_lo."""
+    p_y = y_rate_hi * t  # arithmetic: Dekker 1971
+    p_y_error = _product_error(y_rate_hi, t, p_y) + y_rate_lo * t  # arithmetic: Dekker 1971
+    periods = _nearest(p_y * period_inverse)  # classical: DLMF 20.2.7
+    back = period_hi * periods  # arithmetic: Dekker 1971
+    back_error = _product_error(period_hi, periods, back) + period_lo * periods  # arithmetic: Dekker 1971
+    ahead = p_y + -back  # arithmetic: Knuth 4.2.2
+    ahead_other = ahead - p_y  # arithmetic: Knuth 4.2.2
+    ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other)  # arithmetic: Knuth 4.2.2
+    y = ahead + (ahead_error + (p_y_error - back_error))  # classical: DLMF 20.2.7
+    side = _choose(0, y, 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    flip = _alternating(periods)  # classical: DLMF 20.2.6
+    depth = abs(y)  # classical: DLMF 20.2.2
+    w = _exp(-depth)  # classical: DLMF 20.2.2
+    p2 = _exp(2 * depth - period_far)  # classical: DLMF 20.2.2
+    return w, p2, y, side, flip, periods
+
+
+def _imaginary_state(w, p2, y, side, flip, periods, t, nome2, nome4, nome6, nome8, nome12, nome16, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
+    """S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`."""
+    common_1 = w * w  # classical: DLMF 20.2.2, DLMF 20.2.1
+    qw2 = nome2 * common_1  # classical: DLMF 20.2.2
+    w2 = common_1  # classical: DLMF 20.2.1, DLMF 20.2.2
+    common_2 = p2 * nome8  # classical: DLMF 20.2.2, DLMF 20.2.1
+    tall = 1 + p2 * (nome2 + common_2)  # classical: DLMF 20.2.2
+    common_3 = qw2 * nome8  # classical: DLMF 20.2.2, DLMF 20.2.1
+    deep = w2 * (1 + qw2 * (nome2 + common_3))  # classical: DLMF 20.2.2
+    theta2_y = tall + deep  # classical: DLMF 20.2.2
+    theta1_y = side * (1 + p2 * (common_2 - nome2) - w2 * (1 + qw2 * (common_3 - nome2)))  # classical: DLMF 20.2.1
+    common_4 = p2 * p2  # classical: DLMF 20.2.3, DLMF 22.16.30
+    common_5 = nome12 * common_4  # classical: DLMF 20.2.3, DLMF 22.16.30
+    ends = p2 * (1 + common_5) + w2 * nome2  # classical: DLMF 20.2.3
+    common_6 = w2 * w2  # classical: DLMF 20.2.3, DLMF 22.16.30
+    middle = 1 + nome4 * common_4 + common_6 * nome8  # classical: DLMF 20.2.3
+    theta3_y = 2 * (w * (middle + ends))  # classical: DLMF 20.2.3
+    theta4_y = 2 * (w * (middle - ends))  # classical: DLMF 20.2.4
+    over = 1 / theta2_y  # arithmetic
+    t2 = t * t  # classical: DLMF 22.10
+    growth = p * t2  # classical: DLMF 22.10
+    S_t = _choose(growth, 1 / 18014398509481984, t, gain_S * (flip * theta1_y * over))  # classical: DLMF 22.2.4
+    C_t = gain_C * (flip * theta4_y * over)  # classical: DLMF 22.2.5
+    D_t = gain_D * (theta3_y * over)  # classical: DLMF 22.2.6
+    rise = (1 - common_6) / 2 + (nome4 * p2 - nome6 * (common_6 * w2)) + 3 * (common_5 - nome16 * (common_6 * common_6)) / 2  # classical: DLMF 22.16.30
+    f_far = f_gain * side * (rise / w) * over + D_t * (periods * f_period - f_rate * y)  # classical: DLMF 22.16.30
+    common_7 = t * t2  # classical: DLMF 22.10
+    E_near = common_7 * _horner(t2, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9)  # classical: DLMF 22.10
+    F_near = common_7 * _horner(t2, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9)  # classical: DLMF 22.10
+    common_8 = 1 / 16  # classical: DLMF 22.16.30
+    f = _choose(growth, common_8, D_t * F_near, f_far)  # classical: DLMF 22.16.30
+    E_far = (t - S_t * (C_t / D_t) - apart * f / D_t) / p  # fact: definition elapsed_E.E_t; (10)
+    E_t = _choose(growth, common_8, E_near, E_far)  # classical: DLMF 22.16.30
+    return S_t, C_t, D_t, E_t, f
+
+
+def _turn_constants(c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
+    """What sensitivities of the attitude are made from, at t = 0; not at rest."""
+    common_1 = c1 * Omega1_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
+    common_2 = c2 * Omega2_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
+    common_3 = c3 * Omega3_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
+    K_squared = common_1 * common_1 + common_2 * common_2 + common_3 * common_3  # fact: definition turned_columns_start.K_squared; (3)
+    common_4 = p2 * p2  # fact: definition turned_columns_start.P11, definition turned_columns_start.P33; (3)
+    common_5 = p3 * p3  # fact: definition turned_columns_start.P11, definition turned_columns_start.P22; (3)
+    P11 = 1 - 2 * (common_4 + common_5)  # fact: definition turned_columns_start.P11; (3)
+    common_6 = p1 * p2  # fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3)
+    common_7 = p0 * p3  # fact: definition turned_columns_start.P12, definition turned_columns_start.P21; (3)
+    P12 = 2 * (common_6 - common_7)  # fact: definition turned_columns_start.P12; (3)
+    common_8 = p3 * p1  # fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3)
+    common_9 = p0 * p2  # fact: definition turned_columns_start.P13, definition turned_columns_start.P31; (3)
+    P13 = 2 * (common_8 + common_9)  # fact: definition turned_columns_start.P13; (3)
+    P21 = 2 * (common_6 + common_7)  # fact: definition turned_columns_start.P21; (3)
+    common_10 = p1 * p1  # fact: definition turned_columns_start.P22, definition turned_columns_start.P33; (3)
+    P22 = 1 - 2 * (common_5 + common_10)  # fact: definition turned_columns_start.P22; (3)
+    common_11 = p2 * p3  # fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3)
+    common_12 = p0 * p1  # fact: definition turned_columns_start.P23, definition turned_columns_start.P32; (3)
+    P23 = 2 * (common_11 - common_12)  # fact: definition turned_columns_start.P23; (3)
+    P31 = 2 * (common_8 - common_9)  # fact: definition turned_columns_start.P31; (3)
+    P32 = 2 * (common_11 + common_12)  # fact: definition turned_columns_start.P32; (3)
+    P33 = 1 - 2 * (common_10 + common_4)  # fact: definition turned_columns_start.P33; (3)
+    l1 = (P11 * common_1 + P12 * common_2 + P13 * common_3) / K_squared  # fact: definition turned_columns_start.l1; (3)
+    l2 = (P21 * common_1 + P22 * common_2 + P23 * common_3) / K_squared  # fact: definition turned_columns_start.l2; (3)
+    l3 = (P31 * common_1 + P32 * common_2 + P33 * common_3) / K_squared  # fact: definition turned_columns_start.l3; (3)
+    B11 = l2 * P31 - l3 * P21  # fact: definition turned_columns_start.B11; (3)
+    B21 = l3 * P11 - l1 * P31  # fact: definition turned_columns_start.B21; (3)
+    B31 = l1 * P21 - l2 * P11  # fact: definition turned_columns_start.B31; (3)
+    B12 = l2 * P32 - l3 * P22  # fact: definition turned_columns_start.B12; (3)
+    B22 = l3 * P12 - l1 * P32  # fact: definition turned_columns_start.B22; (3)
+    B32 = l1 * P22 - l2 * P12  # fact: definition turned_columns_start.B32; (3)
+    B13 = l2 * P33 - l3 * P23  # fact: definition turned_columns_start.B13; (3)
+    B23 = l3 * P13 - l1 * P33  # fact: definition turned_columns_start.B23; (3)
+    B33 = l1 * P23 - l2 * P13  # fact: definition turned_columns_start.B33; (3)
+    return c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33
+
+
+def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
+    """What the attitude changes by, and the state with the time."""
+    common_1 = q2 * q2  # fact: definition turned_columns.R11, definition turned_columns.R33; (3)
+    common_2 = q3 * q3  # fact: definition turned_columns.R11, definition turned_columns.R22; (3)
+    R11 = 1 - 2 * (common_1 + common_2)  # fact: definition turned_columns.R11; (3)
+    common_3 = q1 * q2  # fact: definition turned_columns.R12, definition turned_columns.R21; (3)
+    common_4 = q0 * q3  # fact: definition turned_columns.R12, definition turned_columns.R21; (3)
+    R12 = 2 * (common_3 - common_4)  # fact: definition turned_columns.R12; (3)
+    common_5 = q3 * q1  # fact: definition turned_columns.R13, definition turned_columns.R31; (3)
+    common_6 = q0 * q2  # fact: definition turned_columns.R13, definition turned_columns.R31; (3)
+    R13 = 2 * (common_5 + common_6)  # fact: definition turned_columns.R13; (3)
+    R21 = 2 * (common_3 + common_4)  # fact: definition turned_columns.R21; (3)
+    common_7 = q1 * q1  # fact: definition turned_columns.R22, definition turned_columns.R33; (3)
+    R22 = 1 - 2 * (common_2 + common_7)  # fact: definition turned_columns.R22; (3)
+    common_8 = q2 * q3  # fact: definition turned_columns.R23, definition turned_columns.R32; (3)
+    common_9 = q0 * q1  # fact: definition turned_columns.R23, definition turned_columns.R32; (3)
+    R23 = 2 * (common_8 - common_9)  # fact: definition turned_columns.R23; (3)
+    R31 = 2 * (common_5 - common_6)  # fact: definition turned_columns.R31; (3)
+    R32 = 2 * (common_8 + common_9)  # fact: definition turned_columns.R32; (3)
+    R33 = 1 - 2 * (common_7 + common_1)  # fact: definition turned_columns.R33; (3)
+    X11 = l2 * R31 - l3 * R21  # fact: definition turned_columns.X11; (3)
+    X21 = l3 * R11 - l1 * R31  # fact: definition turned_columns.X21; (3)
+    X31 = l1 * R21 - l2 * R11  # fact: definition turned_columns.X31; (3)
+    X12 = l2 * R32 - l3 * R22  # fact: definition turned_columns.X12; (3)
+    X22 = l3 * R12 - l1 * R32  # fact: definition turned_columns.X22; (3)
+    X32 = l1 * R22 - l2 * R12  # fact: definition turned_columns.X32; (3)
+    X13 = l2 * R33 - l3 * R23  # fact: definition turned_columns.X13; (3)
+    X23 = l3 * R13 - l1 * R33  # fact: definition turned_columns.X23; (3)
+    X33 = l1 * R23 - l2 * R13  # fact: definition turned_columns.X33; (3)
+    Y11 = c1 * X11  # fact: definition turned_columns.Y11; (3)
+    Y12 = c2 * X12  # fact: definition turned_columns.Y12; (3)
+    Y13 = c3 * X13  # fact: definition turned_columns.Y13; (3)
+    Y21 = c1 * X21  # fact: definition turned_columns.Y21; (3)
+    Y22 = c2 * X22  # fact: definition turned_columns.Y22; (3)
+    Y23 = c3 * X23  # fact: definition turned_columns.Y23; (3)
+    Y31 = c1 * X31  # fact: definition turned_columns.Y31; (3)
+    Y32 = c2 * X32  # fact: definition turned_columns.Y32; (3)
+    Y33 = c3 * X33  # fact: definition turned_columns.Y33; (3)
+    common_10 = t * (c1 * Omega1_0)  # fact: definition turned_columns.eta1_by_Omega1, definition turned_columns.eta2_by_Omega1, definition turned_columns.eta3_by_Omega1; (3)
+    eta1_by_Omega1 = c1 * B11 - (Y11 * Omega1_by_Omega1 + Y12 * Omega2_by_Omega1 + Y13 * Omega3_by_Omega1) + common_10 * l1  # fact: definition turned_columns.eta1_by_Omega1; (3)
+    eta2_by_Omega1 = c1 * B21 - (Y21 * Omega1_by_Omega1 + Y22 * Omega2_by_Omega1 + Y23 * Omega3_by_Omega1) + common_10 * l2  # fact: definition turned_columns.eta2_by_Omega1; (3)
+    eta3_by_Omega1 = c1 * B31 - (Y31 * Omega1_by_Omega1 + Y32 * Omega2_by_Omega1 + Y33 * Omega3_by_Omega1) + common_10 * l3  # fact: definition turned_columns.eta3_by_Omega1; (3)
+    common_11 = t * (c2 * Omega2_0)  # fact: definition turned_columns.eta1_by_Omega2, definition turned_columns.eta2_by_Omega2, definition turned_columns.eta3_by_Omega2; (3)
+    eta1_by_Omega2 = c2 * B12 - (Y11 * Omega1_by_Omega2 + Y12 * Omega2_by_Omega2 + Y13 * Omega3_by_Omega2) + common_11 * l1  # fact: definition turned_columns.eta1_by_Omega2; (3)
+    eta2_by_Omega2 = c2 * B22 - (Y21 * Omega1_by_Omega2 + Y22 * Omega2_by_Omega2 + Y23 * Omega3_by_Omega2) + common_11 * l2  # fact: definition turned_columns.eta2_by_Omega2; (3)
+    eta3_by_Omega2 = c2 * B32 - (Y31 * Omega1_by_Omega2 + Y32 * Omega2_by_Omega2 + Y33 * Omega3_by_Omega2) + common_11 * l3  # fact: definition turned_columns.eta3_by_Omega2; (3)
+    common_12 = t * (c3 * Omega3_0)  # fact: definition turned_columns.eta1_by_Omega3, definition turned_columns.eta2_by_Omega3, definition turned_columns.eta3_by_Omega3; (3)
+    eta1_by_Omega3 = c3 * B13 - (Y11 * Omega1_by_Omega3 + Y12 * Omega2_by_Omega3 + Y13 * Omega3_by_Omega3) + common_12 * l1  # fact: definition turned_columns.eta1_by_Omega3; (3)
+    eta2_by_Omega3 = c3 * B23 - (Y21 * Omega1_by_Omega3 + Y22 * Omega2_by_Omega3 + Y23 * Omega3_by_Omega3) + common_12 * l2  # fact: definition turned_columns.eta2_by_Omega3; (3)
+    eta3_by_Omega3 = c3 * B33 - (Y31 * Omega1_by_Omega3 + Y32 * Omega2_by_Omega3 + Y33 * Omega3_by_Omega3) + common_12 * l3  # fact: definition turned_columns.eta3_by_Omega3; (3)
+    eta1_by_c1 = Omega1_0 * B11 - (Y11 * Omega1_by_c1 + Y12 * Omega2_by_c1 + Y13 * Omega3_by_c1 + Omega1 * X11) - excess1 * l1 / 2  # fact: definition turned_columns.eta1_by_c1; (3)
+    eta2_by_c1 = Omega1_0 * B21 - (Y21 * Omega1_by_c1 + Y22 * Omega2_by_c1 + Y23 * Omega3_by_c1 + Omega1 * X21) - excess1 * l2 / 2  # fact: definition turned_columns.eta2_by_c1; (3)
+    eta3_by_c1 = Omega1_0 * B31 - (Y31 * Omega1_by_c1 + Y32 * Omega2_by_c1 + Y33 * Omega3_by_c1 + Omega1 * X31) - excess1 * l3 / 2  # fact: definition turned_columns.eta3_by_c1; (3)
+    eta1_by_c2 = Omega2_0 * B12 - (Y11 * Omega1_by_c2 + Y12 * Omega2_by_c2 + Y13 * Omega3_by_c2 + Omega2 * X12) - excess2 * l1 / 2  # fact: definition turned_columns.eta1_by_c2; (3)
+    eta2_by_c2 = Omega2_0 * B22 - (Y21 * Omega1_by_c2 + Y22 * Omega2_by_c2 + Y23 * Omega3_by_c2 + Omega2 * X22) - excess2 * l2 / 2  # fact: definition turned_columns.eta2_by_c2; (3)
+    eta3_by_c2 = Omega2_0 * B32 - (Y31 * Omega1_by_c2 + Y32 * Omega2_by_c2 + Y33 * Omega3_by_c2 + Omega2 * X32) - excess2 * l3 / 2  # fact: definition turned_columns.eta3_by_c2; (3)
+    eta1_by_c3 = Omega3_0 * B13 - (Y11 * Omega1_by_c3 + Y12 * Omega2_by_c3 + Y13 * Omega3_by_c3 + Omega3 * X13) - excess3 * l1 / 2  # fact: definition turned_columns.eta1_by_c3; (3)
+    eta2_by_c3 = Omega3_0 * B23 - (Y21 * Omega1_by_c3 + Y22 * Omega2_by_c3 + Y23 * Omega3_by_c3 + Omega3 * X23) - excess3 * l2 / 2  # fact: definition turned_columns.eta2_by_c3; (3)
+    eta3_by_c3 = Omega3_0 * B33 - (Y31 * Omega1_by_c3 + Y32 * Omega2_by_c3 + Y33 * Omega3_by_c3 + Omega3 * X33) - excess3 * l3 / 2  # fact: definition turned_columns.eta3_by_c3; (3)
+    eta1_by_t = R11 * Omega1 + R12 * Omega2 + R13 * Omega3  # fact: definition turned_columns.eta1_by_t; (3)
+    eta2_by_t = R21 * Omega1 + R22 * Omega2 + R23 * Omega3  # fact: definition turned_columns.eta2_by_t; (3)
+    eta3_by_t = R31 * Omega1 + R32 * Omega2 + R33 * Omega3  # fact: definition turned_columns.eta3_by_t; (3)
+    Omega1_by_t = (c2 - c3) / c1 * Omega2 * Omega3  # fact: definition turned_columns.Omega1_by_t; (3)
+    Omega2_by_t = (c3 - c1) / c2 * Omega3 * Omega1  # fact: definition turned_columns.Omega2_by_t; (3)
+    Omega3_by_t = (c1 - c2) / c3 * Omega1 * Omega2  # fact: definition turned_columns.Omega3_by_t; (3)
+    return eta1_by_Omega1, eta1_by_Omega2, eta1_by_Omega3, eta1_by_c1, eta1_by_c2, eta1_by_c3, eta2_by_Omega1, eta2_by_Omega2, eta2_by_Omega3, eta2_by_c1, eta2_by_c2, eta2_by_c3, eta3_by_Omega1, eta3_by_Omega2, eta3_by_Omega3, eta3_by_c1, eta3_by_c2, eta3_by_c3, eta1_by_t, eta2_by_t, eta3_by_t, Omega1_by_t, Omega2_by_t, Omega3_by_t
+
+
 def _steady_constants(Omega1, Omega2, Omega3, p0, p1, p2, p3):
     """The axis and the rate of a motion with constant rates."""
     omega = _sqrt(Omega1 * Omega1 + Omega2 * Omega2 + Omega3 * Omega3)  # fact: steady.omega; (3)
@@ -958,6 +1474,53 @@ BRANCHES = {
         'steady': True,
     },
 }
+SENSITIVITY = {
+    'moduli': {
+        'constants': _moduli,
+        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
+        'names': ('p', 'r', 'apart', 'lambda_', 'divisor', 'modulus', 'complement'),
+    },
+    'columns': {
+        'constants': _columns_constants,
+        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
+        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'state': _columns_state,
+        'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
+        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'results': ('Omega_a_by_Omega_a', 'Omega_a_by_Omega_b', 'Omega_a_by_Omega_d', 'Omega_a_by_c_a', 'Omega_a_by_c_b', 'Omega_a_by_c_d', 'Omega_b_by_Omega_a', 'Omega_b_by_Omega_b', 'Omega_b_by_Omega_d', 'Omega_b_by_c_a', 'Omega_b_by_c_b', 'Omega_b_by_c_d', 'Omega_d_by_Omega_a', 'Omega_d_by_Omega_b', 'Omega_d_by_Omega_d', 'Omega_d_by_c_a', 'Omega_d_by_c_b', 'Omega_d_by_c_d', 'excess_a', 'excess_b', 'excess_d'),
+    },
+    'real': {
+        'constants': _real_constants,
+        'given': ('p', 'r', 'apart', 'lambda_', 'divisor', 'modulus', 'complement'),
+        'names': ('v_rate_hi', 'v_rate_lo', 'even_0', 'even_1', 'even_2', 'odd_0', 'odd_1', 'sine_even_0', 'sine_even_1', 'sine_even_2', 'sine_odd_0', 'sine_odd_1', 'gain_S', 'gain_C', 'gain_D', 'E_rate', 'slope_0', 'slope_1', 'slope_2', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'state': _real_state,
+        'timed': ('sin_v', 'cos_v', 't'),
+        'shape': ('even_0', 'even_1', 'even_2', 'odd_0', 'odd_1', 'sine_even_0', 'sine_even_1', 'sine_even_2', 'sine_odd_0', 'sine_odd_1', 'gain_S', 'gain_C', 'gain_D', 'E_rate', 'slope_0', 'slope_1', 'slope_2', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f'),
+        'angles': _real_angles,
+        'rates': ('v_rate_hi', 'v_rate_lo'),
+    },
+    'imaginary': {
+        'constants': _imaginary_constants,
+        'given': ('p', 'r', 'apart', 'lambda_', 'modulus', 'complement'),
+        'names': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse', 'nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'state': _imaginary_state,
+        'timed': ('w', 'p2', 'y', 'side', 'flip', 'periods', 't'),
+        'shape': ('nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f'),
+        'angles': _imaginary_angles,
+        'rates': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse'),
+    },
+    'turn': {
+        'constants': _turn_constants,
+        'given': ('c1', 'c2', 'c3', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'p0', 'p1', 'p2', 'p3'),
+        'names': ('c1', 'c2', 'c3', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
+        'state': _turn_state,
+        'timed': ('q0', 'q1', 'q2', 'q3', 'Omega1', 'Omega2', 'Omega3', 'Omega1_by_Omega1', 'Omega1_by_Omega2', 'Omega1_by_Omega3', 'Omega1_by_c1', 'Omega1_by_c2', 'Omega1_by_c3', 'Omega2_by_Omega1', 'Omega2_by_Omega2', 'Omega2_by_Omega3', 'Omega2_by_c1', 'Omega2_by_c2', 'Omega2_by_c3', 'Omega3_by_Omega1', 'Omega3_by_Omega2', 'Omega3_by_Omega3', 'Omega3_by_c1', 'Omega3_by_c2', 'Omega3_by_c3', 'excess1', 'excess2', 'excess3', 't'),
+        'shape': ('c1', 'c2', 'c3', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
+        'results': ('eta1_by_Omega1', 'eta1_by_Omega2', 'eta1_by_Omega3', 'eta1_by_c1', 'eta1_by_c2', 'eta1_by_c3', 'eta2_by_Omega1', 'eta2_by_Omega2', 'eta2_by_Omega3', 'eta2_by_c1', 'eta2_by_c2', 'eta2_by_c3', 'eta3_by_Omega1', 'eta3_by_Omega2', 'eta3_by_Omega3', 'eta3_by_c1', 'eta3_by_c2', 'eta3_by_c3', 'eta1_by_t', 'eta2_by_t', 'eta3_by_t', 'Omega1_by_t', 'Omega2_by_t', 'Omega3_by_t'),
+    },
+}
 
 
 NEGLIGIBLE = 2.0**-400  # rates below this share of the largest are taken for zero
@@ -966,6 +1529,7 @@ MIN_DISCRIMINANT = 2.0**-900  # of E_b in inner units; nearer to the separatrix 
 TOLERATED = 2.0**-60  # of the momentum, by which that, or middle-axis spin, may be wrong
 MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
 MAX_CIRCULAR = 2.0**-1  # of k_1^2 on the circular branch; above it, the hyperbolic one
+MAX_REAL = 2.0**-1  # of m where the elapsed time has thetas of its own; above, of i times it
 MAX_ANGLE = 2.0**46  # of |omega0 t|, rad
 MAX_RATE = 2.0**990  # of a rate, rad/s: exact products with it are still held
 # States computed at a time: their intermediate arrays fit the cache.
@@ -1007,12 +1571,12 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
         # Any body will do: its states are not given.
         stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
         rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
-    (c, _), (omega, unit), (q, _) = map(_scaled, rows)
+    (c, moment_unit), (omega, unit), (q, _) = map(_scaled, rows)
     # Differences of doubles are two doubles exactly.
     apart = _DoubleDouble(*_two_sum(c, -np.roll(c, -1, -1)))
     pairs = _DoubleDouble(c, 0 * c), apart, _DoubleDouble(omega, 0 * omega), _DoubleDouble(q, 0 * q)
     made = _prepared(*pairs, unit, shape, refused)
-    made["omega0"] = rows[1].copy()
+    made["omega0"], made["moment_unit"] = rows[1].copy(), moment_unit[:, 0]
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
@@ -1059,6 +1623,9 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
+        "moment_unit": np.ones(len(axes)),
+        # What sensitivities are made from, where they are asked for.
+        "given": (c, apart, omega, discriminant),
         "groups": [],
     }
     if np.any(steady):
@@ -1509,3 +2076,197 @@ def _integers(x):
     least = int(np.min(exponent))
     whole = [int(m) for m in np.ldexp(mantissa, 53)]
     return [m << int(e) - least for m, e in zip(whole, exponent, strict=True)], least - 53
+
+
+# Sensitivities computed at a time: each has some seventy intermediate numbers.
+_SENSITIVE = 1024
+
+
+@np.errstate(all="ignore")
+def sensitivities(prepared, t, errors="raise"):
+    """States at the times t in s, and what they change by with their inputs.
+
+    (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
+    `states`.  attitude and rates (..., 3, 9): a small turn in space, eta with delta R = [eta] R,
+    and the body rates, by a small turn at t = 0, the rates there, and the principal moments;
+    attitude_t and rates_t (..., 3): by the time.  What leaves binary64 in these units is infinite.
+    Raises ValueError as `states` does, and for times at which binary64 does not hold the squares of
+    changes in any; with errors="nan" there are no numbers then.
+    """
+    q, omega = states(prepared, t, None, errors)
+    given, count = np.asarray(t, float), len(prepared["unit"])
+    # One row of times for all motions, or one for each.
+    given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
+    shapes = (4,), (3,), (3, 9), (3, 9), (3,), (3,)
+    found = [np.zeros((*omega.shape[:-1], *shape)) for shape in shapes[2:]]
+    rows = [
+        x.reshape(count, given.shape[1], *shape)
+        for x, shape in zip((q, omega, *found), shapes, strict=True)
+    ]
+    if "elapsed" not in prepared:
+        prepared["elapsed"] = _elapsed(prepared)
+    for group in prepared["elapsed"]:
+        _fill_sensitivities(prepared, group, given, rows)
+    _at_rest(prepared, given, rows)
+    _unchanged(given, rows)
+    _check_held(rows, errors)
+    return (q, omega, *found)
+
+
+def _elapsed(prepared):
+    """The constants of sensitivities, by groups that have a nome and an order of axes in common."""
+    c, apart, omega, discriminant = prepared["given"]
+    axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
+    # Where rates are constant, too, a is the axis with p >= r.
+    turned = _differences(apart, axes)[1].hi * discriminant.hi < 0
+    axes = np.where(turned[:, None], axes[:, ::-1], axes)
+    known = {"E_b": discriminant}
+    for k, x in enumerate("abd"):
+        known[f"c_{x}"] = c[rows, axes[:, k]]
+        known[f"Omega_{x}0"] = omega[rows, axes[:, k]]
+        known[f"axis_{x}"] = axes[:, k]
+    known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
+    for k in range(3):
+        known |= {f"c{k + 1}": c.hi[:, k], f"Omega{k + 1}_0": omega.hi[:, k]}
+    # At rest nothing comes of it.
+    known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
+    known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
+    if len(axes) == 1:
+        known = {name: _plain(value) for name, value in known.items()}
+    known |= _called(SENSITIVITY["moduli"], known)
+    small = np.reshape(known["modulus"].hi ** 2 <= MAX_REAL, -1)
+    groups = []
+    for order in sorted(set(map(tuple, axes.tolist()))):
+        ordered = np.all(axes == order, axis=-1)
+        for name, chosen in (("real", small & ordered), ("imaginary", ~small & ordered)):
+            if np.any(chosen):
+                groups.append((name, order, *_of_group(name, np.flatnonzero(chosen), known)))
+    return groups
+
+
+def _of_group(name, index, known):
+    """The indices of some bodies, and their constants by what they are for."""
+    if len(np.shape(known["c1"])):
+        known = {key: value[index] for key, value in known.items()}
+    made = {}
+    for part in (name, "columns", "turn"):
+        constants = _called(SENSITIVITY[part], known)
+        made[part] = {
+            key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
+            for key, value in constants.items()
+        }
+    return index, made
+
+
+def _fill_sensitivities(prepared, group, t, rows):
+    """The rows of one group, in blocks: of times, or of bodies where times are few."""
+    name, order, index, made = group
+    size = t.shape[1]
+    if size < _SENSITIVE // 4:
+        step = max(1, _SENSITIVE // max(1, size))
+        for first in range(0, index.size, step):
+            some = slice(first, first + step)
+            constants = {
+                part: {key: x[some, None] for key, x in known.items()}
+                for part, known in made.items()
+            }
+            units = [prepared[x][index[some], None] for x in ("unit", "moment_unit")]
+            times = _of(t, index[some])
+            _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
+        return
+    for number, body in enumerate(index):
+        constants = {
+            part: {key: float(x[number]) for key, x in known.items()}
+            for part, known in made.items()
+        }
+        units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
+        for first in range(0, size, _SENSITIVE):
+            some = slice(first, first + _SENSITIVE)
+            times = t[body if len(t) > 1 else 0, some]
+            _write_sensitivities(name, order, constants, units, times, rows, (body, some))
+
+
+def _write_sensitivities(name, order, constants, units, t, rows, place):
+    """The sensitivities of one body at a block of times, or of some bodies at all times."""
+    unit, moment_unit = units
+    known = {"t": unit * t}
+    q, omega = (x[place] for x in rows[:2])
+    scale = unit + (unit == 0)
+    for k in range(3):
+        known[f"Omega{k + 1}"] = omega[..., k] / scale
+    known |= {f"q{k}": q[..., k] for k in range(4)}
+    known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in zip("abd", order, strict=True)}
+    entry = SENSITIVITY[name]
+    by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
+    known |= dict(zip(entry["timed"], by_time, strict=False))
+    known |= _stated(entry, known, constants[name])
+    columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
+    for one, i in zip("abd", order, strict=True):
+        known[f"excess{i + 1}"] = columns[f"excess_{one}"]
+        for other, j in zip("abd", order, strict=True):
+            for of in ("Omega", "c"):
+                change = columns[f"Omega_{one}_by_{of}_{other}"]
+                known[f"Omega{i + 1}_by_{of}{j + 1}"] = change
+    known |= _stated(SENSITIVITY["turn"], known, constants["turn"])
+    scales = {
+        ("eta", "Omega"): 1 / scale,
+        ("eta", "c"): 1 / moment_unit,
+        ("Omega", "Omega"): 1.0,
+        ("Omega", "c"): scale / moment_unit,
+    }
+    for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
+        for of, first in (("Omega", 3), ("c", 6)):
+            factor = scales[changed, of]
+            for i in range(3):
+                for j in range(3):
+                    value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
+                    found[(*place, ..., i, first + j)] = factor * value
+    for i in range(3):
+        rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
+        rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])
+
+
+def _stated(entry, known, constants):
+    """What a function of the time gives, by name."""
+    given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
+    return dict(zip(entry["results"], entry["state"](*given), strict=True))
+
+
+def _at_rest(prepared, t, rows):
+    """A body at rest begins to turn as it is given rates, and goes on."""
+    for body in np.flatnonzero(prepared["unit"] == 0):
+        w, x, y, z = prepared["q0"][body]
+        start = [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+        for found in rows[2:]:
+            found[body] = 0.0
+        rows[2][body, :, :, 3:6] = t[body if len(t) > 1 else 0, :, None, None] * np.array(start)
+        for k in range(3):
+            rows[3][body, :, k, 3 + k] = 1.0
+
+
+def _unchanged(t, rows):
+    """At t = 0 changes are those given; a turn at t = 0 is the same at all times."""
+    for body, time in np.argwhere(t == 0):
+        some = slice(None) if len(t) == 1 else body
+        rows[2][some, time] = rows[3][some, time] = 0.0
+        for k in range(3):
+            rows[3][some, time, k, 3 + k] = 1.0
+    for k in range(3):
+        rows[2][:, :, k, k] = 1.0
+
+
+def _check_held(rows, errors):
+    """Refuse times at which changes have no numbers: where their squares leave binary64."""
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
+    if not np.any(lost):
+        return
+    if errors == "raise":
+        body, time = np.argwhere(lost)[0]
+        rule = "on the way to spin about the middle axis squares of changes leave binary64"
+        raise _RefusedError(f"t: {rule}", int(body), int(time))
+    for found in rows[2:]:
+        found[lost] = np.nan

@@ -17,12 +17,12 @@
 #endif
 
 /* How many states are computed side by side; each takes about 240 bytes of stack on a grid. */
-#ifndef TORQUE_FREE_BLOCK
-#define TORQUE_FREE_BLOCK 64
+#ifndef TORQUE_FREE_PI_BLOCK
+#define TORQUE_FREE_PI_BLOCK 64
 #endif
 
 /* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
-   that breaks this shows in a macro: torque_free_motion_init looks, too. */
+   that breaks this shows in a macro: torque_free_pi_motion_init looks, too. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
 #error "torque_free.c: -ffast-math reorders sums that must not be; compile without it"
 #elif defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
@@ -782,7 +782,7 @@ static void circular_constants(double_double K, double_double A_a, double_double
     double_double c_d, double_double Omega_a, double_double Omega_b,
     double_double Omega_d, double_double q_0, double_double q_a, double_double q_b,
     double_double q_d, double epsilon, double sigma, double rho, double chi, double unit,
-    torque_free_circular *motion)
+    torque_free_pi_circular *motion)
 {
     const double_double common_1 = dd_add_dx(1.0, kc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
     const double_double common_2 = dd_div_xx(k_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
@@ -872,7 +872,7 @@ static void circular_constants(double_double K, double_double A_a, double_double
 }
 
 /* What changes with time on the circular branch, at t + t_lo. */
-static void circular_angles(const torque_free_circular *motion, size_t n, const double *restrict t_in,
+static void circular_angles(const torque_free_pi_circular *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict s_out, double *restrict c_out,
     double *restrict X_im_out, double *restrict X_re_out, double *restrict d_out)
 {
@@ -955,7 +955,7 @@ static void circular_angles(const torque_free_circular *motion, size_t n, const 
 }
 
 /* The state on the circular branch, from `_circular_angles`. */
-static void circular_state(const torque_free_circular *motion, size_t n, const double *restrict s_in,
+static void circular_state(const torque_free_pi_circular *motion, size_t n, const double *restrict s_in,
     const double *restrict c_in, const double *restrict X_im_in,
     const double *restrict X_re_in, const double *restrict d_in,
     double *restrict q_0_out, double *restrict q_a_out, double *restrict q_b_out,
@@ -1032,7 +1032,7 @@ static void hyperbolic_constants(double_double K, double_double A_a, double_doub
     double_double c_a, double_double c_b, double_double c_d, double_double Omega_a,
     double_double Omega_b, double_double Omega_d, double_double q_0, double_double q_a,
     double_double q_b, double_double q_d, double epsilon, double sigma, double rho,
-    double chi, double unit, torque_free_hyperbolic *motion)
+    double chi, double unit, torque_free_pi_hyperbolic *motion)
 {
     const double_double l_1 = kc_1; /* classical: DLMF 22.7.1 */
     const double_double lc_1 = k_1; /* classical: DLMF 22.7.1 */
@@ -1188,7 +1188,7 @@ static void hyperbolic_constants(double_double K, double_double A_a, double_doub
 }
 
 /* What changes with time on the hyperbolic branch, at t + t_lo. */
-static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, const double *restrict t_in,
+static void hyperbolic_angles(const torque_free_pi_hyperbolic *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict s_out, double *restrict c_out,
     double *restrict X_im_out, double *restrict X_re_out, double *restrict d_out)
 {
@@ -1313,7 +1313,7 @@ static void hyperbolic_angles(const torque_free_hyperbolic *motion, size_t n, co
 }
 
 /* The state on the hyperbolic branch, from `_hyperbolic_angles`. */
-static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, const double *restrict s_in,
+static void hyperbolic_state(const torque_free_pi_hyperbolic *motion, size_t n, const double *restrict s_in,
     const double *restrict c_in, const double *restrict X_im_in,
     const double *restrict X_re_in, const double *restrict d_in,
     double *restrict q_0_out, double *restrict q_a_out, double *restrict q_b_out,
@@ -1384,7 +1384,7 @@ static void hyperbolic_state(const torque_free_hyperbolic *motion, size_t n, con
 
 /* The axis and the rate of a motion with constant rates. */
 static void steady_constants(double_double Omega1, double_double Omega2, double_double Omega3, double_double p0,
-    double_double p1, double_double p2, double_double p3, torque_free_steady *motion)
+    double_double p1, double_double p2, double_double p3, torque_free_pi_steady *motion)
 {
     const double_double omega = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(Omega1, Omega1), dd_mul_xx(Omega2, Omega2)), dd_mul_xx(Omega3, Omega3))); /* fact: steady.omega; (3) */
     const double_double axis1 = dd_div_xx(Omega1, omega); /* fact: definition steady.axis1; (3) */
@@ -1403,7 +1403,7 @@ static void steady_constants(double_double Omega1, double_double Omega2, double_
 }
 
 /* What changes with time on the steady branch, at t + t_lo. */
-static void steady_angles(const torque_free_steady *motion, size_t n, const double *restrict t_in,
+static void steady_angles(const torque_free_pi_steady *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict X_im_out, double *restrict X_re_out)
 {
     const double Lambda_rate_hi = motion->Lambda_rate_hi;
@@ -1426,7 +1426,7 @@ static void steady_angles(const torque_free_steady *motion, size_t n, const doub
 }
 
 /* The attitude from `_steady_angles`. */
-static void steady_state(const torque_free_steady *motion, size_t n, const double *restrict X_im_in,
+static void steady_state(const torque_free_pi_steady *motion, size_t n, const double *restrict X_im_in,
     const double *restrict X_re_in, double *restrict q0_out, double *restrict q1_out,
     double *restrict q2_out, double *restrict q3_out)
 {
@@ -1526,7 +1526,7 @@ static int angles_hold(void)
     enum { COSINE = TIMES, TURNED = 3 * TIMES };
     const size_t s = TIMES;
     double t[TIMES], t_lo[TIMES], to[6 * TIMES];
-    torque_free_circular motion;
+    torque_free_pi_circular motion;
     int holds = 1;
     memset(&motion, 0, sizeof motion);
     motion.v_rate_hi = motion.Lambda_rate_hi = motion.v_hi = over_3.hi;
@@ -1554,9 +1554,10 @@ static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
 static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
+static const double max_real = 0.5; /* 2^-1, of m where the elapsed time has thetas of its own; above, of i times it */
 static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
-#define BLOCK ((size_t)TORQUE_FREE_BLOCK)
+#define BLOCK ((size_t)TORQUE_FREE_PI_BLOCK)
 
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
@@ -1631,7 +1632,7 @@ static double_double discriminant_of(const double_double c[3], const double_doub
                   2 * scale);
 }
 
-static void steady_init(torque_free_motion *motion, const double_double omega[3], const double_double q[4])
+static void steady_init(torque_free_pi_motion *motion, const double_double omega[3], const double_double q[4])
 {
     double_double rates[3] = {omega[0], omega[1], omega[2]};
     const int at_rest = is_zero(omega[0]) && is_zero(omega[1]) && is_zero(omega[2]);
@@ -1644,7 +1645,7 @@ static void steady_init(torque_free_motion *motion, const double_double omega[3]
 }
 
 /* Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer. */
-static void limit(torque_free_motion *motion, double rate, double other)
+static void limit(torque_free_pi_motion *motion, double rate, double other)
 {
     const double largest = fabs(rate) > fabs(other) ? fabs(rate) : fabs(other);
     if (largest > 16.0)
@@ -1660,7 +1661,7 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_motion *motion, const double_double inertia[3], const double_double apart[3],
+static int moving_init(torque_free_pi_motion *motion, const double_double inertia[3], const double_double apart[3],
                        const double_double omega[3], const double_double q[4], double_double E_b)
 {
     const int *axis = motion->axis;
@@ -1689,7 +1690,7 @@ static int moving_init(torque_free_motion *motion, const double_double inertia[3
         held = sizeof motion->of.hyperbolic / sizeof *constants;
     }
     const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_PI_OK : TORQUE_FREE_PI_RATES;
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -1709,7 +1710,7 @@ static double log2_sum(double x, double y)
    X' = k Omega_b Z, Z' = k Omega_b X, but for signs.  So X + Z and X - Z, whose product is E_b, grow
    no faster than exp(lambda t), lambda being k times the largest |Omega_b|; of the separatrix one is
    zero, of the spin both are.  What of them is not zero may grow to 2^-60 of the momentum. */
-static void follow(torque_free_motion *motion, const double_double c[3], const double_double apart[3], double_double omega[3],
+static void follow(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3], double_double omega[3],
                    const double_double given[3], double_double *E_b, int is_faint)
 {
     const int *axis = motion->axis;
@@ -1746,12 +1747,23 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
+/* What sensitivities are made from, where they are asked for. */
+static void keep(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3],
+                 const double_double omega[3], double_double E_b)
+{
+    for (int k = 0; k < 10; k++) {
+        const double_double x = k < 3 ? c[k] : k < 6 ? apart[k - 3] : k < 9 ? omega[k - 6] : E_b;
+        motion->given[2 * k] = x.hi;
+        motion->given[2 * k + 1] = x.lo;
+    }
+}
+
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
    before faint ones were taken for zero. */
-static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
+static int init(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
                 const double_double q[4], const double_double *known, double unit)
 {
-    torque_free_motion made;
+    torque_free_pi_motion made;
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
     memset(&made, 0, sizeof made);
     for (int k = 0; k < 3; k++) {
@@ -1776,35 +1788,37 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
+    made.moment_unit = 1.0;
+    keep(&made, c, apart, omega, discriminant);
     const double side = side_of(apart, omega, made.axis, discriminant.hi);
     if (side < 0.0) {
         const int first = made.axis[0];
         made.axis[0] = made.axis[2];
         made.axis[2] = first;
     }
-    int code = TORQUE_FREE_OK;
+    int code = TORQUE_FREE_PI_OK;
     if (!is_rounded_once())
-        return TORQUE_FREE_ARITHMETIC;
+        return TORQUE_FREE_PI_ARITHMETIC;
     if (side < 0.0 || side > 0.0)
         code = moving_init(&made, c, apart, omega, unit_q, discriminant);
     else
         steady_init(&made, omega, unit_q);
-    if (code == TORQUE_FREE_OK)
+    if (code == TORQUE_FREE_PI_OK)
         *motion = made;
     return code;
 }
 
-int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
+int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
-        return TORQUE_FREE_NOT_FINITE;
+        return TORQUE_FREE_PI_NOT_FINITE;
     for (int k = 1; k < 3; k++)
         least = inertia[k] < least ? inertia[k] : least;
     if (!(least > 0.0))
-        return TORQUE_FREE_INERTIA;
+        return TORQUE_FREE_PI_INERTIA;
     const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
     const int q_scale = exponent_of(4, attitude0);
     int is_zero_attitude = 1;
@@ -1816,23 +1830,25 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
     if (ldexp(least, -c_scale) < min_moment_ratio)
-        return TORQUE_FREE_THIN;
+        return TORQUE_FREE_PI_THIN;
     for (int k = 0; k < 4; k++) {
         q[k] = dd_of(ldexp(attitude0[k], -q_scale));
         is_zero_attitude = is_zero_attitude && is_zero(q[k]);
     }
     if (is_zero_attitude)
-        return TORQUE_FREE_ATTITUDE;
+        return TORQUE_FREE_PI_ATTITUDE;
     /* Differences of doubles are pairs exactly. */
     for (int k = 0; k < 3; k++)
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
     const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
-    for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
+    for (int k = 0; k < 3 && code == TORQUE_FREE_PI_OK; k++)
         motion->omega0[k] = omega0[k];
+    if (code == TORQUE_FREE_PI_OK)
+        motion->moment_unit = ldexp(1.0, c_scale);
     return code;
 }
 
-int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
+int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, const double inertia[3][2],
                                 const double differences[3][2], const double omega0[3][2],
                                 const double attitude0[4][2], const double discriminant[2], double unit)
 {
@@ -1848,26 +1864,26 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
         apart[k] = above;
         omega[k] = rate;
         if (!all_finite(2, inertia[k]) || !all_finite(2, differences[k]) || !all_finite(2, omega0[k]))
-            return TORQUE_FREE_NOT_FINITE;
+            return TORQUE_FREE_PI_NOT_FINITE;
         if (!(moment.hi > 0.0))
-            return TORQUE_FREE_INERTIA;
+            return TORQUE_FREE_PI_INERTIA;
         if (moment.hi < min_moment_ratio || moment.hi > 4.0)
-            return TORQUE_FREE_THIN;
+            return TORQUE_FREE_PI_THIN;
         if (fabs(rate.hi) > 4.0)
-            return TORQUE_FREE_RATES;
+            return TORQUE_FREE_PI_RATES;
     }
     if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
-        return TORQUE_FREE_NOT_FINITE;
+        return TORQUE_FREE_PI_NOT_FINITE;
     if (!(unit > 0.0))
-        return TORQUE_FREE_RATES;
+        return TORQUE_FREE_PI_RATES;
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
-        return TORQUE_FREE_ATTITUDE;
+        return TORQUE_FREE_PI_ATTITUDE;
     const double_double known = {discriminant[0], discriminant[1]};
     return init(motion, c, apart, omega, q, &known, unit);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
-static int scaled_times(const torque_free_motion *motion, size_t n, const double *restrict t,
+static int scaled_times(const torque_free_pi_motion *motion, size_t n, const double *restrict t,
                         double *restrict inner, int *zero)
 {
     const double unit = motion->unit, last = motion->max_angle;
@@ -1904,7 +1920,7 @@ static void interleaved4(size_t n, const double *restrict a, const double *restr
 
 /* n states from what changes with time, in rows s apart: two on the steady branch, six at most on the
    others; `out` has room for seven. */
-static void block_states(const torque_free_motion *motion, size_t n, size_t s, const double *restrict in,
+static void block_states(const torque_free_pi_motion *motion, size_t n, size_t s, const double *restrict in,
                          double *restrict out, double *restrict q, double *restrict omega)
 {
     const int *axis = motion->axis;
@@ -1933,7 +1949,7 @@ static void block_states(const torque_free_motion *motion, size_t n, size_t s, c
 }
 
 /* What changes with time at the inner times t + t_lo, in rows s apart. */
-static void block_angles(const torque_free_motion *motion, size_t n, size_t s, const double *restrict t,
+static void block_angles(const torque_free_pi_motion *motion, size_t n, size_t s, const double *restrict t,
                          const double *restrict t_lo, double *restrict to)
 {
     if (motion->branch == 0)
@@ -1958,7 +1974,7 @@ static void fetch(const double *q, const double *omega)
 }
 
 /* A motion is at its start at t = 0, to the last bit. */
-static void at_initial_state(const torque_free_motion *motion, double *q, double *omega)
+static void at_initial_state(const torque_free_pi_motion *motion, double *q, double *omega)
 {
     for (int k = 0; k < 4; k++)
         q[k] = motion->q0[k];
@@ -1966,9 +1982,9 @@ static void at_initial_state(const torque_free_motion *motion, double *q, double
         omega[k] = motion->omega0[k];
 }
 
-static int too_late(const torque_free_motion *motion)
+static int too_late(const torque_free_pi_motion *motion)
 {
-    return motion->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
+    return motion->blurred ? TORQUE_FREE_PI_SEPARATRIX : TORQUE_FREE_PI_TIME;
 }
 
 static void no_states(size_t n, double *q, double *omega)
@@ -1980,7 +1996,7 @@ static void no_states(size_t n, double *q, double *omega)
 }
 
 /* The states at n times; times that are too late are refused, or have none where `lenient`. */
-static int states_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
+static int states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK], inner[BLOCK], rest[BLOCK];
@@ -1990,7 +2006,7 @@ static int states_at(const torque_free_motion *motion, size_t n, const double *t
             return too_late(motion);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
-    int code = TORQUE_FREE_OK;
+    int code = TORQUE_FREE_PI_OK;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         const int near = scaled_times(motion, count, t + i, inner, &zero);
@@ -2011,14 +2027,14 @@ static int states_at(const torque_free_motion *motion, size_t n, const double *t
     return code;
 }
 
-int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
+int torque_free_pi_states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q,
                           double *omega)
 {
     return states_at(motion, n, t, q, omega, 0);
 }
 
 /* One state needs no block. */
-int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
+int torque_free_pi_state_at(const torque_free_pi_motion *motion, double t, double q[4], double omega[3])
 {
     const double rest = 0.0;
     double by_time[6], out[7], inner;
@@ -2027,11 +2043,11 @@ int torque_free_state_at(const torque_free_motion *motion, double t, double q[4]
         return too_late(motion);
     if (zero) {
         at_initial_state(motion, q, omega);
-        return TORQUE_FREE_OK;
+        return TORQUE_FREE_PI_OK;
     }
     block_angles(motion, 1, 1, &inner, &rest, by_time);
     block_states(motion, 1, 1, by_time, out, q, omega);
-    return TORQUE_FREE_OK;
+    return TORQUE_FREE_PI_OK;
 }
 
 /* Sines and cosines of a + b. */
@@ -2045,10 +2061,10 @@ static void turned(size_t n, double sin_a, double cos_a, const double *restrict 
 }
 
 /* Sines and cosines of both angles at the times k step, k = 0 ... BLOCK - 1, as from zero. */
-static void grid_table(const torque_free_motion *motion, double step, double *restrict table)
+static void grid_table(const torque_free_pi_motion *motion, double step, double *restrict table)
 {
     double t[BLOCK], t_lo[BLOCK];
-    torque_free_motion from_zero = *motion;
+    torque_free_pi_motion from_zero = *motion;
     if (motion->branch == 1)
         from_zero.of.circular.v_hi = from_zero.of.circular.v_lo = 0.0;
     for (size_t k = 0; k < BLOCK; k++) {
@@ -2060,7 +2076,7 @@ static void grid_table(const torque_free_motion *motion, double step, double *re
 }
 
 /* What changes with time at n times, each `every`-th of the grid from number `first` on. */
-static void grid_angles(const torque_free_motion *motion, double start, double step, size_t first,
+static void grid_angles(const torque_free_pi_motion *motion, double start, double step, size_t first,
                         size_t every, size_t n, double *restrict by_time)
 {
     double t[BLOCK], t_lo[BLOCK];
@@ -2074,7 +2090,7 @@ static void grid_angles(const torque_free_motion *motion, double start, double s
 
 /* n <= BLOCK^2 states from number `first` on: what changes with time is found once in a block, and
    turned. */
-static void grid_states(const torque_free_motion *motion, double start, double step, size_t first, size_t n,
+static void grid_states(const torque_free_pi_motion *motion, double start, double step, size_t first, size_t n,
                         const double *restrict table, double *restrict q, double *restrict omega)
 {
     double base[6 * BLOCK], by_time[4 * BLOCK], out[7 * BLOCK];
@@ -2092,7 +2108,7 @@ static void grid_states(const torque_free_motion *motion, double start, double s
 }
 
 /* The same where what changes with time is more than sines and cosines. */
-static void grid_states_one_by_one(const torque_free_motion *motion, double start, double step, size_t first,
+static void grid_states_one_by_one(const torque_free_pi_motion *motion, double start, double step, size_t first,
                                    size_t n, double *restrict q, double *restrict omega)
 {
     double by_time[6 * BLOCK], out[7 * BLOCK];
@@ -2115,7 +2131,7 @@ static size_t grid_zero(double start, double step, size_t first, size_t n)
     return place >= 0.0 && place < (double)n && fabs(t.hi) <= 0.0 ? (size_t)place : n;
 }
 
-int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
+int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double start, double step, size_t first,
                                size_t n, double *q, double *omega)
 {
     double table[6 * BLOCK];
@@ -2136,52 +2152,53 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     }
     for (size_t i = grid_zero(start, step, first, n); i < n; i += is_zero(dd_of(step)) ? 1 : n)
         at_initial_state(motion, q + 4 * i, omega + 3 * i);
-    return TORQUE_FREE_OK;
+    return TORQUE_FREE_PI_OK;
 }
 
-int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
+int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
 {
-    torque_free_motion motion;
+    torque_free_pi_motion motion;
     for (size_t k = 0; k < bodies; k++) {
         double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-        if (code == TORQUE_FREE_OK)
+        int code = torque_free_pi_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+        if (code == TORQUE_FREE_PI_OK)
             code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
         else if (codes)
             no_states(n, q_k, omega_k);
         if (codes) {
             codes[k] = code;
-        } else if (code != TORQUE_FREE_OK) {
+        } else if (code != TORQUE_FREE_PI_OK) {
             *failed = k;
             return code;
         }
     }
-    return TORQUE_FREE_OK;
+    return TORQUE_FREE_PI_OK;
 }
 
-double torque_free_last_time(const torque_free_motion *motion)
+double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 {
     return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
 }
 
-size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
+size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_digest(void) { return "df3bd145d53558883dadd41f198b608267f1909c30cf031dab49da265f8b7777"; }
+const char *torque_free_pi_digest(void) { return "9c2938fedeb4e517c49d01bd3413d1975863dfa57e624ee98bc2a746a3b77d2c"; }
 
-const char *torque_free_message(int code)
+const char *torque_free_pi_message(int code)
 {
     switch (code) {
-    case TORQUE_FREE_OK: return "success";
-    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
-    case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
-    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
-    case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
-    case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_PI_OK: return "success";
+    case TORQUE_FREE_PI_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_PI_INERTIA: return "inertia: principal moments must be positive";
+    case TORQUE_FREE_PI_THIN: return "inertia: principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_PI_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
+    case TORQUE_FREE_PI_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
+    case TORQUE_FREE_PI_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
+    case TORQUE_FREE_PI_RATES: return "omega0: rates beyond what binary64 can hold";
+    case TORQUE_FREE_PI_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
+    case TORQUE_FREE_PI_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }
 }

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  20 %  follow facts of the ledger, each named on its line
-    317  21 %  follow classical formulas, each with its reference
-     69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    829  55 %  are the runtime, written by hand
+    299  18 %  follow facts of the ledger, each named on its line
+    317  19 %  follow classical formulas, each with its reference
+     69   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1015  60 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -41,10 +41,10 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest df3bd145d53558883dadd41f198b608267f1909c30cf031dab49da265f8b7777
+digest 9c2938fedeb4e517c49d01bd3413d1975863dfa57e624ee98bc2a746a3b77d2c
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
--DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
+-DTORQUE_FREE_PI_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_pi_state_at needs 3 KB.
 C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
 machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
 a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
@@ -55,8 +55,8 @@ options that reorder sums or approximate quotients (-fassociative-math,
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
 long. */
 
-#ifndef TORQUE_FREE_H
-#define TORQUE_FREE_H
+#ifndef TORQUE_FREE_PI_H
+#define TORQUE_FREE_PI_H
 
 #include <stddef.h>
 
@@ -68,7 +68,7 @@ typedef struct {
     double v_rate_hi, v_rate_lo, v_hi, v_lo, Lambda_rate_hi, Lambda_rate_lo, k_2, k_3, k_4, k_5;
     double characteristic, spread, kappa, j, two_K, rest_0, c_a, c_b, c_d, A_a, A_b, A_d, K;
     double k_1, k_c, epsilon, sigma, chi, tau, p_0, p_a, p_b, p_d, unit;
-} torque_free_circular;
+} torque_free_pi_circular;
 
 typedef struct {
     double y_rate_hi, y_rate_lo, y0_hi, y0_lo, period_hi, period_lo, Lambda_rate_hi;
@@ -76,46 +76,49 @@ typedef struct {
     double kc_1, m_c, rho, g_1, g_2, h_2, alpha, delta, spread, slope, z, characteristic;
     double start_rest, c_a, c_b, c_d, A_a, A_b, A_d, K, k_1, k_c, epsilon, sigma, chi, tau, p_0;
     double p_a, p_b, p_d, unit;
-} torque_free_hyperbolic;
+} torque_free_pi_hyperbolic;
 
 typedef struct {
     double Lambda_rate_hi, Lambda_rate_lo, axis1, axis2, axis3, p0, p1, p2, p3;
-} torque_free_steady;
+} torque_free_pi_steady;
 
 /* What the functions return; 0 is success.  A call for one body that fails writes nothing. */
 enum {
-    TORQUE_FREE_OK = 0,
-    TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
-    TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^-200 of another */
-    TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
+    TORQUE_FREE_PI_OK = 0,
+    TORQUE_FREE_PI_NOT_FINITE = 1, /* an input is infinite or no number */
+    TORQUE_FREE_PI_INERTIA = 2,    /* a principal moment of inertia is not positive */
+    TORQUE_FREE_PI_THIN = 3,       /* a principal moment is below 2^-200 of another */
+    TORQUE_FREE_PI_ATTITUDE = 4,   /* the quaternion is zero */
+    TORQUE_FREE_PI_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
                                    about the middle axis, from which binary64 cannot tell it */
-    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
-    TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
-    TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_PI_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
+    TORQUE_FREE_PI_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
+    TORQUE_FREE_PI_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_PI_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
 };
 
-/* The constants of one motion; written by torque_free_motion_init, read by all others. */
+/* The constants of one motion; written by torque_free_pi_motion_init, read by all others. */
 typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
-    int blurred;         /* whether TORQUE_FREE_SEPARATRIX is what later times are refused for */
+    int blurred;         /* whether TORQUE_FREE_PI_SEPARATRIX is what later times are refused for */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
     double omega0[3];    /* body rates at t = 0, rad/s */
     union {
-        torque_free_circular circular;
-        torque_free_hyperbolic hyperbolic;
-        torque_free_steady steady;
+        torque_free_pi_circular circular;
+        torque_free_pi_hyperbolic hyperbolic;
+        torque_free_pi_steady steady;
     } of;
-} torque_free_motion;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
+} torque_free_pi_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
    inertial, of any length but zero.  Returns a code above. */
-int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
+int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4]);
 
 /* The same for numbers known beyond binary64, each the sum of two doubles {hi, lo}; sizes are as if
@@ -123,25 +126,25 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
    subtraction is asked for, right to all digits of a double_double: differences, moments 0 less 1, 1 less 2
    and 2 less 0, and discriminant, K^2 - 2 H c_b, b the middle axis, whose sign is the regime's.  Rates are
    times `unit` rad/s, a power of two. */
-int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
+int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, const double inertia[3][2],
                                 const double differences[3][2], const double omega0[3][2],
                                 const double attitude0[4][2], const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_TIME
-   or TORQUE_FREE_SEPARATRIX. */
-int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3]);
+   attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_PI_TIME
+   or TORQUE_FREE_PI_SEPARATRIX. */
+int torque_free_pi_state_at(const torque_free_pi_motion *motion, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns 0, TORQUE_FREE_TIME
-   or TORQUE_FREE_SEPARATRIX. */
-int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
+   not overlap each other or t.  Returns 0, TORQUE_FREE_PI_TIME
+   or TORQUE_FREE_PI_SEPARATRIX. */
+int torque_free_pi_states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q,
                           double *omega);
 
 /* The n states at start + k step, k = first, first + 1, ..., exactly these times; first + n <= 2^53.
    Sines are evaluated once in 64 samples, but near the separatrix.  A grid in parts, each begun at a
    multiple of 64, has the same bits as the whole. */
-int torque_free_states_on_grid(const torque_free_motion *motion, double start, double step, size_t first,
+int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double start, double step, size_t first,
                                size_t n, double *q, double *omega);
 
 /* A motion and n states for each of many bodies: inertia[bodies][3], omega0[bodies][3],
@@ -151,19 +154,19 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
    codes[bodies]: the code of each body; what is refused, a body or one of its times, has states of
    NaN, the others theirs, and 0 is returned.  Where codes is NULL, the first body that is refused
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
-int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
+int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed);
 
 /* The largest |t| (s) that a motion has states for. */
-double torque_free_last_time(const torque_free_motion *motion);
+double torque_free_pi_last_time(const torque_free_pi_motion *motion);
 
-/* sizeof(torque_free_motion), and the digest of the header and the source, for who loads a library. */
-size_t torque_free_motion_size(void);
-const char *torque_free_digest(void);
+/* sizeof(torque_free_pi_motion), and the digest of the header and the source, for who loads a library. */
+size_t torque_free_pi_motion_size(void);
+const char *torque_free_pi_digest(void);
 
 /* What a code means, in one line. */
-const char *torque_free_message(int code);
+const char *torque_free_pi_message(int code);
 #ifdef __cplusplus
 }
 #endif

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    298  23 %  follow facts of the ledger, each named on its line
-    311  24 %  follow classical formulas, each with its reference
+    298  20 %  follow facts of the ledger, each named on its line
+    311  21 %  follow classical formulas, each with its reference
      69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    598  47 %  are the runtime, written by hand
+    782  54 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -40,7 +40,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate numpy-pi --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 0bbf1d6f314f8b59f1ecb593dbadfb1e36c9915c537047bda392984c8bbfa03b
+digest e1dae25bdf35ffd2c65e7c4b474dd1926167d10dab555cbc221730d661357d2f
 """
 
 # ruff: noqa
@@ -1070,6 +1070,7 @@ MIN_DISCRIMINANT = 2.0**-900  # of E_b in inner units; nearer to the separatrix 
 TOLERATED = 2.0**-60  # of the momentum, by which that, or middle-axis spin, may be wrong
 MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
 MAX_CIRCULAR = 2.0**-1  # of k_1^2 on the circular branch; above it, the hyperbolic one
+MAX_REAL = 2.0**-1  # of m where the elapsed time has thetas of its own; above, of i times it
 MAX_ANGLE = 2.0**46  # of |omega0 t|, rad
 MAX_RATE = 2.0**990  # of a rate, rad/s: exact products with it are still held
 # States computed at a time: their intermediate arrays fit the cache.
@@ -1111,12 +1112,12 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
         # Any body will do: its states are not given.
         stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
         rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
-    (c, _), (omega, unit), (q, _) = map(_scaled, rows)
+    (c, moment_unit), (omega, unit), (q, _) = map(_scaled, rows)
     # Differences of doubles are two doubles exactly.
     apart = _DoubleDouble(*_two_sum(c, -np.roll(c, -1, -1)))
     pairs = _DoubleDouble(c, 0 * c), apart, _DoubleDouble(omega, 0 * omega), _DoubleDouble(q, 0 * q)
     made = _prepared(*pairs, unit, shape, refused)
-    made["omega0"] = rows[1].copy()
+    made["omega0"], made["moment_unit"] = rows[1].copy(), moment_unit[:, 0]
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
@@ -1163,6 +1164,9 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
+        "moment_unit": np.ones(len(axes)),
+        # What sensitivities are made from, where they are asked for.
+        "given": (c, apart, omega, discriminant),
         "groups": [],
     }
     if np.any(steady):

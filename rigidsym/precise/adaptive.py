@@ -16,6 +16,7 @@ MOST_ROUNDS = 24
 FIRST_BITS = 256
 # Uncertain inputs that say nothing at this precision, or at that of the digits, never do.
 MOST_BITS = 2**12
+SAYS_NOTHING = "the inputs are too uncertain to say anything"
 
 
 # Of so many bits and, where there is a limit, before the clock says so much; else TimeoutError.
@@ -67,7 +68,7 @@ class AdaptivePrecision:
                     widest = radius
                 self.bits *= 2
             if widest is None:
-                raise TooUncertainError(f"{what}: the inputs are too uncertain to say anything")
+                raise TooUncertainError(f"{what}: {SAYS_NOTHING}")
         known = "nothing was reached" if widest is None else f"a radius of {widest:.2g} was reached"
         raise PrecisionError(f"{what}: {known}")
 

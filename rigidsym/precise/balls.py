@@ -70,6 +70,13 @@ def dyadic(value: arb) -> Fraction:
     return mantissa * Fraction(2) ** exponent
 
 
+def meeting(one: arb, other: arb) -> arb:
+    """What two balls have in common; the one that is finite, and the first where they are apart."""
+    if not other.is_finite() or not one.overlaps(other):
+        return one
+    return one.intersection(other) if one.is_finite() else other
+
+
 def power(x: arb, exponent: int) -> arb:
     """An integer power of a ball, whose square is not negative around zero.
 

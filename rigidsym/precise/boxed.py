@@ -1,17 +1,20 @@
-"""States of all motions whose inputs lie in a box, by what its regime says and by the flow."""
+"""States of all motions whose inputs lie in a box: by what its regime says, by the theorem of the
+mean, and by the flow."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 
 from rigidsym.errors import InputError, PrecisionError, written
 from rigidsym.inputs import Number
-from rigidsym.precise.adaptive import AdaptivePrecision, TooUncertainError
+from rigidsym.precise.adaptive import SAYS_NOTHING, AdaptivePrecision, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.flowing import Flowing, bits_for
 from rigidsym.precise.motion import PreciseMotion
+from rigidsym.precise.sensitivity.boxes import MeanStates
 
 # Of the methods that know the regime, carlson leaves the smallest balls.
 BY_REGIME = "carlson"
@@ -30,20 +33,39 @@ class BoxedMotion:
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
-        """(q, omega) at each time as balls, where the two ways meet.
+        """(q, omega) at each time as balls, where all ways meet.
 
-        The flow is left out where it would be slow and the formulas leave little to be desired.
+        The flow is left out where it would be slow and others leave little to be desired.
 
         Raises PrecisionError where `max_seconds` for all times are over.
         """
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
-            formulas = self._by_formulas(precision, time)
-            if formulas and self._bits(digits) > FINE:
-                yield formulas
+            if time == 0:
+                yield self._by_flow(precision, time)
                 continue
-            flow = self._by_flow(precision, time)
-            yield _meeting(flow, formulas) if formulas else flow
+            formulas = self._by_formulas(precision, time)
+            mean, is_narrow = self._by_mean_values(digits).state(time) or (None, False)
+            known = [state for state in (mean, formulas) if state]
+            if not (is_narrow or (formulas and self._bits(digits) > FINE)):
+                known.append(self._by_flow(precision, time))
+            yield reduce(_meeting, known)
+
+    def mean_values(
+        self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
+    ) -> Iterator[State]:
+        """The same by the theorem of the mean alone.
+
+        Raises PrecisionError where it says nothing.
+        """
+        precision = AdaptivePrecision(digits, is_within, max_seconds)
+        for time in times:
+            with _saying(time):
+                precision.check()
+            found = self._by_mean_values(digits).state(time)
+            if found is None:
+                raise TooUncertainError(f"t = {written(time)}: {SAYS_NOTHING}")
+            yield found[0]
 
     def flows(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -54,10 +76,15 @@ class BoxedMotion:
             yield self._by_flow(precision, time)
 
     def _by_flow(self, precision: AdaptivePrecision, time: Fraction) -> State:
-        try:
+        with _saying(time):
             return self._flowing(precision).state(time, precision.check)
-        except TimeoutError:
-            raise PrecisionError(f"t = {written(time)}: the time was over") from None
+
+    def _by_mean_values(self, digits: int) -> MeanStates:
+        bits = self._bits(digits)
+        if bits not in self._means:
+            self._means.clear()
+            self._means[bits] = MeanStates(self.inertia, self.omega0, self.attitude0, bits)
+        return self._means[bits]
 
     def _by_formulas(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
         """None where they do not hold for all of the box, or say nothing."""
@@ -90,6 +117,19 @@ class BoxedMotion:
     @cached_property
     def _kept(self) -> dict[int, Flowing]:
         return {}
+
+    @cached_property
+    def _means(self) -> dict[int, MeanStates]:
+        return {}
+
+
+@contextmanager
+def _saying(time: Fraction) -> Generator[None]:
+    """Where the time is over, at which state that was."""
+    try:
+        yield
+    except TimeoutError:
+        raise PrecisionError(f"t = {written(time)}: the time was over") from None
 
 
 def _meeting(one: State, other: State) -> State:

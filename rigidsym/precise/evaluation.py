@@ -23,7 +23,7 @@ Value = TypeVar("Value")
 # m and 1 - m where the regime says them, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
-_OF_PERIODS = ("period", "psi_mean")
+_OF_PERIODS = ("period", "psi_mean", "Omega_mean")
 _BY_THETA = ("theta", "theta_state", "pull_back")
 
 

@@ -10,7 +10,7 @@ from math import ceil
 
 from flint import arb, arb_mat
 
-from rigidsym.inputs import Number, Uncertain
+from rigidsym.inputs import Number, middle, radius
 from rigidsym.precise.balls import ball, bits_of, difference, dyadic, power, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.flow import RATES, SIZE, Flow, max_of, multiplied, norm
@@ -56,7 +56,7 @@ class Flowing:
             flow = Flow.within(factors, starts, tube, terms, lambda: self._check())
             self.bodies = _bodies(flow, inertia, omega0, limits, self.scale)
             self.step = dyadic(flow.step(self.bits).lower())
-            first = start([ball(_middle(x) / self.scale) for x in omega0])
+            first = start([ball(middle(x) / self.scale) for x in omega0])
         self._clouds: dict[int, list[Cloud]] = {side: [first] for side in (-1, 1)}
 
     def state(self, time: Fraction, check: Callable[[], None]) -> State:
@@ -105,13 +105,13 @@ def _bodies(
     scale: Fraction,
 ) -> Bodies:
     """The box, with rates in units of the scale."""
-    radii = [_radius(x) / scale for x in omega0] + [_radius(c) for c in inertia]
+    radii = [radius(x) / scale for x in omega0] + [radius(c) for c in inertia]
     slopes = arb_mat(RATES, 2 * RATES)
     for k in range(RATES):
         c = ball(inertia[k])
         slopes[k, RATES + k] = -flow.factors[k] / c
         slopes[k, RATES + (k + 1) % 3], slopes[k, RATES + (k + 2) % 3] = 1 / c, -1 / c
-    middles = list(map(_middle, inertia))
+    middles = list(map(middle, inertia))
     box = arb_mat(2 * RATES, 1, [arb(0, ball(x).upper()) for x in radii])
     return Bodies(flow, [_factor(middles, k) for k in range(RATES)], box, slopes, limits)
 
@@ -120,18 +120,10 @@ def bits_for(given: Sequence[Sequence[Number]], digits: int) -> int:
     """Bits that hold the finest radius, or the digits where it is finer still."""
     fineness = [0]
     for values in given:
-        size = max(abs(_middle(x)) + _radius(x) for x in values)
-        ratios = [_radius(x) / size for x in values if _radius(x)]
+        size = max(abs(middle(x)) + radius(x) for x in values)
+        ratios = [radius(x) / size for x in values if radius(x)]
         fineness += [x.denominator.bit_length() - x.numerator.bit_length() for x in ratios]
     return GUARD_BITS + min(max(fineness), bits_of(digits))
-
-
-def _middle(value: Number) -> Fraction:
-    return value.middle if isinstance(value, Uncertain) else value
-
-
-def _radius(value: Number) -> Fraction:
-    return value.radius if isinstance(value, Uncertain) else Fraction(0)
 
 
 def _factor(inertia: Sequence[Number], k: int) -> arb:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
 from fractions import Fraction
 from functools import cached_property
-from math import atan2, inf, sqrt
+from math import atan2, inf, sqrt, tau
 
 from rigidsym.inputs import decimal
 from rigidsym.precise.motion import PreciseMotion
@@ -72,6 +72,30 @@ class Quantities:
         # No nodding, no part of it: J_c is 0/0 there.
         symmetric = self.motion.polhode.regime == Regime.SYMMETRIC
         return self._constant("psi_0" if symmetric else "psi_mean")
+
+    @cached_property
+    def mean_rates(self) -> tuple[float, float, float]:
+        """The body rates averaged over a period, rad/s; over all times on the separatrix.
+
+        That about the circulation axis alone has a mean, unless all are constant.
+        """
+        if self._steady:
+            first, second, third = map(float, self.motion.exact[1])
+            return first, second, third
+        symmetric = self.motion.polhode.regime == Regime.SYMMETRIC
+        mean = 0.0 if self._separatrix else self._constant("A_a" if symmetric else "Omega_mean")
+        sign = self.motion.polhode.sigma if symmetric else 1
+        along = self.motion.polhode.axes[0]
+        first, second, third = (sign * mean if k == along else 0.0 for k in range(3))
+        return first, second, third
+
+    @property
+    def circulation_rate(self) -> float | None:
+        """2 pi/period, rad/s: at which the momentum goes round in the body, on the average.
+
+        Zero on the separatrix, None where the rates are constant.
+        """
+        return None if self.period is None else tau / self.period
 
     @property
     def phase_per_period(self) -> float | None:

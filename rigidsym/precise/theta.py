@@ -34,6 +34,10 @@ class Theta(Carlson):
         s = three * one_u / (two * four_u)
         return s, four * two_u / (two * four_u), four * three_u / (three * four_u)
 
+    def first_half(self, u: arb, mc: arb) -> Triple:
+        """As anywhere else."""
+        return self.between(u, mc)
+
     def _theta4(self, z: acb, q: arb) -> acb:
         return _thetas(z, self._kept(_tau, q))[3]
 

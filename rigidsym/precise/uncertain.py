@@ -1,7 +1,6 @@
 """The regime of a motion whose numbers are uncertain: what decides it has to have one sign."""
 
 from collections.abc import Iterator, Sequence
-from fractions import Fraction
 from itertools import combinations
 from math import inf
 
@@ -9,7 +8,7 @@ from flint import arb
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.inputs import Number, Uncertain
+from rigidsym.inputs import Number
 from rigidsym.precise.balls import ball, difference, power, working
 from rigidsym.solution.decisions import SIGNED
 from rigidsym.solution.formulas import sealed, sequence
@@ -21,7 +20,7 @@ _E_B = frozenset({"E_b"})
 
 def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
     """The polhode that all numbers within the radii share; InputError names what keeps it open."""
-    middles = [[_middle(x) for x in values] for values in (inertia, omega)]
+    middles = [[inputs.middle(x) for x in values] for values in (inertia, omega)]
     polhode = classify(*middles)
     if inputs.is_uncertain(*inertia, *omega):
         with working(BITS):
@@ -87,7 +86,3 @@ def _decide(what: str, value: arb, inertia: Sequence[Number], omega: Sequence[Nu
     rule = f"{what} may be zero or have either sign: the inputs would have to be {narrower}"
     given = f"{inputs.shown(inertia)}, omega0 = {inputs.shown(omega)}"
     raise InputError("inertia", given, rule)
-
-
-def _middle(value: Number) -> Fraction:
-    return value.middle if isinstance(value, Uncertain) else value

@@ -36,6 +36,10 @@ _BY_FUNCTIONS = (
     *("epsilon", "sigma", "rho", "chi", "mu", "phase", "beta", "Lambda"),
     *("p_0", "p_a", "p_b", "p_d", "t"),
 )
+_ALPHA = (
+    *("alpha_a", "alpha_b", "alpha_d", "tilt"),
+    *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
+)
 # What each sequence is given; everything else it computes.
 INPUTS = {
     "constants": (
@@ -75,14 +79,53 @@ INPUTS = {
         *("H", "K", "rho", "k_1", "m_c", "n", "x", "y", "z", "K_1", "j"),
         *("s", "c", "d", "X_re", "X_im"),
     ),
+    "step": (*(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES), "epsilon", "sigma"),
+    "doubling": ("X", "Y", "e_1", "e_2"),
+    "projection": ("h", "z_re", "z_im", "zr_re", "zr_im", "X", "Y"),
+    "thirds": ("G_re", "G_im", "T_re", "T_im", "E_re", "E_im"),
+    "second_half": ("G_re", "G_im", "W_re", "W_im"),
+    "step_rates": (
+        *("X", "Y", "h", *(f"alpha_{x}" for x in AXES), "l_d", *(f"Omega_{x}0" for x in AXES)),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
+    "moments": ("epsilon", *(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES)),
+    "columns": (*_ALPHA, *(f"Omega_{x}0" for x in AXES)),
+    "sensitivity": (
+        *_ALPHA,
+        *(f"Omega_{x}0" for x in AXES),
+        *("g_a", "g_d", "k", "kappa_a", "kappa_d", "p", "r"),
+        *("p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
+        *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
+        *("S_t", "C_t", "D_t", "E_t", "F_t", "t"),
+    ),
+    "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),
+    "elapsed_F": ("p", "r", "S_t", "C_t", "D_t", "E_t", "t"),
+    "elapsed_E": ("p", "r", "S_t", "C_t", "D_t", "F_t", "t"),
+    "turn_constants": (
+        *(f"c{k}" for k in range(1, 4)),
+        *(f"Omega{k}_0" for k in range(1, 4)),
+        *("p0", "p1", "p2", "p3"),
+    ),
+    "turn": (
+        *(f"{x}{k}" for x in ("c", "Omega", "l", "excess") for k in range(1, 4)),
+        *(f"Omega{k}_0" for k in range(1, 4)),
+        *("q0", "q1", "q2", "q3", "t"),
+        *(f"B{i}{k}" for i in range(1, 4) for k in range(1, 4)),
+        *(f"Omega{k}_by_{x}{j}" for x in ("Omega", "c") for j in range(1, 4) for k in range(1, 4)),
+    ),
     "momentum": (
         *(f"c_{x}" for x in AXES),
         *("epsilon", "sigma", "K", *(f"qbar_{x}" for x in ("0", *AXES))),
     ),
     "fourier": ("e", "x"),
     "fourier_rest": ("x", "rho", "sinh_b", "k"),
-    "periods": ("n", "m_c", "mu", "psi_0", "kappa"),
+    "periods": ("n", "m_c", "mu", "psi_0", "kappa", "sigma", "A_a", "lambda_"),
+    "turned_body": (
+        *(f"{x}{k}" for x in ("c", "dc", "Omega", "dOmega", "l") for k in range(1, 4)),
+        *("K", "s", "q0", "q1", "q2", "q3"),
+    ),
+    "fourth_powers": ("p", "r", "S_t", "C_t", "D_t", "E_t", "F_t", "t"),
+    "elapsed_slopes": ("p", "r", *(f"{x}_t" for x in "SCDEFUVW")),
     "sine": (*(f"c_{i}" for i in "ijk"), *(f"Omega_{i}" for i in "ijk"), "half"),
     "sine_state": ("zeta", "xi", "C_i", "mu", "t"),
     "theorem1": ("c1", "c2", "c3", "Omega1", "Omega2", "Omega3", "zeta", "xi", "C_1", "mu"),
@@ -128,6 +171,7 @@ READINGS = {
     "cos_half_theta": "cos(theta/2)",
     "sin_half_theta": "sin(theta/2)",
     "K_1": "elliptic_k(1 - m_c)",
+    "turn": "2*pi",
     "J_c": "(elliptic_pi(n, 1 - m_c) - K_1)/n",
     "one_rate:zeta": "sqrt(root_j)",
     "one_rate:xi": "half*sqrt(alpha*root_k)",

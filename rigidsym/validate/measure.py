@@ -10,8 +10,8 @@ from rigidsym.engines import Engine, Prepared
 from rigidsym.validate import entry_points
 from rigidsym.validate.bounds import BOUNDS, MEASURES, ULP
 from rigidsym.validate.callers import Body
-from rigidsym.validate.implementations import Implementation
 from rigidsym.validate.oracle import Reference, lengths
+from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.quadrature_residual import Quadrature, residual
 from rigidsym.validate.strata import Sample
 
@@ -31,7 +31,7 @@ class Errors:
         return self.units * ULP
 
 
-def measure(reference: Reference, engine: Implementation, wider: float = 1.0) -> dict[str, Errors]:
+def measure(reference: Reference, engine: Engine | Solver, wider: float = 1.0) -> dict[str, Errors]:
     """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong.
 
     wider: how many times BOUNDS its bounds are.
@@ -46,7 +46,9 @@ def measure(reference: Reference, engine: Implementation, wider: float = 1.0) ->
         return {name: _errors(name, times, np.full(len(times), np.inf)) for name in MEASURES}
 
 
-def _measured(reference: Reference, engine: Implementation, times: np.ndarray) -> dict[str, Errors]:
+def _measured(
+    reference: Reference, engine: Engine | Solver, times: np.ndarray
+) -> dict[str, Errors]:
     sample, rate = reference.sample, reference.rate or 1.0
     later = np.nextafter(times, np.inf)
     paths = [Quadrature.over(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
@@ -75,7 +77,7 @@ def _measured(reference: Reference, engine: Implementation, times: np.ndarray) -
     return {name: errors for name, errors in found.items() if len(errors.times)}
 
 
-def _made(sample: Sample, engine: Implementation) -> tuple[Prepared, Body | None]:
+def _made(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
     """A prepared motion, and the doubles it is made from where they say all of the sample."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)
@@ -85,12 +87,12 @@ def _made(sample: Sample, engine: Implementation) -> tuple[Prepared, Body | None
     return engine.prepare(inertia, omega0, attitude0), (inertia, omega0, attitude0)
 
 
-def _offers(engine: Implementation, method: str) -> TypeGuard[Engine]:
+def _offers(engine: Engine | Solver, method: str) -> TypeGuard[Engine]:
     """Whether it has what peers may do without."""
     return hasattr(engine, method)
 
 
-def _angle(q: np.ndarray, reference: Reference, engine: Implementation) -> np.ndarray:
+def _angle(q: np.ndarray, reference: Reference, engine: Engine | Solver) -> np.ndarray:
     """The angle of the turn between, up to 2 pi: the difference is taken before it is rounded."""
     chord = _apart(q, reference.q)
     if not getattr(engine, "double_cover_sign", True):

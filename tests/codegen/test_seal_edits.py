@@ -10,10 +10,12 @@ import pytest
 
 from rigidsym import InputError, generate
 from rigidsym.codegen import header
+from rigidsym.codegen.forms import split
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.seal import seal_text
 from rigidsym.codegen.targets import reader
 from rigidsym.solution import sealed
+from rigidsym.validate.faults.fault import FILES
 from rigidsym.validate.faults.tables import all_faults
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
@@ -111,8 +113,8 @@ def test_files_that_end_early_are_refused(target):
 
 
 @cache
-def lets_and_numbers():
-    return functions(sealed()), constants()
+def lets_and_numbers(form):
+    return functions(sealed(), form), constants(), form
 
 
 def first_of_each_kind():
@@ -125,8 +127,9 @@ def first_of_each_kind():
 
 @pytest.mark.parametrize("fault", [*first_of_each_kind()])
 def test_what_validation_catches_by_numbers_the_seal_refuses_by_the_text(fault):
-    files = dict(made(fault.target).files)
-    source = SOURCES[fault.target]
+    target, form = split(fault.target)
+    files = dict(made(target, form=form).files)
+    source = FILES[fault.target]
     files[source] = fault.applied(files[source])
     with pytest.raises(InputError):
-        reader(fault.target)(files, *lets_and_numbers())
+        reader(target)(files, *lets_and_numbers(form))

@@ -6,6 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from symbolic_motions import ATTITUDE, motion_of
 
 import rigidsym
 from rigidsym import InputError, TorqueFreeMotion, symbolic
@@ -14,16 +15,6 @@ from rigidsym.language import functions
 from rigidsym.solution.symbolic import FORMS
 from rigidsym.solution.symbolic.constant import Constant
 
-ATTITUDE = ("0.5", "-0.1", "0.7", "0.3")
-MOTIONS = {
-    "theorem1": ((3, 2, 4), (1, 1, 2)),
-    "pi": ((2, 4, 3), (1, 2, 1)),
-    "theta": ((4, 3, 2), (1, -1, 2)),
-    "separatrix": ((1, 2, "9/4"), (3, 1, 4)),
-    "symmetric": ((2, 3, 2), (1, -1, "1/2")),
-    "sphere": ((2, 2, 2), (1, 2, 2)),
-    "spin": ((1, 2, "5/2"), (0, -2, 0)),
-}
 AT = sp.Rational(7, 3)
 NAMESPACE = {**vars(sp), **vars(functions), "Constant": Constant}
 
@@ -32,10 +23,6 @@ def forms(*names, slow=()):
     """Parameters; expressions that SymPy takes seconds over are left to `-m slow`."""
     marked = [pytest.param(name, marks=pytest.mark.slow) for name in slow]
     return pytest.mark.parametrize("form", [*(n for n in names if n not in slow), *marked])
-
-
-def motion_of(form):
-    return TorqueFreeMotion(*MOTIONS[form], ATTITUDE)
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import pytest
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.precise.motion import PreciseMotion
-from rigidsym.validate.forms import compare, cost, fourier
+from rigidsym.validate.forms import compare, cost, fourier, strata
 
 T = np.linspace(-20.0, 20.0, 9)
 
@@ -32,8 +32,8 @@ def test_fourier_series_are_the_motion(inertia, omega0):
     exact, true = motion(inertia, omega0)
     q, omega = fourier.plan(exact).states(T)
     expected = true(T)
-    np.testing.assert_allclose(q, expected[0], rtol=0, atol=2e-14)
-    np.testing.assert_allclose(omega, expected[1], rtol=0, atol=2e-14)
+    np.testing.assert_allclose(q, expected[0], rtol=0, atol=3e-15)
+    np.testing.assert_allclose(omega, expected[1], rtol=0, atol=3e-15)
 
 
 def test_terms_grow_with_the_modulus_and_end_before_the_separatrix():
@@ -57,7 +57,9 @@ def test_operations_of_a_form_are_those_of_its_lines():
 def test_one_table_and_one_figure(monkeypatch):
     monkeypatch.setattr(compare, "AWAY", (1.0, 0.0))
     monkeypatch.setattr(compare, "_REPEATS", 1)
-    found = compare.compare_forms()
+    listed = ("uniform", "symmetric", "separatrix")
+    monkeypatch.setattr(strata, "STRATA", {name: strata.STRATA[name] for name in listed})
+    found = compare.compare_forms(cases=2)
     assert {one.form for one in found.costs} == {"theta", "pi", "Fourier"}
     generated = [one for one in found.costs if one.form != "Fourier"]
     assert all(max(one.angle, one.omega) < 2e-15 for one in generated)
@@ -66,5 +68,18 @@ def test_one_table_and_one_figure(monkeypatch):
     data = json.loads(found.to_json())
     assert data["schema"] == "rigidsym.forms/1"
     assert set(data["code_bytes"]) == {"theta", "pi"}
-    assert found.to_markdown().count("| Fourier |") == 2
+    assert found.to_markdown().count("| Fourier |") == 2 + len(listed)
+    assert [(one.stratum, one.form) for one in found.strata[:3]] == [
+        ("uniform", "theta"),
+        ("uniform", "pi"),
+        ("uniform", "Fourier"),
+    ]
+    worst = {(one.stratum, one.form): one for one in found.strata}
+    for stratum in listed[:2]:
+        assert max(worst[stratum, form].angle for form in data["code_bytes"]) < 3e-15
+        assert worst[stratum, "Fourier"].served == 2
+        assert worst[stratum, "Fourier"].omega < 1e-14
+    assert worst["separatrix", "Fourier"].served == 0
+    assert worst["separatrix", "Fourier"].angle is None
+    assert all(one.plan_us > 0 for one in found.costs if one.form == "Fourier" and one.terms)
     assert "Fly the theta form" in found.conclusion

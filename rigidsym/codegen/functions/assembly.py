@@ -19,6 +19,7 @@ from rigidsym.codegen.functions.initial_state import circulation, discriminant, 
 from rigidsym.codegen.functions.pi import circular as pi_circular
 from rigidsym.codegen.functions.pi import common
 from rigidsym.codegen.functions.pi import hyperbolic as pi_hyperbolic
+from rigidsym.codegen.functions.sensitivity import sensitivity
 from rigidsym.codegen.functions.steady import steady
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.names import INITIAL
@@ -78,6 +79,7 @@ def _theta(solution: Solution) -> tuple[Function, ...]:
         angles.logarithm(),
         *circular(solution),
         *hyperbolic(solution),
+        *sensitivity(solution),
     )
 
 

@@ -30,6 +30,17 @@ def hyperbolic_time(half_period: str) -> list[Let]:
     ]
 
 
+def elapsed_time(half_period: str) -> list[Let]:
+    """The same from y = 0 at t = 0."""
+    return [
+        *reduction.product("p_y", "y_rate"),
+        let("periods = nearest(p_y*period_inverse)", half_period),
+        *reduction.product("back", "period", "periods", later=False),
+        *reduction.total("ahead", "p_y", "-back"),
+        let("y = ahead + (ahead_error + (p_y_error - back_error))", half_period),
+    ]
+
+
 def hyperbolic_turns() -> list[Let]:
     """What Lambda and the half periods turn, in half turns: the whole ones, and the rest."""
     return [

@@ -59,6 +59,10 @@ _THETA = Meanings(
         # At t = 0 the phase has not turned.
         ("_circular_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
         ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
+        # It is alpha_b where that is not zero; where it is, all coefficients are.
+        ("_columns_state", "excesses"): {"alpha_b": "alpha_divisor"},
+        ("_real_state", "elapsed_F"): {"F_t": "F_far"},
+        ("_imaginary_state", "elapsed_E"): {"E_t": "E_far", "F_t": "f/D_t"},
     },
     parts={
         **{f"_{branch}_constants": (*ROWS, *GAINS) for branch in ("circular", "hyperbolic")},
@@ -73,8 +77,18 @@ _THETA = Meanings(
             *("constants", "shift", "pull_back", "hyperbolic", "hyperbolic_state"),
         ),
         "_hyperbolic_state": ("hyperbolic_state", "rates"),
+        "_moduli": ("moments", "columns"),
+        "_columns_constants": ("moments", "columns"),
+        "_columns_state": ("sensitivity", "excesses"),
+        "_real_state": ("elapsed_F",),
+        "_imaginary_state": ("elapsed_E",),
+        "_turn_constants": ("turn_constants",),
+        "_turn_state": ("turn",),
     },
     values={
+        # A difference taken before rounding: the fact varied_rates.below.
+        ("_real_state", "elapsed_F"): {"p - r": "apart"},
+        ("_imaginary_state", "elapsed_E"): {"p - r": "apart"},
         ("_circular_constants", "theta_form"): {
             "elliptic_k(m_c)": "K_1",
             "theta4(g*u_1, nome_m)": "theta4_v",

@@ -55,11 +55,11 @@ def coefficients() -> list[Let]:
         *_table("T4_im", sines, "rho"),
         *_table("T1_re", odd_sines),
         *_table("T1_im", odd_cosines, "rho"),
-        *_rates(),
+        *rates(),
     ]
 
 
-def _rates() -> list[Let]:
+def rates() -> list[Let]:
     """theta_1 to theta_4 of real v and nome Q, the first two over 2 Q^(1/4)."""
     lets = [let("Q2 = Q*Q", *_SERIES), let("Q4 = Q2*Q2", *_SERIES), let("Q6 = Q4*Q2", *_SERIES)]
     lets += [let("Q9 = Q4*Q4*Q", *_SERIES), let("Q12 = Q6*Q6", *_SERIES)]
@@ -77,13 +77,20 @@ def _rates() -> list[Let]:
     return lets
 
 
+def at_zero() -> list[Let]:
+    """theta_2, theta_3, theta_4 of zero, nome Q; theta_2 over 2 Q^(1/4)."""
+    return [
+        let("two = 1 + Q2 + Q6 + Q12 + Q20", "DLMF 20.2.2"),
+        let("even_sum = 1 + 2*Q4 + 2*Q16", "DLMF 20.2.3"),
+        let("odd_sum = 2*Q + 2*Q9 + 2*Q9*Q16", "DLMF 20.2.3"),
+        let("three = even_sum + odd_sum", "DLMF 20.2.3"),
+        let("four = even_sum - odd_sum", "DLMF 20.2.4"),
+    ]
+
+
 def constants() -> list[Let]:
-    """theta_2, theta_3, theta_4 of zero and theta_3 of i b, nome Q; theta_2 over 2 Q^(1/4)."""
-    lets = [let("two = 1 + Q2 + Q6 + Q12 + Q20", "DLMF 20.2.2")]
-    lets += [let("even_sum = 1 + 2*Q4 + 2*Q16", "DLMF 20.2.3")]
-    lets += [let("odd_sum = 2*Q + 2*Q9 + 2*Q9*Q16", "DLMF 20.2.3")]
-    lets += [let("three = even_sum + odd_sum", "DLMF 20.2.3")]
-    lets += [let("four = even_sum - odd_sum", "DLMF 20.2.4")]
+    """What is needed at zero, and theta_3 of i b, nome Q."""
+    lets = at_zero()
     # e^(2 n b) Q^(n^2) = Q^(n^2 - n) h_plus^(2 n)
     lets += [let("h2_plus = h_plus*h_plus", _WATSON), let("h2_minus = h_minus*h_minus", _WATSON)]
     for way in ("plus", "minus"):
@@ -96,12 +103,26 @@ def constants() -> list[Let]:
 def values() -> list[Let]:
     """Everything a state needs, from sin v and cos v."""
     return [
-        let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
-        let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
+        *argument(),
         let(f"T4_re = {horner('x', names('T4_re'))}", "DLMF 20.2.4"),
         let(f"T4_im = sin_v*cos_v*({horner('x', names('T4_im'))})", "DLMF 20.2.4"),
         let(f"T1_re = sin_v*({horner('x', names('T1_re'))})", "DLMF 20.2.1"),
         let(f"T1_im = cos_v*({horner('x', names('T1_im'))})", "DLMF 20.2.1"),
+        *rate_values(),
+    ]
+
+
+def argument() -> list[Let]:
+    """cos 2v, and its square."""
+    return [
+        let("x = 1 - 2*(sin_v*sin_v)", "DLMF 4.21.27"),
+        let("x2 = x*x", "DLMF 20.2.1", "DLMF 20.2.4"),
+    ]
+
+
+def rate_values() -> list[Let]:
+    """theta_1 to theta_4 of v, nome Q, the first two over 2 Q^(1/4)."""
+    return [
         let(f"sum_even = {horner('x2', names('even'))}", "DLMF 20.2.4"),
         let(f"sum_odd = x*({horner('x2', names('odd'))})", "DLMF 20.2.4"),
         let("theta4_v = sum_even - sum_odd", "DLMF 20.2.4"),

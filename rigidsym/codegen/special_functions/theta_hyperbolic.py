@@ -65,13 +65,20 @@ def coefficients() -> list[Let]:
 def constants() -> list[Let]:
     """theta_2, theta_3, theta_4 of zero (the first over 2 q^(1/2)) and theta_3 of 2 a, nome q^2."""
     return [
-        let("two = 1 + nome4 + nome12", "DLMF 20.2.2"),
-        let("three = 1 + 2*nome2 + 2*nome8 + 2*(nome12*nome6)", "DLMF 20.2.3"),
-        let("four = 1 - 2*nome2 + 2*nome8 - 2*(nome12*nome6)", "DLMF 20.2.4"),
+        *at_zero(),
         let("twice = turn*turn - 2", "DLMF 4.21.27"),
         let("twice2 = twice*twice - 2", "DLMF 4.21.27"),
         let("twice3 = twice*twice2 - twice", "DLMF 4.21.27"),
         let("watson = 1 + nome2*twice + nome8*twice2 + nome12*nome6*twice3", _WATSON),
+    ]
+
+
+def at_zero() -> list[Let]:
+    """theta_2, theta_3, theta_4 of zero, nome q^2, the first over 2 q^(1/2)."""
+    return [
+        let("two = 1 + nome4 + nome12", "DLMF 20.2.2"),
+        let("three = 1 + 2*nome2 + 2*nome8 + 2*(nome12*nome6)", "DLMF 20.2.3"),
+        let("four = 1 - 2*nome2 + 2*nome8 - 2*(nome12*nome6)", "DLMF 20.2.4"),
     ]
 
 
@@ -106,6 +113,14 @@ def values() -> list[Let]:
             "T1_im = (near_im_even - near_im_odd) + w*(far_im_even - far_im_odd)",
             "DLMF 20.2.1",
         ),
+        *rate_values(),
+    ]
+    return lets
+
+
+def rate_values() -> list[Let]:
+    """theta_1 to theta_4 of 2 i y, nome q^2, over q^(1/2) e^|2 y|, from w, p2, qw2 and sgn(y)."""
+    return [
         let("w2 = w*w", *_SERIES),
         let(f"tall = {horner('p2', ['1', 'nome2', 'nome8'])}", "DLMF 20.2.2"),
         let("deep = w2*(1 + qw2*(nome2 + qw2*nome8))", "DLMF 20.2.2"),
@@ -119,7 +134,6 @@ def values() -> list[Let]:
         let("theta3_y = 2*(w*(middle + ends))", "DLMF 20.2.3"),
         let("theta4_y = 2*(w*(middle - ends))", "DLMF 20.2.4"),
     ]
-    return lets
 
 
 def series_tail() -> Fraction:

@@ -16,6 +16,7 @@ from rigidsym.solution.symbolic import conditions
 from rigidsym.solution.symbolic.given import Given
 from rigidsym.solution.symbolic.sheet import Sheet, used
 from rigidsym.solution.symbolic.symbols import TIME, named
+from rigidsym.solution.symbolic.taylor import Dynamics
 from rigidsym.solution.symbolic.theorem1 import theorem1
 from rigidsym.solution.symbolic.value import Symbolic, column
 
@@ -88,7 +89,9 @@ def _regular(form: str, given: Given | None) -> Symbolic:
         at = sheet.work_out("circular_state", {"t": TIME})
         at = sheet.work_out("momentum", at)
     else:
-        at = sheet.work_out("state", {"t": TIME})
+        # J_0 written out: at t = 0 it cancels, where two names would be two numbers that are equal
+        # to as many digits as anybody asks for.
+        at = sheet.work_out("state", {"t": TIME, "J_0": sheet.constants[named("J_0")]})
     order = (0, 1, 2)
     if given is not None:
         order = tuple(given.polhode.axes.index(k) for k in range(3))
@@ -105,6 +108,18 @@ def _regular(form: str, given: Given | None) -> Symbolic:
         quantities=MappingProxyType(_quantities(sheet, form)),
         attitude=column([at["q_0"], *(at[f"q_{AXES[k]}"] for k in order)]),
         rates=column([at[f"Omega_{AXES[k]}"] for k in order]),
+        dynamics=_dynamics(sheet, given, [AXES[k] for k in order]),
+    )
+
+
+def _dynamics(sheet: Sheet, given: Given | None, axes: Sequence[str]) -> Dynamics:
+    """By the axes in the order of the columns: with numbers, those of the body."""
+    known = sheet.known
+    return Dynamics(
+        tuple(known[f"c_{x}"] for x in axes),
+        tuple(known[f"q_{x}"] for x in ("0", *axes)),
+        tuple(known[f"Omega_{x}"] for x in axes),
+        known["epsilon"] if given is None else S.One,
     )
 
 
@@ -148,15 +163,16 @@ def _quantities(sheet: Sheet, form: str) -> dict[str, Any]:
         "modulus": sqrt(known["m"]),
     }
     if form == "separatrix":
-        return {**found, "period": oo}
+        return {**found, "period": oo, "mean_circulation_rate": S.Zero}
     if form == "symmetric":
-        period, mean = 2 * pi / known["mu"], known["psi_0"]
+        period, mean, along = 2 * pi / known["mu"], known["psi_0"], known["sigma"] * known["A_a"]
     else:
         at = sheet.work_out("periods", {})
-        period, mean = at["period"], at["psi_mean"]
+        period, mean, along = at["period"], at["psi_mean"], at["Omega_mean"]
     return {
         **found,
         "period": period,
+        "mean_circulation_rate": along,
         "circulation_rate": 2 * pi / period,
         "precession_rate": mean,
         "phase_per_period": mean * period,
@@ -202,6 +218,11 @@ def _steady(form: str, given: Given | None) -> Symbolic:
         ),
         attitude=column(attitude),
         rates=column(rates),
+        dynamics=Dynamics(
+            tuple(known[f"c{k}"] for k in (1, 2, 3)),
+            tuple(known[f"p{k}"] for k in range(4)),
+            tuple(rates),
+        ),
     )
 
 

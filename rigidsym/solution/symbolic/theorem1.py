@@ -10,6 +10,7 @@ from rigidsym.solution.symbolic import conditions
 from rigidsym.solution.symbolic.given import Given
 from rigidsym.solution.symbolic.sheet import Sheet
 from rigidsym.solution.symbolic.symbols import TIME, named
+from rigidsym.solution.symbolic.taylor import Dynamics
 from rigidsym.solution.symbolic.value import Symbolic, column
 
 _ABD = ("0", "a", "b", "d")
@@ -55,6 +56,11 @@ def theorem1(form: str, given: Given | None) -> Symbolic:
         quantities=MappingProxyType({"energy": known["H"], "momentum": known["K"]}),
         attitude=column([at[f"q_{x}"] for x in _ABD]),
         rates=column(rates),
+        dynamics=Dynamics(
+            tuple(known[f"c{k}"] for k in (1, 2, 3)),
+            tuple(known[f"q{k}"] for k in range(4)),
+            tuple(known[f"Omega{k}"] for k in (1, 2, 3)),
+        ),
     )
 
 

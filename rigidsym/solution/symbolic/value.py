@@ -4,17 +4,23 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from sympy import Expr, ImmutableMatrix, Symbol, bottom_up, latex, sympify
+from sympy import Add, Expr, ImmutableMatrix, Symbol, bottom_up, latex, sympify
 from sympy.logic.boolalg import Boolean
 
+from rigidsym.errors import InputError
 from rigidsym.solution.polhode import Regime
 from rigidsym.solution.symbolic.constant import Constant
 from rigidsym.solution.symbolic.symbols import TIME
+from rigidsym.solution.symbolic.taylor import Dynamics
 
 
 def column(entries: Iterable[Any]) -> ImmutableMatrix:
     """A column of expressions as SymPy writes them: built anew, they would be the same."""
     return ImmutableMatrix([bottom_up(sympify(entry), _again) for entry in entries])
+
+
+def _polynomial(coefficients: Iterable[Any], step: Expr) -> Expr:
+    return Add(*(c * step**k for k, c in enumerate(coefficients)))
 
 
 def _again(expression: Any) -> Any:
@@ -42,6 +48,7 @@ class Symbolic:
     quantities: Mapping[str, Expr]
     attitude: ImmutableMatrix = field(repr=False)
     rates: ImmutableMatrix = field(repr=False)
+    dynamics: Dynamics = field(repr=False)
 
     @property
     def t(self) -> Symbol:
@@ -55,6 +62,22 @@ class Symbolic:
     def omega(self, t: Any = TIME) -> ImmutableMatrix:
         """The body rates at t, rad/s, a column of 3."""
         return self.rates if t == TIME else self.rates.subs(TIME, t)
+
+    def taylor(self, n: int = 6, at: Any = 0) -> tuple[ImmutableMatrix, ImmutableMatrix]:
+        """Taylor polynomials of q and omega in t - at, the first n terms of each, by the equations
+        of motion: exact from the given state at t = 0, else from q(at) and omega(at).
+
+        Raises InputError for n < 1.
+        """
+        if n < 1:
+            raise InputError("n", n, "a series has at least one term")
+        known = self.dynamics
+        begin = (known.attitude0, known.omega0) if at == 0 else (self.q(at), self.omega(at))
+        q, omega = (
+            ImmutableMatrix([_polynomial(row, TIME - at) for row in rows])
+            for rows in known.taylor(*begin, n)
+        )
+        return q, omega
 
     def explicit(self, expression: Any) -> Any:
         """The expression with every constant put in, down to what is given."""

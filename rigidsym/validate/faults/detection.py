@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from rigidsym.engines import Engine
+from rigidsym.validate.bounds import WIDER
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.mutated_build import mutated_engine
 from rigidsym.validate.measure import measure
@@ -32,24 +33,27 @@ def references(stratum: str, cases: int, digits: int, seed: int) -> list[Referen
 
 def detections(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Detection]:
     """What the strata notice, at most one case of each."""
-    engine = mutated_engine(fault)
-    found = (first(engine, stratum) for stratum in strata)
+    engine, wider = mutated_engine(fault), WIDER.get(fault.target, 1.0)
+    found = (first(engine, stratum, wider) for stratum in strata)
     return [detection for detection in found if detection]
 
 
-def first(engine: Engine, stratum: Sequence[Reference]) -> Detection | None:
-    """The first case in which an engine breaks a bound, or cannot do what it should."""
+def first(engine: Engine, stratum: Sequence[Reference], wider: float = 1.0) -> Detection | None:
+    """The first case in which an engine breaks a bound, or cannot do what it should.
+
+    wider: how many times BOUNDS its bounds are.
+    """
     for reference in stratum:
-        if measures := broken(engine, reference):
+        if measures := broken(engine, reference, wider):
             return Detection(reference.sample.stratum, reference.sample.index, measures)
     return None
 
 
-def broken(engine: Engine, reference: Reference) -> tuple[str, ...]:
+def broken(engine: Engine, reference: Reference, wider: float = 1.0) -> tuple[str, ...]:
     """The measures by which an engine breaks its bounds in a case."""
     try:
         with np.errstate(all="ignore"):
-            errors = measure(reference, engine)
+            errors = measure(reference, engine, wider)
     except Exception:
         # Faults may raise anything, and whatever it is, it is noticed.
         return (RAISED,)

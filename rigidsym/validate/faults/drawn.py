@@ -1,6 +1,7 @@
 """Faults drawn from what is printed: one change in the tree of a let, or in a named number.
 
-A change leaves a double a double and an extended number one, so that no other line changes.
+A change leaves a double a double and an extended number one, so that no other line changes.  Of a
+form that is not the default they are drawn from what that one does not print.
 """
 
 import math
@@ -11,11 +12,13 @@ from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
 
+from rigidsym.codegen.forms import THETA, split
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines
 from rigidsym.codegen.special_functions import angles
 from rigidsym.codegen.targets.c import emit as c
+from rigidsym.codegen.targets.c import module
 from rigidsym.codegen.targets.numpy import emit as numpy
 from rigidsym.language.expression import (
     Call,
@@ -40,6 +43,13 @@ HARMLESS = {
     "turned_other of hyperbolic_angles: a term dropped (2)": "a sum's error, near enough",
     "j_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
     "L_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
+    "turned_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
+    "high of third_kind: a term dropped (4)": "degree six of R_J, after four duplications",
+    **{
+        f"least_c {done}": "below every cosine but 0"
+        for done in ("off by 1e-12", "in single precision")
+    },
+    "deepest off by 1e-12": "the exponential of that has vanished",
     "tail of half_turns: doubled (4)": "4e-22 of an angle",
     "tail of half_turns: a sign turned (13)": "1e-27 of an angle",
     "pi_lo off by 1e-12": "1e-28 of an angle below 1/2",
@@ -89,22 +99,40 @@ class _Printer:
 
 
 @cache
-def _functions() -> tuple[Function, ...]:
-    return functions(sealed())
+def _functions(form: str) -> tuple[Function, ...]:
+    return functions(sealed(), form)
 
 
-def _c_lines(function: Function) -> Lines:
-    return c.pieces(function, c.changing(_functions()))[0]
+def _own(target: str) -> tuple[tuple[Function, ...], set[str]]:
+    """Functions that faults of a target are drawn from, and the named numbers that they use."""
+    language, form = split(target)
+    printed = _functions(form)
+    if form != THETA:
+        printed = tuple(one for one in printed if one not in _functions(THETA))
+    own = numpy.own(printed) if language == "numpy" else printed
+    used = {name for function in own for name in function.used()}
+    shared = _functions(THETA) if form != THETA else ()
+    return own, used - {name for function in shared for name in function.used()}
 
 
-def _c_begins(function: Function) -> str:
-    return next(line for line in _c_lines(function).text if line.startswith("static "))
+def _definition(function: Function) -> str:
+    return f"def {function.name}("
 
 
-_PRINTERS = {
-    "numpy": _Printer(numpy.function_lines, lambda f: f"def {f.name}(", numpy.constant_text, "  #"),
-    "c": _Printer(_c_lines, _c_begins, c.constant_text, " /*"),
-}
+def _printer(target: str) -> _Printer:
+    language, form = split(target)
+    if language == "numpy":
+        return _Printer(numpy.function_lines, _definition, numpy.constant_text, "  #")
+    kept = c.kept(_functions(form))
+
+    def lines(function: Function) -> Lines:
+        printed = c.pieces(function, kept)[0]
+        return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
+
+    def first_line(function: Function) -> str:
+        return next(line for line in lines(function).text if line.startswith("static "))
+
+    return _Printer(lines, first_line, c.constant_text, " /*")
 
 
 @cache
@@ -129,9 +157,7 @@ def every(target: str) -> tuple[Fault, ...]:
 
     Their order is by their names, as good as random: how they are printed does not move them.
     """
-    printer = _PRINTERS[target]
-    own = numpy.own(_functions()) if target == "numpy" else _functions()
-    used = {name for function in own for name in function.used()}
+    printer, (own, used) = _printer(target), _own(target)
     found = [fault for function in own for fault in _of_function(target, printer, function)]
     found += [
         fault

@@ -24,7 +24,12 @@ KINDS = {
     "build": "a build by options that reorder or approximate, and that asks nothing of itself",
     "ulps": "an error of some units in the last place",
 }
-FILES = {"numpy": "torque_free.py", "c": "torque_free.c"}
+FILES = {
+    "numpy": "torque_free.py",
+    "c": "torque_free.c",
+    "numpy-pi": "torque_free_pi.py",
+    "c-pi": "torque_free_pi.c",
+}
 # A fault in the head of a loop, or one that makes a loop, might never end.
 _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from rigidsym.codegen.forms import split
 from rigidsym.engines import Engine, build
 from rigidsym.engines.c_engine import CEngine
 from rigidsym.engines.compiler import FLAGS, compile_library, find
@@ -29,7 +30,8 @@ def faulty(fault: Fault) -> str:
 
 def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine:
     """The engine of a target on another text of its module, compiled with more options."""
-    return _numpy(text) if target == "numpy" else _c(text, options)
+    language, _ = split(target)
+    return _numpy(target, text) if language == "numpy" else _c(target, text, options)
 
 
 def installed(name: str) -> str:
@@ -37,15 +39,15 @@ def installed(name: str) -> str:
     return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
 
 
-def _numpy(text: str) -> Engine:
+def _numpy(target: str, text: str) -> Engine:
     # It has what its text defines.
     module: Any = ModuleType("torque_free")
-    exec(compile(text, FILES["numpy"], "exec"), module.__dict__)
+    exec(compile(text, FILES[target], "exec"), module.__dict__)
     return NumpyEngine(module)
 
 
-def _c(text: str, options: tuple[str, ...]) -> Engine:
-    sources = {name: installed(name) for name in build.FILES["c"]} | {FILES["c"]: text}
+def _c(target: str, text: str, options: tuple[str, ...]) -> Engine:
+    sources = {name: installed(name) for name in build.FILES[target]} | {FILES[target]: text}
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
         built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
         return CEngine(load(built, sources))

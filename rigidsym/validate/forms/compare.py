@@ -1,11 +1,13 @@
 """The forms side by side on motions nearer and nearer to the separatrix: time, work, size, error.
 
+And their errors in every stratum that the modules are validated in.
+
 Times are medians of repetitions on this machine, and mean something next to each other alone: in C
 where a form is generated, and in NumPy for all three.
 """
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
 from statistics import median
@@ -15,24 +17,32 @@ import numpy as np
 
 from rigidsym import engines
 from rigidsym.codegen.forms import PI, THETA, key
+from rigidsym.codegen.functions.fourier import state
 from rigidsym.errors import InputError
 from rigidsym.precise.motion import PreciseMotion
-from rigidsym.validate.forms import cost, fourier
+from rigidsym.solution import sealed
+from rigidsym.validate.bounds import ULP
+from rigidsym.validate.forms import cost, fourier, strata
+from rigidsym.validate.forms.strata import FOURIER, StratumError
 from rigidsym.view.svg import Panel, svg
 
 SCHEMA = "rigidsym.forms/1"
-FOURIER = "Fourier"
 # The rate about the third axis, off the separatrix of this body by these parts of itself.
 INERTIA, RATES, ATTITUDE = (1.0, 2.0, 2.25), (0.75, 0.5, 1.0), (0.5, 0.5, -0.5, 0.5)
 AWAY = (16.0, 4.0, 1.0, 0.1, 1e-2, 1e-4, 1e-8, 1e-12)
 _TIMES, _CHECKED, _REPEATS, _DIGITS, _SPAN = 4096, 24, 7, 25, 100.0
+# Of each stratum.
+CASES = 8
 # A sum of Clenshaw's recurrence takes a product and two sums a term; there are four series.
 _A_TERM, _SERIES = 3, 4
 
 
 @dataclass(frozen=True, slots=True)
 class FormCost:
-    """One form on one motion; None where it does not serve it, or is not generated in C."""
+    """One form on one motion; None where it does not serve it, or is not generated in C.
+
+    plan_us: of the plan in C, for Fourier series of that by mpmath.
+    """
 
     form: str
     away: float
@@ -68,10 +78,11 @@ COLUMNS = (
 
 @dataclass(frozen=True, slots=True)
 class FormCosts:
-    """The measurements, and the bytes of generated C by form."""
+    """The measurements, the bytes of generated C by form, and errors by stratum."""
 
     code_bytes: dict[str, int]
     costs: tuple[FormCost, ...]
+    strata: tuple[StratumError, ...]
 
     @property
     def conclusion(self) -> str:
@@ -95,19 +106,20 @@ class FormCosts:
 
     def to_markdown(self) -> str:
         """The table, as a page has it."""
-        head = [f"| {' | '.join(COLUMNS)} |", f"|{'---|' * len(COLUMNS)}"]
-        rows = [f"| {' | '.join(one.row())} |" for one in self.costs]
+        costs = _table(COLUMNS, [one.row() for one in self.costs])
+        errors = _table(strata.COLUMNS, [one.row() for one in self.strata])
         sizes = ", ".join(f"{form} {size}" for form, size in self.code_bytes.items())
-        return "\n".join([*head, *rows, "", f"Bytes of C: {sizes}.", "", self.conclusion, ""])
+        parts = (*costs, "", f"Bytes of C: {sizes}.", "", *errors, "", self.conclusion, "")
+        return "\n".join(parts)
 
     def to_svg(self) -> str:
-        """Time, work and error against the distance from the separatrix."""
+        """Time, work and error against the distance from the separatrix, and error by stratum."""
         drawn: list[tuple[str, str, Callable[[FormCost], float | None]]] = [
             ("A state in NumPy", "ns", lambda one: one.numpy_ns),
             ("Operations of a state", "number", lambda one: one.operations),
             ("Worst angle", "rad", lambda one: one.angle),
         ]
-        return svg([self._panel(*each) for each in drawn])
+        return svg([*(self._panel(*each) for each in drawn), self._by_stratum()])
 
     def _panel(self, title: str, label: str, value: Callable[[FormCost], float | None]) -> Panel:
         found = {(one.form, one.away): value(one) for one in self.costs}
@@ -116,15 +128,27 @@ class FormCosts:
         where = "distance from the separatrix"
         return Panel(title, where, label, xs, lines, log=True, marked=True)
 
+    def _by_stratum(self) -> Panel:
+        lines: dict[str, list[float | None]] = {form: [] for form in (THETA, PI, FOURIER)}
+        for one in self.strata:
+            lines[one.form].append(None if one.angle is None else one.angle / ULP)
+        numbers = [float(k) for k in range(1, len(lines[THETA]) + 1)]
+        where = "stratum, as in the table"
+        return Panel("Worst angle by stratum", where, "2^-53 rad", numbers, lines, marked=True)
 
-def compare_forms(progress: Callable[[int, int], None] = lambda done, total: None) -> FormCosts:
-    """Measure all forms; without a C compiler what is in C is left out."""
-    costs: list[FormCost] = []
-    for done, away in enumerate(AWAY):
-        progress(done, len(AWAY))
-        costs += _measured(away)
-    progress(len(AWAY), len(AWAY))
-    return FormCosts({form: cost.code_bytes(form) for form in (THETA, PI)}, tuple(costs))
+
+def compare_forms(
+    progress: Callable[[int, int], None] = lambda done, total: None, cases: int = CASES
+) -> FormCosts:
+    """Measure all forms, in so many cases of each stratum; without a C compiler none is in C."""
+    costs = [one for away in AWAY for one in _measured(away)]
+    sizes = {form: cost.code_bytes(form) for form in (THETA, PI)}
+    return FormCosts(sizes, tuple(costs), tuple(strata.by_stratum(cases, progress)))
+
+
+def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    head = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
+    return [*head, *(f"| {' | '.join(row)} |" for row in rows)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,9 +221,9 @@ def _fourier(motion: _Motion) -> FormCost:
     if series is None:
         return FormCost(FOURIER, motion.away, motion.parameter, *[None] * 8)
     angle, omega = _errors(series.states(motion.times), motion.true)
-    # Beside its series a state is the Pi form's, after the sines of two angles.
+    # Beside its series a state is the sines of two angles, and what is made of them.
     others = 2 * cost.operations(PI, "steady", ["angles"])
-    others += cost.operations(PI, "circular", ["state"])
+    others += cost.of_function(state(sealed()))
     numbers = _SERIES * series.terms + len(series.constants) + len(series.v) + len(series.psi)
     return FormCost(
         form=FOURIER,
@@ -208,20 +232,12 @@ def _fourier(motion: _Motion) -> FormCost:
         terms=series.terms,
         operations=others + _A_TERM * _SERIES * series.terms,
         constant_bytes=8 * numbers,
-        plan_us=None,
-        numpy_ns=_a_state(_Series(), series),
+        plan_us=1e6 * _seconds(lambda: fourier.plan(PreciseMotion(*motion.precise.exact))),
+        numpy_ns=_a_state(fourier.Series(), series),
         c_ns=None,
         angle=angle,
         omega=omega,
     )
-
-
-class _Series:
-    """Fourier series, asked as an engine is."""
-
-    def states(self, prepared: fourier.Fourier, t: np.ndarray) -> engines.States:
-        """(q, omega) at times."""
-        return prepared.states(t)
 
 
 def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
@@ -231,7 +247,7 @@ def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
     return float(np.max(angle)), float(np.max(rate))
 
 
-def _a_state(engine: "engines.Engine | _Series", prepared: engines.Prepared) -> float:
+def _a_state(engine: "engines.Engine | fourier.Series", prepared: engines.Prepared) -> float:
     """Nanoseconds a state, of many at once."""
     times = np.linspace(0.0, _SPAN, _TIMES)
     return 1e9 * _seconds(lambda: engine.states(prepared, times)) / _TIMES

@@ -24,6 +24,11 @@ def operations(form: str, branch: str, parts: Sequence[str] = PARTS) -> int:
     return sum(sum(each.values()) for each in found)
 
 
+def of_function(function: Function) -> int:
+    """The same of one function that calls none."""
+    return sum(_of_function(function, {}).values())
+
+
 def _of_function(function: Function, known: Mapping[str, Function]) -> Counter[str]:
     counts = (_of(let.expression, known) for let in function.lets)
     return sum(counts, Counter[str]())

@@ -1,34 +1,40 @@
 """The motion by Fourier series in v, whose coefficients a plan finds, over NumPy arrays.
 
-psi/2 is Lambda t and the angle of theta_4(v - i rho b | q^2).  The logarithm of that theta function
-is a series in cosines of 2 n (v - i rho b), so that
-
-    psi/2 = Lambda t - 2 rho sum q^(2n) sinh(2 n b)/(n (1 - q^(4n))) sin 2nv + constant
-
-(DLMF 20.5.13, integrated), q being the nome of m; sn, cn and dn are series, too (DLMF 22.11).
-Terms fall like q^n at least, which near the separatrix is hardly at all.
+sn, cn and dn are multiples of series with the ledger's coefficients a(k), q being the nome of m;
+which multiples, sn a quarter period after u = 0 and cn and dn at u = 0 say: they are 1 there.
+psi/2 is Lambda t and a series of the ledger's terms in q^2, the imaginary part of the logarithm of
+theta_4(v - i rho b | q^2).  Terms fall like q^k at least, which near the separatrix is hardly at
+all.  The state is the ledger's, printed by codegen.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
+from typing import Any
 
 import mpmath
 import numpy as np
+from numpy.typing import ArrayLike
 
-from rigidsym.language.sequence import FormulaSequence
+from rigidsym.codegen.functions import fourier
+from rigidsym.codegen.targets.numpy import emit
+from rigidsym.errors import InputError
+from rigidsym.generated import torque_free
 from rigidsym.precise.motion import PreciseMotion
 from rigidsym.solution import sealed
+from rigidsym.solution.formulas import AXES, sequence
+from rigidsym.solution.polhode import Regime
 
 MOST = 1000
 # What the first term left out is below, of the first of all.
 _BITS = 55
 _DIGITS = 40
-_NAMES = ("k_1", "m", "K", "mu", "phase", "psi_0", "kappa", "n", "A_a", "A_b", "A_d")
-_FRONT = ("p_0", "p_a", "p_b", "p_d")
-_STATE = ("q_0", "q_a", "q_b", "q_d", "Omega_a", "Omega_b", "Omega_d")
-# What a state is made of once sn, cn, dn and psi are known.
-_GIVEN = {"u_1", "s", "c", "d", "sn", "cn", "dn", "J", "psi", "cos_half_psi", "sin_half_psi"}
+_FROM_START = {"K", "A_a", "A_b", "A_d", "p_0", "p_a", "p_b", "p_d"}
+_OF_SHIFT = ("beta", "g", "nome_1")
+_POWER = {"power": pow}
+# The limit of small nomes, in symmetric bodies and beside spins: one harmonic of each.
+_LIMIT = [[mpmath.mpf(0)], *([mpmath.mpf(1)] for _ in range(3))]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,84 +57,166 @@ class Fourier:
         v, half_psi = (np.pi * _reduced(t, *rate) for rate in (self.v, self.psi))
         rest, sn, cn, dn = self.series
         x, twice = np.cos(2 * v), np.sin(2 * v)
-        odd, even = _summed(sn, x), _summed(cn, x)
-        half_psi = half_psi + twice * _second_kind(rest, x)
-        values = {
-            "sn": np.sin(v) * (odd[0] + odd[1]),
-            "cn": np.cos(v) * (even[0] - even[1]),
-            "dn": _first_kind(dn, x),
-            "cos_half_psi": np.cos(half_psi),
-            "sin_half_psi": np.sin(half_psi),
-        }
-        found = _FORMULAS.evaluate({**self.constants, **values}, {"sqrt": np.sqrt, "power": pow})
+        odd, even = _clenshaw(sn, x), _clenshaw(cn, x)
+        half_psi = half_psi + twice * _clenshaw(rest, x)[0]
+        last, before = _clenshaw(dn, x)
+        q_0, q_a, q_b, q_d, *rates = state()(
+            sn=np.sin(v) * (odd[0] + odd[1]),
+            cn=np.cos(v) * (even[0] - even[1]),
+            dn=last - x * before,
+            cos_half_psi=np.cos(half_psi),
+            sin_half_psi=np.sin(half_psi),
+            **self.constants,
+        )
         q, omega = np.empty((len(t), 4)), np.empty((len(t), 3))
-        q[:, 0] = found["q_0"]
-        for name, axis in zip("abd", self.axes, strict=True):
-            q[:, 1 + axis], omega[:, axis] = found[f"q_{name}"], found[f"Omega_{name}"]
+        q[:, 0] = q_0
+        for part, rate, axis in zip((q_a, q_b, q_d), rates, self.axes, strict=True):
+            q[:, 1 + axis], omega[:, axis] = part, rate
         return q, omega
 
 
-_FORMULAS = FormulaSequence(
-    (f.name, f.expression) for f in sealed().sequences["state"] if f.name not in _GIVEN
-)
+class Series:
+    """Fourier series, asked as an engine is; it refuses motions of more than MOST terms."""
+
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Fourier:
+        """See `Engine`."""
+        given = (np.asarray(x, float).tolist() for x in (inertia, omega0, attitude0))
+        moments, rates, attitude = ([Fraction(x) for x in values] for values in given)
+        return self.prepare_exactly(moments, rates, attitude)
+
+    def prepare_exactly(
+        self,
+        inertia: Sequence[Fraction],
+        omega0: Sequence[Fraction],
+        attitude0: Sequence[Fraction],
+    ) -> Fourier:
+        """See `Engine`."""
+        series = plan(PreciseMotion(tuple(inertia), tuple(omega0), tuple(attitude0)))
+        if series is None:
+            raise InputError("terms", f"more than {MOST}", "Fourier series do not serve here")
+        return series
+
+    def states(self, prepared: Fourier, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """(q, omega) at times (N,)."""
+        return prepared.states(np.asarray(t, float))
+
+
+@cache
+def state() -> Callable[..., tuple[np.ndarray, ...]]:
+    """The generated function for a state."""
+    function = fourier.state(sealed())
+    namespace: dict[str, Any] = dict(vars(torque_free))
+    exec("\n".join(emit.function_lines(function).text), namespace)
+    return namespace[function.name]
 
 
 def plan(motion: PreciseMotion) -> Fourier | None:
-    """The series of a moving body, as many terms as doubles tell; None beyond MOST of them."""
+    """The series of a moving body, as many terms as doubles tell.
+
+    None beyond MOST of them, and where rates are constant or never come back.
+    """
+    if motion.polhode.regime.steady or motion.polhode.regime == Regime.SEPARATRIX:
+        return None
     with mpmath.workdps(_DIGITS):
-        known = motion.constants((*_NAMES, *_FRONT), _DIGITS)
-        nome = mpmath.qfrom(m=known["m"])
-        falling = mpmath.inf if nome == 0 else -mpmath.log(nome)
-        if falling * MOST < _BITS * mpmath.log(2):
-            return None
-        terms = 2 + int(mpmath.ceil(_BITS * mpmath.log(2) / falling))
-        return _planned(motion, known, nome, terms)
+        symmetric = motion.polhode.regime == Regime.SYMMETRIC
+        rates = ("psi_0",) if symmetric else ("period", "psi_mean")
+        known = motion.constants((*_wanted(), *rates), _DIGITS)
+        if symmetric:
+            v, psi, series = known["mu"] / mpmath.pi, known["psi_0"], _LIMIT
+        else:
+            v, psi, series = 2 / known["period"], known["psi_mean"], _series(motion, known)
+        return _made(motion, known, (v, psi / (2 * mpmath.pi)), series) if series else None
 
 
-def _planned(
-    motion: PreciseMotion, known: dict[str, mpmath.mpf], nome: mpmath.mpf, terms: int
+def _series(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> list[list[mpmath.mpf]] | None:
+    """The coefficients, or None beyond MOST of each."""
+    if known["m_c"] == 1:
+        return _LIMIT
+    found = _shifted(motion, known)
+    nome = mpmath.sqrt(found["nome_1"])
+    terms = 2 + int(mpmath.ceil(-_BITS * mpmath.log(2) / mpmath.log(nome)))
+    if terms > MOST:
+        return None
+    return _coefficients(nome, found["g"] * found["beta"], motion.polhode.rho, terms)
+
+
+def _wanted() -> tuple[str, ...]:
+    shift = sequence("theta").up_to(frozenset(_OF_SHIFT)).used
+    return tuple(sorted({*_FROM_START, "mu", "phase", "k_1", "m_c"} | (shift & {"A_a", "A_d"})))
+
+
+def _shifted(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> dict[str, mpmath.mpf]:
+    """The nome, and how far the time is shifted."""
+    formulas = sequence("theta").up_to(frozenset(_OF_SHIFT))
+    return formulas.evaluate({**known, **_moments(motion)}, _FUNCTIONS)
+
+
+def _quarter_period(mc: mpmath.mpf) -> mpmath.mpf:
+    """K(m) = pi/(2 agm(1, sqrt(mc))) (DLMF 19.8.5)."""
+    return mpmath.pi / (2 * mpmath.agm(1, mpmath.sqrt(mc)))
+
+
+# Functions take mc = 1 - m, as those of `rigidsym.precise` do.
+_FUNCTIONS = {
+    "pi": mpmath.pi,
+    "sqrt": mpmath.sqrt,
+    "elliptic_k": _quarter_period,
+    "nome": lambda mc: mpmath.exp(-mpmath.pi * _quarter_period(1 - mc) / _quarter_period(mc)),
+    "arcsc": lambda x, mc: mpmath.ellipf(mpmath.atan(x), 1 - mc),
+    **_POWER,
+}
+
+
+def _moments(motion: PreciseMotion) -> dict[str, mpmath.mpf]:
+    inertia, axes = motion.exact[0], motion.polhode.axes
+    return {f"c_{x}": _number(inertia[k]) for x, k in zip(AXES, axes, strict=True)}
+
+
+def _made(
+    motion: PreciseMotion,
+    known: dict[str, mpmath.mpf],
+    rates: tuple[mpmath.mpf, mpmath.mpf],
+    series: list[list[mpmath.mpf]],
 ) -> Fourier:
-    polhode = motion.polhode
-    k_1, m, quarter = known["k_1"], known["m"], mpmath.ellipk(known["k_1"] ** 2)
-    n, momentum = known["n"], known["K"]
-    j = (mpmath.ellippi(n, k_1**2) / quarter - 1) / n if n else mpmath.mpf(1) / 2
-    rate = (known["psi_0"] + known["kappa"] * known["mu"] * j) / 2
-    inertia, _, _ = motion.exact
-    moments = dict(zip("abd", (inertia[k] for k in polhode.axes), strict=True))
-    amplitude_d = known["A_d"] * _number(moments["d"])
-    x = amplitude_d / (mpmath.sqrt(k_1) * (momentum + known["A_a"] * _number(moments["a"])))
-    shift = mpmath.pi * mpmath.ellipf(mpmath.atan(x), 1 - k_1**2) / (2 * quarter)
-    v_0 = known["phase"] / (2 * quarter)
-    series = _coefficients(nome, m, shift, polhode.rho, terms)
+    """The rates of v and of psi/2, in half turns, start where the motion does."""
+    polhode, (v, half_psi) = motion.polhode, rates
+    v_0 = known["phase"] * v / known["mu"]
     start = sum(c * mpmath.sin(2 * k * mpmath.pi * v_0) for k, c in enumerate(series[0], 1))
     signs = {name: float(getattr(polhode, name)) for name in ("epsilon", "sigma", "chi")}
-    constants = {name: float(known[name]) for name in ("K", "A_a", "A_b", "A_d", *_FRONT)}
-    constants |= {f"c_{name}": float(moment) for name, moment in moments.items()}
+    values = {name: known[name] for name in _FROM_START} | _moments(motion)
     tau = -polhode.rho * signs["epsilon"] * signs["sigma"]
     return Fourier(
-        (*_in_two(known["mu"] / (2 * quarter)), float(v_0)),
-        (*_in_two(rate / mpmath.pi), float(-start / mpmath.pi)),
+        (*_in_two(v), float(v_0)),
+        (*_in_two(half_psi), float(-start / mpmath.pi)),
         [np.array([float(c) for c in row]) for row in series],
-        constants | signs | {"tau": tau},
+        {name: float(value) for name, value in values.items()} | signs | {"tau": tau},
         polhode.axes,
     )
 
 
-def _coefficients(
-    q: mpmath.mpf, m: mpmath.mpf, b: mpmath.mpf, rho: int, terms: int
-) -> list[list[mpmath.mpf]]:
-    """Those of sin 2nv in psi/2, of sin and cos (2n+1)v in sn and cn, of cos 2nv in dn."""
-    scale = 2 * mpmath.pi / mpmath.ellipk(m)
-    modulus, root = mpmath.sqrt(m), mpmath.sqrt(q)
-    count = range(1, terms + 1)
-    rest = [
-        -2 * rho * q ** (2 * n) * mpmath.sinh(2 * n * b) / (n * (1 - q ** (4 * n))) for n in count
+def _coefficients(q: mpmath.mpf, b: mpmath.mpf, rho: int, terms: int) -> list[list[mpmath.mpf]]:
+    """Those of sin 2kv in psi/2, of sin and cos (2k-1)v in sn and cn, of cos 2kv in dn."""
+    whole = [mpmath.mpf(k) for k in range(1, terms + 1)]
+    halves = [k - mpmath.mpf(1) / 2 for k in whole]
+    sn = [_coefficient(1, q**k) for k in halves]
+    cn = [_coefficient(-1, q**k) for k in halves]
+    dn = [_coefficient(-1, q**0), *(2 * _coefficient(-1, q**k) for k in whole[:-1])]
+    quarter = sum(c * (-1) ** k for k, c in enumerate(sn))
+    return [
+        [_of_rest(q ** (2 * k), rho, mpmath.sinh(2 * k * b), k) for k in whole],
+        [c / quarter for c in sn],
+        [c / sum(cn) for c in cn],
+        [c / sum(dn) for c in dn],
     ]
-    odd = [scale / modulus * root * q ** (n - 1) for n in count]
-    sn = [a / (1 - q ** (2 * n - 1)) for n, a in zip(count, odd, strict=True)]
-    cn = [a / (1 + q ** (2 * n - 1)) for n, a in zip(count, odd, strict=True)]
-    dn = [scale / 4, *(scale * q**n / (1 + q ** (2 * n)) for n in count[:-1])]
-    return [rest, sn, cn, dn]
+
+
+def _coefficient(e: int, x: mpmath.mpf) -> mpmath.mpf:
+    return sequence("fourier").evaluate({"e": e, "x": x}, _POWER)["a"]
+
+
+def _of_rest(x: mpmath.mpf, rho: int, sinh_b: mpmath.mpf, k: mpmath.mpf) -> mpmath.mpf:
+    given = {"x": x, "rho": rho, "sinh_b": sinh_b, "k": k}
+    return sequence("fourier_rest").evaluate(given, _POWER)["rest_k"]
 
 
 def _number(value: Fraction) -> mpmath.mpf:
@@ -150,24 +238,12 @@ def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:
 
 
 def _clenshaw(coefficients: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The last two sums of Clenshaw's recurrence in x = cos 2v."""
+    """The last two sums b_0, b_1 of Clenshaw's recurrence in x = cos 2v.
+
+    The sum of c_k cos 2kv is b_0 - x b_1, that of c_k sin (2k + 2)v over sin 2v is b_0, and those
+    of c_k sin and cos (2k + 1)v over sin v and cos v are b_0 + b_1 and b_0 - b_1.
+    """
     one, other = np.zeros_like(x), np.zeros_like(x)
     for coefficient in coefficients[::-1]:
         one, other = coefficient + 2 * x * one - other, one
     return one, other
-
-
-def _first_kind(coefficients: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Sum of c_n cos 2nv."""
-    one, other = _clenshaw(coefficients, x)
-    return one - x * other
-
-
-def _second_kind(coefficients: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Sum of c_n sin 2nv over sin 2v."""
-    return _clenshaw(coefficients, x)[0]
-
-
-def _summed(coefficients: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Sum of c_n sin (2n+1)v over sin v is the sum of both, of cosines the difference."""
-    return _clenshaw(coefficients, x)

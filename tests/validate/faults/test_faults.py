@@ -1,6 +1,7 @@
 """Faults: each is where it says it is, each is noticed, and nothing else is."""
 
 import json
+from collections import Counter
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 from rigidsym import InputError
 from rigidsym.codegen.ir import Constant
 from rigidsym.language.expression import parse, to_text
+from rigidsym.validate.bounds import WIDER
 from rigidsym.validate.faults import KINDS, Fault, StaleFaultError, all_faults, inject
 from rigidsym.validate.faults.detection import (
     CRASHED,
@@ -42,6 +44,7 @@ STRATA_CHOSEN = {
     "rest": 1,
     "sphere": 3,
     "near sphere": 8,
+    "quarter periods": 6,
 }
 
 
@@ -51,20 +54,24 @@ def chosen():
 
 
 # The first fault of every kind for each target, of those by hand and of those that are drawn.
-SAMPLE = {(f in BY_HAND, f.target, f.kind): f for f in reversed(FAULTS)}.values()
+QUICK = [fault for fault in FAULTS if fault.target != "c-pi"]
+SAMPLE = {(f in BY_HAND, f.target, f.kind): f for f in reversed(QUICK)}.values()
 
 
 def test_there_are_many_faults_of_every_kind():
     assert len({fault.line for fault in FAULTS}) == len(FAULTS) >= 50
     assert {fault.kind for fault in FAULTS} == set(KINDS)
-    assert all(sum(fault.target == target for fault in FAULTS) >= 50 for target in TARGETS)
+    # Of the Pi modules, of what theirs alone is.
+    least = {target: 30 if target.endswith("-pi") else 50 for target in TARGETS}
+    counts = Counter(fault.target for fault in FAULTS)
+    assert all(counts[target] >= least[target] for target in TARGETS)
     assert len({faulty(fault) for fault in FAULTS}) == len(FAULTS)
 
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
-    engine = on_text(target, installed(FILES[target]))
-    assert [first(engine, stratum) for stratum in chosen] == [None] * len(chosen)
+    engine, wider = on_text(target, installed(FILES[target])), WIDER.get(target, 1.0)
+    assert [first(engine, stratum, wider) for stratum in chosen] == [None] * len(chosen)
 
 
 @pytest.mark.parametrize(
@@ -75,8 +82,8 @@ def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
     ],
 )
 def test_a_fault_is_noticed(fault, chosen):
-    engine = mutated_engine(fault)
-    assert any(first(engine, stratum) for stratum in chosen)
+    engine, wider = mutated_engine(fault), WIDER.get(fault.target, 1.0)
+    assert any(first(engine, stratum, wider) for stratum in chosen)
 
 
 @pytest.mark.parametrize("target", TARGETS)
@@ -89,8 +96,9 @@ def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
 
 def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
     for target in TARGETS:
-        assert {fault.kind for fault in drawn(target)} == {fault.kind for fault in every(target)}
-        assert len(drawn(target)) >= 35
+        kinds = {fault.kind for fault in every(target) if fault.name not in HARMLESS}
+        assert {fault.kind for fault in drawn(target)} == kinds
+        assert len(drawn(target)) >= (30 if target.endswith("-pi") else 35)
     names = {fault.name for target in TARGETS for fault in every(target)}
     assert HARMLESS.keys() <= names
     assert not {fault.name for fault in FAULTS} & HARMLESS.keys()
@@ -207,7 +215,7 @@ FEW = ("sphere", "spin", "rest", "decimals")
 
 def report(**changes):
     told = []
-    options = {"targets": TARGETS, "faults": SOME, "strata": FEW} | changes
+    options = {"targets": ("numpy", "c"), "faults": SOME, "strata": FEW} | changes
     drawn = {"cases": 2, "digits": DIGITS, "seed": SEED}
     return inject(**drawn, **options, progress=lambda *done: told.append(done)), told
 

@@ -96,18 +96,18 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     """All functions in order, over double-doubles; `_discriminant` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
-    with_time = changing(functions)
-    return [Lines(head, {}), *(part for f in functions for part in pieces(f, with_time))]
+    still = kept(functions)
+    return [Lines(head, {}), *(part for f in functions for part in pieces(f, still))]
 
 
-def changing(functions: Iterable[Function]) -> frozenset[str]:
-    """The names of what changes with time."""
-    timed = {name for f in functions if f.name.endswith("_angles") for name in f.results}
-    return frozenset({"t", "t_lo", *timed})
+def kept(functions: Iterable[Function]) -> frozenset[tuple[str, str]]:
+    """What does not change with time, after what it is a constant of."""
+    made = (f for f in functions if f.rounds)
+    return frozenset((branch(f), name) for f in made for name in flat_results(f))
 
 
-def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
-    """A function as it is printed, `_discriminant` twice; `with_time` is what changes with time."""
+def pieces(function: Function, constants: frozenset[tuple[str, str]]) -> list[Lines]:
+    """A function as it is printed, `_discriminant` twice; what is not `kept` changes with time."""
     if function.name == "_discriminant":
         every = replace(function, extended=frozenset(function.parameters))
         return [_valued(every, number, f"discriminant_{number}") for number in ("dd", "exact")]
@@ -117,7 +117,7 @@ def pieces(function: Function, with_time: frozenset[str]) -> list[Lines]:
         return [_valued(function, "double", function.name[1:], "INLINED double")]
     if function.extended:
         return [_extended_function(function)]
-    return [_loop(function, with_time)]
+    return [_loop(function, constants)]
 
 
 def branch_struct(function: Function) -> str:
@@ -188,16 +188,17 @@ def _constants(function: Function) -> Lines:
     return function_lines(function, "dd", head, [*ends, "}", ""])
 
 
-def _loop(function: Function, with_time: frozenset[str]) -> Lines:
+def _loop(function: Function, constants: frozenset[tuple[str, str]]) -> Lines:
     """A function of doubles over arrays: what changes with time is read and written by index."""
-    timed = [name for name in function.parameters if name in with_time]
+    own = {name for of, name in constants if of == branch(function)}
+    timed = [name for name in function.parameters if name not in own]
     used = function.used()
-    kept = [name for name in function.parameters if name not in with_time and name in used]
+    still = [name for name in function.parameters if name in own and name in used]
     parameters = [f"const torque_free_{branch(function)} *motion", "size_t n"]
     parameters += [f"const double *restrict {name}_in" for name in timed]
     parameters += [f"double *restrict {name}_out" for name in function.results]
     head = _head("void", function.name[1:], parameters, function.summary)
-    head += [f"    const double {name} = motion->{name};" for name in kept]
+    head += [f"    const double {name} = motion->{name};" for name in still]
     head += ["    for (size_t i = 0; i < n; i++) {"]
     head += [f"        const double {name} = {name}_in[i];" for name in timed]
     ends = [f"        {name}_out[i] = {name};" for name in function.results]

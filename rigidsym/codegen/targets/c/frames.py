@@ -25,7 +25,7 @@ class Frame:
 
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
     """All functions in order; `_discriminant` is there for two kinds of numbers."""
-    timed = {"t", "t_lo"} | {x for f in functions if f.name.endswith("_angles") for x in f.results}
+    members = {f.name: {*flat_results(f)} for f in functions if f.name.endswith("_constants")}
     for function in functions:
         name = function.name[1:]
         if name == "discriminant":
@@ -37,7 +37,7 @@ def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
         elif name.endswith("_constants"):
             yield _constants(name, function)
         elif name.endswith(("_angles", "_state")) and name != "initial_state":
-            yield _loop(name, function, timed)
+            yield _loop(name, function, members[f"_{name.split('_')[0]}_constants"])
         elif len(function.results) == 1:
             yield _valued(name, function, "double_double", "dd")
         else:
@@ -83,11 +83,11 @@ def _constants(name: str, function: Function) -> Frame:
     return Frame(name, function, "dd", (head,), (*stores, "}"))
 
 
-def _loop(name: str, function: Function, timed: set[str]) -> Frame:
+def _loop(name: str, function: Function, members: set[str]) -> Frame:
     """What changes with time is read and written by index, what does not from a struct."""
     branch, used = name.split("_")[0], function.used()
-    changing = [x for x in function.parameters if x in timed]
-    kept = [x for x in function.parameters if x not in timed and x in used]
+    changing = [x for x in function.parameters if x not in members]
+    kept = [x for x in function.parameters if x in members and x in used]
     parameters = [f"const torque_free_{branch} *motion", "size_t n"]
     parameters += [f"const double *restrict {x}_in" for x in changing]
     parameters += [f"double *restrict {x}_out" for x in function.results]

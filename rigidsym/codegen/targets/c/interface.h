@@ -9,7 +9,8 @@ enum {
                                    about the middle axis, from which binary64 cannot tell it */
     TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@max_angle@ rad, or t is infinite or no number */
     TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^@max_rate@ rad/s */
-    TORQUE_FREE_ARITHMETIC = 8  /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
+    TORQUE_FREE_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
 };
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
@@ -24,6 +25,8 @@ typedef struct {
     union {
 @branches@
     } of;
+    double moment_unit;  /* a power of two, kg m^2: inner moments are times this */
+    double given[20];    /* moments, what each is above the next, rates and E_b, all inner, in pairs */
 } torque_free_motion;
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;

@@ -1,6 +1,8 @@
 """The C module: a header and a source, from double-doubles, derived functions and runtime."""
 
+import re
 from importlib import resources
+from pathlib import PurePath
 
 from rigidsym.codegen import header
 from rigidsym.codegen.forms import PI, THETA, key, option
@@ -12,8 +14,16 @@ from rigidsym.codegen.targets.c import emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h"}
 SOURCES = {THETA: "torque_free.c", PI: "torque_free_pi.c"}
+# What names begin with that the linker sees, or that the header has: a form's own, so that modules
+# of several forms go into one programme.  Text written by hand, and what is emitted, has the first.
+_PLAIN = PurePath(HEADERS[THETA]).stem
+# In a compiler's option -D stands before a name.
+_BEGIN = r"(?:\b|(?<=-D))"
+_NAMES = re.compile(rf"{_BEGIN}({_PLAIN}|{_PLAIN.upper()})(?=_(?!pi\b))")
 # From which branch on a grid is computed one time after the other.
 ONE_BY_ONE = {THETA: 2, PI: 1}
+# Of a motion; other structs are what sensitivities are made from.
+BRANCHES = ("circular", "hyperbolic", "steady")
 _HEAD = """\
 /* Torque-free motion of rigid bodies in closed form, in C99 with libm alone.
 
@@ -92,12 +102,31 @@ def build(
     )
     structs = "\n\n".join(map(emit.branch_struct, constants_of))
     counts = shares(whole.kinds(), "c")
-    header_text = f"{header_first(form)}{structs}\n{_header_last(constants_of)}"
+    header_text = f"{header_first(form)}{structs}\n{_header_last(constants_of, form)}"
     header_text = header_text.replace(header.SHARES, text(counts))
     source = SOURCES[form]
     files = {HEADERS[form]: header_text, source: "\n".join(whole.text) + "\n"}
+    files = {name: named(text, form) for name, text in files.items()}
     files, digest = header.sealed(files, key("c", form))
     return Module(files, {source: whole.lets}, digest)
+
+
+def named(text: str, form: str) -> str:
+    """A text with the names that are a form's own.
+
+    >>> named("torque_free_motion TORQUE_FREE_H torque_free_pi.h", PI)
+    'torque_free_pi_motion TORQUE_FREE_PI_H torque_free_pi.h'
+    """
+    own = PurePath(HEADERS[form]).stem.removeprefix(_PLAIN)
+    return _NAMES.sub(lambda found: found[1] + (own.upper() if found[1].isupper() else own), text)
+
+
+def plain(text: str, form: str) -> str:
+    """The text that `named` makes this of."""
+    own = PurePath(HEADERS[form]).stem
+    for name, first in ((own, _PLAIN), (own.upper(), _PLAIN.upper())):
+        text = re.sub(rf"{_BEGIN}{name}(?=_)", first, text)
+    return text
 
 
 def header_first(form: str) -> str:
@@ -106,9 +135,10 @@ def header_first(form: str) -> str:
     return f"{head}\n{_FIRST}\n"
 
 
-def header_last() -> str:
+def header_last(form: str) -> str:
     """What is written by hand after the structs, with places for their members and for limits."""
-    return f"\n{_part('interface.h')}\n{_LAST.strip()}\n"
+    parts = ["interface.h", *(["sensitivity.h"] if form == THETA else [])]
+    return "\n" + "\n\n".join(map(_part, parts)) + f"\n{_LAST.strip()}\n"
 
 
 def source_first(form: str) -> str:
@@ -119,13 +149,15 @@ def source_first(form: str) -> str:
 
 def source_last(form: str) -> str:
     """What is written by hand after the functions, with places for names and limits."""
-    text = "\n\n".join([_part("arithmetic.c"), _part("runtime.c")]) + "\n"
+    parts = ["arithmetic.c", "runtime.c", *(["sensitivity.c"] if form == THETA else [])]
+    text = "\n\n".join(map(_part, parts)) + "\n"
     return text.replace("@one by one@", str(ONE_BY_ONE[form]))
 
 
-def _header_last(constants_of: list[Function]) -> str:
-    members = "\n".join(f"        torque_free_{b} {b};" for b in map(emit.branch, constants_of))
-    return _limited(header_last().replace("@branches@", members))
+def _header_last(constants_of: list[Function], form: str) -> str:
+    branches = (b for b in map(emit.branch, constants_of) if b in BRANCHES)
+    members = "\n".join(f"        torque_free_{b} {b};" for b in branches)
+    return _limited(header_last(form).replace("@branches@", members))
 
 
 def _limited(text: str) -> str:
@@ -153,9 +185,34 @@ def _filled(text: str, by_name: dict[str, Function]) -> str:
         places[f"@{branch} given@"] = ", ".join(by_name[f"_{branch}_constants"].parameters)
         count = len(by_name[f"_{branch}_angles"].results)
         places |= {f"@{branch} rows of {x}@": _rows(x, count) for x in ("in", "to")}
+    if "_moduli" in by_name:
+        places |= _of_sensitivities(by_name)
     for mark, meaning in places.items():
         text = text.replace(mark, meaning)
     return text
+
+
+def _of_sensitivities(by_name: dict[str, Function]) -> dict[str, str]:
+    """The marks of `sensitivity.c`."""
+    results = by_name["_moduli"].results
+    places = {
+        "@moduli@": ", ".join(results),
+        "@moduli out@": ", ".join(f"&{name}" for name in results),
+        "@moduli given@": ", ".join(by_name["_moduli"].parameters),
+        "@columns given@": ", ".join(by_name["_columns_constants"].parameters),
+        "@turn columns@": ", ".join(f"by[{k}]" for k in range(18)),
+    }
+    for name, array in (("columns", "columns"), ("turn", "turned_by")):
+        count = len(by_name[f"_{name}_state"].results)
+        places[f"@{name} rows of {array}@"] = _rows(array, count)
+    for name in ("real", "imaginary"):
+        places[f"@{name} given@"] = ", ".join(by_name[f"_{name}_constants"].parameters)
+        # Rows of angles, in a block of their own.
+        rows = _rows("in", len(by_name[f"_{name}_angles"].results))
+        places[f"@{name} rows of in@"] = rows.replace("* s", "* SENSITIVE").replace(
+            "in + s", "in + SENSITIVE"
+        )
+    return places
 
 
 def _rows(name: str, count: int) -> str:

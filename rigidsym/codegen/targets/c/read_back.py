@@ -36,7 +36,7 @@ def check(
     form: str = THETA,
 ) -> int:
     """The number of lines that read back as their lets; raises InputError for the first not to."""
-    source = module.SOURCES[form]
+    source, files = module.SOURCES[form], _plain(files, form)
     _check_header(files[module.HEADERS[form]], functions, form)
     derived = _derived(files[source], functions, form)
     given = statements(source, derived)
@@ -52,13 +52,25 @@ def check(
     return decided
 
 
+def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
+    """The files with names as they are written by hand; refuses one that is not the form's."""
+    found = {file: module.plain(text, form) for file, text in files.items()}
+    for file, text in found.items():
+        own_names = module.named(text, form).split("\n")
+        for number, line in enumerate(files[file].split("\n"), 1):
+            own = own_names[number - 1]
+            if line != own:
+                raise InputError(f"{file}:{number}", line.strip(), "has another form's name")
+    return found
+
+
 def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:
     file = module.HEADERS[form]
     kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
     counts = shares.text(shares.shares(kinds, "c"))
     said = module.header_first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("c", form), header.digest_in(file, text))
-    last = _filled(module.header_last(), functions)
+    last = _filled(module.header_last(form), functions)
     structs = statements(file, between(file, text, first, last))
     given = iter(_without_rows(structs))
     for function in functions:
@@ -114,9 +126,30 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
             rows = [f"{array} + {k} * s" for k in range(count)]
             rows[:2] = [array, f"{array} + s"]
             marks[f"{name} rows of {array}"] = ", ".join(rows)
+    if "_moduli" in by_name:
+        marks |= _of_sensitivities(by_name)
     for mark, meaning in marks.items():
         text = text.replace(f"@{mark}@", meaning)
     return text
+
+
+def _of_sensitivities(by_name: Mapping[str, Function]) -> dict[str, str]:
+    marks = {
+        "moduli": ", ".join(by_name["_moduli"].results),
+        "moduli out": ", ".join(f"&{name}" for name in by_name["_moduli"].results),
+        "moduli given": ", ".join(by_name["_moduli"].parameters),
+        "columns given": ", ".join(by_name["_columns_constants"].parameters),
+        "turn columns": ", ".join(f"by[{k}]" for k in range(18)),
+    }
+    for name in ("real", "imaginary"):
+        marks[f"{name} given"] = ", ".join(by_name[f"_{name}_constants"].parameters)
+    arrays = {"columns": ("state", "columns", "s"), "turn": ("state", "turned_by", "s")}
+    arrays |= dict.fromkeys(("real", "imaginary"), ("angles", "in", "SENSITIVE"))
+    for name, (part, array, apart) in arrays.items():
+        rows = [f"{array} + {k} * {apart}" for k in range(len(by_name[f"_{name}_{part}"].results))]
+        rows[:2] = [array, f"{array} + {apart}"]
+        marks[f"{name} rows of {array}"] = ", ".join(rows)
+    return marks
 
 
 def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:

@@ -189,6 +189,17 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
         omega[axis[k]] = dd_of(0.0);
 }
 
+/* What sensitivities are made from, where they are asked for. */
+static void keep(torque_free_motion *motion, const double_double c[3], const double_double apart[3],
+                 const double_double omega[3], double_double E_b)
+{
+    for (int k = 0; k < 10; k++) {
+        const double_double x = k < 3 ? c[k] : k < 6 ? apart[k - 3] : k < 9 ? omega[k - 6] : E_b;
+        motion->given[2 * k] = x.hi;
+        motion->given[2 * k + 1] = x.lo;
+    }
+}
+
 /* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
    before faint ones were taken for zero. */
 static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
@@ -219,6 +230,8 @@ static int init(torque_free_motion *motion, const double_double c[3], const doub
         lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
     if (distinct && (lost || faint))
         follow(&made, c, apart, omega, given, &discriminant, faint);
+    made.moment_unit = 1.0;
+    keep(&made, c, apart, omega, discriminant);
     const double side = side_of(apart, omega, made.axis, discriminant.hi);
     if (side < 0.0) {
         const int first = made.axis[0];
@@ -272,6 +285,8 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
     const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
     for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
         motion->omega0[k] = omega0[k];
+    if (code == TORQUE_FREE_OK)
+        motion->moment_unit = ldexp(1.0, c_scale);
     return code;
 }
 
@@ -624,6 +639,7 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
+    case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }

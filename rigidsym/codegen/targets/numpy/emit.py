@@ -117,7 +117,33 @@ def _branches(functions: tuple[Function, ...]) -> list[str]:
             f"'steady': {name == 'steady'},",
         ]
         lines += _entry(f"    {name!r}: {{", first, more, "    },", "        ")
-    return [*lines, "}", "", ""]
+    lines.append("}")
+    if "_moduli" in by_name:
+        lines += _sensitivity(by_name)
+    return [*lines, "", ""]
+
+
+def _sensitivity(functions: dict[str, Function]) -> list[str]:
+    """What the frame needs to know to find sensitivities."""
+    lines = ["SENSITIVITY = {", *_part("moduli", functions["_moduli"], [])]
+    for name in ("columns", "real", "imaginary", "turn"):
+        first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
+        kept = set(flat_results(first))
+        more = [
+            f"'state': {state.name},",
+            f"'timed': {tuple(n for n in state.parameters if n not in kept)!r},",
+            f"'shape': {tuple(n for n in state.parameters if n in kept)!r},",
+            f"'results': {state.results!r},",
+        ]
+        if angles := functions.get(f"_{name}_angles"):
+            rates = tuple(n for n in angles.parameters if n not in ("t", "t_lo"))
+            more += [f"'angles': {angles.name},", f"'rates': {rates!r},"]
+        lines += _part(name, first, more)
+    return [*lines, "}"]
+
+
+def _part(name: str, function: Function, more: list[str]) -> list[str]:
+    return _entry(f"    {name!r}: {{", function, more, "    },", "        ")
 
 
 def _entry(head: str, function: Function, more: list[str], end: str, indent: str) -> list[str]:

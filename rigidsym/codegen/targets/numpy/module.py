@@ -37,7 +37,7 @@ def build(
         Lines.plain(first(form)),
         *emit.module(emit.own(functions), constants),
         Lines(tuple(_limits()), {}),
-        Lines.plain(last()),
+        Lines.plain(last(form)),
     ]
     whole = joined(pieces)
     counts, file = shares(whole.kinds(), "numpy"), FILES[form]
@@ -54,9 +54,10 @@ def first(form: str) -> str:
     return f"{head}\n{_part('double_double.py', '# --- double-doubles ---')}\n\n\n"
 
 
-def last() -> str:
-    """What is written by hand after the limits."""
-    return _part("runtime.py", "# --- runtime ---") + "\n"
+def last(form: str) -> str:
+    """What is written by hand after the limits; the theta form alone has sensitivities."""
+    names = ["runtime.py", *(["sensitivity.py"] if form == THETA else [])]
+    return "\n\n\n".join(_part(name, "# --- runtime ---") for name in names) + "\n"
 
 
 def _limits() -> list[str]:

@@ -52,7 +52,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     counts = shares.text(shares.shares(kinds, "numpy"))
     said = module.first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("numpy", form), header.digest_in(file, text))
-    return between(file, text, first, module.last())
+    return between(file, text, first, module.last(form))
 
 
 def _statements(derived: Between) -> list[ast.stmt]:
@@ -121,6 +121,9 @@ def _tables(functions: tuple[Function, ...]) -> Iterator[str]:
     yield f"INITIAL_STATE = {_step(by_name['_initial_state'])}"
     branches = {name: _branch(name, by_name) for name in _BRANCHES}
     yield f"BRANCHES = {branches}"
+    if "_moduli" in by_name:
+        parts = {name: _part(name, by_name) for name in ("columns", "real", "imaginary", "turn")}
+        yield f"SENSITIVITY = { ({'moduli': _step(by_name['_moduli'])} | parts) }"
 
 
 def _step(function: Function) -> dict[str, object]:
@@ -139,6 +142,22 @@ def _branch(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
         "fast": tuple(f"{x}_hi" for x in first.results if x in ("v_rate", "y_rate", "Lambda_rate")),
         "steady": name == "steady",
     }
+
+
+def _part(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
+    """A state is of what changes with time first, then of constants."""
+    first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
+    kept = flat_results(first)
+    shape = tuple(x for x in state.parameters if x in kept)
+    part = _step(first) | {
+        "state": _Code(state.name),
+        "timed": state.parameters[: len(state.parameters) - len(shape)],
+        "shape": shape,
+        "results": state.results,
+    }
+    if angles := functions.get(f"_{name}_angles"):
+        part |= {"angles": _Code(angles.name), "rates": angles.parameters[2:]}
+    return part
 
 
 def _limits() -> Iterator[str]:

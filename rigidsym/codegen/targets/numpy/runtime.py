@@ -64,12 +64,12 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
         # Any body will do: its states are not given.
         stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
         rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
-    (c, _), (omega, unit), (q, _) = map(_scaled, rows)
+    (c, moment_unit), (omega, unit), (q, _) = map(_scaled, rows)
     # Differences of doubles are two doubles exactly.
     apart = _DoubleDouble(*_two_sum(c, -np.roll(c, -1, -1)))
     pairs = _DoubleDouble(c, 0 * c), apart, _DoubleDouble(omega, 0 * omega), _DoubleDouble(q, 0 * q)
     made = _prepared(*pairs, unit, shape, refused)
-    made["omega0"] = rows[1].copy()
+    made["omega0"], made["moment_unit"] = rows[1].copy(), moment_unit[:, 0]
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
@@ -116,6 +116,9 @@ def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
         "axes": axes,
         "q0": np.stack([x.hi for x in q], axis=-1),
         "omega0": given.hi * unit,
+        "moment_unit": np.ones(len(axes)),
+        # What sensitivities are made from, where they are asked for.
+        "given": (c, apart, omega, discriminant),
         "groups": [],
     }
     if np.any(steady):

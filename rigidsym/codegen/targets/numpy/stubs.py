@@ -14,9 +14,11 @@ __all__ = [
     "MAX_ANGLE",
     "MAX_CIRCULAR",
     "MAX_RATE",
+    "MAX_REAL",
     "MIN_DISCRIMINANT",
     "MIN_MOMENT_RATIO",
     "NEGLIGIBLE",
+    "SENSITIVITY",
     "TOLERATED",
     "_DoubleDouble",
     "_circulation",
@@ -51,8 +53,23 @@ class Branch(Step):
 
 INITIAL_STATE: Step = {"constants": lambda: (), "given": (), "names": ()}
 NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = 1.0
-MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = 1.0
+MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = MAX_REAL = 1.0
 BRANCHES: dict[str, Branch] = {}
+
+
+class Part(Step, total=False):
+    """How a part of the sensitivities is found: `state` of what changes with time, in this order,
+    and of constants gives the results; `angles` are by rates and time."""
+
+    angles: Arrays
+    state: Arrays
+    rates: tuple[str, ...]
+    timed: tuple[str, ...]
+    shape: tuple[str, ...]
+    results: tuple[str, ...]
+
+
+SENSITIVITY: dict[str, Part] = {}
 
 
 def _discriminant(*values: Value) -> Value:

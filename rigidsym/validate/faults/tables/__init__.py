@@ -7,7 +7,7 @@ double-cover signs, lengths, some units in the last place.
 from functools import cache
 
 from rigidsym.validate.faults.drawn import drawn
-from rigidsym.validate.faults.fault import Fault
+from rigidsym.validate.faults.fault import FILES, Fault
 from rigidsym.validate.faults.tables import c, numpy
 
 BY_HAND: tuple[Fault, ...] = (*numpy.FAULTS, *c.FAULTS)
@@ -16,4 +16,4 @@ BY_HAND: tuple[Fault, ...] = (*numpy.FAULTS, *c.FAULTS)
 @cache
 def all_faults() -> tuple[Fault, ...]:
     """Those by hand, and those that are drawn, which takes a second or two."""
-    return (*BY_HAND, *drawn("numpy"), *drawn("c"))
+    return (*BY_HAND, *(fault for target in FILES for fault in drawn(target)))

@@ -1,0 +1,266 @@
+"""Sensitivities column by column: what numbers are computed from, without cancellation.
+
+A column is the change of the rates by one rate at t = 0 or by one moment of inertia.  Each is what
+it is where S_t, C_t and D_t stay, and what they change it by, along two directions alone: `_k`,
+where p, r and k = alpha_a alpha_d Omega_b0^2 grow alike, and `_r`, where r does.  With
+
+    F_t = the integral of S_t^2/D_t^2
+
+these divide by D_t and `below` alone, in every regime: no case is told apart.  b being the middle
+axis, kappa_a = p - k, kappa_d = r - k and p - r are single products, `below` is a sum of squares,
+and what is left of Omega_b_k is small where the spin is about b.  E_t and F_t follow from each
+other: the one where p - r is not small, the other where p is not.
+"""
+
+from collections.abc import Iterator
+
+from derivations.addition_form import (
+    COEFFICIENTS,
+    EULER,
+    FUNCTIONS,
+    OTHERS,
+    OVER_SQUARE,
+    SQUARED,
+    START,
+    TIME,
+)
+from derivations.attitude import HANDEDNESS, INERTIA
+from derivations.rate_sensitivities import MODULI
+from rigidsym.proof.algebra import Book, Part, join
+
+AXES = ("a", "b", "d")
+RATES_AT_START = Part(
+    witness={"Omega_a0": "1", "Omega_b0": "0", "Omega_d0": "1"},
+    reading={f"Omega_{x}0": f"body rate about axis {x} at t = 0, rad/s" for x in AXES},
+)
+# Euler's equations are Omega_a' = alpha_a Omega_b Omega_d and so on; `tilt` is E_b in these units.
+MOMENTS = {
+    "c_ab": "c_a - c_b",
+    "c_ad": "c_a - c_d",
+    "c_bd": "c_b - c_d",
+    "alpha_a": "epsilon*c_bd/c_a",
+    "alpha_b": "-epsilon*c_ad/c_b",
+    "alpha_d": "epsilon*c_ab/c_d",
+    "E_b": "c_a*c_ab*Omega_a0**2 - c_d*c_bd*Omega_d0**2",
+    "tilt": "epsilon*E_b/(c_a*c_d)",
+    **{
+        name: text
+        for x, (y, z) in OTHERS.items()
+        for name, text in (
+            (f"alpha_{x}_by_c_{x}", f"-alpha_{x}/c_{x}"),
+            (f"alpha_{x}_by_c_{y}", f"epsilon/c_{x}"),
+            (f"alpha_{x}_by_c_{z}", f"-epsilon/c_{x}"),
+        )
+    },
+}
+TILT = {"tilt": "alpha_d*Omega_a0**2 - alpha_a*Omega_d0**2"}
+BODY = {
+    "g_a": "alpha_a*Omega_b0**2 - alpha_b*Omega_a0**2",
+    "g_d": "alpha_d*Omega_b0**2 - alpha_b*Omega_d0**2",
+    "k": "alpha_a*alpha_d*Omega_b0**2",
+    "kappa_a": "-alpha_b*alpha_d*Omega_a0**2",
+    "kappa_d": "-alpha_a*alpha_b*Omega_d0**2",
+    "p": "k + kappa_a",
+    "r": "k + kappa_d",
+    "apart": "-alpha_b*tilt",
+}
+# What p and r change by with each rate; where it is not here it is zero.
+BY_RATES = {
+    "p_by_Omega_a": "-2*alpha_b*alpha_d*Omega_a0",
+    "p_by_Omega_b": "2*alpha_a*alpha_d*Omega_b0",
+    "r_by_Omega_d": "-2*alpha_a*alpha_b*Omega_d0",
+}
+
+
+def _by_moments() -> Iterator[tuple[str, str]]:
+    """What p, p - r and kappa_a change by with each moment, and the rates where functions stay."""
+    for y in AXES:
+        a, b, d = (f"alpha_{x}_by_c_{y}" for x in AXES)
+        yield f"kappa_by_c_{y}", f"-({b}*alpha_d + alpha_b*{d})*Omega_a0**2"
+        yield f"p_by_c_{y}", f"kappa_by_c_{y} + ({a}*alpha_d + alpha_a*{d})*Omega_b0**2"
+        yield (
+            f"apart_by_c_{y}",
+            f"alpha_b*({a}*Omega_d0**2 - {d}*Omega_a0**2) - {b}*tilt",
+        )
+        yield f"a_by_c_{y}", f"{a}*Omega_b0*Omega_d0"
+        yield f"b_by_c_{y}", f"{b}*Omega_d0*Omega_a0"
+        yield f"d_by_c_{y}", f"{d}*Omega_a0*Omega_b0"
+
+
+CONSTANTS = {**BODY, **BY_RATES, **dict(_by_moments())}
+RATES = {
+    "below": "D_t**2 + kappa_d*S_t**2",
+    "over": "1/below",
+    "Omega_a": "over*(Omega_a0*D_t + alpha_a*Omega_b0*Omega_d0*S_t*C_t)",
+    "Omega_b": "over*(Omega_b0*C_t*D_t + alpha_b*Omega_d0*Omega_a0*S_t)",
+    "Omega_d": "over*(Omega_d0*C_t + alpha_d*Omega_a0*Omega_b0*S_t*D_t)",
+}
+# Along `_k` and `_r`; those of S_t, C_t and D_t, of `below`, and of the rates.
+DIRECTIONS = {
+    "S_k": "(C_t*D_t*E_t - S_t**3)/2",
+    "C_k": "-S_t*(S_t*C_t + p*D_t*E_t)/2",
+    "D_k": "-S_t*(S_t*D_t + r*C_t*E_t)/2",
+    "below_k": "-S_t*(S_t*below + k*C_t*D_t*E_t)",
+    "Omega_a_k": "over*(Omega_a0*D_k + alpha_a*Omega_b0*Omega_d0*(S_k*C_t + S_t*C_k)"
+    " - Omega_a*below_k)",
+    "Omega_b_k": "over*(alpha_b*Omega_d0*Omega_a0*(S_k - S_t*(over*below_k))"
+    " - Omega_b0*S_t*E_t*over*((kappa_a + kappa_d)*(C_t**2*D_t**2)"
+    " + S_t**2*(p*kappa_a*D_t**2 + r*kappa_d*C_t**2))/2)",
+    "Omega_d_k": "over*(Omega_d0*C_k + alpha_d*Omega_a0*Omega_b0*(S_k*D_t + S_t*D_k)"
+    " - Omega_d*below_k)",
+    "f": "D_t*F_t",
+    "S_r": "-C_t*f/2",
+    "C_r": "p*S_t*f/2",
+    "D_r": "(r*S_t*C_t*f - S_t**2)/(2*D_t)",
+    "below_r": "k*S_t*C_t*f",
+    "Omega_a_r": "over*(Omega_a0*D_r + alpha_a*Omega_b0*Omega_d0*(S_r*C_t + S_t*C_r)"
+    " - Omega_a*below_r)",
+    "Omega_b_r": "over*(Omega_b0*(C_r*D_t + C_t*D_r) + alpha_b*Omega_d0*Omega_a0*S_r"
+    " - Omega_b*below_r)",
+    "Omega_d_r": "over*(Omega_d0*C_r + alpha_d*Omega_a0*Omega_b0*(S_r*D_t + S_t*D_r)"
+    " - Omega_d*below_r)",
+}
+# What each rate changes by where the functions stay, by the rate at t = 0.
+STAYING = {
+    "a": {"a": "D_t", "b": "alpha_b*Omega_d0*S_t", "d": "alpha_d*Omega_b0*S_t*D_t"},
+    "b": {"a": "alpha_a*Omega_d0*S_t*C_t", "b": "C_t*D_t", "d": "alpha_d*Omega_a0*S_t*D_t"},
+    "d": {"a": "alpha_a*Omega_b0*S_t*C_t", "b": "alpha_b*Omega_a0*S_t", "d": "C_t"},
+}
+# The functions that the coefficient of each rate stands with.
+WITH = {"a": "S_t*C_t", "b": "S_t", "d": "S_t*D_t"}
+
+
+def _columns() -> Iterator[tuple[str, str]]:
+    for x in AXES:
+        stays = STAYING["a"][x]
+        yield (
+            f"Omega_{x}_by_Omega_a",
+            f"over*({stays} - Omega_{x}*p_by_Omega_a*S_t**2)"
+            f" + p_by_Omega_a*(Omega_{x}_k - Omega_{x}_r)",
+        )
+    for x in AXES:
+        yield f"Omega_{x}_by_Omega_b", f"over*({STAYING['b'][x]}) + p_by_Omega_b*Omega_{x}_k"
+    for x in AXES:
+        yield f"Omega_{x}_by_Omega_d", f"over*({STAYING['d'][x]}) + r_by_Omega_d*Omega_{x}_r"
+    for y in AXES:
+        for x in AXES:
+            yield (
+                f"Omega_{x}_by_c_{y}",
+                f"over*({x}_by_c_{y}*({WITH[x]}) - Omega_{x}*kappa_by_c_{y}*S_t**2)"
+                f" + p_by_c_{y}*Omega_{x}_k - apart_by_c_{y}*Omega_{x}_r",
+            )
+
+
+COLUMNS = dict(_columns())
+# Of the integral of Omega_b^2: what it has beyond that of the rate at t = 0.
+EXCESS = {"excess_b": "g_a*g_d*E_t + Omega_b0*(Omega_b*S_t - Omega_b0*t)"}
+CHANGES = ("Omega_a", "Omega_b", "Omega_d", "c_a", "c_b", "c_d")
+AT_TIME = {**RATES, **DIRECTIONS, **COLUMNS, **EXCESS}
+MOVED = {"a": "h1", "b": "h2", "d": "h3"}
+# By what each integral follows from the other, and the square that it is of.
+ELAPSED = {
+    "F_t": ("E_t", "(t - p*E_t - S_t*C_t/D_t)/(p - r)", "p - r", "S_t**2/D_t**2"),
+    "E_t": ("F_t", "(t - S_t*C_t/D_t - (p - r)*F_t)/p", "p", "S_t**2"),
+}
+GIVEN = Part(
+    witness={
+        **COEFFICIENTS.witness,
+        **dict.fromkeys((f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES), "1"),
+    },
+    reading={
+        **COEFFICIENTS.reading,
+        **{
+            f"alpha_{x}_by_c_{y}": f"what alpha_{x} changes by with c_{y}"
+            for x in AXES
+            for y in AXES
+        },
+    },
+)
+
+
+def derive(book: Book) -> None:
+    """The columns vary Euler's equations and start right; E_t and F_t follow from each other."""
+    _moments(book)
+    _columns_vary(book)
+    _elapsed(book)
+
+
+def _moments(book: Book) -> None:
+    """The coefficients, and their changes, by the moments of inertia."""
+    changes = Part(
+        {f"h{n}": "1" for n in (1, 2, 3)},
+        definitions={
+            **MOMENTS,
+            **{
+                f"dalpha_{x}": " + ".join(f"alpha_{x}_by_c_{y}*{h}" for y, h in MOVED.items())
+                for x in AXES
+            },
+        },
+        reading={h: f"a change of c_{y}" for y, h in MOVED.items()},
+    )
+    book.open(join("coefficients", HANDEDNESS, INERTIA, RATES_AT_START, changes, static=True))
+    same = {f"c_{x}*alpha_{x}": f"epsilon*(c_{y} - c_{z})" for x, (y, z) in OTHERS.items()}
+    book.claim("coefficients.euler", same, ["5"])
+    varied = {
+        f"c_{x}*dalpha_{x} + {MOVED[x]}*alpha_{x}": f"epsilon*({MOVED[y]} - {MOVED[z]})"
+        for x, (y, z) in OTHERS.items()
+    }
+    book.claim("coefficients.variation", varied, ["5"])
+    book.claim("coefficients.tilt", TILT, ["6", "15"])
+
+
+def _columns_vary(book: Book) -> None:
+    """At all times, and at the start."""
+    defined = Part(
+        definitions={**TILT, **CONSTANTS, **AT_TIME},
+        units=("below",),
+    )
+    given = (GIVEN, RATES_AT_START)
+    functions = (FUNCTIONS, TIME, SQUARED, OVER_SQUARE)
+    book.open(join("varied_rates", *given, *functions, defined))
+    book.claim("varied_rates.below", {"below": "1 - k*S_t**2", "p - r": "apart"}, ["10"])
+    book.claim("varied_rates.euler", EULER, ["5"])
+    for y in CHANGES:
+        book.claim(f"varied_rates.by_{y}", _variation(y), ["5"])
+    book.claim("varied_rates.excess", {"D(excess_b)": "Omega_b**2 - Omega_b0**2"}, ["10"])
+    _excesses(book, *given, *functions, defined)
+    still = [Part(x.witness, x.units, reading=x.reading) for x in functions]
+    start = Part(relations=(*START.relations, "F_t"))
+    book.open(join("varied_rates_start", *given, *still, defined, start, static=True))
+    begun = {f"Omega_{x}": f"Omega_{x}0" for x in AXES}
+    begun |= {f"Omega_{x}_by_{y}": str(int(y == f"Omega_{x}")) for y in CHANGES for x in AXES}
+    book.claim("varied_rates_start.rates", begun | {"excess_b": "0"}, ["12"])
+
+
+def _variation(y: str) -> dict[str, str]:
+    """The variation of Euler's equations by one of the changes."""
+
+    def change(x: str, others: tuple[str, str]) -> str:
+        v, w = others
+        product = f"Omega_{v}_by_{y}*Omega_{w} + Omega_{v}*Omega_{w}_by_{y}"
+        moved = f"alpha_{x}_by_{y}*Omega_{v}*Omega_{w} + " if y.startswith("c") else ""
+        return f"{moved}alpha_{x}*({product})"
+
+    return {f"D(Omega_{x}_by_{y})": change(x, others) for x, others in OTHERS.items()}
+
+
+def _excesses(book: Book, *parts: Part) -> None:
+    """Of the integrals of the other squares: b is no axis of symmetry."""
+    defined = {f"excess_{x}": f"alpha_{x}/alpha_b*excess_b" for x in "ad"}
+    book.open(join("excesses", *parts, Part(definitions=defined, units=("alpha_b",))))
+    squares = {f"D({name})": f"Omega_{name[-1]}**2 - Omega_{name[-1]}0**2" for name in defined}
+    book.claim("excesses.squares", squares, ["10"])
+
+
+def _elapsed(book: Book) -> None:
+    """Of E_t and F_t one by the other."""
+    for name, (other, text, divisor, changing) in ELAPSED.items():
+        integral = {"E_t": SQUARED, "F_t": OVER_SQUARE}[other]
+        defined = Part(definitions={name: text}, units=("D_t", divisor))
+        context = f"elapsed_{name[0]}"
+        book.open(join(context, MODULI, FUNCTIONS, TIME, integral, defined))
+        book.claim(f"{context}.integral", {f"D({name})": changing}, ["DLMF 22.16"])
+        still = [Part(x.witness, reading=x.reading) for x in (FUNCTIONS, TIME, integral)]
+        start = Part(relations=("t", "S_t", "C_t - 1", "D_t - 1", other))
+        book.open(join(f"{context}_start", MODULI, *still, start, defined, static=True))
+        book.claim(f"{context}_start.integral", {name: "0"}, ["12"])

@@ -1,0 +1,72 @@
+"""What the rates change by with each rate at t = 0 and each moment of inertia."""
+
+from rigidsym.codegen.functions.sensitivity.given import EXTENDED, GIVEN, START, coefficients
+from rigidsym.codegen.functions.sensitivity.real import ELAPSED
+from rigidsym.codegen.ir import Function, Let, let
+from rigidsym.codegen.names import RATES
+from rigidsym.codegen.passes import renamed, select
+from rigidsym.solution import Solution
+from rigidsym.solution.formulas import AXES
+
+CHANGES = (*RATES, *(f"c_{x}" for x in AXES))
+RESULTS = (
+    *(f"{rate}_by_{change}" for rate in RATES for change in CHANGES),
+    *(f"excess_{x}" for x in AXES),
+)
+_ALPHAS = (
+    *("alpha_a", "alpha_b", "alpha_d", "tilt"),
+    *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
+)
+KEPT = (
+    *START,
+    *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor", "k", "kappa_a", "kappa_d", "p", "r"),
+    *("g_a", "g_d", "p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
+    *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
+)
+
+
+# What changes with time.
+TIMED = (*ELAPSED, "t", *RATES)
+
+
+def columns(solution: Solution) -> tuple[Function, ...]:
+    """Constants of a motion, and the columns at a time."""
+    constants = Function(
+        "_columns_constants",
+        "What sensitivities of the rates are made from, at t = 0.",
+        GIVEN,
+        tuple(_constants(solution)),
+        KEPT,
+        frozenset(EXTENDED),
+        rounds=True,
+    )
+    state = Function(
+        "_columns_state",
+        "What the rates change by, and integrals of their squares, from functions of the time.",
+        (*TIMED, *KEPT),
+        tuple(_state(solution)),
+        RESULTS,
+    )
+    return constants, state
+
+
+def _constants(solution: Solution) -> list[Let]:
+    names = [name for name in KEPT if name not in (*START, "alpha_divisor", *_ALPHAS)]
+    return [
+        *coefficients(solution, _ALPHAS),
+        *select(solution.sequences["columns"], names, (*_ALPHAS, *EXTENDED)),
+        # Where all moments are equal the excess is zero, whatever it is divided by.
+        let("alpha_divisor = choose(rounded(size(alpha_b)), 0, 1, alpha_b)"),
+    ]
+
+
+def _state(solution: Solution) -> list[Let]:
+    given = (*TIMED, *KEPT)
+    wanted = (*RESULTS, "over")
+    excesses = select(
+        solution.sequences["excesses"], ("excess_a", "excess_d"), (*given, "excess_b")
+    )
+    return [
+        *select(solution.sequences["sensitivity"], wanted, given),
+        *renamed(excesses, {"alpha_b": "alpha_divisor"}),
+    ]

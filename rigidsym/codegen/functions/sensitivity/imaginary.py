@@ -1,0 +1,127 @@
+"""sn, cn, dn and the integrals of the elapsed time, for m > 1/2: thetas of imaginary time.
+
+With y = pi u/2K', g = pi/2K', q the nome of m_1 = 1 - m, r^2 = m_1/q and w = e^-|y|, the
+integral of sd^2 times m is
+
+    (8 g/r^2) (sgn(y) N/(w theta_3) - A_0 y/theta_3(0)) + (half periods) F_period
+
+theta_3 being over e^|y|/2, 2 N = w^2 (sinh 2|y| + 2 q^3 sinh 4|y| + 3 q^8 sinh 6|y|), which is by
+the slope of log theta_3, and A_0 = 1 + 4 q^3 + 9 q^8 (DLMF 22.16.30 with 20.7(viii)).
+On the separatrix q = 0, and nothing here divides by it.
+"""
+
+from rigidsym.codegen.functions.attitude import flat
+from rigidsym.codegen.functions.reduced_time import elapsed_time, period_bounds
+from rigidsym.codegen.functions.sensitivity import near
+from rigidsym.codegen.functions.sensitivity.moduli import RESULTS
+from rigidsym.codegen.functions.sensitivity.real import ELAPSED
+from rigidsym.codegen.ir import Function, Let, let
+from rigidsym.codegen.special_functions import theta_hyperbolic
+
+_GIVEN = tuple(name for name in RESULTS if name != "divisor")
+_SPLIT = ("y_rate", "period")
+_BEYOND = ("period_far", "period_inverse")
+_NOMES = ("nome2", "nome4", "nome6", "nome8", "nome12", "nome16")
+_PERIOD, _ZETA = "DLMF 20.2.7", "DLMF 22.16.30"
+
+
+def imaginary() -> tuple[Function, ...]:
+    """Constants, angles and functions."""
+    kept = [
+        *_NOMES,
+        *("gain_S", "gain_C", "gain_D", "f_gain", "f_rate", "f_period", "p", "apart"),
+        *near.COEFFICIENTS,
+    ]
+    constants = Function(
+        "_imaginary_constants",
+        "Constants of the elapsed time for m > 1/2, from `_moduli`.",
+        _GIVEN,
+        tuple(_constants()),
+        (*_SPLIT, *_BEYOND, *kept),
+        frozenset(_GIVEN),
+        frozenset(_SPLIT),
+        rounds=True,
+    )
+    timed = ("w", "p2", "y", "side", "flip", "periods")
+    angles = Function(
+        "_imaginary_angles",
+        "What changes with time where m > 1/2, at t + t_lo.",
+        ("t", "t_lo", *flat(_SPLIT), *_BEYOND),
+        tuple(_angles()),
+        timed,
+    )
+    state = Function(
+        "_imaginary_state",
+        "S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`.",
+        (*timed, "t", *kept),
+        tuple(_state()),
+        ELAPSED,
+    )
+    return constants, angles, state
+
+
+def _constants() -> list[Let]:
+    square = "DLMF 20.2.2"
+    return [
+        let("ratio = _root_ratio(complement, modulus)", "DLMF 20.9.1"),
+        let("root_nome = complement/ratio", "DLMF 20.9.1"),
+        let("nome2 = root_nome*root_nome", "DLMF 20.9.1"),
+        let("nome4 = nome2*nome2", square),
+        let("nome6 = nome4*nome2", square),
+        let("nome8 = nome4*nome4", square),
+        let("nome12 = nome8*nome4", square),
+        let("nome16 = nome8*nome8", square),
+        *theta_hyperbolic.at_zero(),
+        let("g = 1/(three*three)", "DLMF 20.9.2"),
+        let("y_rate = lambda_*g"),
+        # On the separatrix the nome is zero and nothing ever returns.
+        let("nome_d = rounded(nome2)", square),
+        let("period = -_logarithm(choose(nome_d, 0, 1, nome2))", square),
+        *period_bounds("nome_d", _PERIOD),
+        let("over_lambda = 1/lambda_", "DLMF 22.2.4"),
+        let("gain_S = three/four*over_lambda", "DLMF 22.2.4"),
+        let("gain_C = two/four", "DLMF 22.2.5"),
+        let("gain_D = two/three", "DLMF 22.2.6"),
+        let("scale = 8*g/(ratio*ratio)*over_lambda/r", _ZETA),
+        let("f_gain = scale*gain_D", _ZETA),
+        let("f_rate = scale*(1 + 4*nome6 + 9*nome16)/three", _ZETA),
+        let("m_1 = complement*complement", "DLMF 19.2.8"),
+        let("m_safe = choose(nome_d, 0, 1, m_1)", _ZETA),
+        let("whole = choose(nome_d, 0, 0, 2*g/m_safe*over_lambda/r)", _ZETA),
+        let("f_period = whole - f_rate*period", _ZETA),
+        *near.coefficients(),
+    ]
+
+
+def _angles() -> list[Let]:
+    square = "DLMF 20.2.2"
+    return [
+        *elapsed_time(_PERIOD),
+        let("side = choose(0, y, 1, -1)", "DLMF 20.2.1", square),
+        let("flip = alternating(periods)", "DLMF 20.2.6"),
+        let("depth = size(y)", square),
+        let("w = exp(-depth)", square),
+        let("p2 = exp(2*depth - period_far)", square),
+    ]
+
+
+def _state() -> list[Let]:
+    return [
+        let("qw2 = nome2*(w*w)", "DLMF 20.2.2"),
+        *theta_hyperbolic.rate_values(),
+        let("over = 1/theta2_y"),
+        *near.growth(),
+        near.sine("gain_S*(flip*theta1_y*over)"),
+        let("C_t = gain_C*(flip*theta4_y*over)", "DLMF 22.2.5"),
+        let("D_t = gain_D*(theta3_y*over)", "DLMF 22.2.6"),
+        let(
+            "rise = (1 - w2*w2)/2 + (nome4*p2 - nome6*(w2*w2*w2))"
+            " + 3*(nome12*(p2*p2) - nome16*((w2*w2)*(w2*w2)))/2",
+            _ZETA,
+        ),
+        let("f_far = f_gain*side*(rise/w)*over + D_t*(periods*f_period - f_rate*y)", _ZETA),
+        *near.values(),
+        let(f"f = choose(growth, {near.NEAR}, D_t*F_near, f_far)", _ZETA),
+        let("E_far = (t - S_t*(C_t/D_t) - apart*f/D_t)/p", facts=("definition elapsed_E.E_t",)),
+        let(f"E_t = choose(growth, {near.NEAR}, E_near, E_far)", _ZETA),
+    ]

@@ -1,0 +1,44 @@
+"""What the attitude changes by, as a small turn in space; axes are the user's, 1, 2 and 3."""
+
+from rigidsym.codegen.ir import Function
+from rigidsym.codegen.passes import select
+from rigidsym.solution import Solution
+
+AXES = ("1", "2", "3")
+CHANGES = tuple(f"{x}{k}" for x in ("Omega", "c") for k in AXES)
+INERTIA, START = tuple(f"c{k}" for k in AXES), tuple(f"Omega{k}_0" for k in AXES)
+BEGUN = ("p0", "p1", "p2", "p3")
+# What changes with time, in the user's axes.
+TIMED = (
+    *("q0", "q1", "q2", "q3"),
+    *(f"Omega{k}" for k in AXES),
+    *(f"Omega{k}_by_{y}" for k in AXES for y in CHANGES),
+    *(f"excess{k}" for k in AXES),
+)
+RESULTS = tuple(f"eta{k}_by_{y}" for k in AXES for y in CHANGES)
+BY_TIME = tuple(f"{x}{k}_by_t" for x in ("eta", "Omega") for k in AXES)
+_ARMS = tuple(f"B{i}{k}" for i in AXES for k in AXES)
+_KEPT = (*INERTIA, *START, *(f"l{k}" for k in AXES), *_ARMS)
+
+
+def turn(solution: Solution) -> tuple[Function, ...]:
+    """Constants of a motion that is not at rest, and the columns at a time."""
+    given = (*INERTIA, *START, *BEGUN)
+    first = select(solution.sequences["turn_constants"], _KEPT, given)
+    constants = Function(
+        "_turn_constants",
+        "What sensitivities of the attitude are made from, at t = 0; not at rest.",
+        given,
+        tuple(first),
+        _KEPT,
+        rounds=True,
+    )
+    results = (*RESULTS, *BY_TIME)
+    state = Function(
+        "_turn_state",
+        "What the attitude changes by, and the state with the time.",
+        (*TIMED, "t", *_KEPT),
+        select(solution.sequences["turn"], results, (*TIMED, "t", *_KEPT)),
+        results,
+    )
+    return constants, state

@@ -1,0 +1,114 @@
+"""X, Y and J of a step for short times, by their Taylor series.
+
+X' = Y and Y' = -e_1 X + 2 e_2 X^3 give X/t and Y as series in a = e_1 t^2 and b = e_2 t^4.  J, the
+integral of X^2/(1 - nu X^2) dt, is one in x = X^2 by 1/Y (Legendre's, DLMF 18.12.11) and the
+geometric series:
+
+    J = X^3 sum of c_j x^j/(2 j + 3),    c_j = d_j + nu c_{j-1},    1/Y = sum of d_j x^j
+
+With 0 <= h, e_2 = h^2 <= (e_1/2)^2 and e_1 t^2 <= 1/16 the coefficients of X/t fall by 1/64 and
+more, d_j by e_1; `STEPS` doublings bring |omega t| <= 8 rad to that.
+"""
+
+from collections.abc import Iterator
+from fractions import Fraction
+from functools import cache
+
+from rigidsym.codegen.ir import Let, let
+from rigidsym.codegen.special_functions.text import horner
+
+STEPS = 5
+TERMS, J_TERMS = 8, 12
+_TAYLOR, _LEGENDRE = "DLMF 22.10.1", "DLMF 18.12.11"
+# A coefficient by the powers of e_1 and e_2.
+Polynomial = dict[tuple[int, int], Fraction]
+
+
+@cache
+def series() -> tuple[Polynomial, ...]:
+    """The coefficients of t, t^3, t^5, ... in X."""
+    found: list[Polynomial] = [{(0, 0): Fraction(1)}]
+    for n in range(TERMS - 1):
+        total: Polynomial = {}
+        for (i, j), c in found[n].items():
+            _add(total, (i + 1, j), -c)
+        for c, power in _cubes(found, n - 1):
+            _add(total, (power[0], power[1] + 1), 2 * c)
+        found.append({p: c / ((2 * n + 2) * (2 * n + 3)) for p, c in total.items()})
+    return tuple(found)
+
+
+def _add(total: Polynomial, power: tuple[int, int], value: Fraction) -> None:
+    total[power] = total.get(power, Fraction(0)) + value
+
+
+def _cubes(found: list[Polynomial], n: int) -> Iterator[tuple[Fraction, tuple[int, int]]]:
+    """The terms of t^(2 n + 3) in X^3."""
+    for i in range(n + 1):
+        for j in range(n + 1 - i):
+            for (a, b), x in found[i].items():
+                for (c, d), y in found[j].items():
+                    for (e, f), z in found[n - i - j].items():
+                        yield x * y * z, (a + c + e, b + d + f)
+
+
+def elapsed() -> list[Let]:
+    """X_0/t less 1 and Y_0 less 1 at the time `short`, from what e_1 and e_2 are rounded to."""
+    return [
+        let("a_1 = rounded(e_1)*(short*short)", _TAYLOR),
+        let("a_2 = rounded(e_2)*(short*short*(short*short))", _TAYLOR),
+        let(f"more_X = {_sum([1] * TERMS)}", _TAYLOR),
+        let(f"more_Y = {_sum([2 * n + 1 for n in range(TERMS)])}", _TAYLOR),
+        let("X = short*(unity + more_X)", _TAYLOR),
+        let("Y = unity + more_Y", _TAYLOR),
+    ]
+
+
+def _sum(factors: list[int]) -> str:
+    """The terms but for the first, with a factor each, by powers of a_2 and Horner's scheme."""
+    by_power: dict[int, dict[int, Fraction]] = {}
+    for factor, coefficient in list(zip(factors, series(), strict=True))[1:]:
+        for (i, j), c in coefficient.items():
+            by_power.setdefault(j, {})[i] = factor * c
+    rows = []
+    for j in range(max(by_power) + 1):
+        row = by_power[j]
+        values = [_number(row.get(i, Fraction(0))) for i in range(max(row) + 1)]
+        rows.append(f"({horner('a_1', values)})")
+    return horner("a_2", rows)
+
+
+def _number(value: Fraction) -> str:
+    if value.denominator == 1:
+        return f"({value.numerator})" if value < 0 else str(value.numerator)
+    return f"({value.numerator})/{value.denominator}"
+
+
+def third_kind() -> list[Let]:
+    """The imaginary part of rate J, rate and nu being complex."""
+    lets = [
+        let("x = X*X", _LEGENDRE),
+        let("d_0 = 1", _LEGENDRE),
+        let("d_1 = e_1/2", _LEGENDRE),
+    ]
+    for j in range(2, J_TERMS):
+        first, second = f"{2 * j - 1}/{2 * j}", f"{j - 1}/{j}"
+        lets.append(
+            let(f"d_{j} = ({first})*(e_1*d_{j - 1}) - ({second})*(e_2*d_{j - 2})", _LEGENDRE)
+        )
+    lets += [let("c_0_re = 1", _LEGENDRE), let("c_0_im = 0", _LEGENDRE)]
+    for j in range(1, J_TERMS):
+        b = j - 1
+        lets += [
+            let(f"c_{j}_re = d_{j} + (nu_re*c_{b}_re - nu_im*c_{b}_im)", _LEGENDRE),
+            let(f"c_{j}_im = nu_re*c_{b}_im + nu_im*c_{b}_re", _LEGENDRE),
+        ]
+    for part in ("re", "im"):
+        values = [f"(1/{2 * j + 3})*c_{j}_{part}" for j in range(J_TERMS)]
+        lets.append(let(f"J_{part} = X*x*({horner('x', values)})", _LEGENDRE))
+    return [
+        *lets,
+        let("chi = rate_re*J_im + rate_im*J_re"),
+        let("E_re = 1 - chi*chi/2", "DLMF 4.19.2"),
+        let("E_im = chi*(1 - chi*chi/6)", "DLMF 4.19.1"),
+    ]

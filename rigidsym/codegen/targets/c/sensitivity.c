@@ -1,0 +1,188 @@
+/* How many sensitivities are computed side by side: each takes some eighty doubles of stack. */
+enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
+
+/* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
+typedef struct {
+    torque_free_columns columns;
+    torque_free_turn turn;
+    torque_free_real real;
+    torque_free_imaginary imaginary;
+    int axis[3], is_real, at_rest;
+} sensitive;
+
+static double_double given_pair(const torque_free_motion *motion, int k)
+{
+    const double_double x = {motion->given[2 * k], motion->given[2 * k + 1]};
+    return x;
+}
+
+static void sensitive_init(const torque_free_motion *motion, sensitive *made)
+{
+    double_double c[3], apart_from_next[3], omega[3];
+    const double_double E_b = given_pair(motion, 9);
+    int *axis = made->axis;
+    made->at_rest = 1;
+    for (int k = 0; k < 3; k++) {
+        c[k] = given_pair(motion, k);
+        apart_from_next[k] = given_pair(motion, 3 + k);
+        omega[k] = given_pair(motion, 6 + k);
+        axis[k] = motion->axis[k];
+        made->at_rest = made->at_rest && is_zero(omega[k]);
+    }
+    if (difference(apart_from_next, axis[0], axis[2]).hi * E_b.hi < 0.0) {
+        axis[0] = motion->axis[2];
+        axis[2] = motion->axis[0];
+    }
+    const double_double c_a = c[axis[0]], c_b = c[axis[1]], c_d = c[axis[2]];
+    const double_double c_ab = difference(apart_from_next, axis[0], axis[1]);
+    const double_double c_ad = difference(apart_from_next, axis[0], axis[2]);
+    const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
+    const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
+    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
+    double_double @moduli@;
+    moduli(@moduli given@, @moduli out@);
+    columns_constants(@columns given@, &made->columns);
+    made->is_real = modulus.hi * modulus.hi <= max_real;
+    if (made->is_real)
+        real_constants(@real given@, &made->real);
+    else
+        imaginary_constants(@imaginary given@, &made->imaginary);
+    if (!made->at_rest)
+        turn_constants(c[0].hi, c[1].hi, c[2].hi, omega[0].hi, omega[1].hi, omega[2].hi, motion->q0[0],
+                       motion->q0[1], motion->q0[2], motion->q0[3], &made->turn);
+}
+
+/* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */
+static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
+{
+    double in[6 * SENSITIVE], rest[SENSITIVE];
+    for (size_t i = 0; i < n; i++)
+        rest[i] = 0.0;
+    if (made->is_real) {
+        real_angles(&made->real, n, t, rest, @real rows of in@);
+        real_state(&made->real, n, @real rows of in@, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s);
+    } else {
+        imaginary_angles(&made->imaginary, n, t, rest, @imaginary rows of in@);
+        imaginary_state(&made->imaginary, n, @imaginary rows of in@, t, to, to + s, to + 2 * s, to + 3 * s,
+                        to + 4 * s);
+    }
+}
+
+/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times `by_moment`. */
+static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
+                 double by_moment)
+{
+    for (int k = 0; k < 3; k++) {
+        row[k] = turn[k];
+        row[3 + k] = by_rate * column[k][i];
+        row[6 + k] = by_moment * column[3 + k][i];
+    }
+}
+
+/* What n <= SENSITIVE states change by, at inner times t. */
+static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, size_t n,
+                                const double *restrict t, const double *restrict q, const double *restrict omega,
+                                double *restrict attitude, double *restrict rates, double *restrict attitude_t,
+                                double *restrict rates_t)
+{
+    enum { s = SENSITIVE };
+    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    static const double zeros[3] = {0.0, 0.0, 0.0};
+    double functions[5 * s], state[7 * s], columns[21 * s], turned_by[24 * s];
+    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    const double *by[18], *excess[3], *eta[18];
+    const int *axis = made->axis;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < 4; k++)
+            state[k * s + i] = q[4 * i + k];
+        for (size_t k = 0; k < 3; k++)
+            state[(4 + k) * s + i] = omega[3 * i + k] * over;
+    }
+    elapsed(made, n, s, t, functions);
+    columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
+                  functions + 4 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  state + (4 + axis[2]) * s, @columns rows of columns@);
+    for (int x = 0; x < 3; x++) {
+        excess[axis[x]] = columns + (18 + x) * s;
+        for (int y = 0; y < 3; y++) {
+            by[6 * axis[x] + axis[y]] = columns + (6 * x + y) * s;
+            by[6 * axis[x] + 3 + axis[y]] = columns + (6 * x + 3 + y) * s;
+        }
+    }
+    for (int k = 0; k < 18; k++)
+        eta[k] = turned_by + k * s;
+    turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
+               state + 6 * s, @turn columns@, excess[0], excess[1], excess[2], t, @turn rows of turned_by@);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < 3; k++) {
+            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment);
+            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, unit * over_moment);
+            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
+            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
+        }
+}
+
+/* A body at rest begins to turn as it is given rates, and goes on; at t = 0 changes are those given. */
+static void plain_sensitivity(const torque_free_motion *motion, double t, double *restrict attitude,
+                              double *restrict rates)
+{
+    const double *q = motion->q0;
+    const double start[3][3] = {
+        {1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]), 2.0 * (q[1] * q[2] - q[0] * q[3]), 2.0 * (q[1] * q[3] + q[0] * q[2])},
+        {2.0 * (q[1] * q[2] + q[0] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[3] * q[3]), 2.0 * (q[2] * q[3] - q[0] * q[1])},
+        {2.0 * (q[1] * q[3] - q[0] * q[2]), 2.0 * (q[2] * q[3] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2])}};
+    for (int k = 0; k < 3; k++)
+        for (int j = 0; j < 9; j++) {
+            attitude[9 * k + j] = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
+            rates[9 * k + j] = j == 3 + k ? 1.0 : 0.0;
+        }
+}
+
+static int any_lost(size_t n, const double *x)
+{
+    int lost = 0;
+    for (size_t k = 0; k < n; k++)
+        lost |= isnan(x[k]);
+    return lost;
+}
+
+static void no_numbers(size_t n, double *x)
+{
+    for (size_t k = 0; k < n; k++)
+        x[k] = NAN;
+}
+
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
+                                        double *omega, double *attitude, double *rates, double *attitude_t,
+                                        double *rates_t)
+{
+    const size_t most = SENSITIVE;
+    sensitive made;
+    int code = states_at(motion, n, t, q, omega, 0);
+    if (code != TORQUE_FREE_OK)
+        return code;
+    sensitive_init(motion, &made);
+    for (size_t i = 0; i < n; i += most) {
+        const size_t count = n - i < most ? n - i : most;
+        double inner[SENSITIVE];
+        int zero;
+        (void)scaled_times(motion, count, t + i, inner, &zero);
+        if (!made.at_rest)
+            block_sensitivities(motion, &made, count, inner, q + 4 * i, omega + 3 * i, attitude + 27 * i,
+                                rates + 27 * i, attitude_t + 3 * i, rates_t + 3 * i);
+        for (size_t k = i; k < i + count; k++) {
+            if (made.at_rest || !(t[k] < 0.0 || t[k] > 0.0))
+                plain_sensitivity(motion, t[k], attitude + 27 * k, rates + 27 * k);
+            for (size_t j = 3 * k; made.at_rest && j < 3 * k + 3; j++)
+                attitude_t[j] = rates_t[j] = 0.0;
+            if (any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
+                no_numbers(27, attitude + 27 * k);
+                no_numbers(27, rates + 27 * k);
+                no_numbers(3, attitude_t + 3 * k);
+                no_numbers(3, rates_t + 3 * k);
+                code = TORQUE_FREE_GROWTH;
+            }
+        }
+    }
+    return code;
+}

@@ -1,0 +1,9 @@
+/* The states at n times t[n] (s), as torque_free_states_at has them, and what they change by.
+   attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes by [eta] times
+   itself.  rates[n][3][9]: the body rates.  Their columns: the small turn at t = 0, omega0 and the
+   principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; what leaves
+   binary64 is infinite.  Returns 0, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX, or TORQUE_FREE_GROWTH with
+   states at all times and changes that are NaN at some. */
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
+                                        double *omega, double *attitude, double *rates, double *attitude_t,
+                                        double *rates_t);

@@ -1,0 +1,210 @@
+"""The hand-written runtime of sensitivities: which axis is which, scaling, blocks and shapes.
+
+Its text stands in the generated module of the theta form, after `runtime`.
+"""
+
+import numpy as np
+
+from rigidsym.codegen.targets.numpy.runtime import (
+    _called,
+    _differences,
+    _of,
+    _plain,
+    _RefusedError,
+    states,
+)
+from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY
+
+# --- runtime ---
+# Sensitivities computed at a time: each has some seventy intermediate numbers.
+_SENSITIVE = 1024
+
+
+@np.errstate(all="ignore")
+def sensitivities(prepared, t, errors="raise"):
+    """States at the times t in s, and what they change by with their inputs.
+
+    (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
+    `states`.  attitude and rates (..., 3, 9): a small turn in space, eta with delta R = [eta] R,
+    and the body rates, by a small turn at t = 0, the rates there, and the principal moments;
+    attitude_t and rates_t (..., 3): by the time.  What leaves binary64 in these units is infinite.
+    Raises ValueError as `states` does, and for times at which binary64 does not hold the squares of
+    changes in any; with errors="nan" there are no numbers then.
+    """
+    q, omega = states(prepared, t, None, errors)
+    given, count = np.asarray(t, float), len(prepared["unit"])
+    # One row of times for all motions, or one for each.
+    given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
+    shapes = (4,), (3,), (3, 9), (3, 9), (3,), (3,)
+    found = [np.zeros((*omega.shape[:-1], *shape)) for shape in shapes[2:]]
+    rows = [
+        x.reshape(count, given.shape[1], *shape)
+        for x, shape in zip((q, omega, *found), shapes, strict=True)
+    ]
+    if "elapsed" not in prepared:
+        prepared["elapsed"] = _elapsed(prepared)
+    for group in prepared["elapsed"]:
+        _fill_sensitivities(prepared, group, given, rows)
+    _at_rest(prepared, given, rows)
+    _unchanged(given, rows)
+    _check_held(rows, errors)
+    return (q, omega, *found)
+
+
+def _elapsed(prepared):
+    """The constants of sensitivities, by groups that have a nome and an order of axes in common."""
+    c, apart, omega, discriminant = prepared["given"]
+    axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
+    # Where rates are constant, too, a is the axis with p >= r.
+    turned = _differences(apart, axes)[1].hi * discriminant.hi < 0
+    axes = np.where(turned[:, None], axes[:, ::-1], axes)
+    known = {"E_b": discriminant}
+    for k, x in enumerate("abd"):
+        known[f"c_{x}"] = c[rows, axes[:, k]]
+        known[f"Omega_{x}0"] = omega[rows, axes[:, k]]
+        known[f"axis_{x}"] = axes[:, k]
+    known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
+    for k in range(3):
+        known |= {f"c{k + 1}": c.hi[:, k], f"Omega{k + 1}_0": omega.hi[:, k]}
+    # At rest nothing comes of it.
+    known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
+    known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
+    if len(axes) == 1:
+        known = {name: _plain(value) for name, value in known.items()}
+    known |= _called(SENSITIVITY["moduli"], known)
+    small = np.reshape(known["modulus"].hi ** 2 <= MAX_REAL, -1)
+    groups = []
+    for order in sorted(set(map(tuple, axes.tolist()))):
+        ordered = np.all(axes == order, axis=-1)
+        for name, chosen in (("real", small & ordered), ("imaginary", ~small & ordered)):
+            if np.any(chosen):
+                groups.append((name, order, *_of_group(name, np.flatnonzero(chosen), known)))
+    return groups
+
+
+def _of_group(name, index, known):
+    """The indices of some bodies, and their constants by what they are for."""
+    if len(np.shape(known["c1"])):
+        known = {key: value[index] for key, value in known.items()}
+    made = {}
+    for part in (name, "columns", "turn"):
+        constants = _called(SENSITIVITY[part], known)
+        made[part] = {
+            key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
+            for key, value in constants.items()
+        }
+    return index, made
+
+
+def _fill_sensitivities(prepared, group, t, rows):
+    """The rows of one group, in blocks: of times, or of bodies where times are few."""
+    name, order, index, made = group
+    size = t.shape[1]
+    if size < _SENSITIVE // 4:
+        step = max(1, _SENSITIVE // max(1, size))
+        for first in range(0, index.size, step):
+            some = slice(first, first + step)
+            constants = {
+                part: {key: x[some, None] for key, x in known.items()}
+                for part, known in made.items()
+            }
+            units = [prepared[x][index[some], None] for x in ("unit", "moment_unit")]
+            times = _of(t, index[some])
+            _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
+        return
+    for number, body in enumerate(index):
+        constants = {
+            part: {key: float(x[number]) for key, x in known.items()}
+            for part, known in made.items()
+        }
+        units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
+        for first in range(0, size, _SENSITIVE):
+            some = slice(first, first + _SENSITIVE)
+            times = t[body if len(t) > 1 else 0, some]
+            _write_sensitivities(name, order, constants, units, times, rows, (body, some))
+
+
+def _write_sensitivities(name, order, constants, units, t, rows, place):
+    """The sensitivities of one body at a block of times, or of some bodies at all times."""
+    unit, moment_unit = units
+    known = {"t": unit * t}
+    q, omega = (x[place] for x in rows[:2])
+    scale = unit + (unit == 0)
+    for k in range(3):
+        known[f"Omega{k + 1}"] = omega[..., k] / scale
+    known |= {f"q{k}": q[..., k] for k in range(4)}
+    known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in zip("abd", order, strict=True)}
+    entry = SENSITIVITY[name]
+    by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
+    known |= dict(zip(entry["timed"], by_time, strict=False))
+    known |= _stated(entry, known, constants[name])
+    columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
+    for one, i in zip("abd", order, strict=True):
+        known[f"excess{i + 1}"] = columns[f"excess_{one}"]
+        for other, j in zip("abd", order, strict=True):
+            for of in ("Omega", "c"):
+                change = columns[f"Omega_{one}_by_{of}_{other}"]
+                known[f"Omega{i + 1}_by_{of}{j + 1}"] = change
+    known |= _stated(SENSITIVITY["turn"], known, constants["turn"])
+    scales = {
+        ("eta", "Omega"): 1 / scale,
+        ("eta", "c"): 1 / moment_unit,
+        ("Omega", "Omega"): 1.0,
+        ("Omega", "c"): scale / moment_unit,
+    }
+    for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
+        for of, first in (("Omega", 3), ("c", 6)):
+            factor = scales[changed, of]
+            for i in range(3):
+                for j in range(3):
+                    value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
+                    found[(*place, ..., i, first + j)] = factor * value
+    for i in range(3):
+        rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
+        rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])
+
+
+def _stated(entry, known, constants):
+    """What a function of the time gives, by name."""
+    given = (*(known[n] for n in entry["timed"]), *(constants[n] for n in entry["shape"]))
+    return dict(zip(entry["results"], entry["state"](*given), strict=True))
+
+
+def _at_rest(prepared, t, rows):
+    """A body at rest begins to turn as it is given rates, and goes on."""
+    for body in np.flatnonzero(prepared["unit"] == 0):
+        w, x, y, z = prepared["q0"][body]
+        start = [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+        for found in rows[2:]:
+            found[body] = 0.0
+        rows[2][body, :, :, 3:6] = t[body if len(t) > 1 else 0, :, None, None] * np.array(start)
+        for k in range(3):
+            rows[3][body, :, k, 3 + k] = 1.0
+
+
+def _unchanged(t, rows):
+    """At t = 0 changes are those given; a turn at t = 0 is the same at all times."""
+    for body, time in np.argwhere(t == 0):
+        some = slice(None) if len(t) == 1 else body
+        rows[2][some, time] = rows[3][some, time] = 0.0
+        for k in range(3):
+            rows[3][some, time, k, 3 + k] = 1.0
+    for k in range(3):
+        rows[2][:, :, k, k] = 1.0
+
+
+def _check_held(rows, errors):
+    """Refuse times at which changes have no numbers: where their squares leave binary64."""
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
+    if not np.any(lost):
+        return
+    if errors == "raise":
+        body, time = np.argwhere(lost)[0]
+        rule = "on the way to spin about the middle axis squares of changes leave binary64"
+        raise _RefusedError(f"t: {rule}", int(body), int(time))
+    for found in rows[2:]:
+        found[lost] = np.nan

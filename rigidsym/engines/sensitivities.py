@@ -1,0 +1,157 @@
+"""States with what they change by: by the modules of the theta form, NumPy's or C's."""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym.engines import arrays
+from rigidsym.engines.c_engine import CEngine
+from rigidsym.engines.numpy_engine import NumpyEngine, in_blocks
+from rigidsym.engines.protocol import Engine, EngineError, Prepared, Sensitivities
+from rigidsym.generated import torque_free
+
+# A time at which squares of changes leave binary64, in torque_free.h.
+_GROWTH = 9
+
+
+class Sensitive(Protocol):
+    """What finds `Sensitivities`; times, errors and what is raised are those of an `Engine`."""
+
+    def sensitivities(
+        self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
+    ) -> Sensitivities:
+        """Of one motion, by the unit that inner moments are times."""
+        ...
+
+    def propagate(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
+        errors: str = "raise",
+    ) -> Sensitivities:
+        """Of many bodies, whose leading shapes broadcast as in `Engine.propagate`."""
+        ...
+
+
+def sensitive(engine: Engine) -> Sensitive:
+    """What goes with an engine's prepared motions; raises EngineError where nothing does."""
+    if isinstance(engine, CEngine) and engine.library.states_with_sensitivity:
+        return _C(engine, engine.library.states_with_sensitivity)
+    if isinstance(engine, NumpyEngine) and engine.module is torque_free:
+        return _Numpy()
+    raise EngineError("engine", "its module has no sensitivities")
+
+
+class _Numpy:
+    def sensitivities(
+        self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
+    ) -> Sensitivities:
+        """States at times and what they change by, of prepared motions."""
+        return torque_free.sensitivities(prepared, t, errors)
+
+    def propagate(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
+        errors: str = "raise",
+    ) -> Sensitivities:
+        """The same of many bodies, whose leading shapes broadcast as in `Engine.propagate`."""
+        given = arrays.named(inertia, omega0, attitude0)
+        arrays.is_lenient(errors)
+        t = np.asarray(t, float)
+        shape = arrays.batch(given, t)
+        found = arrays.sensitivities((*shape, *t.shape[-1:]))
+        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        rows = [
+            x.reshape(count, t.shape[1], *last)
+            for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
+        ]
+
+        def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
+            block = torque_free.sensitivities(prepared, times, errors)
+            for row, values in zip(rows, block, strict=True):
+                row[some] = values
+
+        in_blocks(torque_free, given, t, shape, errors, run)
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class _C:
+    engine: CEngine
+    compute: Callable[..., int]
+
+    def sensitivities(
+        self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
+    ) -> Sensitivities:
+        """See `Sensitive`."""
+        times, lenient = arrays.times(t), arrays.is_lenient(errors)
+        found = arrays.sensitivities(times.shape)
+        self._fill(prepared, times, found, lenient)
+        return found
+
+    def _fill(self, prepared: Prepared, t: np.ndarray, found: Sensitivities, lenient: bool) -> None:
+        library = self.engine.library
+        near = np.isfinite(t) & (np.abs(t) <= library.last_time(prepared))
+        given = np.where(near, t, 0.0) if lenient else t
+        places = (x.ctypes.data for x in (given, *found))
+        code = self.compute(prepared, t.size, *places)
+        if lenient:
+            for x in found:
+                x[~near] = np.nan
+        elif code == _GROWTH:
+            lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
+            rule = library.message(code).decode().partition(": ")[2]
+            raise EngineError("t", rule, time=int(np.argmax(np.any(lost, axis=0))))
+        elif code:
+            raise self.engine.refused_times(code, prepared, t)
+
+    def propagate(
+        self,
+        inertia: ArrayLike,
+        omega0: ArrayLike,
+        attitude0: ArrayLike,
+        t: ArrayLike,
+        errors: str = "raise",
+    ) -> Sensitivities:
+        """See `Sensitive`; a body after the other."""
+        given, lenient = arrays.named(inertia, omega0, attitude0), arrays.is_lenient(errors)
+        t = np.asarray(t, float)
+        shape = arrays.batch(given, t)
+        found = arrays.sensitivities((*shape, *t.shape[-1:]))
+        bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
+        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        rows = [
+            x.reshape(count, t.shape[1], *last)
+            for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
+        ]
+        for k in range(count):
+            q, omega, attitude, rates, attitude_t, rates_t = (x[k] for x in rows)
+            one = q, omega, attitude, rates, attitude_t, rates_t
+            self._one(k, bodies, t[k if len(t) > 1 else 0], one, lenient)
+        return found
+
+    def _one(
+        self,
+        k: int,
+        bodies: Mapping[str, np.ndarray],
+        t: np.ndarray,
+        found: Sensitivities,
+        lenient: bool,
+    ) -> None:
+        try:
+            prepared = self.engine.prepare(*(array[k] for array in bodies.values()))
+            self._fill(prepared, t, found, lenient)
+        except EngineError as error:
+            if not lenient:
+                raise EngineError(error.field, error.rule, k, error.time) from None
+            for x in found:
+                x[...] = np.nan

@@ -1,0 +1,248 @@
+"""What a fit finds: the best motion with its errors, the other motions, and predictions."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.stats import chi2 as chi2_law
+
+from rigidsym.engines import batches
+from rigidsym.errors import InputError
+from rigidsym.fitting import report
+from rigidsym.fitting.observability import Observability, observability
+from rigidsym.fitting.outliers import against_others, outliers
+from rigidsym.fitting.parameters import Point, observed
+from rigidsym.fitting.problem import Problem
+from rigidsym.fitting.rotations import matrices
+from rigidsym.fitting.states import sensitivities
+from rigidsym.fitting.tumbling import Periods, periods
+from rigidsym.motion import TorqueFreeMotion
+
+if TYPE_CHECKING:
+    from rigidsym.fitting.report import Table
+    from rigidsym.solution.mode import Mode
+    from rigidsym.view.plots.figure import Figure
+
+# Of the largest moment: what is left to the triangle inequality of a flat body.
+_THIN = 1e-4
+NAMES = (
+    *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
+    *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Prediction:
+    """States at times: q (..., 4), omega (..., 3), of the axes that observations speak of.
+
+    covariance (..., 6, 6): of a small turn along inertial axes, rad, and of the rates, rad/s.
+    """
+
+    q: np.ndarray
+    omega: np.ndarray
+    covariance: np.ndarray
+
+    @property
+    def attitude_sigma(self) -> np.ndarray:
+        """The standard deviation of the turn about the axis that is known least (...), rad."""
+        return np.sqrt(np.linalg.eigvalsh(self.covariance[..., :3, :3])[..., -1])
+
+
+@dataclass(frozen=True, eq=False)
+class Alternative:
+    """A motion that fits about as well: chi2, and the axes of the body in those observed."""
+
+    motion: TorqueFreeMotion
+    mount: np.ndarray
+    chi2: float
+
+    @property
+    def mode(self) -> "Mode | None":
+        """See `TorqueFreeMotion.mode`."""
+        return self.motion.mode
+
+    @cached_property
+    def periods(self) -> Periods:
+        """Of rotation and precession, s."""
+        return periods(self.motion)
+
+    @property
+    def moments(self) -> np.ndarray:
+        """(3,), kg m^2, or with the largest as unit."""
+        return np.array(self.motion.exact["inertia"], float)
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class Fit(Alternative):
+    """The best motion, what is known of it, and what else there may be.
+
+    motion: from t = 0 of the times observed, along the principal axes.  moments have the largest as
+    unit, unless a prior or `scale` says more: without torque their scale is unobservable.
+    alternatives: other minima, by chi2, within `delta_chi2` of the best.  converged, reason:
+    whether this is a minimum, and why not.  spinning: whether the observations show no more than a
+    spin about an axis of the body, whatever its moments.
+    """
+
+    problem: Problem
+    loss: str
+    delta_chi2: float
+    scaled: bool
+    converged: bool
+    reason: str
+    spinning: bool
+    alternatives: tuple[Alternative, ...]
+
+    @cached_property
+    def _point(self) -> Point:
+        moments, omega, attitude = (np.array(x, float) for x in self.motion.exact.values())
+        return Point(attitude / np.linalg.norm(attitude), omega, moments, self.mount)
+
+    @cached_property
+    def observability(self) -> Observability:
+        """What the observations tell, and what they do not."""
+        return observability(self.problem, self._point)
+
+    @cached_property
+    def _own(self) -> np.ndarray:
+        """How the quantities of `names` go with the parameters, (12, p), the unit of moments kept
+        at the largest where nothing tells their scale."""
+        found = self.problem.parameters.linear(self._point)
+        if self.problem.prior is None:
+            share = self.moments / self.moments.max()
+            largest = int(np.argmax(self.moments))
+            found[6:9] -= np.outer(share, found[6 + largest])
+        return found
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the rows of `covariance`."""
+        return NAMES if self.problem.parameters.axes else NAMES[:9]
+
+    @cached_property
+    def covariance(self) -> np.ndarray:
+        """Of a turn at t = 0 along inertial axes, rad; omega0, rad/s; the moments; and, where they
+        are estimated, of the axes, rad: (9, 9) or (12, 12), in the order of `names`.
+
+        The variance of what the observations do not tell is infinite, and its covariances are NaN.
+        """
+        return self.observability.covariance(self._own[: len(self.names)])
+
+    @property
+    def sigma(self) -> np.ndarray:
+        """Standard deviations, in the order of `names`."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def unobservable(self) -> tuple[str, ...]:
+        """The names of what the observations do not tell."""
+        return tuple(x for x, s in zip(self.names, self.sigma, strict=True) if np.isinf(s))
+
+    @property
+    def null_directions(self) -> np.ndarray:
+        """Unit directions (k, p) of the problem's parameters that change nothing observed.
+
+        In units of 1 rad, of the size of the rates, and of that of the moments; the names of the
+        parameters are `problem.parameters.names`.
+        """
+        return self.observability.null
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Numbers observed, less the parameters that they tell."""
+        return self.problem.count - self.observability.told.shape[1]
+
+    @property
+    def probability(self) -> float:
+        """That errors alone make chi2 as large as this."""
+        return float(chi2_law.sf(self.chi2, max(self.degrees_of_freedom, 1)))
+
+    @cached_property
+    def residuals(self) -> tuple[np.ndarray, ...]:
+        """Of each set, (N, k): computed less observed, in units of the errors, independent."""
+        return tuple(self.observability.residuals[rows] for rows in self.problem.rows)
+
+    @cached_property
+    def against_others(self) -> tuple[np.ndarray, ...]:
+        """Of each set, (N,): chi2 by which each observation misses what the others predict of it.
+
+        It has as many degrees of freedom as the observation has numbers; NaN where the others
+        predict nothing.
+        """
+        return tuple(against_others(self.problem, self.observability))
+
+    @cached_property
+    def outliers(self) -> tuple[tuple[int, int], ...]:
+        """Set and index of each observation that the others do not allow, at 1 % for all."""
+        return outliers(self.problem, self.observability)
+
+    def predict(self, t: ArrayLike) -> Prediction:
+        """States at t (s), a number or (N,), with covariance, of the axes observed.
+
+        By the sensitivities at the minimum: the error along the momentum grows as the time does.
+        What the observations do not tell is taken to be as uncertain as it can be: 1 rad, the size
+        of the rates, and that of the moments.  Raises InputError as a motion does.
+        """
+        times = batches.array("t", t)
+        if times.ndim > 1:
+            raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")
+        self.motion(times)
+        every = np.atleast_1d(times)
+        q, omega, sensitivity = sensitivities(self._point, every, self.problem.engine)
+        seen = self._point.seen(q, omega)
+        rows = observed(self._point, *seen, sensitivity) @ self.problem.parameters.linear(
+            self._point
+        )
+        found = *seen, self.observability.widest(rows)
+        return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
+
+    @property
+    def axes(self) -> np.ndarray:
+        """(3, 3): its columns are the principal axes along those observed; see `principal_axes`."""
+        return matrices(self.mount)
+
+    @property
+    def tensor(self) -> np.ndarray:
+        """The inertia tensor (3, 3) about the axes observed."""
+        return self.axes @ np.diag(self.moments) @ self.axes.T
+
+    @property
+    def thin(self) -> bool:
+        """Whether the body is the flattest there can be: the observations ask for a flatter one,
+        and the errors of its moments are those along that edge."""
+        largest = np.max(self.moments)
+        return bool(np.sum(self.moments) - 2 * largest < _THIN * largest)
+
+    def plot(self) -> "Figure":
+        """The residuals, in units of their errors (needs matplotlib)."""
+        from rigidsym.fitting.output import residuals
+
+        return residuals(self)
+
+    def tables(self) -> "list[Table]":
+        """A title, columns and rows each, for reading."""
+        return report.tables(self)
+
+    def to_json(self) -> str:
+        """Schema rigidsym.fit/1."""
+        return report.to_json(self)
+
+    def write(self, directory: Path) -> list[Path]:
+        """Write fit.json, the motion as a case file, a page, and pictures where there is
+        matplotlib."""
+        from rigidsym.fitting.output import write
+
+        return write(self, directory)
+
+    def __repr__(self) -> str:
+        from rigidsym.view.text import columns
+
+        shown = [columns(*table) for table in self.tables()[:3]]
+        return "\n\n".join([report.title(self), *shown])
+
+    def _repr_html_(self) -> str:
+        from rigidsym.view.fits import fit_card
+
+        return fit_card(report.title(self), self.tables()[:3])

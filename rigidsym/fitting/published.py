@@ -1,0 +1,68 @@
+"""Observations that the package has: Toutatis by radar, and a T-handle, which is simulated."""
+
+import csv
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from importlib import resources
+
+import numpy as np
+
+from rigidsym.errors import InputError
+from rigidsym.fitting.angles import euler_313
+from rigidsym.io import epochs
+
+TOUTATIS_EPOCH = "1992-12-02T00:00:00"
+"When its times are zero, in UTC."
+YEARS = (1992, 1996, 2000, 2004, 2008)
+# What the paper weighs angles by, deg.
+_EARLY, _LATE, _LATE_FROM = 15.0, 20.0, 2004
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Looks:
+    """N looks at a body: dates in UTC; times (N,), s; attitudes q (N, 4), body to inertial; omega
+    (N, 3), rad/s along the body's axes; sigma (N,): what the paper weighs attitudes by, rad."""
+
+    dates: tuple[str, ...]
+    times: np.ndarray
+    q: np.ndarray
+    omega: np.ndarray
+    sigma: np.ndarray
+
+
+def text(name: str) -> str:
+    """A file of observations as it ships with the package."""
+    return resources.files("rigidsym.fitting").joinpath("data", name).read_text("utf-8")
+
+
+def without_comments(text: str) -> Iterator[str]:
+    """The lines of a table that do not begin with #."""
+    return (line for line in text.splitlines() if not line.startswith("#"))
+
+
+def toutatis(years: Collection[int] = (1992,)) -> Looks:
+    """Radar's attitudes and spin vectors of (4179) Toutatis in some of YEARS.
+
+    Source: Takahashi, Busch and Scheeres, The Astronomical Journal 146:95 (2013), table 3; see the
+    head of data/toutatis.csv on its transcription.  Each year is a motion of its own: tidal torques
+    at flybys, that of 2004 above all, change it.  Raises InputError for other years.
+    """
+    for year in years:
+        if year not in YEARS:
+            raise InputError("years", year, f"must be of: {', '.join(map(str, YEARS))}")
+    rows = list(csv.DictReader(without_comments(text("toutatis.csv"))))
+    rows = [row for row in rows if int(row["date"][:4]) in years]
+    zero = epochs.parse("epoch", TOUTATIS_EPOCH, "UTC")
+    ticks = [epochs.parse("date", row["date"], "UTC") - zero for row in rows]
+    angles, rates = (
+        np.array([[float(row[name]) for name in names] for row in rows])
+        for names in (("alpha", "beta", "gamma"), ("omega1", "omega2", "omega3"))
+    )
+    late = np.array([int(row["date"][:4]) >= _LATE_FROM for row in rows])
+    return Looks(
+        tuple(row["date"] for row in rows),
+        np.array([tick / epochs.SECOND for tick in ticks]),
+        euler_313(np.deg2rad(angles)),
+        np.deg2rad(rates) / 86400,
+        np.deg2rad(np.where(late, _LATE, _EARLY)),
+    )

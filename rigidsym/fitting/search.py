@@ -1,0 +1,136 @@
+"""All minima: starts in batch, refined in batch, and the few that are left by SciPy."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from rigidsym.fitting import batch
+from rigidsym.fitting.alignment import aligned
+from rigidsym.fitting.local import Local, local
+from rigidsym.fitting.parameters import Point, joined
+from rigidsym.fitting.problem import Problem
+from rigidsym.fitting.starts import fastest_rate, starts
+from rigidsym.fitting.states import states
+
+Progress = Callable[[int, int], None]
+
+# Observations of each kind that a search looks at first, and how many it takes on at a time.
+_ENOUGH, _MORE = 48, 4
+# Steps for all, and for those that are left; how many are left, and how many SciPy gets.
+_ROUNDS = ((3, 1000), (6, 200), (20, 60))
+_POLISHED = 24
+# What a minimum may still fall by when SciPy takes it on, of the range that is wanted.
+_MARGIN = 2.0
+# Rates that differ by less, relative to the largest, are those of the same motion.
+_SAME = 1e-3
+
+
+def search(
+    problem: Problem,
+    known: np.ndarray | None,
+    count: int,
+    fastest: float | None,
+    within: float,
+    loss: str,
+    progress: Progress = lambda done, total: None,
+) -> list[Local]:
+    """Distinct minima by cost, those within `within` of the best; at least one.
+
+    count: of starts.  fastest: the largest rate, rad/s; found from the observations where None.
+    """
+    robust = loss != "linear"
+    stages = list(_stages(problem, count, fastest))
+    first = stages[0]
+    limit = fastest_rate(first.sets) if fastest is None else fastest
+    points = aligned(first, starts(first, known, count, limit))
+    total = len(_ROUNDS) + len(stages) + 1
+    cost = np.full(points.count, np.inf)
+    for k, (rounds, kept) in enumerate(_ROUNDS, 1):
+        points, cost = batch.refine(first, points, rounds, robust)
+        points, cost = _best(first, points, cost, kept)
+        progress(k, total)
+    for k, stage in enumerate(stages[1:], len(_ROUNDS) + 1):
+        points, cost = batch.refine(stage, points, _ROUNDS[-1][0], robust)
+        points, cost = _best(stage, points, cost, _ROUNDS[-1][1])
+        progress(k, total)
+    polished = points[cost <= np.min(cost) + _MARGIN * (1 + within)][:_POLISHED]
+    found = [local(problem, polished[k], loss) for k in range(polished.count)]
+    progress(total, total)
+    return distinct(problem, found, within)
+
+
+def distinct(problem: Problem, found: list[Local], within: float) -> list[Local]:
+    """Those that are minima, each once, by cost, within a range of the best; never none."""
+    order = sorted(found, key=lambda one: (not one.converged, one.cost))
+    best, *others = order
+    near = [x for x in others if x.converged and x.cost <= best.cost + within]
+    listed = [best, *near]
+    points = joined(_alone(x.point) for x in listed)
+    return [listed[k] for k in _different(problem, points)]
+
+
+def _alone(point: Point) -> Point:
+    return Point(*(x[None] for x in (point.attitude, point.omega, point.moments, point.mount)))
+
+
+def _best(
+    problem: Problem, points: Point, cost: np.ndarray, count: int
+) -> tuple[Point, np.ndarray]:
+    """The best of them, each once, and their costs."""
+    order = np.argsort(cost, kind="stable")
+    order = order[np.isfinite(cost[order])]
+    if not order.size:
+        return points[:1], cost[:1]
+    points, cost = points[order], cost[order]
+    kept: list[int] = []
+    # In blocks, because most of a grid's starts have gone elsewhere.
+    for begin in range(0, points.count, 4 * count):
+        some = np.concatenate([kept, np.arange(begin, min(begin + 4 * count, points.count))])
+        index = some.astype(int)
+        kept = [int(index[k]) for k in _different(problem, points[index])][:count]
+        if len(kept) == count:
+            break
+    return points[np.array(kept)], cost[kept]
+
+
+def _different(problem: Problem, points: Point) -> list[int]:
+    """Which of the motions (B,) have other rates at the times of observation than those before."""
+    _, omega = points.seen(*states(points, problem.times, problem.engine))
+    rates = omega.reshape(points.count, -1)
+    kept: list[int] = []
+    for k, one in enumerate(rates):
+        apart = np.max(np.abs(rates[kept] - one), axis=-1, initial=0.0)
+        if np.all(apart > _SAME * np.max(np.abs(one), initial=0.0)):
+            kept.append(k)
+    return kept
+
+
+def _stages(problem: Problem, count: int, fastest: float | None) -> Iterator[Problem]:
+    """From an arc in which periods are told apart by the starts, to all observations."""
+    limit = fastest_rate(problem.sets) if fastest is None else fastest
+    length = np.sqrt(count / 6) * np.pi / max(limit, 1e-300)
+    first = problem.times[0]
+    begin = max(problem.times, key=lambda t: _within(problem, t, length).sum())
+    while True:
+        chosen = _within(problem, begin, length)
+        yield _some(problem, begin, length, _ENOUGH)
+        if chosen.all():
+            break
+        length, begin = _MORE * length, max(first, begin - length)
+    yield problem
+
+
+def _within(problem: Problem, begin: float, length: float) -> np.ndarray:
+    return (problem.times >= begin) & (problem.times <= begin + length)
+
+
+def _some(problem: Problem, begin: float, length: float, most: int) -> Problem:
+    """Those observations in an arc, and of many only so many."""
+    sets = []
+    for one in problem.sets:
+        index = np.flatnonzero((one.t >= begin) & (one.t <= begin + length))
+        if index.size:
+            index = index[np.unique(np.linspace(0, index.size - 1, most).round().astype(int))]
+            sets.append(one.some(index))
+    return replace(problem, sets=tuple(sets))

@@ -1,0 +1,102 @@
+"""How rates and attitude move with rates at t = 0 and moments: the ledger's formulas.
+
+Numbers are of any kind that mixes with integers.  Columns are named as the inputs are: Omega1 to
+Omega3, c1 to c3.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, TypeAlias
+
+from rigidsym.language.sequence import Functions
+from rigidsym.solution.formulas import AXES, sequence
+from rigidsym.solution.polhode import discriminant
+from rigidsym.solution.signs import handedness
+
+# By the names of formulas.
+Named: TypeAlias = dict[str, Any]
+NUMBERS = (1, 2, 3)
+KINDS = ("Omega", "c")
+INPUTS = tuple(f"{x}{k}" for x in KINDS for k in NUMBERS)
+EXCESSES = tuple(f"excess_{x}" for x in AXES)
+_COEFFICIENTS = (*(f"alpha_{x}" for x in AXES), "tilt")
+_PARAMETERS = ("p", "r", "apart")
+
+
+@dataclass(frozen=True)
+class Columns:
+    """A motion: moments (3), rates (3) and unit attitude (4) at t = 0, and which axes are a, b, d;
+    of a sphere the rates stay as they are."""
+
+    inertia: Sequence[Any]
+    omega0: Sequence[Any]
+    start: Sequence[Any]
+    axes: Sequence[int]
+    functions: Functions
+    is_sphere: bool = False
+
+    @cached_property
+    def constants(self) -> Mapping[str, Any]:
+        """Of the rates: p, r and `apart`, which is p - r, among them."""
+        known = _lettered(self.inertia, self.omega0, self.axes)
+        return self._of("columns", self._of("moments", known))
+
+    def rates(self, t: Any, elapsed: Mapping[str, Any]) -> Named:
+        """Rates and their columns, by the numbers of the axes, with the functions of elapsed time;
+        and by what the integrals of their squares exceed those of the rates at t = 0."""
+        found = self._of("sensitivity", {**self.constants, **elapsed, "t": t})
+        found |= dict.fromkeys(EXCESSES, 0) if self.is_sphere else self._of("excesses", found)
+        known: Named = {}
+        for x, k in self._numbered:
+            known |= {f"Omega{k}": found[f"Omega_{x}"], f"excess{k}": found[f"excess_{x}"]}
+            for y, j in self._numbered:
+                known |= {f"Omega{k}_by_{z}{j}": found[f"Omega_{x}_by_{z}_{y}"] for z in KINDS}
+        return known
+
+    def turned(self, t: Any, rates: Mapping[str, Any], attitude: Sequence[Any]) -> Named:
+        """With the attitude then, columns of small turns in space; its matrix R, and the column of
+        the time."""
+        known = {**self.begun, **rates, **{f"q{k}": x for k, x in enumerate(attitude)}}
+        return self._of("turn", {**known, "t": t})
+
+    @property
+    def _numbered(self) -> list[tuple[str, int]]:
+        return [(x, k + 1) for x, k in zip(AXES, self.axes, strict=True)]
+
+    @cached_property
+    def begun(self) -> Mapping[str, Any]:
+        """What the attitude's columns have of t = 0."""
+        known: Named = {f"p{k}": x for k, x in enumerate(self.start)}
+        for k, (c, w) in enumerate(zip(self.inertia, self.omega0, strict=True), 1):
+            known |= {f"c{k}": c, f"Omega{k}_0": w}
+        return self._of("turn_constants", known)
+
+    def _of(self, name: str, known: Mapping[str, Any]) -> Named:
+        return sequence(name).evaluate(known, self.functions)
+
+
+def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[int, ...]:
+    """Axes a, b, d with b the middle one, so that 0 <= r <= p."""
+    order = sorted(range(3), key=lambda k: inertia[k], reverse=True)
+    return tuple(order if discriminant(inertia, omega0) >= 0 else order[::-1])
+
+
+def parameters(
+    inertia: Sequence[Fraction], omega0: Sequence[Fraction], axes: Sequence[int]
+) -> list[Fraction]:
+    """p, r and p - r, exactly."""
+    known: Named = _lettered(inertia, omega0, axes)
+    for name, wanted in (("moments", _COEFFICIENTS), ("columns", _PARAMETERS)):
+        formulas = sequence(name).up_to(frozenset(wanted))
+        known = formulas.evaluate_exactly(known, {"power": pow}, Fraction)
+    return [Fraction(known[name]) for name in _PARAMETERS]
+
+
+def _lettered(inertia: Sequence[Any], omega0: Sequence[Any], axes: Sequence[int]) -> Named:
+    """By the names that formulas have for them."""
+    known: Named = {"epsilon": handedness(*axes)}
+    for x, k in zip(AXES, axes, strict=True):
+        known |= {f"c_{x}": inertia[k], f"Omega_{x}0": omega0[k]}
+    return known

@@ -1,0 +1,111 @@
+"""Sensitivities of motions: shapes, frames, and strata against differences of many digits."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from sensitivity_oracle import differences, errors
+
+from rigidsym import InputError, TorqueFreeMotion, propagate
+from rigidsym.engines import ENGINES
+from rigidsym.validate.strata.table import STRATA, draw
+
+PAPER = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
+# As documented; of the larger of a column and the change itself.
+BOUND = 1e-13
+# Whose differences leave binary64.
+_BEYOND = ("scales", "extreme scales")
+
+
+def motion(sample, engine="numpy"):
+    given = sample.inertia, sample.omega0, sample.attitude0
+    return TorqueFreeMotion(*given, engine=engine, allow_nonphysical=True)
+
+
+@pytest.mark.parametrize("stratum", [name for name in STRATA if name not in _BEYOND])
+def test_columns_are_those_of_differences(stratum):
+    sample = draw(stratum, 0, 1)
+    inertia, omega0, attitude0 = sample.exact
+    for t in sample.times[:2]:
+        true = differences(inertia, omega0, attitude0, Fraction(t), 340)
+        for engine in ENGINES:
+            found = motion(sample, engine).sensitivity(t)[2]
+            assert max(errors(found, true, inertia, omega0)) < BOUND, engine
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_at_the_start_changes_are_those_given(engine):
+    for stratum in ("paper", "separatrix", "sphere", "spin", "rest", "symmetric"):
+        _, _, found = motion(draw(stratum, 0, 1), engine).sensitivity([0.0, -0.0])
+        for part in (0, 1):
+            start = found.transition[part]
+            assert np.array_equal(start, np.eye(6))
+            assert not found.attitude[part, :, 6:].any()
+            assert not found.rates[part, :, 6:].any()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_states_are_those_of_a_call(engine):
+    one = TorqueFreeMotion(*PAPER, engine=engine)
+    times = np.linspace(-50, 300, 37)
+    q, omega, found = one.sensitivity(times)
+    assert np.array_equal(q, one(times)[0])
+    assert np.array_equal(omega, one(times)[1])
+    assert found.attitude.shape == found.rates.shape == (37, 3, 9)
+    assert found.attitude_t.shape == found.rates_t.shape == (37, 3)
+
+
+def test_the_columns_of_the_time_are_the_equations_of_motion():
+    inertia, omega0 = PAPER
+    one = TorqueFreeMotion(inertia, omega0, (2, -1, 3, 1))
+    _, omega, found = one.sensitivity(7.0)
+    momentum = np.array(inertia) * omega
+    torque = np.cross(momentum, omega) / inertia
+    assert np.allclose(found.rates_t, torque, rtol=1e-14, atol=0)
+    assert np.allclose(found.attitude_t, one.rotation(7.0).as_matrix() @ omega, rtol=1e-14, atol=0)
+
+
+def test_transitions_compose():
+    one = TorqueFreeMotion(*PAPER)
+    whole = one.state_transition(0.0, 180.0)
+    assert np.allclose(
+        one.state_transition(90.0, 180.0) @ one.state_transition(0.0, 90.0), whole, rtol=1e-12
+    )
+    back = one.state_transition(180.0, 0.0)
+    assert np.allclose(back @ whole, np.eye(6), atol=1e-11)
+    assert one.state_transition(5.0, [5.0, 6.0]).shape == (2, 6, 6)
+    assert np.array_equal(one.state_transition(5.0, 5.0), np.eye(6))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_batch_is_its_bodies(engine):
+    random = np.random.default_rng(3)
+    inertia = random.uniform(2, 3, (4, 3))
+    inertia[3] = (2.0, 2.0, 2.0)
+    omega0 = random.normal(size=(4, 3))
+    omega0[2] = 0.0
+    for t in (3.0, np.array([1.0, -2.0]), np.array([[1.0], [2.0], [0.0], [4.0]])):
+        q, omega, found = propagate(inertia, omega0, t, engine=engine, sensitivity=True)
+        for k in range(4):
+            times = t[k] if np.ndim(t) == 2 else t
+            alone = TorqueFreeMotion(inertia[k], omega0[k], engine=engine).sensitivity(times)
+            assert np.array_equal(q[k], alone[0])
+            assert np.array_equal(omega[k], alone[1])
+            for name in ("attitude", "rates", "attitude_t", "rates_t"):
+                assert np.array_equal(getattr(found, name)[k], getattr(alone[2], name))
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_what_grows_beyond_binary64_is_refused(engine):
+    spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0), engine=engine)
+    assert np.isfinite(spin.sensitivity(500.0)[2].rates).all()
+    with pytest.raises(InputError, match=r"t\[1\] = 10000\.0: .*squares of changes leave binary64"):
+        spin.sensitivity([1.0, 1e4])
+    q, _, found = spin.sensitivity([1.0, 1e4], errors="nan")
+    assert np.isfinite(q).all()
+    assert np.isfinite(found.rates[0]).all()
+    assert np.isnan(found.rates[1]).all()
+    with pytest.raises(InputError, match="must be finite"):
+        spin.sensitivity(np.inf)
+    with pytest.raises(InputError, match="out = given: sensitivities have arrays of their own"):
+        propagate(*PAPER, 1.0, sensitivity=True, out=(np.empty(4), np.empty(3)))
