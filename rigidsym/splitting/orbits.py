@@ -53,10 +53,20 @@ class KeplerOrbit:
         """s; infinite on a hyperbola."""
         return 2 * math.pi / self.mean_motion if self.eccentricity < 1 else math.inf
 
+    @property
+    def axes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Unit vectors (3,) towards periapsis, and a right angle on from there, inertial axes."""
+        (c_n, s_n), (c_i, s_i), (c_w, s_w) = (
+            (math.cos(x), math.sin(x)) for x in (self.node, self.inclination, self.argument)
+        )
+        ascending = np.array([c_n, s_n, 0.0])
+        highest = np.array([-s_n * c_i, c_n * c_i, s_i])
+        return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
+
     def position(self, t: float) -> np.ndarray:
         """From the mass point to the body at a time, m, inertial axes (3,)."""
         along, across = self._in_plane(self.mean_motion * (t - self.epoch))
-        return along * self._axes[0] + across * self._axes[1]
+        return along * self.axes[0] + across * self.axes[1]
 
     @property
     def _semi_major(self) -> float:
@@ -70,16 +80,6 @@ class KeplerOrbit:
             return a * (math.cos(E) - e), a * math.sqrt(1 - e * e) * math.sin(E)
         F = hyperbolic_anomaly(mean_anomaly, e)
         return a * (e - math.cosh(F)), a * math.sqrt(e * e - 1) * math.sinh(F)
-
-    @property
-    def _axes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Unit vectors towards periapsis, and a right angle on from there."""
-        (c_n, s_n), (c_i, s_i), (c_w, s_w) = (
-            (math.cos(x), math.sin(x)) for x in (self.node, self.inclination, self.argument)
-        )
-        ascending = np.array([c_n, s_n, 0.0])
-        highest = np.array([-s_n * c_i, c_n * c_i, s_i])
-        return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
 
 
 def elliptic_anomaly(mean: float, e: float) -> float:

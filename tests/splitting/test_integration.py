@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from pushed_bodies import energy, gradient
 
 import rigidsym
 from rigidsym.errors import InputError
 from rigidsym.quaternions import rotated
-from rigidsym.splitting import METHODS, ConstantInBody, ConstantInSpace
+from rigidsym.splitting import METHODS, ConstantInBody, ConstantInSpace, Potential
 
 BODY = (2.0, 3.0, 4.0)
 START = (1.0, 0.0, 0.0, 0.0)
@@ -199,3 +200,15 @@ def test_bodies_that_cannot_exist_are_taken_where_that_is_meant():
         (1.0, 1.0, 3.0), START, RATES, free, [0.0, 1.0], step=0.5, allow_nonphysical=True
     )
     assert np.isfinite(found.q).all()
+
+
+def test_energy_does_not_drift():
+    """Of a lever in a constant field: the last quarter is as the first."""
+    times = np.linspace(0.0, 200.0, 401)
+    found = rigidsym.integrate(
+        BODY, START, RATES, Potential(lambda t, q: gradient(0.0, q)), times, step=0.5
+    )
+    kept = np.sum(BODY * found.omega**2, axis=-1) / 2 + energy(0.0, found.q)
+    first, last = np.mean(kept[:100]), np.mean(kept[-100:])
+    assert 1e-6 < np.ptp(kept) < 1e-2
+    assert abs(last - first) < np.ptp(kept) / 10

@@ -7,6 +7,7 @@ from typing import Any
 
 PACKAGES = {
     "rigidsym": "What most programmes need",
+    "rigidsym.splitting": "Under a torque",
     "rigidsym.manoeuvre": "Manoeuvres",
     "rigidsym.fitting": "Fits",
     "rigidsym.manoeuvre.flight": "Flights",
@@ -27,6 +28,7 @@ PACKAGES = {
 FIRST = (
     "TorqueFreeMotion",
     "propagate",
+    "integrate",
     "plan",
     "generate",
     "PreciseMotion",
