@@ -106,11 +106,6 @@ def number(field: str, value: ExactNumber) -> Number:
     return Uncertain(middle, radius) if radius else middle
 
 
-def middle(value: Number) -> Fraction:
-    """The number itself, or the middle of one that is uncertain."""
-    return value.middle if isinstance(value, Uncertain) else value
-
-
 def certain(
     field: str, values: Sequence[Number], rule: str = "is uncertain; only enclose takes that"
 ) -> tuple[Fraction, ...]:

@@ -32,6 +32,8 @@ def test_there_are_notebooks_and_no_strays():
     [pytest.param(x, marks=pytest.mark.slow if executed.is_current(x) else ()) for x in NAMES],
 )
 def test_a_fresh_execution_gives_the_committed_notebook(name):
+    if name == "00_start_here":
+        pytest.importorskip("ipywidgets", reason="needs ipywidgets (extra lab)")
     assert build.check(name) == ""
 
 

@@ -31,7 +31,7 @@ def derivation() -> Derivation:
 
 def written(derivation: Derivation, form: str) -> str:
     if form == "html":
-        pytest.importorskip("latex2mathml")
+        pytest.importorskip("latex2mathml", reason="needs latex2mathml (extra docs)")
     return article(derivation.chapters, form)
 
 
@@ -143,7 +143,7 @@ def test_html_is_well_formed(derivation):
 
 
 def test_html_passes_a_parser_of_html5(derivation):
-    html5lib = pytest.importorskip("html5lib")
+    html5lib = pytest.importorskip("html5lib", reason="needs html5lib, of no extra")
     html5lib.HTMLParser(strict=True).parse(written(derivation, "html"))
 
 
