@@ -2028,18 +2028,19 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
         const double over = 1.0 / theta2_y; /* arithmetic */
         const double t2 = t * t; /* classical: DLMF 22.10 */
         const double growth = p * t2; /* classical: DLMF 22.10 */
-        const double S_t = choose(growth, 1.0 / 18014398509481984.0, t, gain_S * (flip * theta1_y * over)); /* classical: DLMF 22.2.4 */
+        const double S_near = t * sqrt(fabs(fused(3.0, E_0, t2 * fused(5.0, E_1, t2 * fused(7.0, E_2, t2 * fused(9.0, E_3, t2 * fused(11.0, E_4, t2 * fused(13.0, E_5, t2 * fused(15.0, E_6, t2 * fused(17.0, E_7, t2 * fused(19.0, E_8, t2 * 21.0 * E_9))))))))))); /* classical: DLMF 22.10 */
+        const double common_7 = 1.0 / 16.0; /* classical: DLMF 22.2.4, DLMF 22.16.30 */
+        const double S_t = choose(growth, common_7, S_near, gain_S * (flip * theta1_y * over)); /* classical: DLMF 22.2.4 */
         const double C_t = gain_C * (flip * theta4_y * over); /* classical: DLMF 22.2.5 */
         const double D_t = gain_D * (theta3_y * over); /* classical: DLMF 22.2.6 */
         const double rise = (1.0 - common_6) / 2.0 + fused(nome4, p2, -(nome6 * (common_6 * w2))) + 3.0 * fused(-nome16, common_6 * common_6, common_5) / 2.0; /* classical: DLMF 22.16.30 */
         const double f_far = fused(f_gain * side * (rise / w), over, D_t * fused(periods, f_period, -(f_rate * y))); /* classical: DLMF 22.16.30 */
-        const double common_7 = t * t2; /* classical: DLMF 22.10 */
-        const double E_near = common_7 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, E_9, E_8), E_7), E_6), E_5), E_4), E_3), E_2), E_1), E_0); /* classical: DLMF 22.10 */
-        const double F_near = common_7 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, F_9, F_8), F_7), F_6), F_5), F_4), F_3), F_2), F_1), F_0); /* classical: DLMF 22.10 */
-        const double common_8 = 1.0 / 16.0; /* classical: DLMF 22.16.30 */
-        const double f = choose(growth, common_8, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
+        const double common_8 = t * t2; /* classical: DLMF 22.10 */
+        const double E_near = common_8 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, E_9, E_8), E_7), E_6), E_5), E_4), E_3), E_2), E_1), E_0); /* classical: DLMF 22.10 */
+        const double F_near = common_8 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, F_9, F_8), F_7), F_6), F_5), F_4), F_3), F_2), F_1), F_0); /* classical: DLMF 22.10 */
+        const double f = choose(growth, common_7, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
         const double E_far = (fused(-S_t, C_t / D_t, t) - apart * f / D_t) / p; /* fact: definition elapsed_E.E_t; (10) */
-        const double E_t = choose(growth, common_8, E_near, E_far); /* classical: DLMF 22.16.30 */
+        const double E_t = choose(growth, common_7, E_near, E_far); /* classical: DLMF 22.16.30 */
         S_t_out[i] = S_t;
         C_t_out[i] = C_t;
         D_t_out[i] = D_t;
@@ -3078,7 +3079,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "d8e39b9bc8d740d6c75d0e8e36ed76eb1fcd0bc862b154a7626879b2674605a2"; }
+const char *torque_free_digest(void) { return "a0265a2692d463a9ee1bdab0ab8de6860ab332de6a8db89847764f8d75f26b7f"; }
 
 const char *torque_free_message(int code)
 {

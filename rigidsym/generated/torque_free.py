@@ -20,7 +20,7 @@ products, quotients, roots and reductions; exact ones of doubles are Knuth's (Th
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
     429  23 %  follow facts of the ledger, each named on its line
-    549  30 %  follow classical formulas, each with its reference
+    550  30 %  follow classical formulas, each with its reference
      65   4 %  are arithmetic: sums, products, quotients, roots, reductions
     785  43 %  are the runtime, written by hand
 
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest f9b0cf05d17a9bb0077072c9f4bd2642a8eb769a7ae70640f86ca1d4d6899039
+digest 88db2c90c575250d02b885c88a94097397ce43d1e0ece76e7cf9fb0110268ab0
 """
 
 # ruff: noqa
@@ -1274,18 +1274,19 @@ def _imaginary_state(w, p2, y, side, flip, periods, t, nome2, nome4, nome6, nome
     over = 1 / theta2_y  # arithmetic
     t2 = t * t  # classical: DLMF 22.10
     growth = p * t2  # classical: DLMF 22.10
-    S_t = _choose(growth, 1 / 18014398509481984, t, gain_S * (flip * theta1_y * over))  # classical: DLMF 22.2.4
+    S_near = t * _sqrt(abs(_horner(t2, 3 * E_0, 5 * E_1, 7 * E_2, 9 * E_3, 11 * E_4, 13 * E_5, 15 * E_6, 17 * E_7, 19 * E_8 + t2 * 21 * E_9)))  # classical: DLMF 22.10
+    common_7 = 1 / 16  # classical: DLMF 22.2.4, DLMF 22.16.30
+    S_t = _choose(growth, common_7, S_near, gain_S * (flip * theta1_y * over))  # classical: DLMF 22.2.4
     C_t = gain_C * (flip * theta4_y * over)  # classical: DLMF 22.2.5
     D_t = gain_D * (theta3_y * over)  # classical: DLMF 22.2.6
     rise = (1 - common_6) / 2 + (nome4 * p2 - nome6 * (common_6 * w2)) + 3 * (common_5 - nome16 * (common_6 * common_6)) / 2  # classical: DLMF 22.16.30
     f_far = f_gain * side * (rise / w) * over + D_t * (periods * f_period - f_rate * y)  # classical: DLMF 22.16.30
-    common_7 = t * t2  # classical: DLMF 22.10
-    E_near = common_7 * _horner(t2, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9)  # classical: DLMF 22.10
-    F_near = common_7 * _horner(t2, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9)  # classical: DLMF 22.10
-    common_8 = 1 / 16  # classical: DLMF 22.16.30
-    f = _choose(growth, common_8, D_t * F_near, f_far)  # classical: DLMF 22.16.30
+    common_8 = t * t2  # classical: DLMF 22.10
+    E_near = common_8 * _horner(t2, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9)  # classical: DLMF 22.10
+    F_near = common_8 * _horner(t2, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9)  # classical: DLMF 22.10
+    f = _choose(growth, common_7, D_t * F_near, f_far)  # classical: DLMF 22.16.30
     E_far = (t - S_t * (C_t / D_t) - apart * f / D_t) / p  # fact: definition elapsed_E.E_t; (10)
-    E_t = _choose(growth, common_8, E_near, E_far)  # classical: DLMF 22.16.30
+    E_t = _choose(growth, common_7, E_near, E_far)  # classical: DLMF 22.16.30
     return S_t, C_t, D_t, E_t, f
 
 

@@ -111,7 +111,11 @@ def _state() -> list[Let]:
         *theta_hyperbolic.rate_values(),
         let("over = 1/theta2_y"),
         *near.growth(),
-        near.sine("gain_S*(flip*theta1_y*over)"),
+        near.root(),
+        let(
+            f"S_t = choose(growth, {near.NEAR}, S_near, gain_S*(flip*theta1_y*over))",
+            "DLMF 22.2.4",
+        ),
         let("C_t = gain_C*(flip*theta4_y*over)", "DLMF 22.2.5"),
         let("D_t = gain_D*(theta3_y*over)", "DLMF 22.2.6"),
         let(

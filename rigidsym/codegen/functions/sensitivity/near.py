@@ -57,6 +57,12 @@ def sine(far: str) -> Let:
     return let(f"S_t = choose(growth, {TINY}, t, {far})", "DLMF 22.2.4")
 
 
+def root() -> Let:
+    """S_t where the far form would be a difference: by the root of its square, the slope of E_t."""
+    square = horner("t2", [f"{2 * n + 3}*E_{n}" for n in range(TERMS)])
+    return let(f"S_near = t*sqrt(size({square}))", _SOURCE)
+
+
 def values() -> list[Let]:
     """Both integrals, near t = 0."""
     rows = {x: [f"{x}_{n}" for n in range(TERMS)] for x in "EF"}
