@@ -5,12 +5,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from importlib import resources
 
+from rigidsym.codegen.forms import STEP
 from rigidsym.codegen.ir import KINDS
 
 # Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
 RUNTIMES = {
     "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
+    "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
     "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
+    "c-step": ("targets/c/step.c", "targets/c/double_double.c"),
 }
 _COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
 MEANINGS = {
@@ -38,11 +41,18 @@ def text(counts: Mapping[str, int]) -> str:
 
 
 def handwritten(target: str) -> int:
-    """Lines that are neither blank nor comments of what a target has beside generated code."""
-    return sum(_lines(name, _COMMENT[target]) for name in RUNTIMES.get(target, ()))
+    """Lines that are neither blank nor comments of what a target, or a form of its own
+    (`c-step`), has beside generated code."""
+    comment = _COMMENT.get(target.partition("-")[0], "")
+    return sum(_lines(name, comment) for name in RUNTIMES.get(target, ()))
 
 
 def _lines(name: str, comment: str) -> int:
     whole = resources.files("rigidsym.codegen").joinpath(name).read_text("utf-8")
     code = re.sub(comment, "", whole, flags=re.DOTALL)
     return sum(bool(line.strip()) for line in code.splitlines())
+
+
+def runtime(target: str, form: str) -> str:
+    """Which of RUNTIMES a module has: steps have one of their own."""
+    return f"{target}-{form}" if form == STEP else target

@@ -34,7 +34,9 @@ def step(solution: Solution) -> tuple[Function, ...]:
     )
 
 
-def _function(name: str, summary: str, given: str, extended: str, lets, results, split="") -> Function:
+def _function(
+    name: str, summary: str, given: str, extended: str, lets, results, split=""
+) -> Function:
     parameters = (*extended.split(), *given.split())
     return Function(
         f"_step_{name}",
@@ -102,9 +104,7 @@ def _first(solution: Solution) -> Function:
 
 
 def _doubled(solution: Solution) -> Function:
-    lets = select(
-        solution.sequences["doubling"], ("X_next", "Y_next"), ("X", "Y", "e_1", "e_2")
-    )
+    lets = select(solution.sequences["doubling"], ("X_next", "Y_next"), ("X", "Y", "e_1", "e_2"))
     results = ("X_next", "Y_next")
     summary = "X and Y at twice the time."
     return _function("doubled", summary, "", "X Y e_1 e_2", lets, results, "X_next Y_next")
@@ -119,9 +119,7 @@ def _projected(solution: Solution) -> Function:
 
 def _second_half(solution: Solution) -> Function:
     """Angles of both halves add up."""
-    factor = select(
-        solution.sequences["projection"], ("G_re", "G_im"), ("h", "z_re", "z_im", "X")
-    )
+    factor = select(solution.sequences["projection"], ("G_re", "G_im"), ("h", "z_re", "z_im", "X"))
     sum_of_angles = select(
         solution.sequences["thirds"], ("P_re", "P_im"), ("T_re", "T_im", "E_re", "E_im")
     )
@@ -150,7 +148,8 @@ def _front(solution: Solution) -> Function:
     """The unit quaternion in front, from the attitude where psi is 0."""
     given = ("K", "epsilon", "sigma", *_HALF, *INERTIA, *RATES, *ATTITUDE)
     lets = specialise(
-        select(solution.sequences["constants"], _FRONT, given), dict(zip(_HALF, (1, 0), strict=True))
+        select(solution.sequences["constants"], _FRONT, given),
+        dict(zip(_HALF, (1, 0), strict=True)),
     )
     starts = dict(zip(RATES, STARTS, strict=True))
     names = " ".join(("K", *INERTIA, *STARTS, *ATTITUDE))

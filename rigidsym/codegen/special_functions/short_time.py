@@ -19,6 +19,8 @@ from rigidsym.codegen.special_functions.text import horner
 
 STEPS = 5
 TERMS, J_TERMS = 8, 12
+# What is left out at |omega t| = 8 rad, relative, and in psi/2: measured, not proved.
+MEASURED, J_MEASURED = 1e-17, 1e-17
 _TAYLOR, _LEGENDRE = "DLMF 22.10.1", "DLMF 18.12.11"
 # A coefficient by the powers of e_1 and e_2.
 Polynomial = dict[tuple[int, int], Fraction]
