@@ -35,7 +35,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest dd29f8b35bbf2fa5632abaf1e5ff244003b076911fa6f1dbc2b13e1d012db315
+digest 049632a6c9487c51381fe5dc46750239bf751f1de8b1ec602fb5115168c05c44
 """
 
 # ruff: noqa
@@ -258,8 +258,8 @@ def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, s
     H_0 = (c_a * common_5 + c_b * common_1 + c_d * common_3) / 2  # fact: definition step.H_0; (6)
     psi_0 = (2 * H_0 + K * sigma * Omega_a0) / (K + sigma * M_a0)  # fact: definition step.psi_0; (33), (34)
     Lambda_rate = psi_0 / (2 * pi)  # arithmetic
-    short = t * (1 / 32)  # arithmetic
-    common_6 = short * short  # classical: DLMF 22.10.1
+    first_t = t * (1 / 32)  # arithmetic
+    common_6 = first_t * first_t  # classical: DLMF 22.10.1
     a_1 = _rounded(e_1) * common_6  # classical: DLMF 22.10.1
     a_2 = _rounded(e_2) * (common_6 * common_6)  # classical: DLMF 22.10.1
     common_7 = 1 / 120  # classical: DLMF 22.10.1
@@ -269,7 +269,7 @@ def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, s
     common_11 = a_1 * -13511  # classical: DLMF 22.10.1
     more_X = _horner(a_2, _horner(a_1, 0, -1 / 6, common_7, -1 / 5040, 1 / 362880, -1 / 39916800, 1 / 6227020800 + common_8 / 1307674368000), _horner(a_1, 1 / 10, -11 / 420, 17 / 5040, -461 / 1663200, 8303 / 518918400 + common_9 / 36324288000), _horner(a_1, common_7, -307 / 92400, 9481 / 14414400 + common_10 / 3027024000), 11 / 15600 + common_11 / 36036000)  # classical: DLMF 22.10.1
     more_Y = _horner(a_2, _horner(a_1, 0, -1 / 2, 1 / 24, -1 / 720, 1 / 40320, -1 / 3628800, 1 / 479001600 + common_8 / 87178291200), _horner(a_1, 1 / 2, -11 / 60, 17 / 560, -461 / 151200, 8303 / 39916800 + common_9 / 2421619200), _horner(a_1, 3 / 40, -307 / 8400, 9481 / 1108800 + common_10 / 201801600), 11 / 1200 + common_11 / 2402400)  # classical: DLMF 22.10.1
-    X = short * (unity + more_X)  # classical: DLMF 22.10.1
+    X = first_t * (unity + more_X)  # classical: DLMF 22.10.1
     Y = unity + more_Y  # classical: DLMF 22.10.1
     return h.hi, h.lo, e_1.hi, e_1.lo, e_2.hi, e_2.lo, K.hi, K.lo, Lambda_rate.hi, Lambda_rate.lo, X.hi, X.lo, Y.hi, Y.lo
 
@@ -291,7 +291,7 @@ def _step_first(K, h, e_1, e_2, X, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Om
     common_2 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11
     G_re = 1 - nu_re * common_2  # fact: definition turn.G_re; (27), (36)
     G_im = -nu_im * common_2  # fact: definition turn.G_im; (27), (36)
-    x = common_2  # classical: DLMF 18.12.11
+    square_X = common_2  # classical: DLMF 18.12.11
     d_0 = 1  # classical: DLMF 18.12.11
     d_1 = e_1 / 2  # classical: DLMF 18.12.11
     common_3 = 3 / 4  # classical: DLMF 18.12.11
@@ -332,7 +332,7 @@ def _step_first(K, h, e_1, e_2, X, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Om
     c_10_im = nu_re * c_9_im + nu_im * c_9_re  # classical: DLMF 18.12.11
     c_11_re = d_11 + (nu_re * c_10_re - nu_im * c_10_im)  # classical: DLMF 18.12.11
     c_11_im = nu_re * c_10_im + nu_im * c_10_re  # classical: DLMF 18.12.11
-    common_7 = X * x  # classical: DLMF 18.12.11
+    common_7 = X * square_X  # classical: DLMF 18.12.11
     common_8 = 1 / 3  # classical: DLMF 18.12.11
     common_9 = 1 / 5  # classical: DLMF 18.12.11
     common_10 = 1 / 7  # classical: DLMF 18.12.11
@@ -344,9 +344,9 @@ def _step_first(K, h, e_1, e_2, X, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Om
     common_16 = 1 / 19  # classical: DLMF 18.12.11
     common_17 = 1 / 21  # classical: DLMF 18.12.11
     common_18 = 1 / 23  # classical: DLMF 18.12.11
-    common_19 = x * (1 / 25)  # classical: DLMF 18.12.11
-    J_re = common_7 * _horner(x, common_8 * c_0_re, common_9 * c_1_re, common_10 * c_2_re, common_11 * c_3_re, common_12 * c_4_re, common_13 * c_5_re, common_14 * c_6_re, common_15 * c_7_re, common_16 * c_8_re, common_17 * c_9_re, common_18 * c_10_re + common_19 * c_11_re)  # classical: DLMF 18.12.11
-    J_im = common_7 * _horner(x, common_8 * c_0_im, common_9 * c_1_im, common_10 * c_2_im, common_11 * c_3_im, common_12 * c_4_im, common_13 * c_5_im, common_14 * c_6_im, common_15 * c_7_im, common_16 * c_8_im, common_17 * c_9_im, common_18 * c_10_im + common_19 * c_11_im)  # classical: DLMF 18.12.11
+    common_19 = square_X * (1 / 25)  # classical: DLMF 18.12.11
+    J_re = common_7 * _horner(square_X, common_8 * c_0_re, common_9 * c_1_re, common_10 * c_2_re, common_11 * c_3_re, common_12 * c_4_re, common_13 * c_5_re, common_14 * c_6_re, common_15 * c_7_re, common_16 * c_8_re, common_17 * c_9_re, common_18 * c_10_re + common_19 * c_11_re)  # classical: DLMF 18.12.11
+    J_im = common_7 * _horner(square_X, common_8 * c_0_im, common_9 * c_1_im, common_10 * c_2_im, common_11 * c_3_im, common_12 * c_4_im, common_13 * c_5_im, common_14 * c_6_im, common_15 * c_7_im, common_16 * c_8_im, common_17 * c_9_im, common_18 * c_10_im + common_19 * c_11_im)  # classical: DLMF 18.12.11
     chi = rate_re * J_im + rate_im * J_re  # arithmetic
     common_20 = chi * chi  # classical: DLMF 4.19.2, DLMF 4.19.1
     E_re = 1 - common_20 / 2  # classical: DLMF 4.19.2

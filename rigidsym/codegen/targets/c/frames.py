@@ -25,6 +25,13 @@ class Frame:
 
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
     """All functions in order; `_discriminant` is there for two kinds of numbers."""
+    if all(function.name.startswith("_step_") for function in functions):
+        # Here, because lanes have the frames of this module.
+        from rigidsym.codegen.targets.c import lanes
+
+        extended = lanes.pairs(functions)
+        yield from (lanes.frame(function, extended) for function in functions)
+        return
     timed = {"t", "t_lo"} | {x for f in functions if f.name.endswith("_angles") for x in f.results}
     for function in functions:
         name = function.name[1:]
