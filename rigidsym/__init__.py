@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rigidsym.principal import PrincipalAxes, principal_axes
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic, symbolic
+    from rigidsym.steps import step
 
 __all__ = [
     "Generated",
@@ -31,6 +32,7 @@ __all__ = [
     "plan",
     "principal_axes",
     "propagate",
+    "step",
     "symbolic",
 ]
 
@@ -47,6 +49,7 @@ _HOMES = {
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
+    "step": "rigidsym.steps",
     "symbolic": "rigidsym.solution.symbolic",
 }
 

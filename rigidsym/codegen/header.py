@@ -122,7 +122,8 @@ def _pi() -> list[str]:
 def _step() -> list[str]:
     """What steps alone have."""
     return [
-        f"  X and Y, {short_time.TERMS} terms of series   relative, {_up(short_time.MEASURED)} measured",
+        f"  X and Y, {short_time.TERMS} terms of series   "
+        f"relative, {_up(short_time.MEASURED)} measured",
         f"  J, {short_time.J_TERMS} terms of series         in psi/2 after all doublings, "
         f"{_up(short_time.J_MEASURED)} measured",
     ]

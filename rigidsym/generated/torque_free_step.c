@@ -793,9 +793,10 @@ static void put_body(lanes *x, size_t i, const torque_free_body *body)
     x->epsilon[i] = body->epsilon;
 }
 
-/* What the attitude and the rates of lane i are scaled by, and whether it rests. */
+/* The state of a lane as it was given, what its rates are scaled by, and whether nothing turns. */
 typedef struct {
     int axis[3], exponent, still;
+    double q[4], omega[3];
 } scaling;
 
 static int set_state(lanes *x, size_t i, const int axis[3], const double *q, const double *omega, double dt,
@@ -809,8 +810,8 @@ static int set_state(lanes *x, size_t i, const int axis[3], const double *q, con
         return TORQUE_FREE_STEP_NOT_FINITE;
     if (!(size > 0.0))
         return TORQUE_FREE_STEP_ATTITUDE;
-    of->still = !(largest > 0.0);
-    of->exponent = of->still ? 0 : (int)scale(largest);
+    of->still = !(largest > 0.0 && fabs(dt) > 0.0);
+    of->exponent = largest > 0.0 ? (int)scale(largest) : 0;
     memcpy(of->axis, axis, sizeof of->axis);
     double rates[3], attitude[4];
     for (int k = 0; k < 3; k++)
@@ -821,7 +822,13 @@ static int set_state(lanes *x, size_t i, const int axis[3], const double *q, con
         attitude[1 + k] = less ? ldexp(q[1 + axis[k]], less) : q[1 + axis[k]];
     x->t[i] = of->exponent ? ldexp(dt, of->exponent) : dt;
     if (of->still)
-        rates[0] = 1.0, x->t[i] = 0.0;
+        x->t[i] = 0.0;
+    if (!(largest > 0.0))
+        rates[0] = 1.0;
+    memcpy(of->omega, omega, sizeof of->omega);
+    of->q[0] = attitude[0];
+    for (int k = 0; k < 3; k++)
+        of->q[1 + axis[k]] = attitude[1 + k];
     x->Omega_a0_hi[i] = rates[0], x->Omega_b0_hi[i] = rates[1], x->Omega_d0_hi[i] = rates[2];
     x->Omega_a0_lo[i] = x->Omega_b0_lo[i] = x->Omega_d0_lo[i] = 0.0;
     x->q_0[i] = attitude[0], x->q_a[i] = attitude[1], x->q_b[i] = attitude[2], x->q_d[i] = attitude[3];
@@ -912,6 +919,14 @@ static int is_held(const lanes *x, size_t i)
 
 static void get_state(const lanes *x, size_t i, const scaling *of, double *q, double *omega)
 {
+    if (of->still) {
+        const double *p = of->q;
+        const double size = sqrt(p[0] * p[0] + p[1] * p[1] + (p[2] * p[2] + p[3] * p[3]));
+        for (int k = 0; k < 4; k++)
+            q[k] = p[k] / size;
+        memcpy(omega, of->omega, sizeof of->omega);
+        return;
+    }
     const int a = x->turned[i] < 0.0 ? 2 : 0, d = 2 - a;
     const double rates[3] = {x->Omega_a[i], x->Omega_b[i], x->Omega_d[i]};
     const double parts[3] = {x->q_a[i], x->q_b[i], x->q_d[i]};
@@ -919,7 +934,7 @@ static void get_state(const lanes *x, size_t i, const scaling *of, double *q, do
     q[0] = x->q_0[i];
     for (int k = 0; k < 3; k++) {
         q[1 + axis[k]] = parts[k];
-        omega[axis[k]] = of->still ? 0.0 : of->exponent ? ldexp(rates[k], of->exponent) : rates[k];
+        omega[axis[k]] = of->exponent ? ldexp(rates[k], of->exponent) : rates[k];
     }
 }
 
@@ -997,7 +1012,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "3358dd905e3d3ccd45840735588230c5757eb792c2178b5a2710de8d67fa1507"; }
+const char *torque_free_step_digest(void) { return "73b6cef865d66cf76a3efbeaf3b8e32307fdef351bdce676f83c0e746c8bf6a2"; }
 
 const char *torque_free_step_message(int code)
 {

@@ -48,4 +48,5 @@ def _c(text: str, options: tuple[str, ...]) -> Engine:
     sources = {name: installed(name) for name in build.FILES["c"]} | {FILES["c"]: text}
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
         built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
-        return CEngine(load(built, sources))
+        library: Any = load(built, sources)
+        return CEngine(library)

@@ -73,6 +73,9 @@ _INCLUDES = """\
 #define TORQUE_FREE_BLOCK 64
 #endif
 """
+# What the functions of motions do about options that no macro tells.
+_LOOKS = """.  Not every option
+   that breaks this shows in a macro: torque_free_motion_init looks, too. */"""
 _FIRST = """#ifndef TORQUE_FREE_H
 #define TORQUE_FREE_H
 
@@ -140,8 +143,7 @@ def source_first(form: str) -> str:
     if form == STEP:
         before, _, _ = includes.partition("/* How many states are computed")
         pairs = _part("double_double.c").replace("torque_free.c", SOURCES[STEP])
-        looks = ".  Not every option\n   that breaks this shows in a macro: torque_free_motion_init looks, too. */"
-        return "\n".join([before, _STEP_LANES, pairs.replace(looks, ". */"), ""])
+        return "\n".join([before, _STEP_LANES, pairs.replace(_LOOKS, ". */"), ""])
     return "\n".join([includes, _part("double_double.c"), _part("exact.c"), ""])
 
 

@@ -4,6 +4,8 @@ Its text stands in the generated module after the pairs and the derived function
 importable only as far as linting goes.
 """
 
+from typing import Any
+
 import numpy as np
 
 from rigidsym.codegen.targets.numpy.stubs import (
@@ -54,7 +56,7 @@ def prepare(inertia):
     order = np.argsort(-inertia, axis=-1, kind="stable")
     exponent = np.frexp(np.max(inertia, axis=-1))[1]
     c = np.ldexp(np.take_along_axis(inertia, order, -1), -exponent[:, None]).T.copy()
-    known = {f"c_{x}": _DoubleDouble(c[k], 0 * c[k]) for k, x in enumerate("abd")}
+    known: dict[str, Any] = {f"c_{x}": _DoubleDouble(c[k], 0 * c[k]) for k, x in enumerate("abd")}
     for x, y in ("ab", "ad", "bd"):
         known[f"c_{x}{y}"] = _DoubleDouble(*_two_sum(known[f"c_{x}"].hi, -known[f"c_{y}"].hi))
     known["epsilon"] = np.where((order[:, 1] - order[:, 0]) % 3 == 1, 1.0, -1.0)
@@ -106,17 +108,21 @@ def _some(bodies, q, omega, dt, out):
     rule = f"|omega dt| must be at most {MAX_STEP:.0f} rad"
     _refuse("dt", rule, ~(angle <= MAX_STEP))
     known, axes = _circulating(bodies, rates, axes)
+    start = [known[name] for name in ("Omega_a0", "Omega_b0", "Omega_d0")]
     # Quaternions of any size: a power of two off.
     size = np.frexp(np.max(np.abs(q), axis=-1, keepdims=True))[1]
     scaled = np.ldexp(q, -size)
     parts = [scaled[:, 0], *np.take_along_axis(scaled[:, 1:], axes, -1).T]
     found, rates = _moved(known, parts, t)
     _refuse("dt", "the body turns too fast for one step", ~np.isfinite(found).all(axis=0))
+    # What does not turn keeps its attitude to the last bit, once that is of length one.
+    still = (t == 0) | ~np.any(omega != 0, axis=-1)
+    found = [np.where(still, *both) for both in zip(parts, found, strict=True)]
     length = np.sqrt(sum(x * x for x in found))
     out[0][:, 0] = found[0] / length
     for k in range(3):
         np.put_along_axis(out[0][:, 1:], axes[:, k, None], (found[1 + k] / length)[:, None], -1)
-        after = np.ldexp(rates[k], exponent)
+        after = np.where(still, np.ldexp(start[k], exponent), np.ldexp(rates[k], exponent))
         np.put_along_axis(out[1], axes[:, k, None], after[:, None], -1)
 
 
@@ -169,5 +175,4 @@ def _moved(body, q, t):
     front = _step_front(K.hi, *moments, *doubles, *q, *signs)
     turned = (t, rate.hi, rate.lo, re, im, K.hi, *moments, *rates, *front, *signs)
     attitude = _step_attitude(*turned)
-    rates = [np.where(still, 0.0, x) for x in rates]
     return attitude, rates
