@@ -9,7 +9,8 @@ GRAPH = imports()
 FOUNDATION = "errors language quaternions"
 NUMBERS = f"{FOUNDATION} inputs solution precise"
 ALLOWED = {
-    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode solution.symbolic",
+    "rigidsym": "codegen errors manoeuvre motion principal solution.polhode solution.symbolic"
+    " steps",
     "rigidsym.__main__": "cli",
     "rigidsym._version": "",
     "rigidsym.errors": "",
@@ -19,6 +20,7 @@ ALLOWED = {
     "rigidsym.inputs": "errors",
     "rigidsym.principal": "errors inputs quaternions",
     "rigidsym.motion": f"{NUMBERS} engines io.frames view",
+    "rigidsym.steps": "engines errors",
     # What is true.
     "rigidsym.proof.kernel": "",
     "rigidsym.proof.checker": "",

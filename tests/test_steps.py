@@ -96,8 +96,8 @@ def test_a_step_in_place(engine):
     assert found[1] is omega
     assert all(map(np.array_equal, found, expected))
     shared = np.zeros(400)
+    out = shared[:200].reshape(50, 4), shared[199:349].reshape(50, 3)
     with pytest.raises(InputError, match=r"^out = as given: q and omega must not overlap"):
-        out = shared[:200].reshape(50, 4), shared[199:349].reshape(50, 3)
         rigidsym.step(inertia, q, omega, 0.4, engine=engine, out=out)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.lines import Lines, flat_results
-from rigidsym.codegen.targets.c.frames import Frame
+from rigidsym.codegen.targets.c.frame import Frame
 
 _HEAD = "static void {name}(size_t n, lanes *x)"
 _LOOP = "for (size_t i = 0; i < n; i++) {"

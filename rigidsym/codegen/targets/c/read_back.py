@@ -20,7 +20,8 @@ from rigidsym.codegen.seal.equality import is_equal
 from rigidsym.codegen.special_functions.short_time import STEPS
 from rigidsym.codegen.targets.c import lanes, module
 from rigidsym.codegen.targets.c.expressions import Reader
-from rigidsym.codegen.targets.c.frames import Frame, frames, struct
+from rigidsym.codegen.targets.c.frame import Frame
+from rigidsym.codegen.targets.c.frames import frames, struct
 from rigidsym.codegen.targets.c.statements import Statement, statements
 from rigidsym.errors import InputError
 
