@@ -11,6 +11,7 @@ import math
 import sys
 import time
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -46,14 +47,12 @@ def costs() -> None:
     alone = threads.processors
     threads.processors = lambda: 1
     for engine in ("c", "numpy"):
-        for name, moments in (("a body each", inertia), ("one body", inertia[0])):
-            taken = seconds(lambda: rigidsym.step(moments, q, omega, 0.3, engine=engine, out=out))
+        step = partial(rigidsym.step, q=q, omega=omega, dt=0.3, engine=engine, out=out)
+        for name, moments in (("one body", inertia[0]), ("a body each", inertia)):
+            taken = seconds(partial(step, moments))
             print(f"{engine:6} step, {name:12} {taken / BODIES * 1e6:8.3f} us a body")
-        whole = seconds(
-            lambda: rigidsym.propagate(inertia, omega, [0.3], q, engine=engine), rounds=3
-        )
-        step = seconds(lambda: rigidsym.step(inertia, q, omega, 0.3, engine=engine, out=out))
-        print(f"{engine:6} propagation to one time over step {whole / step:8.1f}")
+        run = partial(rigidsym.propagate, inertia, omega, [0.3], q, engine=engine)
+        print(f"{engine:6} propagation to one time over step {seconds(run, 3) / taken:8.1f}")
     threads.processors = alone
 
 
