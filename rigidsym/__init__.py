@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rigidsym.solution.polhode import Regime
     from rigidsym.solution.symbolic import Symbolic, symbolic
     from rigidsym.splitting import Trajectory, integrate
+    from rigidsym.steps import step
 
 __all__ = [
     "Generated",
@@ -37,6 +38,7 @@ __all__ = [
     "plan",
     "principal_axes",
     "propagate",
+    "step",
     "symbolic",
 ]
 
@@ -56,6 +58,7 @@ _HOMES = {
     "plan": "rigidsym.manoeuvre",
     "principal_axes": "rigidsym.principal",
     "propagate": "rigidsym.motion",
+    "step": "rigidsym.steps",
     "symbolic": "rigidsym.solution.symbolic",
 }
 

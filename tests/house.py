@@ -18,8 +18,10 @@ ROOT = Path(__file__).parents[1]
 APART = {
     "rigidsym.generated.torque_free",
     "rigidsym.generated.torque_free_pi",
+    "rigidsym.generated.torque_free_step",
     "rigidsym.codegen.targets.numpy.runtime",
     "rigidsym.codegen.targets.numpy.sensitivity",
+    "rigidsym.codegen.targets.numpy.step",
 }
 
 Graph = Mapping[str, set[str]]

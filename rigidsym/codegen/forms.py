@@ -2,11 +2,12 @@
 
 from rigidsym.errors import InputError
 
-THETA, PI = "theta", "pi"
+THETA, PI, STEP = "theta", "pi", "step"
 # What a module flies by; the first is the default.
 FORMS = {
     THETA: "two theta functions of a shifted time",
     PI: "one integral of the third kind, and no theta function",
+    STEP: "one step from any state, by its elapsed time alone",
 }
 
 

@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 from rigidsym._version import __version__
-from rigidsym.codegen.forms import PI, THETA
-from rigidsym.codegen.limits import LIMITS
+from rigidsym.codegen.forms import PI, STEP, THETA
+from rigidsym.codegen.limits import limits
 from rigidsym.codegen.special_functions import (
     angles,
     carlson,
@@ -17,6 +17,7 @@ from rigidsym.codegen.special_functions import (
     landen,
     nome,
     reduction,
+    short_time,
     theta_circular,
     theta_hyperbolic,
 )
@@ -27,15 +28,23 @@ DIGEST = "@digest@"
 MEASURED_FILE = Path(__file__).with_name("measured.json")
 MEASURED = "@measured@"
 SHARES = "@shares@"
-_DOMAIN = """\
+_OF_MOTIONS = """\
 Domain: positive principal moments of inertia, none below 2^{min_moment_ratio} of another; finite
 rates and attitude; |omega0 t| up to 2^{max_angle} rad, and less for motions that binary64 cannot
 tell from the separatrix, or from spin about the middle axis.  What lies outside is refused.
 Numbers mean their exact binary64 values.
 Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
 continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
-kg m^2; t in s.
-
+kg m^2; t in s."""
+_OF_STEPS = """\
+Domain: positive principal moments of inertia, none below 2^{min_moment_ratio} of another; finite
+rates and attitude; steps of |omega dt| up to 2^{max_step} rad, forwards or back.  What lies outside
+is refused.  Numbers mean their exact binary64 values.
+Conventions: quaternions are scalar first, unit, body to inertial, with q' = q (0, omega)/2 and
+continuous in the double cover from the attitude given; omega in body axes, rad/s; inertia in
+kg m^2; dt in s."""
+_DOMAINS = {THETA: _OF_MOTIONS, PI: _OF_MOTIONS, STEP: _OF_STEPS}
+_LINES = """\
 A comment says what its line is.  `fact`: the ledger has it, as a proved fact, as `definition` (what
 a quantity is short for), as `reading` (the standard function that it is) or as `choice` (the sign
 that makes a theorem's hypothesis hold); then come equations of the paper that this carries.
@@ -58,6 +67,10 @@ what starts and moves alike.  Special functions (Landen's ladder, the arithmetic
 Carlson's R_J, angles and their reduction) are truncated as follows;
 `rigidsym.codegen.special_functions` proves the bounds in exact or ball arithmetic, but for those
 said to be measured, and `pytest tests/codegen/special_functions` holds all against mpmath:""",
+    STEP: """\
+Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
+cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
+mpmath:""",
 }
 
 
@@ -106,7 +119,17 @@ def _pi() -> list[str]:
     ]
 
 
-_LADDERS = {THETA: _theta, PI: _pi}
+def _step() -> list[str]:
+    """What steps alone have."""
+    return [
+        f"  X and Y, {short_time.TERMS} terms of series   "
+        f"relative, {_up(short_time.MEASURED)} measured",
+        f"  J, {short_time.J_TERMS} terms of series         in psi/2 after all doublings, "
+        f"{_up(short_time.J_MEASURED)} measured",
+    ]
+
+
+_LADDERS = {THETA: _theta, PI: _pi, STEP: _step}
 
 
 def _hyperbolic() -> float:
@@ -127,12 +150,14 @@ def _up(value: float) -> str:
 
 def text(target: str, form: str) -> str:
     """The whole paragraph, with places for shares of lines, the digest and what was measured."""
-    bounds = [*special_functions(form), *([_exponential()] if target == "c" else [])]
+    bounds = [
+        *special_functions(form),
+        *([_exponential()] if target == "c" and form != STEP else []),
+    ]
     ends = [f"rigidsym {__version__}, emitter {target}/2", f"digest {DIGEST}"]
-    domain = _DOMAIN.format(
-        shares=SHARES, grades=_GRADES[form], **{limit.name: limit.exponent for limit in LIMITS}
-    )
-    return "\n".join([domain, *bounds, "", MEASURED, "", *ends])
+    domain = _DOMAINS[form].format(**{limit.name: limit.exponent for limit in limits(form)})
+    lines = _LINES.format(shares=SHARES, grades=_GRADES[form])
+    return "\n".join([domain, "", lines, *bounds, "", MEASURED, "", *ends])
 
 
 def sealed(files: dict[str, str], target: str) -> tuple[dict[str, str], str]:

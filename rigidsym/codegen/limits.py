@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from rigidsym.codegen.forms import STEP
+
 
 @dataclass(frozen=True, slots=True)
 class Limit:
@@ -12,6 +14,11 @@ class Limit:
     meaning: str
 
 
+# Where a step ends.
+STEP_LIMITS = (
+    Limit("min_moment_ratio", -200, "of one principal moment over another"),
+    Limit("max_step", 3, "of |omega dt|, rad"),
+)
 LIMITS = (
     Limit("negligible", -400, "rates below this share of the largest are taken for zero"),
     Limit("decisive", -70, "of others' share in a tilt, below which those may be taken for zero"),
@@ -27,3 +34,8 @@ LIMITS = (
     Limit("max_angle", 46, "of |omega0 t|, rad"),
     Limit("max_rate", 990, "of a rate, rad/s: exact products with it are still held"),
 )
+
+
+def limits(form: str) -> tuple[Limit, ...]:
+    """Those of a form."""
+    return STEP_LIMITS if form == STEP else LIMITS

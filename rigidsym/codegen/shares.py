@@ -5,13 +5,15 @@ from collections import Counter
 from collections.abc import Iterable, Mapping
 from importlib import resources
 
-from rigidsym.codegen.forms import THETA, split
+from rigidsym.codegen.forms import STEP, THETA, split
 from rigidsym.codegen.ir import KINDS
 
 # Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
 RUNTIMES = {
     "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
+    "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
     "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
+    "c-step": ("targets/c/step.c", "targets/c/double_double.c"),
 }
 # And what the theta form has beside them.
 SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}
@@ -43,7 +45,7 @@ def text(counts: Mapping[str, int]) -> str:
 def handwritten(module: str) -> int:
     """Lines that are neither blank nor comments of what a module has beside generated code."""
     target, form = split(module)
-    names = RUNTIMES.get(target, ())
+    names = RUNTIMES.get(module if form == STEP else target, ())
     if form == THETA and target in SENSITIVITIES:
         names = (*names, SENSITIVITIES[target])
     return sum(_lines(name, _COMMENT[target]) for name in names)

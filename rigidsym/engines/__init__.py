@@ -5,7 +5,7 @@ to have.
 """
 
 from rigidsym.engines.arrays import SIZES, is_lenient
-from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly
+from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly, stepper
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
 
 __all__ = [
@@ -21,4 +21,5 @@ __all__ = [
     "engine",
     "exactly",
     "is_lenient",
+    "stepper",
 ]

@@ -11,18 +11,25 @@ from pathlib import Path
 from rigidsym.engines import cache
 from rigidsym.engines.cache import CacheError
 from rigidsym.engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
-from rigidsym.engines.library import Library, LibraryError, check_arithmetic, load
+from rigidsym.engines.library import (
+    AnyLibrary,
+    Library,
+    LibraryError,
+    check_arithmetic,
+    load,
+)
 
 # The C module of each engine that runs one.
 FILES = {
     "c": ("torque_free.h", "torque_free.c"),
     "c-pi": ("torque_free_pi.h", "torque_free_pi.c"),
+    "c-step": ("torque_free_step.h", "torque_free_step.c"),
 }
 # What tells processors apart in /proc/cpuinfo, on x86 and on ARM.
 _TELLING = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
 
 
-def library(remarks: list[str], engine: str = "c") -> Library:
+def library(remarks: list[str], engine: str = "c") -> AnyLibrary:
     """Load or build that of an engine; what the user should hear of is added to `remarks`.
 
     Raises CompilerError and LibraryError where there is no library to be had.
@@ -30,7 +37,8 @@ def library(remarks: list[str], engine: str = "c") -> Library:
     sources, compiler = package_sources(engine), find()
     key = _key(sources, compiler)
     found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
-    check_arithmetic(found)
+    if isinstance(found, Library):
+        check_arithmetic(found)
     return found
 
 
@@ -62,7 +70,7 @@ def processor() -> list[str]:
     return telling
 
 
-def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library | None:
+def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> AnyLibrary | None:
     for path in cache.kept(key):
         try:
             if not cache.is_whole(path):
@@ -74,7 +82,9 @@ def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library
     return None
 
 
-def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]) -> Library:
+def _built(
+    sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]
+) -> AnyLibrary:
     """Compile in a temporary directory, and keep the library where that can be done."""
     try:
         with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
@@ -89,7 +99,7 @@ def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: li
         raise CompilerError(f"there is no place to compile in ({error})") from None
 
 
-def _kept(sources: Mapping[str, str], key: str, built: Path) -> Library:
+def _kept(sources: Mapping[str, str], key: str, built: Path) -> AnyLibrary:
     path = cache.keep(key, built)
     try:
         return load(path, sources)

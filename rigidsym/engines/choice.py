@@ -3,9 +3,11 @@
 import threading
 import warnings
 from functools import cache
+from typing import Any
 
 from rigidsym.engines.numpy_engine import NumpyEngine
 from rigidsym.engines.protocol import Engine
+from rigidsym.engines.steps import CStepper, NumpyStepper, Stepper
 from rigidsym.errors import InputError
 
 ENGINES = ("numpy", "c")
@@ -26,7 +28,7 @@ def exactly(name: str) -> Engine:
     """The engine of a name and no other; raises InputError where it cannot be had."""
     if not checked(name).startswith("c"):
         return _numpy(name)
-    found, _ = _obtained(name)
+    found: Any = _obtained(name)[0]
     if isinstance(found, str):
         raise InputError("engine", name, found)
     return found
@@ -44,6 +46,16 @@ def forget() -> None:
     _obtained.cache_clear()
 
 
+def stepper(name: str) -> Stepper:
+    """What makes steps, by one of ENGINES; as `engine` where there is no compiler."""
+    if name not in ENGINES:
+        raise InputError("engine", repr(name), f"must be one of: {', '.join(ENGINES)}")
+    if name == "numpy":
+        return NumpyStepper()
+    found = _told("c-step", 3)
+    return found if isinstance(found, CStepper) else NumpyStepper()
+
+
 def _numpy(name: str) -> Engine:
     if name == "numpy":
         return NumpyEngine()
@@ -54,26 +66,34 @@ def _numpy(name: str) -> Engine:
 
 
 def _c_or_numpy(name: str) -> Engine:
+    found = _told(name, 4)
+    return _numpy(name.replace("c", "numpy", 1)) if isinstance(found, str) else found
+
+
+def _told(name: str, level: int) -> Any:
+    """What `_obtained` has, with a warning for all that nobody has heard."""
     with _LOCK:
         found, remarks = _obtained(name)
         heard, remarks[:] = remarks[:], []
     for remark in heard:
-        warnings.warn(remark, RuntimeWarning, stacklevel=3)
-    return _numpy(name.replace("c", "numpy", 1)) if isinstance(found, str) else found
+        warnings.warn(remark, RuntimeWarning, stacklevel=level)
+    return found
 
 
 @cache
-def _obtained(name: str) -> tuple[Engine | str, list[str]]:
+def _obtained(name: str) -> tuple[Engine | Stepper | str, list[str]]:
     """One of C's engines or why there is none, looked for once; remarks nobody has heard yet."""
     # Here, because NumPy's engine needs nothing of it.
     from rigidsym.engines.build import library
     from rigidsym.engines.c_engine import CEngine
     from rigidsym.engines.compiler import CompilerError
-    from rigidsym.engines.library import LibraryError
+    from rigidsym.engines.library import Library, LibraryError
 
     remarks: list[str] = []
     try:
-        return CEngine(library(remarks, name)), remarks
+        found = library(remarks, name)
+        engine = CEngine(found) if isinstance(found, Library) else CStepper(found)
+        return engine, remarks
     except (CompilerError, LibraryError) as error:
         remarks.append(f"engine: {error}: states are computed by NumPy")
         return str(error), remarks

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from ctypes import c_char_p, c_double, c_int, c_size_t, c_void_p
 from dataclasses import dataclass
 from pathlib import Path, PurePath
+from typing import Any, TypeAlias
 
 _Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
 _BODY = (c_void_p,) * 3
@@ -31,6 +32,19 @@ _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
 }
 
 
+_STEPS: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
+    "step_digest": (c_char_p, ()),
+    "step_message": (c_char_p, (c_int,)),
+    "body_size": (c_size_t, ()),
+    "body_init": (c_int, (c_void_p, c_void_p)),
+    "step": (c_int, (c_void_p, *_OUT, c_double)),
+    "steps": (
+        c_int,
+        (c_size_t, c_void_p, c_size_t, *_BODY, c_size_t, *_OUT, c_void_p),
+    ),
+}
+
+
 class LibraryError(Exception):
     """A file that is not the library it should be."""
 
@@ -52,10 +66,27 @@ class Library:
     states_with_sensitivity: Callable[..., int] | None
 
 
-def load(path: Path, sources: Mapping[str, str]) -> Library:
+@dataclass(frozen=True, slots=True)
+class StepLibrary:
+    """The functions of torque_free_step.h; pointers are addresses or ctypes arrays."""
+
+    digest: Callable[..., bytes]
+    message: Callable[..., bytes]
+    body_size: Callable[..., int]
+    body_init: Callable[..., int]
+    step: Callable[..., int]
+    steps: Callable[..., int]
+
+
+AnyLibrary: TypeAlias = Library | StepLibrary
+
+
+def load(path: Path, sources: Mapping[str, str]) -> AnyLibrary:
     """The library in a file; raises LibraryError where it was not built from the sources."""
+    makes_steps = "torque_free_step.h" in sources
     try:
-        functions = _functions(ctypes.CDLL(str(path)), _prefix(sources))
+        shared = ctypes.CDLL(str(path))
+        functions = _step_functions(shared) if makes_steps else _functions(shared, _prefix(sources))
     except (OSError, AttributeError) as error:
         raise LibraryError(f"{path} cannot be loaded ({_reason(error, path)})") from None
     expected = written_digest(sources)
@@ -85,14 +116,26 @@ def _prefix(sources: Mapping[str, str]) -> str:
 
 
 def _functions(shared: ctypes.CDLL, prefix: str) -> Library:
-    functions = {name: getattr(shared, f"{prefix}_{name}") for name in _SIGNATURES}
-    for name, (result, arguments) in _SIGNATURES.items():
-        functions[name].restype, functions[name].argtypes = result, arguments
+    declared = _declared(shared, prefix, _SIGNATURES)
     name, arguments = _SENSITIVITY
     more = getattr(shared, f"{prefix}_{name}", None)
     if more is not None:
         more.restype, more.argtypes = c_int, arguments
-    return Library(**functions, states_with_sensitivity=more)
+    return Library(**declared, states_with_sensitivity=more)
+
+
+def _step_functions(shared: ctypes.CDLL) -> StepLibrary:
+    declared = _declared(shared, "torque_free", _STEPS).items()
+    return StepLibrary(**{name.removeprefix("step_"): value for name, value in declared})
+
+
+def _declared(
+    shared: ctypes.CDLL, prefix: str, signatures: Mapping[str, tuple[_Type, tuple[_Type, ...]]]
+) -> dict[str, Any]:
+    functions = {name: getattr(shared, f"{prefix}_{name}") for name in signatures}
+    for name, (result, arguments) in signatures.items():
+        functions[name].restype, functions[name].argtypes = result, arguments
+    return functions
 
 
 def _reason(error: Exception, path: Path) -> str:

@@ -12,7 +12,7 @@ from functools import cache
 
 import mpmath
 
-from rigidsym.codegen.forms import PI, THETA
+from rigidsym.codegen.forms import PI, STEP, THETA
 from rigidsym.codegen.functions.circular import circular
 from rigidsym.codegen.functions.hyperbolic import hyperbolic
 from rigidsym.codegen.functions.initial_state import circulation, discriminant, start
@@ -21,6 +21,7 @@ from rigidsym.codegen.functions.pi import common
 from rigidsym.codegen.functions.pi import hyperbolic as pi_hyperbolic
 from rigidsym.codegen.functions.sensitivity import sensitivity
 from rigidsym.codegen.functions.steady import steady
+from rigidsym.codegen.functions.step import step
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.names import INITIAL
 from rigidsym.codegen.passes import live, products, share
@@ -58,6 +59,8 @@ def _with_equations(let: Let, carried: Mapping[str, tuple[str, ...]]) -> Let:
 
 
 def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
+    if form == STEP:
+        return step(solution)
     own = _pi(solution) if form == PI else _theta(solution)
     return (
         exponential.function(),
@@ -115,8 +118,10 @@ def constants() -> tuple[Constant, ...]:
         Constant("pi_lo", pi.lo or 0.0, None, "pi - pi_hi"),
     )
     never = Constant("never", 1e300, None, "the exponent of what has vanished")
+    unity = Constant("unity", 1.0, 0.0, "1")
     return (
         pi,
+        unity,
         *halves,
         log_2,
         never,

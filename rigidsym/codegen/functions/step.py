@@ -67,7 +67,7 @@ def _start(solution: Solution) -> Function:
     lets = [
         *select(solution.sequences["step"], names, given),
         let("Lambda_rate = psi_0/(2*pi)"),
-        let(f"short = t*(1/{2**short_time.STEPS})"),
+        let(f"first_t = t*(1/{2**short_time.STEPS})"),
         *short_time.elapsed(),
     ]
     extended = " ".join((*INERTIA, *SQUARES, *STARTS))

@@ -6,7 +6,7 @@ names.  The table is written down apart from the functions.
 
 from collections.abc import Iterable, Mapping
 
-from rigidsym.codegen.forms import PI, THETA
+from rigidsym.codegen.forms import PI, STEP, THETA
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.lines import flat_results
 from rigidsym.errors import InputError
@@ -48,10 +48,40 @@ _READ = {
     "_steady_constants": ("Lambda_rate_hi", "Lambda_rate_lo"),
 }
 
+# What functions of a step take and return.
+_MOMENTS, _APART, _BEGUN = "c_a c_b c_d", "c_ab c_ad c_bd", "Omega_a0 Omega_b0 Omega_d0"
+_PROJECTED = "z_re z_im zr_re zr_im"
+_STEPS = {
+    "_step_body": (f"{_MOMENTS} {_APART} epsilon", "alpha_a alpha_b alpha_d l_a l_b l_d"),
+    "_step_start": (f"{_MOMENTS} l_a l_b l_d {_BEGUN} t sigma", "h e_1 e_2 K Lambda_rate X Y"),
+    "_step_first": (
+        f"K h e_1 e_2 X {_MOMENTS} {_APART} {_BEGUN} epsilon sigma",
+        f"{_PROJECTED} W_re W_im",
+    ),
+    "_step_doubled": ("X Y e_1 e_2", "X_next Y_next"),
+    "_step_projected": (f"h {_PROJECTED} X Y", "w_re w_im"),
+    "_step_second_half": ("h X w_re w_im W_re W_im", "W_next_re W_next_im"),
+    "_step_rates": (
+        f"X Y h alpha_a alpha_b alpha_d l_d {_BEGUN}",
+        "Omega_a Omega_b Omega_d",
+    ),
+    "_step_front": (f"K {_MOMENTS} {_BEGUN} q_0 q_a q_b q_d epsilon sigma", "p_0 p_a p_b p_d"),
+    "_step_attitude": (
+        f"t Lambda_rate_hi Lambda_rate_lo W_re W_im K {_MOMENTS} Omega_a Omega_b Omega_d"
+        " p_0 p_a p_b p_d epsilon sigma",
+        "q_0 q_a q_b q_d",
+    ),
+}
+
 
 def check(functions: Iterable[Function], form: str = THETA) -> None:
     """Raises InputError, naming the function, where one is not what the runtimes count on."""
     by_name = {function.name: function for function in functions}
+    if form == STEP:
+        for name, (parameters, results) in _STEPS.items():
+            _same(name, "takes", by_name[name].parameters, tuple(parameters.split()))
+            _same(name, "returns", by_name[name].results, tuple(results.split()))
+        return
     for name, parameters in _PARAMETERS.items():
         _same(name, "takes", by_name[name].parameters, parameters)
     for name, results in (_RESULTS | _ANGLES[form]).items():

@@ -6,7 +6,7 @@ The renaming in `rigidsym.codegen` is what is decided: these tables are written 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from rigidsym.codegen.forms import PI, THETA
+from rigidsym.codegen.forms import PI, STEP, THETA
 from rigidsym.codegen.names import GAINS, ROWS, STATE
 
 Names = Mapping[str, str]
@@ -142,7 +142,43 @@ _PI = Meanings(
         ("_hyperbolic_angles", "landen"): ("l", "lc"),
     },
 )
-OF = {THETA: _THETA, PI: _PI}
+_SUM = {"T_re": "W_re", "T_im": "W_im", "E_re": "V_re", "E_im": "V_im"}
+_STEP = Meanings(
+    by_context={
+        # At the shortest time, without what grows with it.
+        ("_step_first", "thirds"): {
+            **{"T_re": "1", "T_im": "0"},
+            **{"cos_half_psi": "W_re", "sin_half_psi": "W_im"},
+        },
+        ("_step_second_half", "turn"): {"z_re": "w_re", "z_im": "w_im"},
+        ("_step_second_half", "thirds"): {
+            **_SUM,
+            **{"P_re": "W_next_re", "P_im": "W_next_im"},
+        },
+        ("_step_front", "attitude"): {
+            **{f"Omega_{x}": f"Omega_{x}0" for x in "abd"},
+            **{"cos_half_psi": "1", "sin_half_psi": "0"},
+        },
+        ("_step_attitude", "thirds"): {
+            **{"T_re": "X_re", "T_im": "X_im", "E_re": "W_re", "E_im": "W_im"},
+            **{"P_re": "turn_re", "P_im": "turn_im"},
+        },
+        ("_step_attitude", "attitude"): {"cos_half_psi": "turn_re", "sin_half_psi": "turn_im"},
+    },
+    parts={},
+    made_from={
+        "_step_body": ("step",),
+        "_step_start": ("step",),
+        "_step_first": ("step", "projection", "thirds"),
+        "_step_doubled": ("doubling",),
+        "_step_projected": ("projection",),
+        "_step_second_half": ("projection", "second_half", "thirds"),
+        "_step_rates": ("step_rates",),
+        "_step_front": ("constants",),
+        "_step_attitude": ("thirds", "state"),
+    },
+)
+OF = {THETA: _THETA, PI: _PI, STEP: _STEP}
 # The level on which dn is 1.
 _LAST = 5
 

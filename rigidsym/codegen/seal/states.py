@@ -7,7 +7,7 @@ quotients of thetas, and rates are in the unit.
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from rigidsym.codegen.forms import THETA
+from rigidsym.codegen.forms import STEP, THETA
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.names import ATTITUDE, PARTS, RATES
 from rigidsym.codegen.seal.claims import Claim, formulas_of
@@ -46,6 +46,8 @@ _PHASE = {"X_re": "cos(pi*(Lambda_rate*t))", "X_im": "sin(pi*(Lambda_rate*t))"}
 
 def claims(solution: Solution, functions: Iterable[Function], form: str = THETA) -> Iterator[Claim]:
     """Attitude, norm, phase and rates of each branch: the Pi form has them in one fact each."""
+    if form == STEP:
+        return
     emitted = {function.name: formulas_of(function.formulas) for function in functions}
     rates = {formula.name: formula for formula in solution.sequences["rates"]}
     for branch in ("circular", "hyperbolic") if form == THETA else ():

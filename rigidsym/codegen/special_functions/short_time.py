@@ -19,6 +19,8 @@ from rigidsym.codegen.special_functions.text import horner
 
 STEPS = 5
 TERMS, J_TERMS = 8, 12
+# What is left out at |omega t| = 8 rad, relative, and in psi/2: measured, not proved.
+MEASURED, J_MEASURED = 1e-17, 1e-17
 _TAYLOR, _LEGENDRE = "DLMF 22.10.1", "DLMF 18.12.11"
 # A coefficient by the powers of e_1 and e_2.
 Polynomial = dict[tuple[int, int], Fraction]
@@ -53,13 +55,13 @@ def _cubes(found: list[Polynomial], n: int) -> Iterator[tuple[Fraction, tuple[in
 
 
 def elapsed() -> list[Let]:
-    """X_0/t less 1 and Y_0 less 1 at the time `short`, from what e_1 and e_2 are rounded to."""
+    """X_0/t less 1 and Y_0 less 1 at the time `first_t`, from what e_1 and e_2 are rounded to."""
     return [
-        let("a_1 = rounded(e_1)*(short*short)", _TAYLOR),
-        let("a_2 = rounded(e_2)*(short*short*(short*short))", _TAYLOR),
+        let("a_1 = rounded(e_1)*(first_t*first_t)", _TAYLOR),
+        let("a_2 = rounded(e_2)*(first_t*first_t*(first_t*first_t))", _TAYLOR),
         let(f"more_X = {_sum([1] * TERMS)}", _TAYLOR),
         let(f"more_Y = {_sum([2 * n + 1 for n in range(TERMS)])}", _TAYLOR),
-        let("X = short*(unity + more_X)", _TAYLOR),
+        let("X = first_t*(unity + more_X)", _TAYLOR),
         let("Y = unity + more_Y", _TAYLOR),
     ]
 
@@ -87,7 +89,7 @@ def _number(value: Fraction) -> str:
 def third_kind() -> list[Let]:
     """The imaginary part of rate J, rate and nu being complex."""
     lets = [
-        let("x = X*X", _LEGENDRE),
+        let("square_X = X*X", _LEGENDRE),
         let("d_0 = 1", _LEGENDRE),
         let("d_1 = e_1/2", _LEGENDRE),
     ]
@@ -105,7 +107,7 @@ def third_kind() -> list[Let]:
         ]
     for part in ("re", "im"):
         values = [f"(1/{2 * j + 3})*c_{j}_{part}" for j in range(J_TERMS)]
-        lets.append(let(f"J_{part} = X*x*({horner('x', values)})", _LEGENDRE))
+        lets.append(let(f"J_{part} = X*square_X*({horner('square_X', values)})", _LEGENDRE))
     return [
         *lets,
         let("chi = rate_re*J_im + rate_im*J_re"),

@@ -50,4 +50,5 @@ def _c(target: str, text: str, options: tuple[str, ...]) -> Engine:
     sources = {name: installed(name) for name in build.FILES[target]} | {FILES[target]: text}
     with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
         built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
-        return CEngine(load(built, sources))
+        library: Any = load(built, sources)
+        return CEngine(library)

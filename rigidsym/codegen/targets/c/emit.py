@@ -9,6 +9,7 @@ from dataclasses import replace
 from rigidsym.codegen.ir import CALLS, Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines, comment, flat_results
 from rigidsym.codegen.passes import fuse
+from rigidsym.codegen.targets.c import lanes
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -56,6 +57,11 @@ def _lifted(expression: Expression, extended: frozenset[str], number: str) -> Ex
     return text if is_extended(expression, extended) else Call(f"{number}_of", (text,))
 
 
+def _let_lines(function: Function) -> Lines:
+    """The lines of a function's lets alone."""
+    return function_lines(function, "dd", [], [])
+
+
 def function_lines(function: Function, number: str, signature: list[str], ends: list[str]) -> Lines:
     """A function with its lets between what the caller says of its head and its end."""
     extended = function.all_extended()
@@ -96,6 +102,10 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     """All functions in order, over double-doubles; `_discriminant` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
+    if lanes.has_lanes(functions):
+        extended = lanes.pairs(functions)
+        loops = (lanes.lines(f, extended, _let_lines(f)) for f in functions)
+        return [Lines((*head, "", *lanes.struct_text(functions), ""), {}), *loops]
     still = kept(functions)
     return [Lines(head, {}), *(part for f in functions for part in pieces(f, still))]
 

@@ -1,30 +1,22 @@
 """What stands around the lines of a function in C: its head, what it reads, and what it returns."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.lines import flat_results
+from rigidsym.codegen.targets.c import lanes
+from rigidsym.codegen.targets.c.frame import Frame
 
 _LOOP = "for (size_t i = 0; i < n; i++) {"
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
-    """A function as C has it, and the statements before and after its lines.
-
-    number: what begins the names of operations on its extended numbers.
-    """
-
-    name: str
-    function: Function
-    number: str
-    before: tuple[str, ...]
-    after: tuple[str, ...]
-
-
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
     """All functions in order; `_discriminant` is there for two kinds of numbers."""
+    if lanes.has_lanes(functions):
+        extended = lanes.pairs(functions)
+        yield from (lanes.frame(function, extended) for function in functions)
+        return
     members = {f.name: {*flat_results(f)} for f in functions if f.name.endswith("_constants")}
     for function in functions:
         name = function.name[1:]

@@ -8,18 +8,20 @@ from collections.abc import Iterator, Mapping
 from dataclasses import astuple
 
 from rigidsym.codegen import header, shares
-from rigidsym.codegen.forms import THETA, key
+from rigidsym.codegen.forms import STEP, THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
-from rigidsym.codegen.limits import LIMITS
+from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import comment
 from rigidsym.codegen.names import SIGNS
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
-from rigidsym.codegen.targets.c import module
+from rigidsym.codegen.special_functions.short_time import STEPS
+from rigidsym.codegen.targets.c import lanes, module
 from rigidsym.codegen.targets.c.expressions import Reader
-from rigidsym.codegen.targets.c.frames import Frame, frames, struct
+from rigidsym.codegen.targets.c.frame import Frame
+from rigidsym.codegen.targets.c.frames import frames, struct
 from rigidsym.codegen.targets.c.statements import Statement, statements
 from rigidsym.errors import InputError
 
@@ -42,6 +44,8 @@ def check(
     given = statements(source, derived)
     for number in _numbers(functions, constants):
         _expect(source, given, number)
+    for statement in lanes.struct(functions) if form == STEP else ():
+        _expect(source, given, statement)
     known: dict[str, Function] = {}
     decided = 0
     for frame in frames(functions):
@@ -70,11 +74,11 @@ def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None
     counts = shares.text(shares.shares(kinds, key("c", form)))
     said = module.header_first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("c", form), header.digest_in(file, text))
-    last = _filled(module.header_last(form), functions)
+    last = _filled(module.header_last(form), functions, form)
     structs = statements(file, between(file, text, first, last))
     given = iter(_without_rows(structs))
     for function in functions:
-        if function.rounds:
+        if function.rounds and form != STEP:
             for line in struct(function):
                 _expect(file, given, line)
     _expect_end(file, given)
@@ -96,12 +100,25 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
     file = module.SOURCES[form]
     digest = header.digest_in(file, text)
-    last = header.filled(_filled(module.source_last(form), functions), key("c", form), digest)
+    last = header.filled(_filled(module.source_last(form), functions, form), key("c", form), digest)
     return between(file, text, module.source_first(form), last)
 
 
-def _filled(text: str, functions: tuple[Function, ...]) -> str:
+def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
     """The text written by hand with what functions take and give, and limits, at its marks."""
+    marks = {"steps": str(STEPS)} if form == STEP else _marks(functions)
+    marks["limits"] = "\n".join(
+        f"static const double {name} = {2.0**exponent!r}; /* 2^{exponent}, {meaning} */"
+        for name, exponent, meaning in map(astuple, limits(form))
+    )
+    marks |= {limit.name: str(limit.exponent) for limit in limits(form)}
+    for mark, meaning in marks.items():
+        text = text.replace(f"@{mark}@", meaning)
+    return text
+
+
+def _marks(functions: tuple[Function, ...]) -> dict[str, str]:
+    """What functions of motions take and give."""
     by_name = {function.name: function for function in functions}
     start = by_name["_initial_state"]
     marks = {
@@ -114,12 +131,7 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
         "branches": "\n".join(
             f"        torque_free_{name} {name};" for name in ("circular", "hyperbolic", "steady")
         ),
-        "limits": "\n".join(
-            f"static const double {name} = {2.0**exponent!r}; /* 2^{exponent}, {meaning} */"
-            for name, exponent, meaning in map(astuple, LIMITS)
-        ),
     }
-    marks |= {limit.name: str(limit.exponent) for limit in LIMITS}
     for name in ("circular", "hyperbolic"):
         count = len(by_name[f"_{name}_angles"].results)
         for array in ("in", "to"):
@@ -128,9 +140,7 @@ def _filled(text: str, functions: tuple[Function, ...]) -> str:
             marks[f"{name} rows of {array}"] = ", ".join(rows)
     if "_moduli" in by_name:
         marks |= _of_sensitivities(by_name)
-    for mark, meaning in marks.items():
-        text = text.replace(f"@{mark}@", meaning)
-    return text
+    return marks
 
 
 def _of_sensitivities(by_name: Mapping[str, Function]) -> dict[str, str]:

@@ -22,11 +22,13 @@ def own(functions: tuple[Function, ...]) -> tuple[Function, ...]:
 
 
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
-    """The named numbers, all functions in order, and the table of branches."""
+    """The named numbers, all functions in order, and the table of branches, if there are any."""
     used = {name for function in functions for name in function.used()}
     head = tuple(constant_text(c) for c in constants if c.name in used)
     parts = [Lines((*head, "", ""), {})]
     parts += [function_lines(function) for function in functions]
+    if not any(function.name == "_initial_state" for function in functions):
+        return parts
     return [*parts, Lines(tuple(_branches(functions)), {})]
 
 

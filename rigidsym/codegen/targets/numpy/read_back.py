@@ -5,14 +5,15 @@ from collections.abc import Collection, Iterator, Mapping
 from copy import copy
 
 from rigidsym.codegen import header, shares
-from rigidsym.codegen.forms import THETA, key
+from rigidsym.codegen.forms import STEP, THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
-from rigidsym.codegen.limits import LIMITS
+from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import comment, flat_results
 from rigidsym.codegen.passes import specialise
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
+from rigidsym.codegen.special_functions.short_time import STEPS
 from rigidsym.codegen.targets.numpy import emit, module
 from rigidsym.codegen.targets.numpy.expressions import read
 from rigidsym.errors import InputError
@@ -38,7 +39,8 @@ def check(
         node = _next(statements, file, f"def {function.name}")
         _check_function(function, node, known, derived)
         known.add(function.name)
-    for expected in (*_tables(functions), *_limits()):
+    tables = () if form == STEP else _tables(functions)
+    for expected in (*tables, *_limits(form)):
         _check_statement(_next(statements, file, expected), file, expected)
     for left in statements:
         raise InputError(_place(file, left), ast.unparse(left), "is no statement of this module")
@@ -160,8 +162,10 @@ def _part(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
     return part
 
 
-def _limits() -> Iterator[str]:
-    return (f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in LIMITS)
+def _limits(form: str) -> Iterator[str]:
+    yield from (f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in limits(form))
+    if form == STEP:
+        yield f"STEPS = {STEPS}"
 
 
 def _check_function(

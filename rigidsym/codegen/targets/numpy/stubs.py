@@ -53,7 +53,8 @@ class Branch(Step):
 
 INITIAL_STATE: Step = {"constants": lambda: (), "given": (), "names": ()}
 NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = 1.0
-MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = MAX_REAL = 1.0
+MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = MAX_REAL = MAX_STEP = 1.0
+STEPS = 1
 BRANCHES: dict[str, Branch] = {}
 
 
@@ -82,3 +83,11 @@ def _circulation(*values: float | np.ndarray) -> np.ndarray:
 
 def _steady_constants(*values: _DoubleDouble | np.ndarray) -> tuple[np.ndarray, ...]:
     raise NotImplementedError
+
+
+def _derived(*values: _DoubleDouble | np.ndarray) -> tuple[np.ndarray, ...]:
+    raise NotImplementedError
+
+
+_step_body = _step_start = _step_first = _step_doubled = _step_projected = _derived
+_step_second_half = _step_rates = _step_front = _step_attitude = _derived

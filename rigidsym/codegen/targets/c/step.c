@@ -1,0 +1,298 @@
+/* Numbers from 2^-100 to 2^100 need no scaling: fourth powers of theirs are held. */
+static double scale(double largest)
+{
+    int exponent;
+    if (largest >= 7.888609052210118e-31 && largest <= 1.2676506002282294e+30)
+        return 0.0;
+    frexp(largest, &exponent);
+    return (double)exponent;
+}
+
+static double largest_of(const double x[3]) { return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))); }
+
+/* The moments of lane i, the largest first. */
+static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
+{
+    const double largest = largest_of(inertia), least = fmin(inertia[0], fmin(inertia[1], inertia[2]));
+    if (!(inertia[0] > 0.0 && inertia[1] > 0.0 && inertia[2] > 0.0))
+        return isnan(inertia[0] + inertia[1] + inertia[2]) ? TORQUE_FREE_STEP_NOT_FINITE : TORQUE_FREE_STEP_INERTIA;
+    if (!(largest <= DBL_MAX))
+        return TORQUE_FREE_STEP_NOT_FINITE;
+    if (least / largest < min_moment_ratio)
+        return TORQUE_FREE_STEP_THIN;
+    const int exponent = -(int)scale(largest);
+    const int first = inertia[0] >= inertia[1] ? (inertia[0] >= inertia[2] ? 0 : 2) : (inertia[1] >= inertia[2] ? 1 : 2);
+    const int one = (first + 1) % 3, other = (first + 2) % 3, turned = inertia[one] < inertia[other];
+    axis[0] = first;
+    axis[1] = turned ? other : one;
+    axis[2] = turned ? one : other;
+    const double c_a = ldexp(inertia[axis[0]], exponent), c_b = ldexp(inertia[axis[1]], exponent);
+    const double c_d = ldexp(inertia[axis[2]], exponent);
+    const double_double ab = two_sum(c_a, -c_b), ad = two_sum(c_a, -c_d), bd = two_sum(c_b, -c_d);
+    x->c_a_hi[i] = c_a, x->c_a_lo[i] = 0.0, x->c_b_hi[i] = c_b, x->c_b_lo[i] = 0.0;
+    x->c_d_hi[i] = c_d, x->c_d_lo[i] = 0.0, x->c_ab_hi[i] = ab.hi, x->c_ab_lo[i] = ab.lo;
+    x->c_ad_hi[i] = ad.hi, x->c_ad_lo[i] = ad.lo, x->c_bd_hi[i] = bd.hi, x->c_bd_lo[i] = bd.lo;
+    x->epsilon[i] = turned ? -1.0 : 1.0;
+    return TORQUE_FREE_STEP_OK;
+}
+
+static void get_body(const lanes *x, torque_free_body *body)
+{
+    const double moments[] = {x->c_a_hi[0], x->c_b_hi[0], x->c_d_hi[0]};
+    const double apart[] = {x->c_ab_hi[0], x->c_ad_hi[0], x->c_bd_hi[0]};
+    const double alphas[] = {x->alpha_a_hi[0], x->alpha_a_lo[0], x->alpha_b_hi[0],
+                             x->alpha_b_lo[0], x->alpha_d_hi[0], x->alpha_d_lo[0]};
+    const double squares[] = {x->l_a_hi[0], x->l_a_lo[0], x->l_b_hi[0], x->l_b_lo[0], x->l_d_hi[0], x->l_d_lo[0]};
+    memcpy(body->moments, moments, sizeof moments);
+    memcpy(body->apart, apart, sizeof apart);
+    memcpy(body->alphas, alphas, sizeof alphas);
+    memcpy(body->squares, squares, sizeof squares);
+    body->epsilon = x->epsilon[0];
+}
+
+static void put_body(lanes *x, size_t i, const torque_free_body *body)
+{
+    const double *alphas = body->alphas, *squares = body->squares;
+    x->c_a_hi[i] = body->moments[0], x->c_b_hi[i] = body->moments[1], x->c_d_hi[i] = body->moments[2];
+    x->c_a_lo[i] = x->c_b_lo[i] = x->c_d_lo[i] = 0.0;
+    x->c_ab_hi[i] = body->apart[0], x->c_ad_hi[i] = body->apart[1], x->c_bd_hi[i] = body->apart[2];
+    x->alpha_a_hi[i] = alphas[0], x->alpha_a_lo[i] = alphas[1], x->alpha_b_hi[i] = alphas[2];
+    x->alpha_b_lo[i] = alphas[3], x->alpha_d_hi[i] = alphas[4], x->alpha_d_lo[i] = alphas[5];
+    x->l_a_hi[i] = squares[0], x->l_a_lo[i] = squares[1], x->l_b_hi[i] = squares[2];
+    x->l_b_lo[i] = squares[3], x->l_d_hi[i] = squares[4], x->l_d_lo[i] = squares[5];
+    x->epsilon[i] = body->epsilon;
+}
+
+/* The state of a lane as it was given, what its rates are scaled by, and whether nothing turns. */
+typedef struct {
+    int axis[3], exponent, still;
+    double q[4], omega[3];
+} scaling;
+
+static int set_state(lanes *x, size_t i, const int axis[3], const double *q, const double *omega, double dt,
+                     scaling *of)
+{
+    const double largest = largest_of(omega), size = fmax(fabs(q[0]), largest_of(q + 1));
+    double sum = dt;
+    for (int k = 0; k < 3; k++)
+        sum += 0.0 * omega[k] + 0.0 * q[1 + k];
+    if (!(fabs(sum + 0.0 * q[0]) <= DBL_MAX))
+        return TORQUE_FREE_STEP_NOT_FINITE;
+    if (!(size > 0.0))
+        return TORQUE_FREE_STEP_ATTITUDE;
+    of->still = !(largest > 0.0 && fabs(dt) > 0.0);
+    of->exponent = largest > 0.0 ? (int)scale(largest) : 0;
+    memcpy(of->axis, axis, sizeof of->axis);
+    double rates[3], attitude[4];
+    for (int k = 0; k < 3; k++)
+        rates[k] = of->exponent ? ldexp(omega[axis[k]], -of->exponent) : omega[axis[k]];
+    const int less = -(int)scale(size);
+    attitude[0] = less ? ldexp(q[0], less) : q[0];
+    for (int k = 0; k < 3; k++)
+        attitude[1 + k] = less ? ldexp(q[1 + axis[k]], less) : q[1 + axis[k]];
+    x->t[i] = of->exponent ? ldexp(dt, of->exponent) : dt;
+    if (of->still)
+        x->t[i] = 0.0;
+    if (!(largest > 0.0))
+        rates[0] = 1.0;
+    memcpy(of->omega, omega, sizeof of->omega);
+    of->q[0] = attitude[0];
+    for (int k = 0; k < 3; k++)
+        of->q[1 + axis[k]] = attitude[1 + k];
+    x->Omega_a0_hi[i] = rates[0], x->Omega_b0_hi[i] = rates[1], x->Omega_d0_hi[i] = rates[2];
+    x->Omega_a0_lo[i] = x->Omega_b0_lo[i] = x->Omega_d0_lo[i] = 0.0;
+    x->q_0[i] = attitude[0], x->q_a[i] = attitude[1], x->q_b[i] = attitude[2], x->q_d[i] = attitude[3];
+    const double squared = rates[0] * rates[0] + rates[1] * rates[1] + rates[2] * rates[2];
+    return sqrt(squared) * fabs(x->t[i]) <= max_step ? TORQUE_FREE_STEP_OK : TORQUE_FREE_STEP_ANGLE;
+}
+
+#define SWAP_IF(turned, one, other)                                                                       \
+    do {                                                                                                  \
+        const double first = (one), second = (other);                                                     \
+        (one) = (turned) ? second : first;                                                                \
+        (other) = (turned) ? first : second;                                                              \
+    } while (0)
+
+/* Names for the axes: a is the one of largest moment, or of smallest where K^2 < 2 H c_b. */
+static void circulating(size_t n, lanes *x)
+{
+    for (size_t i = 0; i < n; i++) {
+        const double over = x->l_a_hi[i] * x->Omega_a0_hi[i] * x->Omega_a0_hi[i];
+        const double under = x->l_d_hi[i] * x->Omega_d0_hi[i] * x->Omega_d0_hi[i];
+        const int turned = over < under;
+        const double sign = turned ? -1.0 : 1.0;
+        SWAP_IF(turned, x->Omega_a0_hi[i], x->Omega_d0_hi[i]);
+        SWAP_IF(turned, x->c_a_hi[i], x->c_d_hi[i]);
+        SWAP_IF(turned, x->c_ab_hi[i], x->c_bd_hi[i]);
+        SWAP_IF(turned, x->alpha_a_hi[i], x->alpha_d_hi[i]);
+        SWAP_IF(turned, x->alpha_a_lo[i], x->alpha_d_lo[i]);
+        SWAP_IF(turned, x->l_a_hi[i], x->l_d_hi[i]);
+        SWAP_IF(turned, x->l_a_lo[i], x->l_d_lo[i]);
+        SWAP_IF(turned, x->q_a[i], x->q_d[i]);
+        x->c_ab_hi[i] *= sign;
+        x->c_ad_hi[i] *= sign;
+        x->c_bd_hi[i] *= sign;
+        x->epsilon[i] *= sign;
+        x->turned[i] = sign;
+        x->sigma[i] = x->Omega_a0_hi[i] < 0.0 ? -1.0 : 1.0;
+    }
+}
+
+/* What was found at twice the time takes the place of what it was found from. */
+static void advance(size_t n, lanes *x)
+{
+    for (size_t i = 0; i < n; i++) {
+        x->X_hi[i] = x->X_next_hi[i];
+        x->X_lo[i] = x->X_next_lo[i];
+        x->Y_hi[i] = x->Y_next_hi[i];
+        x->Y_lo[i] = x->Y_next_lo[i];
+        x->W_re[i] = x->W_next_re[i];
+        x->W_im[i] = x->W_next_im[i];
+    }
+}
+
+static void normalised(size_t n, lanes *x)
+{
+    for (size_t i = 0; i < n; i++) {
+        const double q_0 = x->q_0[i], q_a = x->q_a[i], q_b = x->q_b[i], q_d = x->q_d[i];
+        const double over = 1.0 / sqrt(q_0 * q_0 + q_a * q_a + (q_b * q_b + q_d * q_d));
+        x->q_0[i] = q_0 * over;
+        x->q_a[i] = q_a * over;
+        x->q_b[i] = q_b * over;
+        x->q_d[i] = q_d * over;
+    }
+}
+
+static void move(size_t n, lanes *x)
+{
+    circulating(n, x);
+    step_start(n, x);
+    step_first(n, x);
+    for (int k = 0; k < @steps@; k++) {
+        step_projected(n, x);
+        step_second_half(n, x);
+        step_doubled(n, x);
+        advance(n, x);
+    }
+    step_rates(n, x);
+    step_front(n, x);
+    step_attitude(n, x);
+    normalised(n, x);
+}
+
+/* Bodies that cannot exist can turn much faster than at the start: then there are no numbers. */
+static int is_held(const lanes *x, size_t i)
+{
+    const double sum = x->q_0[i] + x->q_a[i] + x->q_b[i] + x->q_d[i];
+    return fabs(sum + x->Omega_a[i] + x->Omega_b[i] + x->Omega_d[i]) <= DBL_MAX;
+}
+
+static void get_state(const lanes *x, size_t i, const scaling *of, double *q, double *omega)
+{
+    if (of->still) {
+        const double *p = of->q;
+        const double size = sqrt(p[0] * p[0] + p[1] * p[1] + (p[2] * p[2] + p[3] * p[3]));
+        for (int k = 0; k < 4; k++)
+            q[k] = p[k] / size;
+        memcpy(omega, of->omega, sizeof of->omega);
+        return;
+    }
+    const int a = x->turned[i] < 0.0 ? 2 : 0, d = 2 - a;
+    const double rates[3] = {x->Omega_a[i], x->Omega_b[i], x->Omega_d[i]};
+    const double parts[3] = {x->q_a[i], x->q_b[i], x->q_d[i]};
+    const int axis[3] = {of->axis[a], of->axis[1], of->axis[d]};
+    q[0] = x->q_0[i];
+    for (int k = 0; k < 3; k++) {
+        q[1 + axis[k]] = parts[k];
+        omega[axis[k]] = of->exponent ? ldexp(rates[k], of->exponent) : rates[k];
+    }
+}
+
+int torque_free_body_init(torque_free_body *body, const double inertia[3])
+{
+    lanes x;
+    int axis[3];
+    const int code = set_body(&x, 0, inertia, axis);
+    if (code != TORQUE_FREE_STEP_OK)
+        return code;
+    step_body(1, &x);
+    get_body(&x, body);
+    memcpy(body->axis, axis, sizeof axis);
+    return TORQUE_FREE_STEP_OK;
+}
+
+int torque_free_step(const torque_free_body *body, double q[4], double omega[3], double dt)
+{
+    lanes x;
+    scaling of;
+    const int code = set_state(&x, 0, body->axis, q, omega, dt, &of);
+    if (code != TORQUE_FREE_STEP_OK)
+        return code;
+    put_body(&x, 0, body);
+    move(1, &x);
+    if (!is_held(&x, 0))
+        return TORQUE_FREE_STEP_ANGLE;
+    get_state(&x, 0, &of, q, omega);
+    return TORQUE_FREE_STEP_OK;
+}
+
+int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, const double *q,
+                      const double *omega, const double *dt, size_t dt_stride, double *q_after,
+                      double *omega_after, size_t *failed)
+{
+    torque_free_body body;
+    lanes x;
+    scaling of[LANES];
+    int axis[LANES][3], code;
+    if (n && !inertia_stride && (code = torque_free_body_init(&body, inertia)) != TORQUE_FREE_STEP_OK) {
+        *failed = 0;
+        return code;
+    }
+    for (size_t begin = 0; begin < n; begin += LANES) {
+        const size_t count = n - begin < LANES ? n - begin : LANES;
+        for (size_t i = 0; i < LANES; i++) {
+            /* Lanes beyond the last body repeat it. */
+            const size_t k = begin + (i < count ? i : count - 1);
+            code = TORQUE_FREE_STEP_OK;
+            if (inertia_stride)
+                code = set_body(&x, i, inertia + k * inertia_stride, axis[i]);
+            else
+                put_body(&x, i, &body);
+            const int *order = inertia_stride ? axis[i] : body.axis;
+            if (code == TORQUE_FREE_STEP_OK)
+                code = set_state(&x, i, order, q + 4 * k, omega + 3 * k, dt[k * dt_stride], &of[i]);
+            if (code != TORQUE_FREE_STEP_OK) {
+                *failed = k;
+                return code;
+            }
+        }
+        if (inertia_stride)
+            step_body(LANES, &x);
+        move(LANES, &x);
+        for (size_t i = 0; i < count; i++) {
+            if (!is_held(&x, i)) {
+                *failed = begin + i;
+                return TORQUE_FREE_STEP_ANGLE;
+            }
+            get_state(&x, i, &of[i], q_after + 4 * (begin + i), omega_after + 3 * (begin + i));
+        }
+    }
+    return TORQUE_FREE_STEP_OK;
+}
+
+size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
+
+const char *torque_free_step_digest(void) { return "@digest@"; }
+
+const char *torque_free_step_message(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_STEP_OK: return "success";
+    case TORQUE_FREE_STEP_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_STEP_INERTIA: return "inertia: principal moments must be positive";
+    case TORQUE_FREE_STEP_THIN: return "inertia: principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_STEP_ATTITUDE: return "q: a zero quaternion is no attitude";
+    case TORQUE_FREE_STEP_ANGLE: return "dt: |omega dt| must be at most 8 rad";
+    default: return "no such code";
+    }
+}

@@ -1,0 +1,110 @@
+"""Steps of free bodies: the public function, on an engine."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rigidsym import engines
+from rigidsym.engines import EngineError, arrays, batches
+from rigidsym.errors import InputError
+
+_SIZES = {"inertia": 3, "q": 4, "omega": 3}
+
+
+def step(
+    inertia: ArrayLike,
+    q: ArrayLike,
+    omega: ArrayLike,
+    dt: ArrayLike,
+    *,
+    engine: str = "numpy",
+    out: tuple[np.ndarray, np.ndarray] | None = None,
+    allow_nonphysical: bool = False,
+) -> tuple[np.ndarray, np.ndarray]:
+    """The free motion of bodies after dt (s): q (..., 4) and omega (..., 3), from any state.
+
+    inertia (..., 3) in kg m^2 about principal axes, q (..., 4) scalar first, body to inertial, of
+    any length but zero, omega (..., 3) in rad/s in body axes, dt (...) for all or one for each:
+    leading shapes broadcast.  Nothing is kept from one call to the next, and a step costs the same
+    in every regime; |omega dt| may be up to 8 rad, forwards or back.  Rotation angles are right to
+    1e-15 rad and rates to 1e-15 of |omega| up to 2 pi.  q is returned as a unit quaternion,
+    continuous in the double cover.
+
+    engine: `numpy`, or `c`.  out: a pair of float64 arrays of the shapes returned, to fill; (q,
+    omega) themselves for a step in place.  Raises InputError, naming the first body
+    that is refused.
+
+    >>> q, omega = step((0.0109, 0.04, 0.0506), (1, 0, 0, 0), (0.05, 0.03, -0.02), 0.5)
+    >>> q.shape, omega.shape
+    ((4,), (3,))
+    """
+    given = {"inertia": inertia, "q": q, "omega": omega, "dt": dt}
+    doubles = {name: batches.array(name, value) for name, value in given.items()}
+    doubles["inertia"] = batches.possible(doubles["inertia"], allow_nonphysical)
+    shape = _shape(doubles)
+    after = _outputs(out, shape, doubles)
+    count = math.prod(shape)
+    if not count:
+        return after
+    rows = {name: _rows(array, shape, _SIZES.get(name)) for name, array in doubles.items()}
+    rows["omega"] = arrays.rows(doubles["omega"], shape)
+    flat = after[0].reshape(count, 4), after[1].reshape(count, 3)
+    try:
+        engines.stepper(engine).step(*rows.values(), flat)
+    except EngineError as error:
+        raise _refused(error, doubles, shape) from None
+    return after
+
+
+def _shape(given: dict[str, np.ndarray]) -> tuple[int, ...]:
+    """What leading shapes broadcast to; raises InputError where they do not."""
+    for name, size in _SIZES.items():
+        if given[name].ndim < 1 or given[name].shape[-1] != size:
+            found = f"an array of shape {given[name].shape}"
+            raise InputError(name, found, f"the last axis must have {size} numbers")
+    leading = {name: x.shape[:-1] if name in _SIZES else x.shape for name, x in given.items()}
+    shape: tuple[int, ...] = ()
+    for name, own in leading.items():
+        try:
+            shape = np.broadcast_shapes(shape, own)
+        except ValueError:
+            rule = f"leading shape {own} must broadcast with {shape} of what comes before"
+            raise InputError(name, f"an array of shape {given[name].shape}", rule) from None
+    return shape
+
+
+def _rows(array: np.ndarray, shape: tuple[int, ...], size: int | None) -> np.ndarray:
+    """A row for each body; one for all where there is one inertia, or one dt."""
+    if size is None:
+        alone = array.size == 1
+        return array.reshape(1) if alone else arrays.rows(array[..., None], shape).reshape(-1)
+    return array.reshape(1, 3) if array.size == size == 3 else arrays.rows(array, shape)
+
+
+def _outputs(
+    out: tuple[np.ndarray, np.ndarray] | None, shape: tuple[int, ...], given: dict[str, np.ndarray]
+) -> tuple[np.ndarray, np.ndarray]:
+    """New arrays or the caller's, of which each may be the input that it takes the place of."""
+    own = (given["q"], given["omega"])
+    same = [out is not None and len(out) == 2 and out[k] is own[k] for k in range(2)]
+    others = [x for k, x in enumerate(own) if not same[k]]
+    try:
+        return arrays.outputs(out, shape, given["inertia"], given["dt"], *others)
+    except EngineError as error:
+        raise InputError(error.field, "as given", error.rule) from None
+
+
+def _refused(
+    error: EngineError, given: dict[str, np.ndarray], shape: tuple[int, ...]
+) -> InputError:
+    """The error with the value, and the index of the body in a batch."""
+    if error.body is None or error.field not in given:
+        return InputError(error.field, "as given", error.rule)
+    array, tail = given[error.field], 1 if error.field in _SIZES else 0
+    own = array.shape[: array.ndim - tail]
+    if math.prod(own) == 1:
+        return InputError(error.field, array.reshape(array.shape[len(own) :])[()], error.rule)
+    place = np.unravel_index(error.body, shape)
+    value = np.broadcast_to(array, (*shape, *array.shape[len(own) :]))[place]
+    return InputError(f"{error.field}[{', '.join(map(str, place))}]", value, error.rule)
