@@ -14,6 +14,7 @@ from hashlib import sha256
 
 from rigidsym.codegen.forms import THETA, split
 from rigidsym.codegen.functions import constants, functions
+from rigidsym.codegen.functions.sensitivity import sensitivity
 from rigidsym.codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines
 from rigidsym.codegen.special_functions import angles
@@ -104,9 +105,13 @@ def _functions(form: str) -> tuple[Function, ...]:
 
 
 def _own(target: str) -> tuple[tuple[Function, ...], set[str]]:
-    """Functions that faults of a target are drawn from, and the named numbers that they use."""
+    """Functions that faults of a target are drawn from, and the named numbers that they use.
+
+    States show nothing of a fault in sensitivities, which have functions of their own.
+    """
     language, form = split(target)
-    printed = _functions(form)
+    apart = {function.name for function in sensitivity(sealed())}
+    printed = tuple(one for one in _functions(form) if one.name not in apart)
     if form != THETA:
         printed = tuple(one for one in printed if one not in _functions(THETA))
     own = numpy.own(printed) if language == "numpy" else printed
