@@ -54,6 +54,23 @@ def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
     return 2 * np.copysign(1.0, scalar) * ratio * vector
 
 
+def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
+    """(..., 3, 3): what rotation vectors (..., 3) change by with a small turn after theirs.
+
+    At angles below a whole turn, rad.  Source: Sola, Deray and Atchuthan, arXiv:1812.01537, (146).
+
+    >>> inverse_left_jacobian(np.array([np.pi, 0.0, 0.0])).round(3)
+    array([[ 1.   ,  0.   ,  0.   ],
+           [ 0.   ,  0.   ,  1.571],
+           [ 0.   , -1.571,  0.   ]])
+    """
+    angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
+    safe = np.where(angle == 0, 1.0, angle)
+    cross = np.cross(np.eye(3), vectors[..., None, :])
+    across = np.where(angle == 0, 0.0, 1 - safe / 2 / np.tan(safe / 2))
+    return np.eye(3) - cross / 2 + across / safe * (cross @ (cross / safe))
+
+
 def of_rotation_vectors(vectors: np.ndarray) -> np.ndarray:
     """The unit quaternions (..., 4) of rotation vectors (..., 3), rad; the other way round.
 
