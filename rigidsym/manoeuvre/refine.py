@@ -60,7 +60,7 @@ def newton(problem: Problem, rates: np.ndarray) -> np.ndarray:
     None where misses grow faster with the rates than binary64 can say.
     """
     misses, slopes = problem.slopes(rates)
-    known = np.isfinite(slopes).all(axis=(1, 2))
+    known = np.asarray(np.all(np.isfinite(slopes), axis=(1, 2)))
     left, sizes, right = np.linalg.svd(np.where(known[:, None, None], slopes, np.eye(3)))
     # Along a one-parameter family, which misses by rounding alone, there is next to no step.
     inverse = known[:, None] * sizes / np.maximum(sizes, _SINGULAR * sizes[:, :1]) ** 2
