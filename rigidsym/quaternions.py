@@ -4,6 +4,8 @@ import numpy as np
 
 # Angles below this are as good as none: sin x = x.
 _TINY = 1e-8
+# [e_k] times a vector is e_k x that vector.
+_CROSS = np.cross(np.eye(3), np.eye(3)[:, None])
 
 
 def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -66,7 +68,7 @@ def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
     """
     angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
     safe = np.where(angle == 0, 1.0, angle)
-    cross = np.cross(np.eye(3), vectors[..., None, :])
+    cross = np.tensordot(vectors, _CROSS, 1)
     across = np.where(angle == 0, 0.0, 1 - safe / 2 / np.tan(safe / 2))
     return np.eye(3) - cross / 2 + across / safe * (cross @ (cross / safe))
 
