@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from rigidsym.codegen.forms import STEP
+from rigidsym.codegen.forms import STEP, THETA
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,5 +37,7 @@ LIMITS = (
 
 
 def limits(form: str) -> tuple[Limit, ...]:
-    """Those of a form."""
-    return STEP_LIMITS if form == STEP else LIMITS
+    """Those of a form; sensitivities are the default's alone."""
+    if form == STEP:
+        return STEP_LIMITS
+    return LIMITS if form == THETA else tuple(x for x in LIMITS if x.name != "max_real")

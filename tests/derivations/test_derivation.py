@@ -80,6 +80,8 @@ ELSEWHERE = {
     ("scaling", "Y"): "unscaled.top",
     ("pi_near", "cos_half_psi"): "pi_near.models_descended",
     ("pi_near", "sin_half_psi"): "pi_near.models_descended",
+    # The momentum over its square is constant: at t = 0 it is what it is later.
+    ("turned_columns_start", "K_squared"): "turned_columns.momentum",
 }
 
 

@@ -364,8 +364,8 @@ _DIGITS = (
         "entry_points",
         "all blocks of many times at those of the first",
         "    timed, kept = (",
-        'inner = float(prepared["unit"][body]) * t[some]',
-        'inner = float(prepared["unit"][body]) * t[: len(t[some])]',
+        'inner = float(prepared["unit"][body]) * t[body if len(t) > 1 else 0, some]',
+        'inner = float(prepared["unit"][body]) * t[0, : len(t[0, some])]',
     ),
     _fault(
         "callers",
