@@ -90,9 +90,17 @@ RATES = Part(
     rates={f"Omega{k}": "*".join(_euler(k)) for k in AXES},
     reading={f"Omega{k}": f"body rate about axis {k}, rad/s" for k in AXES},
 )
+# Differences of moments by names of their own: numbers have them from before rounding.
+DIFFERENCES = {"c12": "c1 - c2", "c13": "c1 - c3", "c23": "c2 - c3"}
+MOVED = {
+    "Omega1_by_t": "c23/c1*Omega2*Omega3",
+    "Omega2_by_t": "-c13/c2*Omega3*Omega1",
+    "Omega3_by_t": "c12/c3*Omega1*Omega2",
+}
 BY_TIME = {
+    **DIFFERENCES,
     **{f"eta{i}_by_t": f"R{i}1*Omega1 + R{i}2*Omega2 + R{i}3*Omega3" for i in AXES},
-    **{f"Omega{k}_by_t": "*".join(_euler(k)) for k in AXES},
+    **MOVED,
 }
 
 

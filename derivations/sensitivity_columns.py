@@ -30,7 +30,7 @@ from rigidsym.proof.algebra import Book, Part, join
 
 AXES = ("a", "b", "d")
 RATES_AT_START = Part(
-    witness={"Omega_a0": "1", "Omega_b0": "0", "Omega_d0": "1"},
+    witness={"Omega_a0": "1", "Omega_b0": "1", "Omega_d0": "1"},
     reading={f"Omega_{x}0": f"body rate about axis {x} at t = 0, rad/s" for x in AXES},
 )
 # Euler's equations are Omega_a' = alpha_a Omega_b Omega_d and so on; `tilt` is E_b in these units.
@@ -52,6 +52,16 @@ MOMENTS = {
             (f"alpha_{x}_by_c_{z}", f"-epsilon/c_{x}"),
         )
     },
+}
+# What E_b and `tilt` change by, each with no difference but those of moments.
+_TILTED = {
+    "a": "epsilon*((c_a + c_ab)*Omega_a0**2)/c_a/c_d - tilt/c_a",
+    "b": "-epsilon*(c_a*Omega_a0**2 + c_d*Omega_d0**2)/c_a/c_d",
+    "d": "epsilon*((c_d - c_bd)*Omega_d0**2)/c_a/c_d - tilt/c_d",
+}
+MOMENTS |= {f"tilt_by_c_{y}": text for y, text in _TILTED.items()}
+TILT_BY = {
+    f"tilt_by_c_{y}": f"alpha_d_by_c_{y}*Omega_a0**2 - alpha_a_by_c_{y}*Omega_d0**2" for y in AXES
 }
 TILT = {"tilt": "alpha_d*Omega_a0**2 - alpha_a*Omega_d0**2"}
 BODY = {
@@ -80,7 +90,7 @@ def _by_moments() -> Iterator[tuple[str, str]]:
         yield f"p_by_c_{y}", f"kappa_by_c_{y} + ({a}*alpha_d + alpha_a*{d})*Omega_b0**2"
         yield (
             f"apart_by_c_{y}",
-            f"alpha_b*({a}*Omega_d0**2 - {d}*Omega_a0**2) - {b}*tilt",
+            f"-alpha_b*tilt_by_c_{y} - {b}*tilt",
         )
         yield f"a_by_c_{y}", f"{a}*Omega_b0*Omega_d0"
         yield f"b_by_c_{y}", f"{b}*Omega_d0*Omega_a0"
@@ -154,6 +164,11 @@ def _columns() -> Iterator[tuple[str, str]]:
 COLUMNS = dict(_columns())
 # Of the integral of Omega_b^2: what it has beyond that of the rate at t = 0.
 EXCESS = {"excess_b": "g_a*g_d*E_t + Omega_b0*(Omega_b*S_t - Omega_b0*t)"}
+# The middle rate's columns where the spin is about it: with no difference.
+MIDDLE = {
+    "middle_by_Omega_a": "alpha_b/alpha_d*(Omega_d/Omega_b)*Omega_d_by_Omega_a",
+    "middle_by_Omega_d": "alpha_b/alpha_a*(Omega_a/Omega_b)*Omega_a_by_Omega_d",
+}
 CHANGES = ("Omega_a", "Omega_b", "Omega_d", "c_a", "c_b", "c_d")
 AT_TIME = {**RATES, **DIRECTIONS, **COLUMNS, **EXCESS}
 MOVED = {"a": "h1", "b": "h2", "d": "h3"}
@@ -207,12 +222,13 @@ def _moments(book: Book) -> None:
     }
     book.claim("coefficients.variation", varied, ["5"])
     book.claim("coefficients.tilt", TILT, ["6", "15"])
+    book.claim("coefficients.tilt_by", TILT_BY, ["6", "15"])
 
 
 def _columns_vary(book: Book) -> None:
     """At all times, and at the start."""
     defined = Part(
-        definitions={**TILT, **CONSTANTS, **AT_TIME},
+        definitions={**TILT, **TILT_BY, **CONSTANTS, **AT_TIME},
         units=("below",),
     )
     given = (GIVEN, RATES_AT_START)
@@ -224,6 +240,7 @@ def _columns_vary(book: Book) -> None:
         book.claim(f"varied_rates.by_{y}", _variation(y), ["5"])
     book.claim("varied_rates.excess", {"D(excess_b)": "Omega_b**2 - Omega_b0**2"}, ["10"])
     _excesses(book, *given, *functions, defined)
+    _middle(book, *given, *functions, defined)
     still = [Part(x.witness, x.units, reading=x.reading) for x in functions]
     start = Part(relations=(*START.relations, "F_t"))
     book.open(join("varied_rates_start", *given, *still, defined, start, static=True))
@@ -250,6 +267,14 @@ def _excesses(book: Book, *parts: Part) -> None:
     book.open(join("excesses", *parts, Part(definitions=defined, units=("alpha_b",))))
     squares = {f"D({name})": f"Omega_{name[-1]}**2 - Omega_{name[-1]}0**2" for name in defined}
     book.claim("excesses.squares", squares, ["10"])
+
+
+def _middle(book: Book, *parts: Part) -> None:
+    """Columns of the middle rate as products: alpha_x Omega_b^2 - alpha_b Omega_x^2 stays."""
+    defined = Part(definitions=MIDDLE, units=("alpha_a", "alpha_d", "Omega_b"))
+    book.open(join("middle_columns", *parts, defined))
+    same = {name: name.replace("middle", "Omega_b") for name in MIDDLE}
+    book.claim("middle_columns.products", same, ["10"])
 
 
 def _elapsed(book: Book) -> None:

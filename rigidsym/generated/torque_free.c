@@ -1341,34 +1341,37 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     const double_double alpha_d_by_c_d = dd_div_xx(dd_neg(alpha_d), c_d); /* fact: definition coefficients.alpha_d_by_c_d; (5) */
     const double_double alpha_d_by_c_a = dd_div_dx(epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_a; (5) */
     const double_double alpha_d_by_c_b = dd_div_dx(-epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_b; (5) */
-    const double_double common_1 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
-    const double_double common_2 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.apart_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.apart_by_c_b, definition varied_rates.kappa_by_c_d, definition varied_rates.apart_by_c_d; (5) */
-    const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_1), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_a; (5) */
-    const double_double common_3 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.apart_by_c_a, definition varied_rates.apart_by_c_b, definition varied_rates.apart_by_c_d; (5) */
-    const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_1), dd_mul_xx(alpha_b, common_3)); /* fact: definition varied_rates.g_d; (5) */
-    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_1); /* fact: definition varied_rates.k; (5) */
-    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), common_2); /* fact: definition varied_rates.kappa_a; (5) */
-    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), common_3); /* fact: definition varied_rates.kappa_d; (5) */
+    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
+    const double_double tilt_by_c_a = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_add_xx(c_a, c_ab), common_1)), c_a), c_d), dd_div_xx(tilt, c_a)); /* fact: definition coefficients.tilt_by_c_a; (5) */
+    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d; (5) */
+    const double_double tilt_by_c_b = dd_div_xx(dd_div_xx(dd_mul_dx(-epsilon, dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_d, common_2))), c_a), c_d); /* fact: definition coefficients.tilt_by_c_b; (5) */
+    const double_double tilt_by_c_d = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_sub_xx(c_d, c_bd), common_2)), c_a), c_d), dd_div_xx(tilt, c_d)); /* fact: definition coefficients.tilt_by_c_d; (5) */
+    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
+    const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_3), dd_mul_xx(alpha_b, common_1)); /* fact: definition varied_rates.g_a; (5) */
+    const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_3), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_d; (5) */
+    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_3); /* fact: definition varied_rates.k; (5) */
+    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), common_1); /* fact: definition varied_rates.kappa_a; (5) */
+    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), common_2); /* fact: definition varied_rates.kappa_d; (5) */
     const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
     const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
     const double_double p_by_Omega_a = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_b), alpha_d), Omega_a0); /* fact: definition varied_rates.p_by_Omega_a; (5) */
     const double_double p_by_Omega_b = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_a), alpha_d), Omega_b0); /* fact: definition varied_rates.p_by_Omega_b; (5) */
     const double_double r_by_Omega_d = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_a), alpha_b), Omega_d0); /* fact: definition varied_rates.r_by_Omega_d; (5) */
-    const double_double kappa_by_c_a = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_a, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_a))), common_2); /* fact: definition varied_rates.kappa_by_c_a; (5) */
-    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_1)); /* fact: definition varied_rates.p_by_c_a; (5) */
-    const double_double apart_by_c_a = dd_sub_xx(dd_mul_xx(alpha_b, dd_sub_xx(dd_mul_xx(alpha_a_by_c_a, common_3), dd_mul_xx(alpha_d_by_c_a, common_2))), dd_mul_xx(alpha_b_by_c_a, tilt)); /* fact: definition varied_rates.apart_by_c_a; (5) */
+    const double_double kappa_by_c_a = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_a, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_a))), common_1); /* fact: definition varied_rates.kappa_by_c_a; (5) */
+    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_3)); /* fact: definition varied_rates.p_by_c_a; (5) */
+    const double_double apart_by_c_a = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_a), dd_mul_xx(alpha_b_by_c_a, tilt)); /* fact: definition varied_rates.apart_by_c_a; (5) */
     const double_double a_by_c_a = dd_mul_xx(dd_mul_xx(alpha_a_by_c_a, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_a; (5) */
     const double_double b_by_c_a = dd_mul_xx(dd_mul_xx(alpha_b_by_c_a, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_a; (5) */
     const double_double d_by_c_a = dd_mul_xx(dd_mul_xx(alpha_d_by_c_a, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_a; (5) */
-    const double_double kappa_by_c_b = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_b, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_b))), common_2); /* fact: definition varied_rates.kappa_by_c_b; (5) */
-    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_1)); /* fact: definition varied_rates.p_by_c_b; (5) */
-    const double_double apart_by_c_b = dd_sub_xx(dd_mul_xx(alpha_b, dd_sub_xx(dd_mul_xx(alpha_a_by_c_b, common_3), dd_mul_xx(alpha_d_by_c_b, common_2))), dd_mul_xx(alpha_b_by_c_b, tilt)); /* fact: definition varied_rates.apart_by_c_b; (5) */
+    const double_double kappa_by_c_b = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_b, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_b))), common_1); /* fact: definition varied_rates.kappa_by_c_b; (5) */
+    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_3)); /* fact: definition varied_rates.p_by_c_b; (5) */
+    const double_double apart_by_c_b = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_b), dd_mul_xx(alpha_b_by_c_b, tilt)); /* fact: definition varied_rates.apart_by_c_b; (5) */
     const double_double a_by_c_b = dd_mul_xx(dd_mul_xx(alpha_a_by_c_b, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_b; (5) */
     const double_double b_by_c_b = dd_mul_xx(dd_mul_xx(alpha_b_by_c_b, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_b; (5) */
     const double_double d_by_c_b = dd_mul_xx(dd_mul_xx(alpha_d_by_c_b, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_b; (5) */
-    const double_double kappa_by_c_d = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_d, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_d))), common_2); /* fact: definition varied_rates.kappa_by_c_d; (5) */
-    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_1)); /* fact: definition varied_rates.p_by_c_d; (5) */
-    const double_double apart_by_c_d = dd_sub_xx(dd_mul_xx(alpha_b, dd_sub_xx(dd_mul_xx(alpha_a_by_c_d, common_3), dd_mul_xx(alpha_d_by_c_d, common_2))), dd_mul_xx(alpha_b_by_c_d, tilt)); /* fact: definition varied_rates.apart_by_c_d; (5) */
+    const double_double kappa_by_c_d = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_d, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_d))), common_1); /* fact: definition varied_rates.kappa_by_c_d; (5) */
+    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_3)); /* fact: definition varied_rates.p_by_c_d; (5) */
+    const double_double apart_by_c_d = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_d), dd_mul_xx(alpha_b_by_c_d, tilt)); /* fact: definition varied_rates.apart_by_c_d; (5) */
     const double_double a_by_c_d = dd_mul_xx(dd_mul_xx(alpha_a_by_c_d, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_d; (5) */
     const double_double b_by_c_d = dd_mul_xx(dd_mul_xx(alpha_b_by_c_d, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_d; (5) */
     const double_double d_by_c_d = dd_mul_xx(dd_mul_xx(alpha_d_by_c_d, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_d; (5) */
@@ -1502,13 +1505,13 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_9 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
         const double Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_12 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
         const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a), common_2, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
-        const double Omega_b_by_Omega_a = fused(over, fused(common_8, S_t, -(Omega_b * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double any_Omega_b_by_Omega_a = fused(over, fused(common_8, S_t, -(Omega_b * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
         const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
         const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * Omega_a_k); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
         const double Omega_b_by_Omega_b = fused(over, common_3, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
         const double Omega_d_by_Omega_b = fused(over, common_11 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
         const double Omega_a_by_Omega_d = fused(over, common_6 * S_t * C_t, r_by_Omega_d * Omega_a_r); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
-        const double Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
+        const double any_Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
         const double Omega_d_by_Omega_d = fused(over, C_t, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
         const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(over, fused(a_by_c_a, common_4, -(Omega_a * kappa_by_c_a * common_2)), p_by_c_a * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
         const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_2)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
@@ -1520,6 +1523,15 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_2)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
         const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_5, -(Omega_d * kappa_by_c_d * common_2)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
         const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t, -(Omega_b0 * t))); /* fact: definition varied_rates.excess_b; (5) */
+        const double b_divisor = choose(fabs(Omega_b), 0.0, 1.0, Omega_b); /* arithmetic */
+        const double d_divisor = choose(fabs(alpha_d), 0.0, 1.0, alpha_d); /* arithmetic */
+        const double middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a; /* fact: definition middle_columns.middle_by_Omega_a; (5) */
+        const double d_size = fabs(alpha_b * Omega_d); /* arithmetic */
+        const double Omega_b_by_Omega_a = choose(d_size, fabs(alpha_d * Omega_b), middle_by_Omega_a, any_Omega_b_by_Omega_a); /* arithmetic */
+        const double a_divisor = choose(fabs(alpha_a), 0.0, 1.0, alpha_a); /* arithmetic */
+        const double middle_by_Omega_d = alpha_b / a_divisor * (Omega_a / b_divisor) * Omega_a_by_Omega_d; /* fact: definition middle_columns.middle_by_Omega_d; (5) */
+        const double a_size = fabs(alpha_b * Omega_a); /* arithmetic */
+        const double Omega_b_by_Omega_d = choose(a_size, fabs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d); /* arithmetic */
         const double excess_a = alpha_a / alpha_divisor * excess_b; /* fact: definition excesses.excess_a; (5) */
         const double excess_d = alpha_d / alpha_divisor * excess_b; /* fact: definition excesses.excess_d; (5) */
         Omega_a_by_Omega_a_out[i] = Omega_a_by_Omega_a;
@@ -1807,12 +1819,15 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double_double nome8 = dd_mul_xx(nome4, nome4); /* classical: DLMF 20.2.2 */
     const double_double nome12 = dd_mul_xx(nome8, nome4); /* classical: DLMF 20.2.2 */
     const double_double nome16 = dd_mul_xx(nome8, nome8); /* classical: DLMF 20.2.2 */
-    const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* classical: DLMF 20.2.2 */
+    const double_double nome18 = dd_mul_xx(nome12, nome6); /* classical: DLMF 20.2.2 */
+    const double_double nome32 = dd_mul_xx(nome16, nome16); /* classical: DLMF 20.2.2 */
+    const double_double two = dd_add_xx(dd_add_xx(dd_add_dx(1.0, nome4), nome12), dd_mul_xx(nome12, nome12)); /* classical: DLMF 20.2.2 */
     const double_double common_1 = dd_mul_dx(2.0, nome2); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
     const double_double common_2 = dd_mul_dx(2.0, nome8); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double common_3 = dd_mul_dx(2.0, dd_mul_xx(nome12, nome6)); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_1), common_2), common_3); /* classical: DLMF 20.2.3 */
-    const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_1), common_2), common_3); /* classical: DLMF 20.2.4 */
+    const double_double common_3 = dd_mul_dx(2.0, nome18); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double common_4 = dd_mul_dx(2.0, nome32); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+    const double_double three = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_1), common_2), common_3), common_4); /* classical: DLMF 20.2.3 */
+    const double_double four = dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_1), common_2), common_3), common_4); /* classical: DLMF 20.2.4 */
     const double_double g = dd_div_dx(1.0, dd_mul_xx(three, three)); /* classical: DLMF 20.9.2 */
     const double_double y_rate = dd_mul_xx(lambda_, g); /* arithmetic */
     const double nome_d = dd_rounded(nome2); /* classical: DLMF 20.2.2 */
@@ -1839,8 +1854,8 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double F_one = 4.0 * (r_d - apart_d); /* classical: DLMF 22.10 */
     const double F_two = -6.0 * (r_d * apart_d); /* classical: DLMF 22.10 */
     const double E_square_0 = 1.0; /* classical: DLMF 22.10 */
-    const double common_4 = 1.0 / 3.0; /* classical: DLMF 22.10 */
-    const double E_0 = common_4; /* classical: DLMF 22.10 */
+    const double common_5 = 1.0 / 3.0; /* classical: DLMF 22.10 */
+    const double E_0 = common_5; /* classical: DLMF 22.10 */
     const double E_square_1 = E_one * E_square_0 / 12.0; /* classical: DLMF 22.10 */
     const double E_1 = E_square_1 / 5.0; /* classical: DLMF 22.10 */
     const double E_square_2 = fused(E_one, E_square_1, E_two * (E_square_0 * E_square_0)) / 30.0; /* classical: DLMF 22.10 */
@@ -1860,7 +1875,7 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double E_square_9 = fused(E_one, E_square_8, E_two * fused(E_square_7, E_square_0, fused(E_square_6, E_square_1, fused(E_square_5, E_square_2, fused(E_square_4, E_square_3, fused(E_square_3, E_square_4, fused(E_square_2, E_square_5, fused(E_square_0, E_square_7, E_square_1 * E_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
     const double E_9 = E_square_9 / 21.0; /* classical: DLMF 22.10 */
     const double F_square_0 = 1.0; /* classical: DLMF 22.10 */
-    const double F_0 = common_4; /* classical: DLMF 22.10 */
+    const double F_0 = common_5; /* classical: DLMF 22.10 */
     const double F_square_1 = F_one * F_square_0 / 12.0; /* classical: DLMF 22.10 */
     const double F_1 = F_square_1 / 5.0; /* classical: DLMF 22.10 */
     const double F_square_2 = fused(F_one, F_square_1, F_two * (F_square_0 * F_square_0)) / 30.0; /* classical: DLMF 22.10 */
@@ -1891,6 +1906,7 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->nome8 = dd_rounded(nome8);
     motion->nome12 = dd_rounded(nome12);
     motion->nome16 = dd_rounded(nome16);
+    motion->nome18 = dd_rounded(nome18);
     motion->gain_S = dd_rounded(gain_S);
     motion->gain_C = dd_rounded(gain_C);
     motion->gain_D = dd_rounded(gain_D);
@@ -1973,6 +1989,7 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
     const double nome8 = motion->nome8;
     const double nome12 = motion->nome12;
     const double nome16 = motion->nome16;
+    const double nome18 = motion->nome18;
     const double gain_S = motion->gain_S;
     const double gain_C = motion->gain_C;
     const double gain_D = motion->gain_D;
@@ -2012,35 +2029,35 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
         const double common_1 = w * w; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
         const double qw2 = nome2 * common_1; /* classical: DLMF 20.2.2 */
         const double w2 = common_1; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-        const double common_2 = p2 * nome8; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
-        const double tall = fused(p2, nome2 + common_2, 1.0); /* classical: DLMF 20.2.2 */
-        const double common_3 = qw2 * nome8; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
-        const double deep = w2 * fused(qw2, nome2 + common_3, 1.0); /* classical: DLMF 20.2.2 */
+        const double tall = fused(p2, fused(p2, fused(p2, nome18, nome8), nome2), 1.0); /* classical: DLMF 20.2.2 */
+        const double deep = w2 * fused(qw2, fused(qw2, fused(qw2, nome18, nome8), nome2), 1.0); /* classical: DLMF 20.2.2 */
         const double theta2_y = tall + deep; /* classical: DLMF 20.2.2 */
-        const double theta1_y = side * fused(-w2, fused(qw2, common_3 - nome2, 1.0), fused(p2, common_2 - nome2, 1.0)); /* classical: DLMF 20.2.1 */
-        const double common_4 = p2 * p2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
-        const double common_5 = nome12 * common_4; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
-        const double ends = fused(p2, 1.0 + common_5, w2 * nome2); /* classical: DLMF 20.2.3 */
-        const double common_6 = w2 * w2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
-        const double middle = fused(common_6, nome8, fused(nome4, common_4, 1.0)); /* classical: DLMF 20.2.3 */
+        const double tall_1 = fused(p2, fused(p2, fused(p2, -nome18, nome8), -nome2), 1.0); /* classical: DLMF 20.2.1 */
+        const double deep_1 = w2 * fused(qw2, fused(qw2, fused(qw2, -nome18, nome8), -nome2), 1.0); /* classical: DLMF 20.2.1 */
+        const double theta1_y = side * (tall_1 - deep_1); /* classical: DLMF 20.2.1 */
+        const double common_2 = p2 * p2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
+        const double common_3 = nome12 * common_2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
+        const double common_4 = w2 * w2; /* classical: DLMF 20.2.3, DLMF 22.16.30 */
+        const double ends = fused(p2, 1.0 + common_3, w2 * fused(nome18, common_4, nome2)); /* classical: DLMF 20.2.3 */
+        const double middle = fused(common_4, nome8, fused(nome4, common_2, 1.0)); /* classical: DLMF 20.2.3 */
         const double theta3_y = 2.0 * (w * (middle + ends)); /* classical: DLMF 20.2.3 */
         const double theta4_y = 2.0 * (w * (middle - ends)); /* classical: DLMF 20.2.4 */
         const double over = 1.0 / theta2_y; /* arithmetic */
         const double t2 = t * t; /* classical: DLMF 22.10 */
         const double growth = p * t2; /* classical: DLMF 22.10 */
         const double S_near = t * sqrt(fabs(fused(3.0, E_0, t2 * fused(5.0, E_1, t2 * fused(7.0, E_2, t2 * fused(9.0, E_3, t2 * fused(11.0, E_4, t2 * fused(13.0, E_5, t2 * fused(15.0, E_6, t2 * fused(17.0, E_7, t2 * fused(19.0, E_8, t2 * 21.0 * E_9))))))))))); /* classical: DLMF 22.10 */
-        const double common_7 = 1.0 / 16.0; /* classical: DLMF 22.2.4, DLMF 22.16.30 */
-        const double S_t = choose(growth, common_7, S_near, gain_S * (flip * theta1_y * over)); /* classical: DLMF 22.2.4 */
+        const double common_5 = 1.0 / 16.0; /* classical: DLMF 22.2.4, DLMF 22.16.30 */
+        const double S_t = choose(growth, common_5, S_near, gain_S * (flip * theta1_y * over)); /* classical: DLMF 22.2.4 */
         const double C_t = gain_C * (flip * theta4_y * over); /* classical: DLMF 22.2.5 */
         const double D_t = gain_D * (theta3_y * over); /* classical: DLMF 22.2.6 */
-        const double rise = (1.0 - common_6) / 2.0 + fused(nome4, p2, -(nome6 * (common_6 * w2))) + 3.0 * fused(-nome16, common_6 * common_6, common_5) / 2.0; /* classical: DLMF 22.16.30 */
+        const double rise = (1.0 - common_4) / 2.0 + fused(nome4, p2, -(nome6 * (common_4 * w2))) + 3.0 * fused(-nome16, common_4 * common_4, common_3) / 2.0; /* classical: DLMF 22.16.30 */
         const double f_far = fused(f_gain * side * (rise / w), over, D_t * fused(periods, f_period, -(f_rate * y))); /* classical: DLMF 22.16.30 */
-        const double common_8 = t * t2; /* classical: DLMF 22.10 */
-        const double E_near = common_8 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, E_9, E_8), E_7), E_6), E_5), E_4), E_3), E_2), E_1), E_0); /* classical: DLMF 22.10 */
-        const double F_near = common_8 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, F_9, F_8), F_7), F_6), F_5), F_4), F_3), F_2), F_1), F_0); /* classical: DLMF 22.10 */
-        const double f = choose(growth, common_7, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
+        const double common_6 = t * t2; /* classical: DLMF 22.10 */
+        const double E_near = common_6 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, E_9, E_8), E_7), E_6), E_5), E_4), E_3), E_2), E_1), E_0); /* classical: DLMF 22.10 */
+        const double F_near = common_6 * fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, fused(t2, F_9, F_8), F_7), F_6), F_5), F_4), F_3), F_2), F_1), F_0); /* classical: DLMF 22.10 */
+        const double f = choose(growth, common_5, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
         const double E_far = (fused(-S_t, C_t / D_t, t) - apart * f / D_t) / p; /* fact: definition elapsed_E.E_t; (10) */
-        const double E_t = choose(growth, common_7, E_near, E_far); /* classical: DLMF 22.16.30 */
+        const double E_t = choose(growth, common_5, E_near, E_far); /* classical: DLMF 22.16.30 */
         S_t_out[i] = S_t;
         C_t_out[i] = C_t;
         D_t_out[i] = D_t;
@@ -2050,8 +2067,9 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
 }
 
 /* What sensitivities of the attitude are made from, at t = 0; not at rest. */
-static void turn_constants(double c1, double c2, double c3, double Omega1_0, double Omega2_0, double Omega3_0,
-    double p0, double p1, double p2, double p3, torque_free_turn *motion)
+static void turn_constants(double c1, double c2, double c3, double c12, double c13, double c23, double Omega1_0,
+    double Omega2_0, double Omega3_0, double p0, double p1, double p2, double p3,
+    torque_free_turn *motion)
 {
     const double common_1 = c1 * Omega1_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
     const double common_2 = c2 * Omega2_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
@@ -2090,6 +2108,9 @@ static void turn_constants(double c1, double c2, double c3, double Omega1_0, dou
     motion->c1 = c1;
     motion->c2 = c2;
     motion->c3 = c3;
+    motion->c12 = c12;
+    motion->c13 = c13;
+    motion->c23 = c23;
     motion->Omega1_0 = Omega1_0;
     motion->Omega2_0 = Omega2_0;
     motion->Omega3_0 = Omega3_0;
@@ -2142,6 +2163,9 @@ static void turn_state(const torque_free_turn *motion, size_t n, const double *r
     const double c1 = motion->c1;
     const double c2 = motion->c2;
     const double c3 = motion->c3;
+    const double c12 = motion->c12;
+    const double c13 = motion->c13;
+    const double c23 = motion->c23;
     const double Omega1_0 = motion->Omega1_0;
     const double Omega2_0 = motion->Omega2_0;
     const double Omega3_0 = motion->Omega3_0;
@@ -2247,9 +2271,9 @@ static void turn_state(const torque_free_turn *motion, size_t n, const double *r
         const double eta1_by_t = fused(R13, Omega3, fused(R11, Omega1, R12 * Omega2)); /* fact: definition turned_columns.eta1_by_t; (3) */
         const double eta2_by_t = fused(R23, Omega3, fused(R21, Omega1, R22 * Omega2)); /* fact: definition turned_columns.eta2_by_t; (3) */
         const double eta3_by_t = fused(R33, Omega3, fused(R31, Omega1, R32 * Omega2)); /* fact: definition turned_columns.eta3_by_t; (3) */
-        const double Omega1_by_t = (c2 - c3) / c1 * Omega2 * Omega3; /* fact: definition turned_columns.Omega1_by_t; (3) */
-        const double Omega2_by_t = (c3 - c1) / c2 * Omega3 * Omega1; /* fact: definition turned_columns.Omega2_by_t; (3) */
-        const double Omega3_by_t = (c1 - c2) / c3 * Omega1 * Omega2; /* fact: definition turned_columns.Omega3_by_t; (3) */
+        const double Omega1_by_t = c23 / c1 * Omega2 * Omega3; /* fact: definition turned_columns.Omega1_by_t; (3) */
+        const double Omega2_by_t = -c13 / c2 * Omega3 * Omega1; /* fact: definition turned_columns.Omega2_by_t; (3) */
+        const double Omega3_by_t = c12 / c3 * Omega1 * Omega2; /* fact: definition turned_columns.Omega3_by_t; (3) */
         eta1_by_Omega1_out[i] = eta1_by_Omega1;
         eta1_by_Omega2_out[i] = eta1_by_Omega2;
         eta1_by_Omega3_out[i] = eta1_by_Omega3;
@@ -3079,7 +3103,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "a0265a2692d463a9ee1bdab0ab8de6860ab332de6a8db89847764f8d75f26b7f"; }
+const char *torque_free_digest(void) { return "462988bd51457847377627ac2c24fc1b747bff9ee6c2793414b5ed38fcbf4e29"; }
 
 const char *torque_free_message(int code)
 {
@@ -3148,8 +3172,10 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     else
         imaginary_constants(p, r, apart, lambda_, modulus, complement, &made->imaginary);
     if (!made->at_rest)
-        turn_constants(c[0].hi, c[1].hi, c[2].hi, omega[0].hi, omega[1].hi, omega[2].hi, motion->q0[0],
-                       motion->q0[1], motion->q0[2], motion->q0[3], &made->turn);
+        turn_constants(c[0].hi, c[1].hi, c[2].hi, difference(apart_from_next, 0, 1).hi,
+                       difference(apart_from_next, 0, 2).hi, difference(apart_from_next, 1, 2).hi, omega[0].hi,
+                       omega[1].hi, omega[2].hi, motion->q0[0], motion->q0[1], motion->q0[2], motion->q0[3],
+                       &made->turn);
 }
 
 /* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */

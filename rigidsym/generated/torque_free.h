@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    430  21 %  follow facts of the ledger, each named on its line
-    556  27 %  follow classical formulas, each with its reference
-     65   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1015  49 %  are the runtime, written by hand
+    435  21 %  follow facts of the ledger, each named on its line
+    559  27 %  follow classical formulas, each with its reference
+     72   3 %  are arithmetic: sums, products, quotients, roots, reductions
+   1017  49 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest a0265a2692d463a9ee1bdab0ab8de6860ab332de6a8db89847764f8d75f26b7f
+digest 462988bd51457847377627ac2c24fc1b747bff9ee6c2793414b5ed38fcbf4e29
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -99,14 +99,14 @@ typedef struct {
 
 typedef struct {
     double y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse, nome2, nome4;
-    double nome6, nome8, nome12, nome16, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p;
-    double apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4;
-    double F_5, F_6, F_7, F_8, F_9;
+    double nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate;
+    double f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2;
+    double F_3, F_4, F_5, F_6, F_7, F_8, F_9;
 } torque_free_imaginary;
 
 typedef struct {
-    double c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23;
-    double B31, B32, B33;
+    double c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13;
+    double B21, B22, B23, B31, B32, B33;
 } torque_free_turn;
 
 typedef struct {

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    429  23 %  follow facts of the ledger, each named on its line
-    550  30 %  follow classical formulas, each with its reference
-     65   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    785  43 %  are the runtime, written by hand
+    434  23 %  follow facts of the ledger, each named on its line
+    553  30 %  follow classical formulas, each with its reference
+     72   4 %  are arithmetic: sums, products, quotients, roots, reductions
+    788  43 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 88db2c90c575250d02b885c88a94097397ce43d1e0ece76e7cf9fb0110268ab0
+digest 09fdd4bf0a0b947351f08413ed6ddd87a5d7076d4c1d9ae3855f13d240543746
 """
 
 # ruff: noqa
@@ -916,34 +916,37 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     alpha_d_by_c_d = -alpha_d / c_d  # fact: definition coefficients.alpha_d_by_c_d; (5)
     alpha_d_by_c_a = epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_a; (5)
     alpha_d_by_c_b = -epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_b; (5)
-    common_1 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5)
-    common_2 = Omega_a0 * Omega_a0  # fact: definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.apart_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.apart_by_c_b, definition varied_rates.kappa_by_c_d, definition varied_rates.apart_by_c_d; (5)
-    g_a = alpha_a * common_1 - alpha_b * common_2  # fact: definition varied_rates.g_a; (5)
-    common_3 = Omega_d0 * Omega_d0  # fact: definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.apart_by_c_a, definition varied_rates.apart_by_c_b, definition varied_rates.apart_by_c_d; (5)
-    g_d = alpha_d * common_1 - alpha_b * common_3  # fact: definition varied_rates.g_d; (5)
-    k = alpha_a * alpha_d * common_1  # fact: definition varied_rates.k; (5)
-    kappa_a = -alpha_b * alpha_d * common_2  # fact: definition varied_rates.kappa_a; (5)
-    kappa_d = -alpha_a * alpha_b * common_3  # fact: definition varied_rates.kappa_d; (5)
+    common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
+    tilt_by_c_a = epsilon * ((c_a + c_ab) * common_1) / c_a / c_d - tilt / c_a  # fact: definition coefficients.tilt_by_c_a; (5)
+    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d; (5)
+    tilt_by_c_b = -epsilon * (c_a * common_1 + c_d * common_2) / c_a / c_d  # fact: definition coefficients.tilt_by_c_b; (5)
+    tilt_by_c_d = epsilon * ((c_d - c_bd) * common_2) / c_a / c_d - tilt / c_d  # fact: definition coefficients.tilt_by_c_d; (5)
+    common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5)
+    g_a = alpha_a * common_3 - alpha_b * common_1  # fact: definition varied_rates.g_a; (5)
+    g_d = alpha_d * common_3 - alpha_b * common_2  # fact: definition varied_rates.g_d; (5)
+    k = alpha_a * alpha_d * common_3  # fact: definition varied_rates.k; (5)
+    kappa_a = -alpha_b * alpha_d * common_1  # fact: definition varied_rates.kappa_a; (5)
+    kappa_d = -alpha_a * alpha_b * common_2  # fact: definition varied_rates.kappa_d; (5)
     p = k + kappa_a  # fact: definition varied_rates.p; (5)
     r = k + kappa_d  # fact: definition varied_rates.r; (5)
     p_by_Omega_a = -2 * alpha_b * alpha_d * Omega_a0  # fact: definition varied_rates.p_by_Omega_a; (5)
     p_by_Omega_b = 2 * alpha_a * alpha_d * Omega_b0  # fact: definition varied_rates.p_by_Omega_b; (5)
     r_by_Omega_d = -2 * alpha_a * alpha_b * Omega_d0  # fact: definition varied_rates.r_by_Omega_d; (5)
-    kappa_by_c_a = -(alpha_b_by_c_a * alpha_d + alpha_b * alpha_d_by_c_a) * common_2  # fact: definition varied_rates.kappa_by_c_a; (5)
-    p_by_c_a = kappa_by_c_a + (alpha_a_by_c_a * alpha_d + alpha_a * alpha_d_by_c_a) * common_1  # fact: definition varied_rates.p_by_c_a; (5)
-    apart_by_c_a = alpha_b * (alpha_a_by_c_a * common_3 - alpha_d_by_c_a * common_2) - alpha_b_by_c_a * tilt  # fact: definition varied_rates.apart_by_c_a; (5)
+    kappa_by_c_a = -(alpha_b_by_c_a * alpha_d + alpha_b * alpha_d_by_c_a) * common_1  # fact: definition varied_rates.kappa_by_c_a; (5)
+    p_by_c_a = kappa_by_c_a + (alpha_a_by_c_a * alpha_d + alpha_a * alpha_d_by_c_a) * common_3  # fact: definition varied_rates.p_by_c_a; (5)
+    apart_by_c_a = -alpha_b * tilt_by_c_a - alpha_b_by_c_a * tilt  # fact: definition varied_rates.apart_by_c_a; (5)
     a_by_c_a = alpha_a_by_c_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_a; (5)
     b_by_c_a = alpha_b_by_c_a * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_a; (5)
     d_by_c_a = alpha_d_by_c_a * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_a; (5)
-    kappa_by_c_b = -(alpha_b_by_c_b * alpha_d + alpha_b * alpha_d_by_c_b) * common_2  # fact: definition varied_rates.kappa_by_c_b; (5)
-    p_by_c_b = kappa_by_c_b + (alpha_a_by_c_b * alpha_d + alpha_a * alpha_d_by_c_b) * common_1  # fact: definition varied_rates.p_by_c_b; (5)
-    apart_by_c_b = alpha_b * (alpha_a_by_c_b * common_3 - alpha_d_by_c_b * common_2) - alpha_b_by_c_b * tilt  # fact: definition varied_rates.apart_by_c_b; (5)
+    kappa_by_c_b = -(alpha_b_by_c_b * alpha_d + alpha_b * alpha_d_by_c_b) * common_1  # fact: definition varied_rates.kappa_by_c_b; (5)
+    p_by_c_b = kappa_by_c_b + (alpha_a_by_c_b * alpha_d + alpha_a * alpha_d_by_c_b) * common_3  # fact: definition varied_rates.p_by_c_b; (5)
+    apart_by_c_b = -alpha_b * tilt_by_c_b - alpha_b_by_c_b * tilt  # fact: definition varied_rates.apart_by_c_b; (5)
     a_by_c_b = alpha_a_by_c_b * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_b; (5)
     b_by_c_b = alpha_b_by_c_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_b; (5)
     d_by_c_b = alpha_d_by_c_b * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_b; (5)
-    kappa_by_c_d = -(alpha_b_by_c_d * alpha_d + alpha_b * alpha_d_by_c_d) * common_2  # fact: definition varied_rates.kappa_by_c_d; (5)
-    p_by_c_d = kappa_by_c_d + (alpha_a_by_c_d * alpha_d + alpha_a * alpha_d_by_c_d) * common_1  # fact: definition varied_rates.p_by_c_d; (5)
-    apart_by_c_d = alpha_b * (alpha_a_by_c_d * common_3 - alpha_d_by_c_d * common_2) - alpha_b_by_c_d * tilt  # fact: definition varied_rates.apart_by_c_d; (5)
+    kappa_by_c_d = -(alpha_b_by_c_d * alpha_d + alpha_b * alpha_d_by_c_d) * common_1  # fact: definition varied_rates.kappa_by_c_d; (5)
+    p_by_c_d = kappa_by_c_d + (alpha_a_by_c_d * alpha_d + alpha_a * alpha_d_by_c_d) * common_3  # fact: definition varied_rates.p_by_c_d; (5)
+    apart_by_c_d = -alpha_b * tilt_by_c_d - alpha_b_by_c_d * tilt  # fact: definition varied_rates.apart_by_c_d; (5)
     a_by_c_d = alpha_a_by_c_d * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_d; (5)
     b_by_c_d = alpha_b_by_c_d * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_d; (5)
     d_by_c_d = alpha_d_by_c_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_d; (5)
@@ -982,13 +985,13 @@ def _columns_state(S_t, C_t, D_t, E_t, f, t, Omega_a, Omega_b, Omega_d, Omega_a0
     Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_9 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
     Omega_d_r = over * (Omega_d0 * C_r + common_12 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
     Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
-    Omega_b_by_Omega_a = over * (common_8 * S_t - Omega_b * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
+    any_Omega_b_by_Omega_a = over * (common_8 * S_t - Omega_b * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
     Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
     Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * Omega_a_k  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
     Omega_b_by_Omega_b = over * common_3 + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
     Omega_d_by_Omega_b = over * (common_11 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
     Omega_a_by_Omega_d = over * (common_6 * S_t * C_t) + r_by_Omega_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
-    Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
+    any_Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
     Omega_d_by_Omega_d = over * C_t + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
     Omega_a_by_c_a = over * (a_by_c_a * common_4 - Omega_a * kappa_by_c_a * common_2) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
     Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_2) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
@@ -1000,6 +1003,15 @@ def _columns_state(S_t, C_t, D_t, E_t, f, t, Omega_a, Omega_b, Omega_d, Omega_a0
     Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_2) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
     Omega_d_by_c_d = over * (d_by_c_d * common_5 - Omega_d * kappa_by_c_d * common_2) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
     excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * S_t - Omega_b0 * t)  # fact: definition varied_rates.excess_b; (5)
+    b_divisor = _choose(abs(Omega_b), 0, 1, Omega_b)  # arithmetic
+    d_divisor = _choose(abs(alpha_d), 0, 1, alpha_d)  # arithmetic
+    middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a  # fact: definition middle_columns.middle_by_Omega_a; (5)
+    d_size = abs(alpha_b * Omega_d)  # arithmetic
+    Omega_b_by_Omega_a = _choose(d_size, abs(alpha_d * Omega_b), middle_by_Omega_a, any_Omega_b_by_Omega_a)  # arithmetic
+    a_divisor = _choose(abs(alpha_a), 0, 1, alpha_a)  # arithmetic
+    middle_by_Omega_d = alpha_b / a_divisor * (Omega_a / b_divisor) * Omega_a_by_Omega_d  # fact: definition middle_columns.middle_by_Omega_d; (5)
+    a_size = abs(alpha_b * Omega_a)  # arithmetic
+    Omega_b_by_Omega_d = _choose(a_size, abs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d)  # arithmetic
     excess_a = alpha_a / alpha_divisor * excess_b  # fact: definition excesses.excess_a; (5)
     excess_d = alpha_d / alpha_divisor * excess_b  # fact: definition excesses.excess_d; (5)
     return Omega_a_by_Omega_a, Omega_a_by_Omega_b, Omega_a_by_Omega_d, Omega_a_by_c_a, Omega_a_by_c_b, Omega_a_by_c_d, Omega_b_by_Omega_a, Omega_b_by_Omega_b, Omega_b_by_Omega_d, Omega_b_by_c_a, Omega_b_by_c_b, Omega_b_by_c_d, Omega_d_by_Omega_a, Omega_d_by_Omega_b, Omega_d_by_Omega_d, Omega_d_by_c_a, Omega_d_by_c_b, Omega_d_by_c_d, excess_a, excess_b, excess_d
@@ -1159,12 +1171,15 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     nome8 = nome4 * nome4  # classical: DLMF 20.2.2
     nome12 = nome8 * nome4  # classical: DLMF 20.2.2
     nome16 = nome8 * nome8  # classical: DLMF 20.2.2
-    two = 1 + nome4 + nome12  # classical: DLMF 20.2.2
+    nome18 = nome12 * nome6  # classical: DLMF 20.2.2
+    nome32 = nome16 * nome16  # classical: DLMF 20.2.2
+    two = 1 + nome4 + nome12 + nome12 * nome12  # classical: DLMF 20.2.2
     common_1 = 2 * nome2  # classical: DLMF 20.2.3, DLMF 20.2.4
     common_2 = 2 * nome8  # classical: DLMF 20.2.3, DLMF 20.2.4
-    common_3 = 2 * (nome12 * nome6)  # classical: DLMF 20.2.3, DLMF 20.2.4
-    three = 1 + common_1 + common_2 + common_3  # classical: DLMF 20.2.3
-    four = 1 - common_1 + common_2 - common_3  # classical: DLMF 20.2.4
+    common_3 = 2 * nome18  # classical: DLMF 20.2.3, DLMF 20.2.4
+    common_4 = 2 * nome32  # classical: DLMF 20.2.3, DLMF 20.2.4
+    three = 1 + common_1 + common_2 + common_3 + common_4  # classical: DLMF 20.2.3
+    four = 1 - common_1 + common_2 - common_3 + common_4  # classical: DLMF 20.2.4
     g = 1 / (three * three)  # classical: DLMF 20.9.2
     y_rate = lambda_ * g  # arithmetic
     nome_d = _rounded(nome2)  # classical: DLMF 20.2.2
@@ -1191,8 +1206,8 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     F_one = 4 * (r_d - apart_d)  # classical: DLMF 22.10
     F_two = -6 * (r_d * apart_d)  # classical: DLMF 22.10
     E_square_0 = 1  # classical: DLMF 22.10
-    common_4 = 1 / 3  # classical: DLMF 22.10
-    E_0 = common_4  # classical: DLMF 22.10
+    common_5 = 1 / 3  # classical: DLMF 22.10
+    E_0 = common_5  # classical: DLMF 22.10
     E_square_1 = E_one * E_square_0 / 12  # classical: DLMF 22.10
     E_1 = E_square_1 / 5  # classical: DLMF 22.10
     E_square_2 = (E_one * E_square_1 + E_two * (E_square_0 * E_square_0)) / 30  # classical: DLMF 22.10
@@ -1212,7 +1227,7 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     E_square_9 = (E_one * E_square_8 + E_two * (E_square_0 * E_square_7 + E_square_1 * E_square_6 + E_square_2 * E_square_5 + E_square_3 * E_square_4 + E_square_4 * E_square_3 + E_square_5 * E_square_2 + E_square_6 * E_square_1 + E_square_7 * E_square_0)) / 380  # classical: DLMF 22.10
     E_9 = E_square_9 / 21  # classical: DLMF 22.10
     F_square_0 = 1  # classical: DLMF 22.10
-    F_0 = common_4  # classical: DLMF 22.10
+    F_0 = common_5  # classical: DLMF 22.10
     F_square_1 = F_one * F_square_0 / 12  # classical: DLMF 22.10
     F_1 = F_square_1 / 5  # classical: DLMF 22.10
     F_square_2 = (F_one * F_square_1 + F_two * (F_square_0 * F_square_0)) / 30  # classical: DLMF 22.10
@@ -1231,7 +1246,7 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     F_8 = F_square_8 / 19  # classical: DLMF 22.10
     F_square_9 = (F_one * F_square_8 + F_two * (F_square_0 * F_square_7 + F_square_1 * F_square_6 + F_square_2 * F_square_5 + F_square_3 * F_square_4 + F_square_4 * F_square_3 + F_square_5 * F_square_2 + F_square_6 * F_square_1 + F_square_7 * F_square_0)) / 380  # classical: DLMF 22.10
     F_9 = F_square_9 / 21  # classical: DLMF 22.10
-    return y_rate.hi, y_rate.lo, period.hi, period.lo, period_far, period_inverse, _rounded(nome2), _rounded(nome4), _rounded(nome6), _rounded(nome8), _rounded(nome12), _rounded(nome16), _rounded(gain_S), _rounded(gain_C), _rounded(gain_D), _rounded(f_gain), _rounded(f_rate), _rounded(f_period), _rounded(p), _rounded(apart), E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9
+    return y_rate.hi, y_rate.lo, period.hi, period.lo, period_far, period_inverse, _rounded(nome2), _rounded(nome4), _rounded(nome6), _rounded(nome8), _rounded(nome12), _rounded(nome16), _rounded(nome18), _rounded(gain_S), _rounded(gain_C), _rounded(gain_D), _rounded(f_gain), _rounded(f_rate), _rounded(f_period), _rounded(p), _rounded(apart), E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9
 
 
 def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse):
@@ -1253,44 +1268,44 @@ def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, period_far,
     return w, p2, y, side, flip, periods
 
 
-def _imaginary_state(w, p2, y, side, flip, periods, t, nome2, nome4, nome6, nome8, nome12, nome16, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
+def _imaginary_state(w, p2, y, side, flip, periods, t, nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
     """S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`."""
     common_1 = w * w  # classical: DLMF 20.2.2, DLMF 20.2.1
     qw2 = nome2 * common_1  # classical: DLMF 20.2.2
     w2 = common_1  # classical: DLMF 20.2.1, DLMF 20.2.2
-    common_2 = p2 * nome8  # classical: DLMF 20.2.2, DLMF 20.2.1
-    tall = 1 + p2 * (nome2 + common_2)  # classical: DLMF 20.2.2
-    common_3 = qw2 * nome8  # classical: DLMF 20.2.2, DLMF 20.2.1
-    deep = w2 * (1 + qw2 * (nome2 + common_3))  # classical: DLMF 20.2.2
+    tall = _horner(p2, 1, nome2, nome8, nome18)  # classical: DLMF 20.2.2
+    deep = w2 * _horner(qw2, 1, nome2, nome8, nome18)  # classical: DLMF 20.2.2
     theta2_y = tall + deep  # classical: DLMF 20.2.2
-    theta1_y = side * (1 + p2 * (common_2 - nome2) - w2 * (1 + qw2 * (common_3 - nome2)))  # classical: DLMF 20.2.1
-    common_4 = p2 * p2  # classical: DLMF 20.2.3, DLMF 22.16.30
-    common_5 = nome12 * common_4  # classical: DLMF 20.2.3, DLMF 22.16.30
-    ends = p2 * (1 + common_5) + w2 * nome2  # classical: DLMF 20.2.3
-    common_6 = w2 * w2  # classical: DLMF 20.2.3, DLMF 22.16.30
-    middle = 1 + nome4 * common_4 + common_6 * nome8  # classical: DLMF 20.2.3
+    tall_1 = _horner(p2, 1, -nome2, nome8, -nome18)  # classical: DLMF 20.2.1
+    deep_1 = w2 * _horner(qw2, 1, -nome2, nome8, -nome18)  # classical: DLMF 20.2.1
+    theta1_y = side * (tall_1 - deep_1)  # classical: DLMF 20.2.1
+    common_2 = p2 * p2  # classical: DLMF 20.2.3, DLMF 22.16.30
+    common_3 = nome12 * common_2  # classical: DLMF 20.2.3, DLMF 22.16.30
+    common_4 = w2 * w2  # classical: DLMF 20.2.3, DLMF 22.16.30
+    ends = p2 * (1 + common_3) + w2 * (nome2 + nome18 * common_4)  # classical: DLMF 20.2.3
+    middle = 1 + nome4 * common_2 + common_4 * nome8  # classical: DLMF 20.2.3
     theta3_y = 2 * (w * (middle + ends))  # classical: DLMF 20.2.3
     theta4_y = 2 * (w * (middle - ends))  # classical: DLMF 20.2.4
     over = 1 / theta2_y  # arithmetic
     t2 = t * t  # classical: DLMF 22.10
     growth = p * t2  # classical: DLMF 22.10
     S_near = t * _sqrt(abs(_horner(t2, 3 * E_0, 5 * E_1, 7 * E_2, 9 * E_3, 11 * E_4, 13 * E_5, 15 * E_6, 17 * E_7, 19 * E_8 + t2 * 21 * E_9)))  # classical: DLMF 22.10
-    common_7 = 1 / 16  # classical: DLMF 22.2.4, DLMF 22.16.30
-    S_t = _choose(growth, common_7, S_near, gain_S * (flip * theta1_y * over))  # classical: DLMF 22.2.4
+    common_5 = 1 / 16  # classical: DLMF 22.2.4, DLMF 22.16.30
+    S_t = _choose(growth, common_5, S_near, gain_S * (flip * theta1_y * over))  # classical: DLMF 22.2.4
     C_t = gain_C * (flip * theta4_y * over)  # classical: DLMF 22.2.5
     D_t = gain_D * (theta3_y * over)  # classical: DLMF 22.2.6
-    rise = (1 - common_6) / 2 + (nome4 * p2 - nome6 * (common_6 * w2)) + 3 * (common_5 - nome16 * (common_6 * common_6)) / 2  # classical: DLMF 22.16.30
+    rise = (1 - common_4) / 2 + (nome4 * p2 - nome6 * (common_4 * w2)) + 3 * (common_3 - nome16 * (common_4 * common_4)) / 2  # classical: DLMF 22.16.30
     f_far = f_gain * side * (rise / w) * over + D_t * (periods * f_period - f_rate * y)  # classical: DLMF 22.16.30
-    common_8 = t * t2  # classical: DLMF 22.10
-    E_near = common_8 * _horner(t2, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9)  # classical: DLMF 22.10
-    F_near = common_8 * _horner(t2, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9)  # classical: DLMF 22.10
-    f = _choose(growth, common_7, D_t * F_near, f_far)  # classical: DLMF 22.16.30
+    common_6 = t * t2  # classical: DLMF 22.10
+    E_near = common_6 * _horner(t2, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9)  # classical: DLMF 22.10
+    F_near = common_6 * _horner(t2, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9)  # classical: DLMF 22.10
+    f = _choose(growth, common_5, D_t * F_near, f_far)  # classical: DLMF 22.16.30
     E_far = (t - S_t * (C_t / D_t) - apart * f / D_t) / p  # fact: definition elapsed_E.E_t; (10)
-    E_t = _choose(growth, common_7, E_near, E_far)  # classical: DLMF 22.16.30
+    E_t = _choose(growth, common_5, E_near, E_far)  # classical: DLMF 22.16.30
     return S_t, C_t, D_t, E_t, f
 
 
-def _turn_constants(c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
+def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
     """What sensitivities of the attitude are made from, at t = 0; not at rest."""
     common_1 = c1 * Omega1_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
     common_2 = c2 * Omega2_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
@@ -1326,10 +1341,10 @@ def _turn_constants(c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
     B13 = l2 * P33 - l3 * P23  # fact: definition turned_columns_start.B13; (3)
     B23 = l3 * P13 - l1 * P33  # fact: definition turned_columns_start.B23; (3)
     B33 = l1 * P23 - l2 * P13  # fact: definition turned_columns_start.B33; (3)
-    return c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33
+    return c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33
 
 
-def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
+def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
     """What the attitude changes by, and the state with the time."""
     common_1 = q2 * q2  # fact: definition turned_columns.R11, definition turned_columns.R33; (3)
     common_2 = q3 * q3  # fact: definition turned_columns.R11, definition turned_columns.R22; (3)
@@ -1391,9 +1406,9 @@ def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1
     eta1_by_t = R11 * Omega1 + R12 * Omega2 + R13 * Omega3  # fact: definition turned_columns.eta1_by_t; (3)
     eta2_by_t = R21 * Omega1 + R22 * Omega2 + R23 * Omega3  # fact: definition turned_columns.eta2_by_t; (3)
     eta3_by_t = R31 * Omega1 + R32 * Omega2 + R33 * Omega3  # fact: definition turned_columns.eta3_by_t; (3)
-    Omega1_by_t = (c2 - c3) / c1 * Omega2 * Omega3  # fact: definition turned_columns.Omega1_by_t; (3)
-    Omega2_by_t = (c3 - c1) / c2 * Omega3 * Omega1  # fact: definition turned_columns.Omega2_by_t; (3)
-    Omega3_by_t = (c1 - c2) / c3 * Omega1 * Omega2  # fact: definition turned_columns.Omega3_by_t; (3)
+    Omega1_by_t = c23 / c1 * Omega2 * Omega3  # fact: definition turned_columns.Omega1_by_t; (3)
+    Omega2_by_t = -c13 / c2 * Omega3 * Omega1  # fact: definition turned_columns.Omega2_by_t; (3)
+    Omega3_by_t = c12 / c3 * Omega1 * Omega2  # fact: definition turned_columns.Omega3_by_t; (3)
     return eta1_by_Omega1, eta1_by_Omega2, eta1_by_Omega3, eta1_by_c1, eta1_by_c2, eta1_by_c3, eta2_by_Omega1, eta2_by_Omega2, eta2_by_Omega3, eta2_by_c1, eta2_by_c2, eta2_by_c3, eta3_by_Omega1, eta3_by_Omega2, eta3_by_Omega3, eta3_by_c1, eta3_by_c2, eta3_by_c3, eta1_by_t, eta2_by_t, eta3_by_t, Omega1_by_t, Omega2_by_t, Omega3_by_t
 
 
@@ -1504,21 +1519,21 @@ SENSITIVITY = {
     'imaginary': {
         'constants': _imaginary_constants,
         'given': ('p', 'r', 'apart', 'lambda_', 'modulus', 'complement'),
-        'names': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse', 'nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'names': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse', 'nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'nome18', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
         'state': _imaginary_state,
         'timed': ('w', 'p2', 'y', 'side', 'flip', 'periods', 't'),
-        'shape': ('nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'shape': ('nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'nome18', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
         'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f'),
         'angles': _imaginary_angles,
         'rates': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse'),
     },
     'turn': {
         'constants': _turn_constants,
-        'given': ('c1', 'c2', 'c3', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'p0', 'p1', 'p2', 'p3'),
-        'names': ('c1', 'c2', 'c3', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
+        'given': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'p0', 'p1', 'p2', 'p3'),
+        'names': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
         'state': _turn_state,
         'timed': ('q0', 'q1', 'q2', 'q3', 'Omega1', 'Omega2', 'Omega3', 'Omega1_by_Omega1', 'Omega1_by_Omega2', 'Omega1_by_Omega3', 'Omega1_by_c1', 'Omega1_by_c2', 'Omega1_by_c3', 'Omega2_by_Omega1', 'Omega2_by_Omega2', 'Omega2_by_Omega3', 'Omega2_by_c1', 'Omega2_by_c2', 'Omega2_by_c3', 'Omega3_by_Omega1', 'Omega3_by_Omega2', 'Omega3_by_Omega3', 'Omega3_by_c1', 'Omega3_by_c2', 'Omega3_by_c3', 'excess1', 'excess2', 'excess3', 't'),
-        'shape': ('c1', 'c2', 'c3', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
+        'shape': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
         'results': ('eta1_by_Omega1', 'eta1_by_Omega2', 'eta1_by_Omega3', 'eta1_by_c1', 'eta1_by_c2', 'eta1_by_c3', 'eta2_by_Omega1', 'eta2_by_Omega2', 'eta2_by_Omega3', 'eta2_by_c1', 'eta2_by_c2', 'eta2_by_c3', 'eta3_by_Omega1', 'eta3_by_Omega2', 'eta3_by_Omega3', 'eta3_by_c1', 'eta3_by_c2', 'eta3_by_c3', 'eta1_by_t', 'eta2_by_t', 'eta3_by_t', 'Omega1_by_t', 'Omega2_by_t', 'Omega3_by_t'),
     },
 }
@@ -2129,6 +2144,9 @@ def _elapsed(prepared):
     known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for k in range(3):
         known |= {f"c{k + 1}": c.hi[:, k], f"Omega{k + 1}_0": omega.hi[:, k]}
+    given = np.broadcast_to(np.arange(3), axes.shape)
+    for name, x in zip(("c12", "c13", "c23"), _differences(apart, given), strict=True):
+        known[name] = x.hi
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}

@@ -38,6 +38,7 @@ _BY_FUNCTIONS = (
 )
 _ALPHA = (
     *("alpha_a", "alpha_b", "alpha_d", "tilt"),
+    *(f"tilt_by_c_{x}" for x in AXES),
     *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
 )
 # What each sequence is given; everything else it computes.
@@ -97,6 +98,10 @@ INPUTS = {
         *("p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
         *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
         *("S_t", "C_t", "D_t", "E_t", "F_t", "t"),
+    ),
+    "middle": (
+        *("alpha_a", "alpha_b", "alpha_d", "Omega_a", "Omega_b", "Omega_d"),
+        *("Omega_d_by_Omega_a", "Omega_a_by_Omega_d"),
     ),
     "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),
     "elapsed_F": ("p", "r", "S_t", "C_t", "D_t", "E_t", "t"),

@@ -61,6 +61,14 @@ _THETA = Meanings(
         ("_hyperbolic_constants", "theta_form"): {"X_re": "1", "X_im": "0"},
         # It is alpha_b where that is not zero; where it is, all coefficients are.
         ("_columns_state", "excesses"): {"alpha_b": "alpha_divisor"},
+        # The general form, which is one of two; and what products divide by where they are taken.
+        ("_columns_state", "varied_rates"): {
+            f"Omega_b_by_Omega_{x}": f"any_Omega_b_by_Omega_{x}" for x in "ad"
+        },
+        ("_columns_state", "middle_columns"): {
+            **{f"alpha_{x}": f"{x}_divisor" for x in "ad"},
+            "Omega_b": "b_divisor",
+        },
         ("_real_state", "elapsed_F"): {"F_t": "F_far"},
         ("_imaginary_state", "elapsed_E"): {"E_t": "E_far", "F_t": "f/D_t"},
     },
@@ -79,7 +87,7 @@ _THETA = Meanings(
         "_hyperbolic_state": ("hyperbolic_state", "rates"),
         "_moduli": ("moments", "columns"),
         "_columns_constants": ("moments", "columns"),
-        "_columns_state": ("sensitivity", "excesses"),
+        "_columns_state": ("sensitivity", "middle", "excesses"),
         "_real_state": ("elapsed_F",),
         "_imaginary_state": ("elapsed_E",),
         "_turn_constants": ("turn_constants",),

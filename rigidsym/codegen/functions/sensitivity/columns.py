@@ -15,6 +15,7 @@ RESULTS = (
 )
 _ALPHAS = (
     *("alpha_a", "alpha_b", "alpha_d", "tilt"),
+    *(f"tilt_by_c_{x}" for x in AXES),
     *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
 )
 KEPT = (
@@ -23,6 +24,10 @@ KEPT = (
     *("g_a", "g_d", "p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
     *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
 )
+
+
+# By the rate of another axis, the product's: that of the axis whose coefficient stands below.
+_MIDDLE = {"Omega_b_by_Omega_a": ("d", "a"), "Omega_b_by_Omega_d": ("a", "d")}
 
 
 # What changes with time.
@@ -66,7 +71,29 @@ def _state(solution: Solution) -> list[Let]:
     excesses = select(
         solution.sequences["excesses"], ("excess_a", "excess_d"), (*given, "excess_b")
     )
+    columns = select(solution.sequences["sensitivity"], wanted, given)
     return [
-        *select(solution.sequences["sensitivity"], wanted, given),
+        *renamed(columns, {name: f"any_{name}" for name in _MIDDLE}),
+        *_middle(solution, given),
         *renamed(excesses, {"alpha_b": "alpha_divisor"}),
     ]
+
+
+def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
+    """The middle rate's columns: products where they are no larger than what they are made from.
+
+    Near spin about b these keep all digits, and the general form is a difference of large numbers.
+    """
+    lets = [let("b_divisor = choose(size(Omega_b), 0, 1, Omega_b)")]
+    known = (*given, "Omega_d_by_Omega_a", "Omega_a_by_Omega_d")
+    for name, (x, y) in _MIDDLE.items():
+        product = f"middle_by_Omega_{y}"
+        made = select(solution.sequences["middle"], (product,), known)
+        divisors = {"Omega_b": "b_divisor", f"alpha_{x}": f"{x}_divisor"}
+        lets += [
+            let(f"{x}_divisor = choose(size(alpha_{x}), 0, 1, alpha_{x})"),
+            *renamed(made, divisors),
+            let(f"{x}_size = size(alpha_b*Omega_{x})"),
+            let(f"{name} = choose({x}_size, size(alpha_{x}*Omega_b), {product}, any_{name})"),
+        ]
+    return lets

@@ -12,16 +12,15 @@ On the separatrix q = 0, and nothing here divides by it.
 
 from rigidsym.codegen.functions.attitude import flat
 from rigidsym.codegen.functions.reduced_time import elapsed_time, period_bounds
-from rigidsym.codegen.functions.sensitivity import near
+from rigidsym.codegen.functions.sensitivity import near, thetas
 from rigidsym.codegen.functions.sensitivity.moduli import RESULTS
 from rigidsym.codegen.functions.sensitivity.real import ELAPSED
 from rigidsym.codegen.ir import Function, Let, let
-from rigidsym.codegen.special_functions import theta_hyperbolic
 
 _GIVEN = tuple(name for name in RESULTS if name != "divisor")
 _SPLIT = ("y_rate", "period")
 _BEYOND = ("period_far", "period_inverse")
-_NOMES = ("nome2", "nome4", "nome6", "nome8", "nome12", "nome16")
+_NOMES = ("nome2", "nome4", "nome6", "nome8", "nome12", "nome16", "nome18")
 _PERIOD, _ZETA = "DLMF 20.2.7", "DLMF 22.16.30"
 
 
@@ -66,12 +65,8 @@ def _constants() -> list[Let]:
         let("ratio = _root_ratio(complement, modulus)", "DLMF 20.9.1"),
         let("root_nome = complement/ratio", "DLMF 20.9.1"),
         let("nome2 = root_nome*root_nome", "DLMF 20.9.1"),
-        let("nome4 = nome2*nome2", square),
-        let("nome6 = nome4*nome2", square),
-        let("nome8 = nome4*nome4", square),
-        let("nome12 = nome8*nome4", square),
-        let("nome16 = nome8*nome8", square),
-        *theta_hyperbolic.at_zero(),
+        *thetas.powers(),
+        *thetas.at_zero(),
         let("g = 1/(three*three)", "DLMF 20.9.2"),
         let("y_rate = lambda_*g"),
         # On the separatrix the nome is zero and nothing ever returns.
@@ -108,7 +103,7 @@ def _angles() -> list[Let]:
 def _state() -> list[Let]:
     return [
         let("qw2 = nome2*(w*w)", "DLMF 20.2.2"),
-        *theta_hyperbolic.rate_values(),
+        *thetas.values(),
         let("over = 1/theta2_y"),
         *near.growth(),
         near.root(),

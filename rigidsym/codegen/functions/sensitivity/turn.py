@@ -18,12 +18,13 @@ TIMED = (
 RESULTS = tuple(f"eta{k}_by_{y}" for k in AXES for y in CHANGES)
 BY_TIME = tuple(f"{x}{k}_by_t" for x in ("eta", "Omega") for k in AXES)
 _ARMS = tuple(f"B{i}{k}" for i in AXES for k in AXES)
-_KEPT = (*INERTIA, *START, *(f"l{k}" for k in AXES), *_ARMS)
+DIFFERENCES = ("c12", "c13", "c23")
+_KEPT = (*INERTIA, *DIFFERENCES, *START, *(f"l{k}" for k in AXES), *_ARMS)
 
 
 def turn(solution: Solution) -> tuple[Function, ...]:
     """Constants of a motion that is not at rest, and the columns at a time."""
-    given = (*INERTIA, *START, *BEGUN)
+    given = (*INERTIA, *DIFFERENCES, *START, *BEGUN)
     first = select(solution.sequences["turn_constants"], _KEPT, given)
     constants = Function(
         "_turn_constants",

@@ -48,8 +48,10 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     else
         imaginary_constants(@imaginary given@, &made->imaginary);
     if (!made->at_rest)
-        turn_constants(c[0].hi, c[1].hi, c[2].hi, omega[0].hi, omega[1].hi, omega[2].hi, motion->q0[0],
-                       motion->q0[1], motion->q0[2], motion->q0[3], &made->turn);
+        turn_constants(c[0].hi, c[1].hi, c[2].hi, difference(apart_from_next, 0, 1).hi,
+                       difference(apart_from_next, 0, 2).hi, difference(apart_from_next, 1, 2).hi, omega[0].hi,
+                       omega[1].hi, omega[2].hi, motion->q0[0], motion->q0[1], motion->q0[2], motion->q0[3],
+                       &made->turn);
 }
 
 /* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */

@@ -66,6 +66,9 @@ def _elapsed(prepared):
     known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
     for k in range(3):
         known |= {f"c{k + 1}": c.hi[:, k], f"Omega{k + 1}_0": omega.hi[:, k]}
+    given = np.broadcast_to(np.arange(3), axes.shape)
+    for name, x in zip(("c12", "c13", "c23"), _differences(apart, given), strict=True):
+        known[name] = x.hi
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
