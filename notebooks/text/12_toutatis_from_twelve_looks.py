@@ -92,3 +92,12 @@ rates = rigidsym.fit(
 
 # %%
 np.degrees(whole.predict(toutatis((1996,)).times).attitude_sigma).round()
+
+# %% tags=["hide-cell"]
+# What the text says, checked.
+assert fit.motion.regime is rigidsym.Regime.SMALLEST
+assert abs(fit.periods.rotation / DAY - 5.38) < 0.1
+assert abs(fit.periods.precession / DAY - 7.40) < 0.1
+assert np.degrees(apart).max() < 15
+assert {rates.problem.sets[k].kind for k, _ in rates.outliers} == {"rates"}
+assert np.degrees(whole.predict(toutatis((1996,)).times).attitude_sigma).min() > 180

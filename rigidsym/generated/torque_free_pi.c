@@ -1554,7 +1554,6 @@ static const double min_discriminant = 1.1830521861667747e-271; /* 2^-900, of E_
 static const double tolerated = 8.673617379884035e-19; /* 2^-60, of the momentum, by which that, or middle-axis spin, may be wrong */
 static const double min_moment_ratio = 6.223015277861142e-61; /* 2^-200, of one principal moment over another */
 static const double max_circular = 0.5; /* 2^-1, of k_1^2 on the circular branch; above it, the hyperbolic one */
-static const double max_real = 0.5; /* 2^-1, of m where the elapsed time has thetas of its own; above, of i times it */
 static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_PI_BLOCK)
@@ -2184,7 +2183,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "bfd68debbdad6dd69312828efa5bc2826ed25efc845d3fd5a3ebc36777ef9dbd"; }
+const char *torque_free_pi_digest(void) { return "d7ff4a81888bf7d2d2ec37145fa5853465ff881a3da6b36623f44b66e2d14cd4"; }
 
 const char *torque_free_pi_message(int code)
 {

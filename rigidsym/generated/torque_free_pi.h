@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest bfd68debbdad6dd69312828efa5bc2826ed25efc845d3fd5a3ebc36777ef9dbd
+digest d7ff4a81888bf7d2d2ec37145fa5853465ff881a3da6b36623f44b66e2d14cd4
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_PI_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_pi_state_at needs 3 KB.

@@ -206,7 +206,7 @@ def test_trace_goes_both_ways(capsys):
     assert main(["trace", "--equation", "34"]) == 0
     places = [line.split(": ")[0] for line in capsys.readouterr().out.splitlines()]
     assert places
-    modules = {f"torque_free{form}.{end}" for form in ("", "_pi") for end in ("py", "c")}
+    modules = {f"torque_free{form}.{end}" for form in ("", "_pi", "_step") for end in ("py", "c")}
     assert {place.split(":")[0] for place in places} == modules
     for place in places:
         assert main(["trace", place]) == 0

@@ -101,7 +101,7 @@ def test_a_name_of_another_form_is_refused():
 
 def test_equation_36_has_lines_in_both_languages():
     files = {line.split(":")[0] for line in lines_of_equation("36")}
-    assert files == {"torque_free_pi.py", "torque_free_pi.c"}
+    assert files == {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ("py", "c")}
 
 
 def test_a_form_that_there_is_not():

@@ -94,7 +94,7 @@ def test_many_digits_stop_where_the_seconds_are_over():
 
 
 def test_it_gives_no_enclosures_and_takes_no_uncertain_numbers():
-    with pytest.raises(InputError, match="no error bounds; enclose takes theta"):
+    with pytest.raises(InputError, match="no error bounds; balls and sensitivities take theta"):
         PAPER.enclose(1, method="mpmath")
     with pytest.raises(InputError, match=r"must be one of: theta.*mpmath"):
         PAPER.precise(1, method="flint")
