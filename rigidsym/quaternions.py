@@ -4,6 +4,8 @@ import numpy as np
 
 # Angles below this are as good as none: sin x = x.
 _TINY = 1e-8
+# [e_k] times a vector is e_k x that vector.
+_CROSS = np.cross(np.eye(3), np.eye(3)[:, None])
 
 
 def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
@@ -52,6 +54,23 @@ def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
     half = np.arctan2(length, np.abs(scalar))
     ratio = np.where(length < _TINY, 1.0, half / np.where(length < _TINY, 1.0, length))
     return 2 * np.copysign(1.0, scalar) * ratio * vector
+
+
+def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
+    """(..., 3, 3): what rotation vectors (..., 3) change by with a small turn after theirs.
+
+    At angles below a whole turn, rad.  Source: Sola, Deray and Atchuthan, arXiv:1812.01537, (146).
+
+    >>> inverse_left_jacobian(np.array([np.pi, 0.0, 0.0])).round(3)
+    array([[ 1.   ,  0.   ,  0.   ],
+           [ 0.   ,  0.   ,  1.571],
+           [ 0.   , -1.571,  0.   ]])
+    """
+    angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
+    safe = np.where(angle == 0, 1.0, angle)
+    cross = np.tensordot(vectors, _CROSS, 1)
+    across = np.where(angle == 0, 0.0, 1 - safe / 2 / np.tan(safe / 2))
+    return np.eye(3) - cross / 2 + across / safe * (cross @ (cross / safe))
 
 
 def of_rotation_vectors(vectors: np.ndarray) -> np.ndarray:

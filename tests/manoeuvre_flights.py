@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from rigidsym import TorqueFreeMotion
 from rigidsym.manoeuvre.flight.settings import Disturbances, Flight, Timing
 from rigidsym.manoeuvre.manoeuvre import manoeuvre
+from rigidsym.manoeuvre.robustness import robustness
 
 INERTIA = ("0.0109", "0.04", "0.0506")
 OMEGA0 = (-0.016, 0.019, -0.003)
@@ -15,6 +18,11 @@ NOTHING = Disturbances(drag=False, gravity_gradient=False, radiation=False, dipo
 class Known:
     duration: float
     motion: TorqueFreeMotion
+
+    @property
+    def sensitivity(self):
+        burst = [float(c) * w for c, w in zip(INERTIA, self.motion(0.0)[1], strict=True)]
+        return robustness(self.motion, np.array(burst), self.duration)
 
 
 def known(duration=20, omega0=OMEGA0, start_spin=(0, 0, 0), target_spin=(0, 0, 0)):

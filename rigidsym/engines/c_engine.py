@@ -71,10 +71,14 @@ class CEngine:
 
         return self.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
 
+    def blank(self) -> Prepared:
+        """Room for a prepared motion."""
+        return self._prepared_type()
+
     def _made(
         self, init: Callable[..., int], given: Mapping[str, np.ndarray], *unit: float
     ) -> Prepared:
-        prepared = self._prepared_type()
+        prepared = self.blank()
         if code := init(prepared, *(array.ctypes.data for array in given.values()), *unit):
             raise self._refused(code, given)
         return prepared
@@ -113,7 +117,7 @@ class CEngine:
         inputs = t.ctypes.data, q.ctypes.data, omega.ctypes.data
 
         def part(begin: int, end: int) -> int:
-            places = _offset(inputs, begin, (1, 4, 3))
+            places = offset(inputs, begin, (1, 4, 3))
             return self.library.states_at(prepared, end - begin, *places)
 
         if code := max(_shared(part, t.size)):
@@ -145,7 +149,7 @@ class CEngine:
         outputs = q.ctypes.data, omega.ctypes.data
 
         def part(begin: int, end: int) -> int:
-            places = _offset(outputs, begin, (4, 3))
+            places = offset(outputs, begin, (4, 3))
             return self.library.states_on_grid(prepared, start, step, begin, end - begin, *places)
 
         if code := max(_shared(part, count)):
@@ -212,7 +216,7 @@ class CEngine:
 
         def part(begin: int, end: int) -> int | None:
             failed = ctypes.c_size_t(0)
-            *given, own, q, omega = _offset(rows, begin, sizes)
+            *given, own, q, omega = offset(rows, begin, sizes)
             told = codes[begin:].ctypes.data if lenient else None
             code = self.library.propagate(
                 end - begin, *given, times, own, stride, q, omega, told, addressof(failed)
@@ -248,6 +252,6 @@ def _shared(part: Callable[[int, int], int], states: int) -> list[int]:
     return threads.in_parts(part, states, threads.threads(states), threads.PIECE)
 
 
-def _offset(places: Sequence[int], begin: int, sizes: Sequence[int]) -> list[int]:
+def offset(places: Sequence[int], begin: int, sizes: Sequence[int]) -> list[int]:
     """Addresses of row `begin` where rows have `sizes` doubles."""
     return [place + begin * size * _DOUBLE for place, size in zip(places, sizes, strict=True)]

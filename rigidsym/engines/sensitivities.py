@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays
-from rigidsym.engines.c_engine import CEngine
+from rigidsym.engines.c_engine import CEngine, offset
 from rigidsym.engines.numpy_engine import NumpyEngine, in_blocks
 from rigidsym.engines.protocol import Engine, EngineError, Prepared, Sensitivities
 from rigidsym.generated import torque_free
@@ -133,10 +133,17 @@ class _C:
             x.reshape(count, t.shape[1], *last)
             for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
         ]
+        places = [x.ctypes.data for x in (*bodies.values(), t, *rows)]
+        own = t.shape[1] if len(t) > 1 else 0
+        sizes = 3, 3, 4, own, *(t.shape[1] * math.prod(x) for x in arrays.SENSITIVITIES)
+        init, prepared = self.engine.library.motion_init, self.engine.blank()
         for k in range(count):
-            q, omega, attitude, rates, attitude_t, rates_t = (x[k] for x in rows)
-            one = q, omega, attitude, rates, attitude_t, rates_t
-            self._one(k, bodies, t[k if len(t) > 1 else 0], one, lenient)
+            place = offset(places, k, sizes)
+            if init(prepared, *place[:3]) or self.compute(prepared, t.shape[1], *place[3:]):
+                # Once more, by the way that says what is refused.
+                q, omega, attitude, rates, attitude_t, rates_t = (x[k] for x in rows)
+                one = q, omega, attitude, rates, attitude_t, rates_t
+                self._one(k, bodies, t[k if own else 0], one, lenient)
         return found
 
     def _one(

@@ -4,7 +4,7 @@ import numpy as np
 
 from rigidsym.manoeuvre.directions import is_symmetry
 from rigidsym.manoeuvre.problem import Problem
-from rigidsym.manoeuvre.refine import FINE, newton, refine, smallness
+from rigidsym.manoeuvre.refine import newton, refine, smallness
 from rigidsym.manoeuvre.search import starts
 
 # Motions arrive that miss by less, rad, or that miss by little and have next to nowhere to go.
@@ -24,7 +24,7 @@ def least(problem: Problem) -> float:
     sorted_body.most_momentum).
     """
     shortest = problem.angle * np.sqrt(problem.axis @ (problem.inertia * problem.axis))
-    arrive = _distinct(problem, *_refined(problem, _spins(problem, 0.0)))
+    arrive = _distinct(problem, *refine(problem, _spins(problem, 0.0)))
     return float(min([shortest, *problem.momenta(arrive)]))
 
 
@@ -35,7 +35,7 @@ def families(problem: Problem, bound: float) -> np.ndarray:
     Raises TooManyError where there are more than can be looked at.
     """
     near = np.concatenate([_spins(problem, bound), starts(problem, bound)])
-    found = _distinct(problem, *_refined(problem, near))
+    found = _distinct(problem, *refine(problem, near))
     return found[problem.momenta(found) <= bound * (1 + _ROUNDING)]
 
 
@@ -48,15 +48,6 @@ def _spins(problem: Problem, bound: float) -> np.ndarray:
     most = min(bound // (2 * np.pi * problem.momenta(axes).min()), _MOST_SPINS)
     turns = problem.angle + 2 * np.pi * np.arange(-1 - most, 1 + most)
     return (turns[:, None, None] * axes).reshape(-1, 3)
-
-
-def _refined(problem: Problem, near: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """See `refine`; what then nearly arrives is refined further."""
-    rates, angles = refine(problem, near)
-    nearly = (angles > _ARRIVED * smallness(rates)) & (angles < _NEARLY)
-    if nearly.any():
-        rates[nearly], angles[nearly] = refine(problem, rates[nearly], difference=FINE)
-    return rates, angles
 
 
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
@@ -84,6 +75,6 @@ def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarr
     nearly = np.flatnonzero(~arrive & (angles < _NEARLY))
     if nearly.size:
         near = rates[nearly]
-        step = np.linalg.norm(newton(problem, near, problem.misses(near)), axis=1)
+        step = np.linalg.norm(newton(problem, near), axis=1)
         arrive[nearly] = step < _SAME * smallness(near)
     return arrive

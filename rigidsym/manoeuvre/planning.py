@@ -32,7 +32,8 @@ COLUMNS = (
     "cost (N m s)",
     "energy (J)",
     "peak rate (rad/s)",
-    "misses by (rad)",
+    "miss (rad)",
+    "1 %, 1° (deg)",
 )
 
 
@@ -76,12 +77,15 @@ class Plan:
             said.append("start equals target, nothing to do")
         elif self.best.cost == 0:
             said.append("the body arrives by itself")
+        grown = max(one.growth_exponent for one in self.transfers)
+        if grown:
+            said.append(f"errors grow by up to e^{grown:.1f}, about the middle axis")
         if len(self.transfers) < self.families:
             said.append(f"{len(self.transfers)} of {self.families}, no others are within reach")
         return "; ".join(said)
 
     def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-        """Columns and rows for reading."""
+        """Columns and rows for reading; the last is the miss by 1 % and by 1 deg of a burst."""
         return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
 
     def write(self, directory: Path) -> list[Path]:
@@ -218,4 +222,4 @@ def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
 def _row(place: int, one: Transfer) -> tuple[str, ...]:
     rates = ", ".join(f"{x:.9g}" for x in one.omega0)
     figures = (f"{x:.6g}" for x in (one.cost, one.energy, one.peak_rate))
-    return (str(place), rates, *figures, f"{one.residual:.1e}")
+    return (str(place), rates, *figures, f"{one.residual:.1e}", one.missed)

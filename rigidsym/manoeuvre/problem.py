@@ -14,7 +14,8 @@ from functools import cached_property
 import numpy as np
 
 from rigidsym.engines import Engine
-from rigidsym.quaternions import rotation_vectors
+from rigidsym.engines.sensitivities import sensitive
+from rigidsym.quaternions import inverse_left_jacobian, rotation_vectors
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
@@ -70,6 +71,17 @@ class Problem:
     def misses(self, rates: np.ndarray) -> np.ndarray:
         """The same as rotation vectors (..., 3), rad, by the shorter way round."""
         return rotation_vectors(self.arrivals(rates))
+
+    def slopes(self, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Misses (N, 3) of rates (N, 3), and what they change by with them (N, 3, 3).
+
+        Where the changes leave binary64, as they may beside the separatrix, these are not numbers.
+        """
+        engine = sensitive(self.engine)
+        found = engine.propagate(self.inertia, rates, IDENTITY, np.ones(1), errors="nan")
+        misses = rotation_vectors(found[0][:, 0] @ self._undo)
+        by_rates = found[2][:, 0, :, 3:6]
+        return misses, inverse_left_jacobian(misses) @ by_rates
 
     def momenta(self, rates: np.ndarray) -> np.ndarray:
         """Sizes (...) of the momentum at rates (..., 3)."""

@@ -10,6 +10,7 @@ import numpy as np
 
 from rigidsym import inputs
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+from rigidsym.manoeuvre.robustness import Robustness, exponent, robustness
 from rigidsym.motion import TorqueFreeMotion
 
 _SAMPLES = 181
@@ -27,6 +28,9 @@ class TransferData(TypedDict):
     energy: float
     peak_rate: float
     residual: float
+    miss_burst_size: float
+    miss_burst_direction: float
+    growth_exponent: float
 
 
 @dataclass(frozen=True)
@@ -80,6 +84,26 @@ class Transfer:
         begin = self.omega0 - _doubles(given.start_spin)
         return _doubles(given.inertia) * [begin, _doubles(given.target_spin) - self.omega1]
 
+    @cached_property
+    def sensitivity(self) -> Robustness:
+        """What it misses by where the first burst, the attitude or the moments are not exact.
+
+        Raises InputError where that leaves binary64, beside the separatrix.
+        """
+        return robustness(self.motion, self.bursts[0], self.duration)
+
+    @property
+    def missed(self) -> str:
+        """By a first burst wrong by 1 % and by 1 degree, in the worst direction, in degrees."""
+        found = self.sensitivity
+        grown = ", grows exponentially" if self.growth_exponent else ""
+        return f"{np.degrees(found.size):.3g}, {found.direction:.3g}{grown}"
+
+    @property
+    def growth_exponent(self) -> float:
+        """The power of e by which errors grow on the way, 0 where they do not exponentially."""
+        return exponent(_doubles(self.manoeuvre.inertia), self.omega0, self.duration)
+
     @property
     def cost(self) -> float:
         """Of both bursts together, |I omega(0)| + |I omega(T)| from rest to rest, N m s."""
@@ -122,6 +146,9 @@ class Transfer:
             "energy": self.energy,
             "peak_rate": self.peak_rate,
             "residual": self.residual,
+            "miss_burst_size": self.sensitivity.size,
+            "miss_burst_direction": self.sensitivity.direction,
+            "growth_exponent": self.growth_exponent,
         }
 
     def __repr__(self) -> str:

@@ -7,7 +7,7 @@ import numpy as np
 from rigidsym import inputs
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.manoeuvre.problem import Problem, between, unit
-from rigidsym.manoeuvre.refine import FINE, derivatives, polished
+from rigidsym.manoeuvre.refine import polished
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import rotation_vectors
 
@@ -32,7 +32,7 @@ def verified(problem: Problem, manoeuvre: Manoeuvre, rates: np.ndarray) -> tuple
         if np.linalg.norm(missed) <= _ENOUGH:
             break
         rates = np.array([[float(x * duration) for x in exact]])
-        slope = np.linalg.pinv(derivatives(problem, rates, FINE)[0])
+        slope = np.linalg.pinv(problem.slopes(rates)[1][0])
         step = [Fraction(x) / duration for x in (slope @ missed).tolist()]
         tried = tuple(_decimals(x - dx) for x, dx in zip(exact, step, strict=True))
         found = miss(manoeuvre, tried)

@@ -26,7 +26,7 @@ def test_plan(short, capsys):
     assert main(["plan", str(short), "--all", "3"]) == 0
     printed = capsys.readouterr()
     assert "rigidsym plan: 20 s" in printed.out
-    assert "misses by" in printed.out
+    assert "miss (rad)" in printed.out
     assert printed.err == ""
 
 

@@ -18,8 +18,17 @@ from rigidsym.io.messages import UNNAMED
 from rigidsym.manoeuvre.flight import saturation
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
-from rigidsym.manoeuvre.flight.summary import Arrival, Effort, Holding, Tracking, checks, rows
+from rigidsym.manoeuvre.flight.summary import (
+    Arrival,
+    Effort,
+    Holding,
+    Tracking,
+    checks,
+    predicted,
+    rows,
+)
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre, ManoeuvreTables
+from rigidsym.manoeuvre.robustness import Robustness
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.view.plots import flights as pictures
 from rigidsym.view.plots import histories as drawing
@@ -58,6 +67,8 @@ class TransferData(TypedDict):
     omega0: list[float]
     omega1: list[float]
     regime: str
+    miss_burst_size: float
+    miss_burst_direction: float
 
 
 class BurnsData(TypedDict):
@@ -96,6 +107,11 @@ class Natural(Protocol):
         """From the start, with the rates after the first burst."""
         ...
 
+    @property
+    def sensitivity(self) -> Robustness:
+        """What it misses by with errors at the start, corrected by nobody."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Tracked:
@@ -116,6 +132,8 @@ class Tracked:
                 "omega0": run.track.omega[0].tolist(),
                 "omega1": self.transfer.motion(run.arrival)[1].tolist(),
                 "regime": str(self.transfer.motion.regime),
+                "miss_burst_size": self.transfer.sensitivity.size,
+                "miss_burst_direction": self.transfer.sensitivity.direction,
             },
             "tracking_error": run.tracking(),
             "target": run.holding(radians(self.flight.run.settled)),
@@ -160,6 +178,9 @@ class Tracked:
 
     def _told(self) -> list[tuple[str, str]]:
         told = rows(self.run, self.flight.run.settled)
+        missed = self.transfer.sensitivity
+        flown = [name for name, _ in told].index("error at arrival")
+        told.insert(flown + 1, predicted(missed.size, missed.direction))
         told += saturation.rows(self.run, self.flight.wheels, self.missed)
         nothing = ("start equals target", "nothing to do: the target is held")
         return [nothing, *told] if self.manoeuvre.trivial else told

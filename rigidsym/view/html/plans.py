@@ -116,6 +116,11 @@ class Transfer(Protocol):
         """By what it misses the target, rad."""
         ...
 
+    @property
+    def missed(self) -> str:
+        """By a first burst wrong by 1 % and by 1 degree, in degrees."""
+        ...
+
 
 class Plan(Protocol):
     """Transfers for one manoeuvre."""
@@ -161,6 +166,7 @@ def transfer_html(transfer: Transfer) -> str:
         row("energy", f"H = {decimal(transfer.energy, COMPUTED)}", r"\mathrm{J}"),
         row("peak_rate", decimal(transfer.peak_rate, COMPUTED), RATE),
         row("residual", _below(transfer.residual), r"\mathrm{rad}"),
+        (muted("by 1 %, 1 deg of burst (deg)"), muted(transfer.missed)),
     ]
     return card(title, table((), told))
 
@@ -183,6 +189,7 @@ def _row(one: Transfer) -> Iterator[Markup]:
     yield math(_computed(one.omega0))
     yield from (math(decimal(x, COMPUTED)) for x in (one.cost, one.energy, one.peak_rate))
     yield math(_below(one.residual))
+    yield muted(one.missed)
     yield tag("span", one.motion.regime, style="white-space:nowrap")
 
 
