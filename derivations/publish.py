@@ -14,9 +14,10 @@ a time, `thirds` are psi after the shortest, and `step_rates` the rates after al
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
-`moments`, `columns` and `sensitivity` are what the rates change by with each input, `middle` those of
-the middle rate where the spin is about it, `excesses` what the integrals of their squares have, `elapsed_F` and `elapsed_E` one integral of the elapsed time by
-the other, `turn_constants` and `turn` what the attitude changes by.
+`moments`, `columns` and `sensitivity` are what the rates change by with each input, `middle` those
+of the middle rate where the spin is about it, `excesses` what the integrals of their squares have,
+`elapsed_F` and `elapsed_E` one integral of the elapsed time by the other, `turn_constants` and
+`turn` what the attitude changes by.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
 standard function of known quantities.  The last two say which equations they are used in.
 """

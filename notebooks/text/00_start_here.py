@@ -70,8 +70,9 @@ motion([0.0, 90.0, 180.0])[0].round(4)  # attitudes: quaternions, scalar first, 
 # | [10. A manoeuvre, from start to stop](10_a_manoeuvre_from_start_to_stop.ipynb) | from one attitude to another by two bursts: planned, flown, compared |
 # | [11. Derive your own](11_derive_your_own.ipynb) | the derivation in other conventions, or with a wheel inside |
 # | [12. Toutatis from twelve looks](12_toutatis_from_twelve_looks.ipynb) | which motion it is, from attitudes, with its errors |
+# | [13. How a tumbling body forgets](13_how_a_tumbling_body_forgets.ipynb) | what errors of the start grow to, and what a motion shows of its body |
 #
-# Chapters 2 to 6 are the derivation, and each stands on those before; 7 to 12 can be read in any order.
+# Chapters 2 to 6 are the derivation, and each stands on those before; 7 to 13 can be read in any order.
 #
 # ## I have … I want …
 #
