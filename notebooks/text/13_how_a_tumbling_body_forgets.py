@@ -150,7 +150,6 @@ print(
 # are in units of 1 rad, of |ω₀| and, for the moments, of each itself, and a direction counts as
 # seen where its singular value is more than 1e-9 of the largest.
 
-
 # %%
 def singular(motion, what):
     """Singular values of 200 looks at attitude or rates, and the direction of the smallest."""

@@ -82,10 +82,10 @@ print(f"step {chosen.step:.2f} s, error {chosen.error:.0e} rad")
 for name, method in METHODS.items():
     print(f"{name:7} {len(method.kicks):2} evaluations a step, orders {method.orders}")
 
+
 # %% [markdown]
 # The picture is what an orbit costs, in evaluations of the torque, and how wrong its end is. Beside
 # them is Dormand and Prince's method of order 8, which integrates the whole motion.
-
 
 # %%
 def derivative(t, y):
@@ -155,7 +155,6 @@ figure
 # The orbit past the Earth follows from those around the Sun, before the encounter and after it: the
 # Earth turns one velocity into the other. The elements are those of the [Solar System Dynamics
 # Group](site/pages/bibliography.md), after it those of an orbit that has nearly the same passage.
-
 
 # %%
 SUN, AU = 1.32712440018e20, 1.495978707e11  # m^3/s^2, m
