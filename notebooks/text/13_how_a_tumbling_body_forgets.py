@@ -141,7 +141,6 @@ print(
     np.allclose(second @ first, whole, rtol=0, atol=1e-13 * np.max(np.abs(whole))),
 )
 
-
 # %% [markdown]
 # ## What can be observed, and what cannot
 #
@@ -151,6 +150,13 @@ print(
 # seen where its singular value is more than 1e-9 of the largest.
 
 # %%
+watched = {
+    "tumbling": tumble,
+    "symmetric": TorqueFreeMotion(("0.04", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")),
+    "a spin": TorqueFreeMotion(("0.0109", "0.04", "0.0506"), (0, 0, "0.05")),
+}
+
+
 def singular(motion, what):
     """Singular values of 200 looks at attitude or rates, and the direction of the smallest."""
     exact = {name: [float(x) for x in motion.exact[name]] for name in ("inertia", "omega0")}
@@ -160,11 +166,6 @@ def singular(motion, what):
     return s / s[0], v[-1]
 
 
-watched = {
-    "tumbling": tumble,
-    "symmetric": TorqueFreeMotion(("0.04", "0.04", "0.0506"), ("0.05", "0.03", "-0.02")),
-    "a spin": TorqueFreeMotion(("0.0109", "0.04", "0.0506"), (0, 0, "0.05")),
-}
 seen = {
     name: [int(np.sum(singular(motion, what)[0] > 1e-9)) for what in ("attitude", "rates")]
     for name, motion in watched.items()

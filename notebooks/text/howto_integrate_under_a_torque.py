@@ -82,12 +82,14 @@ print(f"step {chosen.step:.2f} s, error {chosen.error:.0e} rad")
 for name, method in METHODS.items():
     print(f"{name:7} {len(method.kicks):2} evaluations a step, orders {method.orders}")
 
-
 # %% [markdown]
 # The picture is what an orbit costs, in evaluations of the torque, and how wrong its end is. Beside
 # them is Dormand and Prince's method of order 8, which integrates the whole motion.
 
 # %%
+ends = [0, orbit.period]
+
+
 def derivative(t, y):
     """The equations of motion with the torque; y is the quaternion, then the rates."""
     (a, *b), w = y[:4], y[4:]
@@ -99,7 +101,7 @@ def derivative(t, y):
 def whole(tolerance):
     found = solve_ivp(
         derivative,
-        (0, orbit.period),
+        ends,
         [*q0, *omega0],
         "DOP853",
         rtol=tolerance,
@@ -111,7 +113,6 @@ def whole(tolerance):
 
 def split(method, evaluations):
     step = orbit.period * len(METHODS[method].kicks) / evaluations
-    ends = [0, orbit.period]
     found = rigidsym.integrate(
         inertia, q0, omega0, tide, ends, step=step, method=method, engine="c"
     )
