@@ -191,8 +191,9 @@ class TorqueFreeMotion:
 
         In closed form and at all times, in every regime; see `Sensitivity` for shapes and frames.
         Errors are measured to be below 1e-13 of the larger of a column and the change itself (that
-        of omega0, or |omega0| times the relative change of a moment), up to 7e-12 on the
-        separatrix; columns that have fallen keep 1e-16 of the largest that they were.
+        of omega0, or |omega0| times the relative change of a moment), in 31 of 36 strata of
+        motions, and up to 5e-10 beside the separatrix, 7e-12 on it and 1e-12 in the others; columns
+        that have fallen keep 1e-16 of the largest that they were.
         Raises InputError as a call does,
         and for times at which a motion on its way to spin about the middle axis has derivatives
         whose squares leave binary64; with errors="nan" there are no numbers then.

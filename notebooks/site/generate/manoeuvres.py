@@ -94,6 +94,9 @@ FORMATS = (
             "transfers[].momentum": "K, N m s",
             "transfers[].energy": "H, J",
             "transfers[].peak_rate": "the largest |omega| on the way, rad/s",
+            "transfers[].miss_burst_size": "first order: by 1 % of the first burst, rad",
+            "transfers[].miss_burst_direction": "by 1 rad of its direction, the worst way, rad",
+            "transfers[].growth_exponent": "the power of e by which errors grow, or 0",
             "transfers[].residual": "the angle by which `rates` miss the target, at thirty "
             "digits, rad",
         },
@@ -108,6 +111,8 @@ FORMATS = (
             "transfer.omega0": "its body rates at the start, rad/s",
             "transfer.omega1": "and at the target, rad/s",
             "transfer.regime": "the kind of motion",
+            "transfer.miss_burst_size": "first order: by 1 % of the first burst, rad",
+            "transfer.miss_burst_direction": "by 1 rad of its direction, the worst way, rad",
             "tracking_error": "angle between what is flown and what is followed until the target: "
             "greatest, root mean square, last; rad",
             "target": "after it is reached; `null` where nothing is flown by then",
