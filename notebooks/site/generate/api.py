@@ -7,7 +7,7 @@ from typing import Any
 
 PACKAGES = {
     "rigidsym": "What most programmes need",
-    "rigidsym.splitting": "Under a torque",
+    "rigidsym.splitting": "Splitting methods",
     "rigidsym.manoeuvre": "Manoeuvres",
     "rigidsym.fitting": "Fits",
     "rigidsym.manoeuvre.flight": "Flights",
