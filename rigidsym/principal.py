@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.quaternions import conjugate, of_matrix, product, rotated
+from rigidsym.quaternions import conjugate, matrices, of_matrix, product
 from rigidsym.sensitivity import Sensitivity
 
 # Of the largest entry: tensors are often known to a few digits, but these are the same ones twice.
@@ -71,11 +71,11 @@ class PrincipalAxes:
         turns, moments = self._by_tensor()
         q0, omega0 = _array("start[0]", start[0], 4), _array("start[1]", start[1], 3)
         rates = _array("omega", omega, 3)
-        here = _matrices(_array("q", q, 4))
+        here = matrices(_array("q", q, 4))
         # What inputs along the principal axes change by with those along the given ones.
         inputs_by = np.zeros((9, 12))
         inputs_by[:3, :3], inputs_by[3:6, 3:6] = np.eye(3), self.matrix.T
-        inputs_by[:3, 6:] = _matrices(q0) @ turns
+        inputs_by[:3, 6:] = matrices(q0) @ turns
         inputs_by[3:6, 6:] = -np.cross(turns, omega0[:, None], axis=0)
         inputs_by[6:, 6:] = moments
         attitude, faster = found.attitude @ inputs_by, found.rates @ inputs_by
@@ -171,11 +171,6 @@ def _array(field: str, values: ArrayLike, size: int) -> np.ndarray:
     if array.shape[-1:] != (size,):
         raise InputError(field, f"shape {array.shape}", f"must be (..., {size})")
     return array
-
-
-def _matrices(q: np.ndarray) -> np.ndarray:
-    """The rotation matrices (..., 3, 3) of unit quaternions (..., 4)."""
-    return np.swapaxes(rotated(q[..., None, :], np.eye(3)), -1, -2)
 
 
 def _shown(moments: np.ndarray) -> str:

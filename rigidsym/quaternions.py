@@ -31,6 +31,17 @@ def rotated(q: np.ndarray, vectors: np.ndarray) -> np.ndarray:
     return vectors + scalar * twice + np.cross(axis, twice)
 
 
+def cross_matrices(vectors: np.ndarray) -> np.ndarray:
+    """The matrices (..., 3, 3) that take x to v x x, of vectors v (..., 3)."""
+    return np.tensordot(vectors, _CROSS, 1)
+
+
+def matrices(q: np.ndarray) -> np.ndarray:
+    """The rotation matrices (..., 3, 3) of unit quaternions."""
+    turn = cross_matrices(q[..., 1:])
+    return np.eye(3) + 2 * q[..., :1, None] * turn + 2 * turn @ turn
+
+
 def of_matrix(m: np.ndarray) -> np.ndarray:
     """The unit quaternion (4,) of a rotation matrix (3, 3), scalar part not negative.
 
@@ -68,7 +79,7 @@ def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
     """
     angle = np.linalg.norm(vectors, axis=-1)[..., None, None]
     safe = np.where(angle == 0, 1.0, angle)
-    cross = np.tensordot(vectors, _CROSS, 1)
+    cross = cross_matrices(vectors)
     across = np.where(angle == 0, 0.0, 1 - safe / 2 / np.tan(safe / 2))
     return np.eye(3) - cross / 2 + across / safe * (cross @ (cross / safe))
 

@@ -14,10 +14,10 @@ from rigidsym.fitting.observability import Observability, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.rotations import matrices
 from rigidsym.fitting.states import sensitivities
 from rigidsym.fitting.tumbling import Periods, periods
 from rigidsym.motion import TorqueFreeMotion
+from rigidsym.quaternions import matrices
 
 if TYPE_CHECKING:
     from rigidsym.solution.mode import Mode

@@ -17,9 +17,11 @@ from numpy.typing import ArrayLike
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
 from rigidsym.fitting.covariances import whitening
-from rigidsym.fitting.rotations import cross, inverse_right_jacobian, matrices
+from rigidsym.fitting.rotations import inverse_right_jacobian
 from rigidsym.quaternions import (
     conjugate,
+    cross_matrices,
+    matrices,
     of_rotation_vectors,
     product,
     rotated,
@@ -203,9 +205,9 @@ class Directions(Observations):
         angle, sine = self._apart(there)
         if self.seen_in == "body":
             known = np.asarray(self.known)
-            moved = np.swapaxes(matrices(q), -2, -1) @ cross(known)
+            moved = np.swapaxes(matrices(q), -2, -1) @ cross_matrices(known)
         else:
-            moved = -cross(there)
+            moved = -cross_matrices(there)
         # Of angle/sine by the cosine, which is 1/3 less for no angle.
         cosine = np.sum(self.seen * there, axis=-1)
         slope = np.where(angle == sine, -1 / 3, -(sine - angle * cosine) / sine**3)

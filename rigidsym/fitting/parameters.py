@@ -11,8 +11,15 @@ from functools import cached_property
 
 import numpy as np
 
-from rigidsym.fitting.rotations import cross, left_jacobian, matrices
-from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotated
+from rigidsym.fitting.rotations import left_jacobian
+from rigidsym.quaternions import (
+    conjugate,
+    cross_matrices,
+    matrices,
+    of_rotation_vectors,
+    product,
+    rotated,
+)
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 # What two of three logarithms move: an orthonormal basis across (1, 1, 1).
@@ -159,7 +166,7 @@ def observed(
         return moved
     turned = matrices(point.mount)[..., None, :, :] @ moved[..., 3:, :]
     moved[..., :3, :] -= matrices(q) @ own[..., 9:, :]
-    moved[..., 3:, :] = turned - cross(omega) @ own[..., 9:, :]
+    moved[..., 3:, :] = turned - cross_matrices(omega) @ own[..., 9:, :]
     return moved
 
 

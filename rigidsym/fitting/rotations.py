@@ -5,29 +5,16 @@ Source: Chirikjian, Stochastic Models, Information Theory, and Lie Groups 2 (201
 
 import numpy as np
 
+from rigidsym.quaternions import cross_matrices, inverse_left_jacobian
+
 # Below it series of three terms are right to rounding.
 _SMALL = 1e-2
-
-
-def cross(vectors: np.ndarray) -> np.ndarray:
-    """The matrices (..., 3, 3) that take x to vector x x, of vectors (..., 3)."""
-    found = np.zeros((*vectors.shape, 3))
-    for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        found[..., k, j] = vectors[..., i]
-        found[..., j, k] = -vectors[..., i]
-    return found
-
-
-def matrices(q: np.ndarray) -> np.ndarray:
-    """Rotation matrices (..., 3, 3) of unit quaternions (..., 4)."""
-    turn = cross(q[..., 1:])
-    return np.eye(3) + 2 * q[..., :1, None] * turn + 2 * turn @ turn
 
 
 def left_jacobian(vector: np.ndarray) -> np.ndarray:
     """J (3, 3) with exp(vector + d) = exp(J d) exp(vector), to first order in d."""
     square = float(vector @ vector)
-    turn = cross(vector)
+    turn = cross_matrices(vector)
     return np.eye(3) + _versine(square) * turn + _defect(square) * turn @ turn
 
 
@@ -36,13 +23,7 @@ def inverse_right_jacobian(vectors: np.ndarray) -> np.ndarray:
 
     Not beyond a whole turn, where the logarithm is not smooth.
     """
-    square = np.sum(vectors**2, axis=-1)[..., None, None]
-    small = square < _SMALL
-    half = np.sqrt(np.where(small, 1.0, square)) / 2
-    exact = (1 - half * np.cos(half) / np.sin(half)) / (4 * half**2)
-    series = 1 / 12 + square / 720 + square**2 / 30240
-    turn = cross(vectors)
-    return np.eye(3) + turn / 2 + np.where(small, series, exact) * turn @ turn
+    return np.swapaxes(inverse_left_jacobian(vectors), -1, -2)
 
 
 def _versine(square: float) -> float:

@@ -14,9 +14,8 @@ from rigidsym.fitting.alignment import aligns
 from rigidsym.fitting.observations import Attitudes, Observations, Rates
 from rigidsym.fitting.parameters import IDENTITY, Parameters, Point, joined
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.rotations import matrices
 from rigidsym.motion import propagate
-from rigidsym.quaternions import conjugate, product, rotated, rotation_vectors
+from rigidsym.quaternions import conjugate, matrices, product, rotated, rotation_vectors
 
 # From the axes of a body to axes with the first, second and third as z.
 _FRAMES = np.array([[0.5, -0.5, -0.5, -0.5], [0.5, 0.5, 0.5, 0.5], [1.0, 0.0, 0.0, 0.0]])

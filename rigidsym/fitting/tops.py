@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rigidsym.fitting.rotations import matrices
+from rigidsym.quaternions import matrices
 
 # Bodies near 1/2 are let in with what noise makes of it, as flat ones.
 _LEAST, _FLAT, _NEEDLE = 0.4, 0.52, 50.0
