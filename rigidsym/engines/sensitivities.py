@@ -1,18 +1,18 @@
 """States with what they change by: by the modules of the theta form, NumPy's or C's."""
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from fractions import Fraction
+from typing import Protocol, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays
 from rigidsym.engines.c_engine import CEngine, offset
-from rigidsym.engines.numpy_engine import NumpyEngine, in_blocks
+from rigidsym.engines.numpy_engine import Module, NumpyEngine, in_blocks
 from rigidsym.engines.protocol import Engine, EngineError, Prepared, Sensitivities
-from rigidsym.generated import torque_free
 
 # A time at which squares of changes leave binary64, in torque_free.h.
 _GROWTH = 9
@@ -43,17 +43,42 @@ def sensitive(engine: Engine) -> Sensitive:
     """What goes with an engine's prepared motions; raises EngineError where nothing does."""
     if isinstance(engine, CEngine) and engine.library.states_with_sensitivity:
         return _C(engine, engine.library.states_with_sensitivity)
-    if isinstance(engine, NumpyEngine) and engine.module is torque_free:
-        return _Numpy()
+    if isinstance(engine, NumpyEngine) and _offers(engine.module):
+        return _Numpy(engine.module)
     raise EngineError("engine", "its module has no sensitivities")
 
 
+def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
+    """Make sensitivities of a motion prepared exactly those by moments in kg m^2: these were
+    divided by a power of two."""
+    # Here, because doubles need nothing of it.
+    from rigidsym.engines.exact_inputs import moment_unit
+
+    for columns in found[2:4]:
+        columns[..., 6:] /= moment_unit(inertia)
+
+
+class _Module(Module, Protocol):
+    """What the generated module of the theta form offers beyond states."""
+
+    def sensitivities(self, prepared: Prepared, t: ArrayLike, errors: str = ...) -> Sensitivities:
+        """States and what they change by."""
+        ...
+
+
+def _offers(module: Module) -> TypeGuard[_Module]:
+    return hasattr(module, "sensitivities")
+
+
+@dataclass(frozen=True, slots=True)
 class _Numpy:
+    module: _Module
+
     def sensitivities(
         self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
     ) -> Sensitivities:
         """States at times and what they change by, of prepared motions."""
-        return torque_free.sensitivities(prepared, t, errors)
+        return self.module.sensitivities(prepared, t, errors)
 
     def propagate(
         self,
@@ -76,11 +101,11 @@ class _Numpy:
         ]
 
         def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
-            block = torque_free.sensitivities(prepared, times, errors)
+            block = self.module.sensitivities(prepared, times, errors)
             for row, values in zip(rows, block, strict=True):
                 row[some] = values
 
-        in_blocks(torque_free, given, t, shape, errors, run)
+        in_blocks(self.module, given, t, shape, errors, run)
         return found
 
 
