@@ -5,8 +5,9 @@ to have.
 """
 
 from rigidsym.engines.arrays import SIZES, is_lenient
-from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly, stepper
+from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly, integrator, stepper
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
+from rigidsym.engines.steps import Kicks
 
 __all__ = [
     "ENGINES",
@@ -14,12 +15,14 @@ __all__ = [
     "SIZES",
     "Engine",
     "EngineError",
+    "Kicks",
     "Outputs",
     "Prepared",
     "States",
     "checked",
     "engine",
     "exactly",
+    "integrator",
     "is_lenient",
     "stepper",
 ]

@@ -56,6 +56,12 @@ def stepper(name: str) -> Stepper:
     return found if isinstance(found, CStepper) else NumpyStepper()
 
 
+def integrator(name: str) -> CStepper | None:
+    """What makes many steps with kicks between them; None but for C's engine with a compiler."""
+    found = _told("c-step", 3) if name == "c" else None
+    return found if isinstance(found, CStepper) else None
+
+
 def _numpy(name: str) -> Engine:
     if name == "numpy":
         return NumpyEngine()
