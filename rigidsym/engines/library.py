@@ -49,6 +49,13 @@ _STEPS: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
         c_int,
         (c_size_t, c_void_p, c_size_t, *_BODY, c_size_t, *_OUT, c_void_p),
     ),
+    "integrate": (
+        c_int,
+        (
+            *(c_size_t, c_void_p, c_size_t, c_void_p, c_void_p),
+            *(c_double, c_double, c_size_t, c_size_t, *_OUT, c_void_p),
+        ),
+    ),
 }
 
 
@@ -84,6 +91,7 @@ class StepLibrary:
     body_init: Callable[..., int]
     step: Callable[..., int]
     steps: Callable[..., int]
+    integrate: Callable[..., int]
 
 
 AnyLibrary: TypeAlias = Library | StepLibrary
