@@ -148,7 +148,7 @@ class Found(Alternative):
     @property
     def degrees_of_freedom(self) -> int:
         """Numbers observed, less the parameters that they tell."""
-        return self.problem.count - self.observability.told.shape[1]
+        return self.problem.count - self.observability.moved.shape[1]
 
     @property
     def probability(self) -> float:
