@@ -1,11 +1,12 @@
 """What the observations tell and what they do not: covariance, and directions nothing tells.
 
-Errors are linear ones, of the derivatives at the minimum, in natural sizes: 1 rad, the rates as they
-are, the moments as they are.  They are looked at once more where they lead: one and two of them to
-both sides along each of their principal axes, and half the natural size along what is not told.
-Where they are more than twice as large there, in any direction, the larger ones count: what the
-observations tell is what they tell wherever the motion may be.  Directions in which errors reach
-their natural size are null directions, and a parameter that has a part in them is unobservable.
+Errors are linear ones, of the derivatives at the minimum, in natural sizes: 1 rad, the rates as
+they are, the moments as they are.  They are looked at once more where they lead: one and two of
+them to both sides along each of their principal axes, and half the natural size along what is not
+told.  Where they are more than twice as large there, in any direction, the larger ones count: what
+the observations tell is what they tell wherever the motion may be.  Directions in which errors
+reach their natural size are null directions, and a parameter that has a part in them is
+unobservable.
 """
 
 from collections.abc import Iterator
@@ -20,6 +21,8 @@ from rigidsym.fitting.problem import Problem
 _REACH, _HALF = (-2.0, -1.0, 1.0, 2.0), (-0.5, 0.5)
 # By how much they have to be larger there.
 _LARGER = 2.0
+# Of natural sizes: errors as large as that, but for rounding.
+_NATURAL = 0.999
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +51,7 @@ class Observability:
         """
         told, blind = rows @ self.told, rows @ self.blind
         found = told @ told.T
-        lost = np.sum(blind**2, axis=1) > np.diag(found)
+        lost = ~(np.sum(blind**2, axis=1) <= np.diag(found))
         found[lost] = np.nan
         found[:, lost] = np.nan
         found[lost, lost] = np.inf
@@ -74,7 +77,7 @@ def observability(problem: Problem, point: Point) -> Observability:
             wide, more = _within(wide, _errors(there * natural))
             bent.append(more)
     directions, sizes, _ = np.linalg.svd(wide)
-    told = sizes < 1
+    told = sizes < _NATURAL
     moved = slopes * natural @ here
     return Observability(
         natural[:, None] * directions[:, told] * sizes[told],
