@@ -101,7 +101,7 @@ def fit(
     if guess is None:
         minima = search(posed, known, count, limit, range_, loss, progress)
     else:
-        posed, start = _begun(posed, guess, known)
+        posed, start = started(posed, guess, known)
         minima = [local(posed, start, loss)]
     best, *others = minima
     only = spin(posed, best, loss) if posed.parameters.shape else None
@@ -129,7 +129,7 @@ def _positive(name: str, value: float) -> float:
     return found
 
 
-def _begun(
+def started(
     posed: Problem, guess: TorqueFreeMotion, known: np.ndarray | None
 ) -> tuple[Problem, Point]:
     """The problem, and the guess at its epoch: t = 0 where the guess has no state in the midst."""
