@@ -20,9 +20,9 @@ products, quotients, roots and reductions; exact ones of doubles are Knuth's (Th
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
     441  23 %  follow facts of the ledger, each named on its line
-    589  31 %  follow classical formulas, each with its reference
+    589  30 %  follow classical formulas, each with its reference
      98   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    799  41 %  are the runtime, written by hand
+    818  42 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 61d47a39c28210c8784313a2534deea94f5d5fa05a5a6ace0fe02809f836d6b0
+digest c3191b7d56a4bf6cb450a946e7a1fe8e54cb96f0450c0aa1b0513d88db1cedfd
 """
 
 # ruff: noqa
@@ -189,7 +189,9 @@ def _choose(x, y, one, other):
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
         return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
-    return (one if first else other) if type(first) is bool else np.where(first, one, other)
+    if isinstance(first, np.ndarray):
+        return np.where(first, one, other)
+    return one if first else other
 
 
 def _rounded(x):
@@ -2182,10 +2184,6 @@ def _integers(x):
     return [m << int(e) - least for m, e in zip(whole, exponent, strict=True)], least - 53
 
 
-# Sensitivities computed at a time: each has some seventy intermediate numbers, and as many results.
-_SENSITIVE = 2048
-
-
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise"):
     """States at the times t in s, and what they change by with their inputs.
@@ -2197,12 +2195,15 @@ def sensitivities(prepared, t, errors="raise"):
     Raises ValueError as `states` does, and for times at which binary64 does not hold the squares of
     changes in any; with errors="nan" there are no numbers then.
     """
+    # One time of one body as a number, which has the shortest way.
+    if np.ndim(t) == 0 and prepared["shape"] == ():
+        t = float(t)
     q, omega = states(prepared, t, None, errors)
     given, count = np.asarray(t, float), len(prepared["unit"])
     # One row of times for all motions, or one for each.
     given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
     shapes = (4,), (3,), (3, 9), (3, 9), (3,), (3,)
-    found = [np.zeros((*omega.shape[:-1], *shape)) for shape in shapes[2:]]
+    found = _together(omega.shape[:-1], shapes[2:])
     rows = [
         x.reshape(count, given.shape[1], *shape)
         for x, shape in zip((q, omega, *found), shapes, strict=True)
@@ -2215,6 +2216,17 @@ def sensitivities(prepared, t, errors="raise"):
     _unchanged(given, rows)
     _check_held(rows, errors)
     return (q, omega, *found)
+
+
+def _together(shape, ends):
+    """Zeros of these shapes in one piece of memory, which allocators keep where they would give
+    pieces back to the system, and have them anew page by page."""
+    sizes = [math.prod((*shape, *end)) for end in ends]
+    piece, found, begin = np.zeros(sum(sizes)), [], 0
+    for end, size in zip(ends, sizes, strict=True):
+        found.append(piece[begin : begin + size].reshape(*shape, *end))
+        begin += size
+    return found
 
 
 def _elapsed(prepared):
@@ -2263,7 +2275,8 @@ def _phases(prepared):
 
 
 def _of_group(name, index, known):
-    """The indices of some bodies, and their constants by what they are for."""
+    """The indices of some bodies, and their constants by what they are for: arrays, or of one
+    body Python's floats."""
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
@@ -2273,15 +2286,22 @@ def _of_group(name, index, known):
             key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
             for key, value in constants.items()
         }
-    return index, made
+    return index, _of_one(made, 0) if index.size == 1 else made
+
+
+def _of_one(made, number):
+    """The constants of one body, as Python's floats."""
+    return {
+        part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
+    }
 
 
 def _fill_sensitivities(prepared, group, t, rows):
     """The rows of one group, in blocks: of times, or of bodies where times are few."""
     name, order, index, made = group
     size = t.shape[1]
-    if size < _SENSITIVE // 4:
-        step = max(1, _SENSITIVE // max(1, size))
+    if index.size > 1 and size < _BLOCK // 4:
+        step = max(1, _BLOCK // max(1, size))
         for first in range(0, index.size, step):
             some = slice(first, first + step)
             constants = {
@@ -2293,15 +2313,15 @@ def _fill_sensitivities(prepared, group, t, rows):
             _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
         return
     for number, body in enumerate(index):
-        constants = {
-            part: {key: float(x[number]) for key, x in known.items()}
-            for part, known in made.items()
-        }
+        constants = made if index.size == 1 else _of_one(made, number)
         units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
-        for first in range(0, size, _SENSITIVE):
-            some = slice(first, first + _SENSITIVE)
-            times = t[body if len(t) > 1 else 0, some]
-            _write_sensitivities(name, order, constants, units, times, rows, (body, some))
+        step = max(1, -(-size // max(1, -(-size // _BLOCK))))
+        for first in range(0, size, step):
+            some = slice(first, first + step)
+            # One time as a number: operations on such arrays take ten times as long.
+            where = some if size > 1 else 0
+            times = t[body if len(t) > 1 else 0, where]
+            _write_sensitivities(name, order, constants, units, times, rows, (body, where))
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place):
@@ -2312,7 +2332,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     scale = unit + (unit == 0)
     for k in range(3):
         known[f"Omega{k + 1}"] = omega[..., k] / scale
-    known |= {f"q{k}": q[..., k] for k in range(4)}
+    known |= {f"q{k}": q[..., k][()] for k in range(4)}
     known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in zip("abd", order, strict=True)}
     entry = SENSITIVITY[name]
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
@@ -2384,9 +2404,10 @@ def _unchanged(t, rows):
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
-    if not np.any(lost):
+    # Where the least is a number all are, and it is found sooner.
+    if not any(np.isnan(np.min(x, initial=0.0)) for x in rows[2:]):
         return
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"
