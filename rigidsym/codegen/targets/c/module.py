@@ -238,10 +238,11 @@ def _of_sensitivities(by_name: dict[str, Function]) -> dict[str, str]:
         "@moduli@": ", ".join(results),
         "@moduli out@": ", ".join(f"&{name}" for name in results),
         "@moduli given@": ", ".join(by_name["_moduli"].parameters),
-        "@columns given@": ", ".join(by_name["_columns_constants"].parameters),
         "@turn columns@": ", ".join(f"by[{k}]" for k in range(18)),
     }
-    for name, array in (("columns", "columns"), ("turn", "turned_by")):
+    for name in ("along", "columns"):
+        places[f"@{name} given@"] = ", ".join(by_name[f"_{name}_constants"].parameters)
+    for name, array in (("along", "along"), ("columns", "columns"), ("turn", "turned_by")):
         count = len(by_name[f"_{name}_state"].results)
         places[f"@{name} rows of {array}@"] = _rows(array, count)
     for name in ("real", "imaginary"):
