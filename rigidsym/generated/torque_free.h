@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    435  21 %  follow facts of the ledger, each named on its line
-    559  27 %  follow classical formulas, each with its reference
+    435  20 %  follow facts of the ledger, each named on its line
+    559  26 %  follow classical formulas, each with its reference
      72   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1017  49 %  are the runtime, written by hand
+   1107  51 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -37,54 +37,20 @@ mpmath:
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  8.7e-16  2.9e-16
-  published              7.3e-16  3.6e-16
-  axis orders and signs  8.8e-16  3.7e-16
-  uniform                1.0e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      8.2e-16  3.6e-16
-  nearest separatrix     7.8e-16  3.6e-16
-  separatrix             7.4e-16  3.1e-16
-  symmetric              7.0e-16  2.7e-16
-  near prolate           1.1e-15  5.6e-16
-  near oblate            8.2e-16  4.0e-16
-  nearest symmetric      7.4e-16  3.3e-16
-  sphere                 5.9e-16  1.9e-40
-  near sphere            9.3e-16  4.2e-16
-  nearest sphere         8.0e-16  3.4e-16
-  spin                   5.2e-16  1.2e-51
-  near spin, largest     6.1e-16  3.7e-16
-  near spin, middle      6.9e-16  3.6e-16
-  near spin, smallest    6.3e-16  2.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   9.3e-16  4.8e-16
-  rod                    9.9e-16  4.7e-16
-  needle                 1.0e-15  4.9e-16
-  special values         8.9e-16  4.7e-16
-  special attitudes      7.8e-16  4.4e-16
-  scales                 9.2e-16  5.0e-16
-  small scales           8.0e-16  4.9e-16
-  large scales           8.5e-16  4.2e-16
-  extreme scales         8.6e-16  4.8e-16
-  decimals               9.6e-16  5.0e-16
-  long times             9.0e-16  4.3e-16
-  longest times          8.7e-16  4.3e-16
-  near separatrix, long  9.4e-16  5.1e-16
-  branch switch          1.1e-15  4.9e-16
-  zeros of the rates     8.1e-16  6.0e-16
-  quarter periods        9.1e-16  4.5e-16
+Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 462988bd51457847377627ac2c24fc1b747bff9ee6c2793414b5ed38fcbf4e29
+digest a06a7637bba70fd32a13008ec0f0a37ca17b877993b3705af20c17a46677e8e5
 
-Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
--DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
-C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
-machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
-a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
-x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
+Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
+-DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
+time; torque_free_state_at needs 3 KB.  C++11 and later compile it, too.  Compile with -O3
+-fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
+vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
+-fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
+AVX-512, -mprefer-vector-width=512 saves a fifth.  Without -fno-math-errno torque_free_propagate
+prepares one motion at a time, not as many as a register holds, and takes several times as long;
+below -O2 -fno-math-errno needs -DTORQUE_FREE_LANES=1.
 -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
