@@ -20,9 +20,9 @@ products, quotients, roots and reductions; exact ones of doubles are Knuth's (Th
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
     435  20 %  follow facts of the ledger, each named on its line
-    559  26 %  follow classical formulas, each with its reference
+    559  25 %  follow classical formulas, each with its reference
      72   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1107  51 %  are the runtime, written by hand
+   1146  52 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest a06a7637bba70fd32a13008ec0f0a37ca17b877993b3705af20c17a46677e8e5
+digest 77406cce1d76cb6210bd5d2f5f99308469a2dadce34ede49232a21bf2f9ae172
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -211,6 +211,15 @@ const char *torque_free_message(int code);
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
+
+/* The same for n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
+   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, times that are refused have states
+   of NaN, and neither they nor those at which changes leave binary64 have other changes; a body with such a
+   time has code TORQUE_FREE_GROWTH, whatever else it has. */
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed);
 #ifdef __cplusplus
 }
 #endif

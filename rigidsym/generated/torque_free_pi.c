@@ -22,8 +22,8 @@
 #endif
 
 /* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
-   one where roots that report errors keep loops from being vectorised.  What these call has to be in
-   them, too, which takes seconds to compile, and is in vain where addresses are checked. */
+   one where roots that report errors keep loops from being vectorised.  What these call has to be
+   in them, too, which takes seconds to compile, and is in vain where addresses are checked. */
 #ifndef TORQUE_FREE_PI_LANES
 #if !defined(__OPTIMIZE__) || !defined(__NO_MATH_ERRNO__)
 #define TORQUE_FREE_PI_LANES 1
@@ -2550,7 +2550,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "df35aa2453989b37f383dccd2fe33ce4cede8c594f781a954500e0aae3f62d7f"; }
+const char *torque_free_pi_digest(void) { return "fd9710e432ee68a467d8a229bb6e0fec5f903583c098dae447502eb44c2802a3"; }
 
 const char *torque_free_pi_message(int code)
 {

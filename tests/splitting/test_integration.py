@@ -52,6 +52,16 @@ def test_without_a_torque_the_motion_is_free(name):
     assert np.allclose(found.omega, omega, rtol=0, atol=1e-14)
 
 
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("step", [4.0, 40.0], ids=["short", "beyond a step's 8 rad"])
+def test_free_motions_of_any_length_are_those_of_propagate(engine, step):
+    times, rates = [0.0, 80.0], [RATES, (0.02, 0.01, 0.03)]
+    found = rigidsym.integrate(BODY, START, rates, free, times, step=step, engine=engine)
+    q, omega = rigidsym.propagate(BODY, rates, times, START)
+    assert rotation(found.q, q) < 1e-13
+    assert np.allclose(found.omega, omega, rtol=0, atol=1e-13)
+
+
 @pytest.mark.parametrize("name", METHODS)
 def test_a_constant_torque_in_space_adds_to_the_momentum(name):
     torque, times = np.array([0.3, -0.1, 0.2]), np.array([0.0, 1.0, 4.0])

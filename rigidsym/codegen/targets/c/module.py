@@ -88,8 +88,8 @@ _INCLUDES = """\
 #endif
 
 /* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
-   one where roots that report errors keep loops from being vectorised.  What these call has to be in
-   them, too, which takes seconds to compile, and is in vain where addresses are checked. */
+   one where roots that report errors keep loops from being vectorised.  What these call has to be
+   in them, too, which takes seconds to compile, and is in vain where addresses are checked. */
 #ifndef TORQUE_FREE_LANES
 #if !defined(__OPTIMIZE__) || !defined(__NO_MATH_ERRNO__)
 #define TORQUE_FREE_LANES 1
