@@ -817,7 +817,7 @@ def _floats(
 
 
 def _listed(values: Vector3 | Quaternion) -> Vector3 | Quaternion:
-    """The items of an array as Python's numbers, which are quicker to look at; the rest as it is."""
+    """An array's items as Python's numbers, which are quicker to look at; the rest as it is."""
     return values.tolist() if type(values) is np.ndarray and values.ndim == 1 else values
 
 
