@@ -13,7 +13,7 @@ RUNTIMES = {
     "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
     "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
     "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
-    "c-step": ("targets/c/step.c", "targets/c/double_double.c"),
+    "c-step": tuple(f"targets/c/{x}.c" for x in ("step", "kick", "double_double")),
 }
 # And what the theta form has beside them.
 SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}

@@ -184,6 +184,7 @@ _STEP = Meanings(
         "_step_rates": ("step_rates",),
         "_step_front": ("constants",),
         "_step_attitude": ("thirds", "state"),
+        "_step_kick": ("kick",),
     },
 )
 OF = {THETA: _THETA, PI: _PI, STEP: _STEP}

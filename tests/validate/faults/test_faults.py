@@ -10,7 +10,7 @@ import pytest
 from rigidsym import InputError
 from rigidsym.codegen.ir import Constant
 from rigidsym.language.expression import parse, to_text
-from rigidsym.validate.bounds import WIDER
+from rigidsym.validate.bounds import bounds_of
 from rigidsym.validate.faults import KINDS, Fault, StaleFaultError, all_faults, inject
 from rigidsym.validate.faults.detection import (
     CRASHED,
@@ -89,9 +89,10 @@ def test_there_are_many_faults_of_every_kind():
 
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
-    engine, wider = on_text(target, installed(FILES[target])), WIDER.get(target, 1.0)
-    strata = chosen[False] if target.endswith("-pi") else [*chosen[False], *chosen[True]]
-    assert [first(engine, stratum, wider) for stratum in strata] == [None] * len(strata)
+    engine, bounds = on_text(target, installed(FILES[target])), bounds_of(target)
+    others = ("-pi", "-step")
+    strata = chosen[False] if target.endswith(others) else [*chosen[False], *chosen[True]]
+    assert [first(engine, stratum, bounds) for stratum in strata] == [None] * len(strata)
 
 
 @pytest.mark.parametrize(
@@ -102,8 +103,8 @@ def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
     ],
 )
 def test_a_fault_is_noticed(fault, chosen):
-    engine, wider = mutated_engine(fault), WIDER.get(fault.target, 1.0)
-    assert any(first(engine, stratum, wider) for stratum in chosen[fault.in_sensitivities])
+    engine, bounds = mutated_engine(fault), bounds_of(fault.target)
+    assert any(first(engine, stratum, bounds) for stratum in chosen[fault.in_sensitivities])
 
 
 @pytest.mark.parametrize("target", TARGETS)

@@ -18,6 +18,7 @@ from rigidsym.codegen.targets.numpy.stubs import (
     _step_doubled,
     _step_first,
     _step_front,
+    _step_kick,
     _step_projected,
     _step_rates,
     _step_second_half,
@@ -176,3 +177,13 @@ def _moved(body, q, t):
     turned = (t, rate.hi, rate.lo, re, im, K.hi, *moments, *rates, *front, *signs)
     attitude = _step_attitude(*turned)
     return attitude, rates
+
+
+def torque(q, direction, coefficients):
+    """What a vector in space (..., 3) exerts on bodies of unit quaternions q (..., 4), (..., 3).
+
+    With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
+    b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.
+    """
+    given = (np.moveaxis(x, -1, 0) for x in (q, direction, coefficients))
+    return np.stack(_step_kick(*(x for each in given for x in each)), axis=-1)

@@ -90,4 +90,4 @@ def _derived(*values: _DoubleDouble | np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 _step_body = _step_start = _step_first = _step_doubled = _step_projected = _derived
-_step_second_half = _step_rates = _step_front = _step_attitude = _derived
+_step_second_half = _step_rates = _step_front = _step_attitude = _step_kick = _derived
