@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from rigidsym.precise.amplitude import Functions
+from rigidsym.precise.amplitude import Functions, quarter_period
 
 
 class Elapsed(NamedTuple):
@@ -35,6 +35,13 @@ def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
     s, c, d = functions.jacobi(u, mc)
     integrals = _integrals(u, (zero, m), mc, functions)
     return Elapsed(s / rate, c, d, *(x / (rate * p) for x in integrals))
+
+
+def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:
+    """Whether a time is within the first quarter of a period, where cn and dn have no zero."""
+    if p.is_zero() or (gap.is_zero() and not r.is_zero()):
+        return True
+    return bool(abs(t) * p.sqrt() < quarter_period(gap / p))
 
 
 def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
