@@ -10,7 +10,7 @@ from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import Lines, Module, joined
 from rigidsym.codegen.shares import shares, text
-from rigidsym.codegen.special_functions.short_time import STEPS
+from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.c import emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h", STEP: "torque_free_step.h"}
@@ -53,7 +53,9 @@ _STEP_NOTES = """\
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
 -O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
 lanes are vectorised then.  -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused
-when it is compiled."""
+when it is compiled; other options that reorder sums or approximate quotients
+(-fassociative-math, -funsafe-math-optimizations), and directed rounding, by every body_init and
+every call of torque_free_steps."""
 _STEP_LANES = """\
 /* How many bodies are computed side by side. */
 #ifndef LANES
@@ -84,9 +86,6 @@ _INCLUDES = """\
 #define TORQUE_FREE_BLOCK 64
 #endif
 """
-# What the functions of motions do about options that no macro tells.
-_LOOKS = """.  Not every option
-   that breaks this shows in a macro: torque_free_motion_init looks, too. */"""
 _FIRST = """#ifndef TORQUE_FREE_H
 #define TORQUE_FREE_H
 
@@ -181,7 +180,8 @@ def source_first(form: str) -> str:
     if form == STEP:
         before, _, _ = includes.partition("/* How many states are computed")
         pairs = _part("double_double.c").replace("torque_free.c", SOURCES[STEP])
-        return "\n".join([before, _STEP_LANES, pairs.replace(_LOOKS, ". */"), ""])
+        pairs = pairs.replace("torque_free_motion_init", "torque_free_body_init")
+        return "\n".join([before, _STEP_LANES, pairs, ""])
     return "\n".join([includes, _part("double_double.c"), _part("exact.c"), ""])
 
 
@@ -209,7 +209,8 @@ def _limited(text: str, form: str) -> str:
 
 def _filled(text: str, by_name: dict[str, Function], form: str) -> str:
     if form == STEP:
-        return text.replace("@limits@", _limit_lines(form)).replace("@steps@", str(STEPS))
+        text = text.replace("@limits@", _limit_lines(form))
+        return text.replace("@steps@", str(STEPS)).replace("@last@", str(LAST))
     start = by_name["_initial_state"]
     extended = start.all_extended()
     places = {
@@ -237,10 +238,11 @@ def _of_sensitivities(by_name: dict[str, Function]) -> dict[str, str]:
         "@moduli@": ", ".join(results),
         "@moduli out@": ", ".join(f"&{name}" for name in results),
         "@moduli given@": ", ".join(by_name["_moduli"].parameters),
-        "@columns given@": ", ".join(by_name["_columns_constants"].parameters),
         "@turn columns@": ", ".join(f"by[{k}]" for k in range(18)),
     }
-    for name, array in (("columns", "columns"), ("turn", "turned_by")):
+    for name in ("along", "columns"):
+        places[f"@{name} given@"] = ", ".join(by_name[f"_{name}_constants"].parameters)
+    for name, array in (("along", "along"), ("columns", "columns"), ("turn", "turned_by")):
         count = len(by_name[f"_{name}_state"].results)
         places[f"@{name} rows of {array}@"] = _rows(array, count)
     for name in ("real", "imaginary"):
@@ -267,4 +269,6 @@ def _rows(name: str, count: int) -> str:
 
 
 def _part(name: str) -> str:
-    return resources.files("rigidsym.codegen.targets.c").joinpath(name).read_text("utf-8").strip()
+    """What is written by hand in a file, with other files where it names them."""
+    text = resources.files("rigidsym.codegen.targets.c").joinpath(name).read_text("utf-8").strip()
+    return re.sub(r"@(\w+\.c)@", lambda found: _part(found[1]), text)

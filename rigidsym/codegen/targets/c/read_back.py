@@ -17,7 +17,7 @@ from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
-from rigidsym.codegen.special_functions.short_time import STEPS
+from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.c import lanes, module
 from rigidsym.codegen.targets.c.expressions import Reader
 from rigidsym.codegen.targets.c.frame import Frame
@@ -106,7 +106,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
 
 def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
     """The text written by hand with what functions take and give, and limits, at its marks."""
-    marks = {"steps": str(STEPS)} if form == STEP else _marks(functions)
+    marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions)
     marks["limits"] = "\n".join(
         f"static const double {name} = {2.0**exponent!r}; /* 2^{exponent}, {meaning} */"
         for name, exponent, meaning in map(astuple, limits(form))
@@ -148,12 +148,12 @@ def _of_sensitivities(by_name: Mapping[str, Function]) -> dict[str, str]:
         "moduli": ", ".join(by_name["_moduli"].results),
         "moduli out": ", ".join(f"&{name}" for name in by_name["_moduli"].results),
         "moduli given": ", ".join(by_name["_moduli"].parameters),
-        "columns given": ", ".join(by_name["_columns_constants"].parameters),
         "turn columns": ", ".join(f"by[{k}]" for k in range(18)),
     }
-    for name in ("real", "imaginary"):
+    for name in ("along", "columns", "real", "imaginary"):
         marks[f"{name} given"] = ", ".join(by_name[f"_{name}_constants"].parameters)
-    arrays = {"columns": ("state", "columns", "s"), "turn": ("state", "turned_by", "s")}
+    arrays = {name: ("state", name, "s") for name in ("along", "columns")}
+    arrays["turn"] = ("state", "turned_by", "s")
     arrays |= dict.fromkeys(("real", "imaginary"), ("angles", "in", "SENSITIVE"))
     for name, (part, array, apart) in arrays.items():
         rows = [f"{array} + {k} * {apart}" for k in range(len(by_name[f"_{name}_{part}"].results))]

@@ -11,12 +11,13 @@ from rigidsym.codegen.targets.numpy.runtime import (
     _BLOCK,
     _called,
     _differences,
+    _DoubleDouble,
     _of,
     _plain,
     _RefusedError,
     states,
 )
-from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY
+from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY, never
 
 # --- runtime ---
 # The changes at t = 0: of the attitude with a small turn, of the rates with those.
@@ -90,6 +91,7 @@ def _elapsed(prepared):
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
+    known |= _phases(prepared)
     if len(axes) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(SENSITIVITY["moduli"], known)
@@ -103,13 +105,23 @@ def _elapsed(prepared):
     return groups
 
 
+def _phases(prepared):
+    """The phase at t = 0, and beyond which p t^2 it is asked for: where it is known."""
+    reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
+    for name, index, constants in prepared["groups"]:
+        if name == "hyperbolic":
+            reach[index] = 1.0
+            y0[:, index] = constants["y0_hi"], constants["y0_lo"]
+    return {"reach": reach, "y0": _DoubleDouble(*y0)}
+
+
 def _of_group(name, index, known):
     """The indices of some bodies, and their constants by what they are for: arrays, or of one
     body Python's floats."""
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
-    for part in (name, "columns", "turn"):
+    for part in (name, "along", "columns", "turn"):
         constants = _called(SENSITIVITY[part], known)
         made[part] = {
             key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
@@ -176,6 +188,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
     known |= dict(zip(entry["timed"], by_time, strict=False))
     known |= _stated(entry, known, constants[name])
+    known |= _stated(SENSITIVITY["along"], known, constants["along"])
     columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
     for one, i in zip("abd", order, strict=True):
         known[f"excess{i + 1}"] = columns[f"excess_{one}"]
