@@ -203,7 +203,8 @@ class TorqueFreeMotion:
         >>> S.attitude.shape, S.rates_t.shape
         ((2, 3, 9), (2, 3))
         """
-        prepared, times = self._prepared, _times(t, errors)
+        prepared = self._prepared
+        times = t if type(t) is float and math.isfinite(t) else _doubles(t, errors)
         found = _refusing(
             lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
             t=times,

@@ -1,5 +1,6 @@
 """Batches: arrays of doubles as users give them, and the bodies in them that cannot exist."""
 
+import math
 from typing import NoReturn
 
 import numpy as np
@@ -26,9 +27,13 @@ def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
     except (TypeError, ValueError, OverflowError):
         raise InputError(name, written(value, repr), "must be an array of numbers") from None
     # The extremes tell, without another array of that size; NaN comes through both.
-    if doubles.size and not lenient and not np.isfinite([np.min(doubles), np.max(doubles)]).all():
+    if doubles.size and not lenient and not _are_finite(doubles):
         _refuse(name, doubles, tuple(np.argwhere(~np.isfinite(doubles))[0]), "must be finite")
     return doubles
+
+
+def _are_finite(doubles: np.ndarray) -> bool:
+    return math.isfinite(doubles.min()) and math.isfinite(doubles.max())
 
 
 def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
