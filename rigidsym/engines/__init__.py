@@ -5,22 +5,35 @@ to have.
 """
 
 from rigidsym.engines.arrays import SIZES, is_lenient
-from rigidsym.engines.choice import ENGINES, EVERY, checked, engine, exactly, integrator, stepper
+from rigidsym.engines.choice import (
+    ENGINES,
+    EVERY,
+    STEPPERS,
+    checked,
+    engine,
+    exact_stepper,
+    exactly,
+    integrator,
+    stepper,
+)
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
-from rigidsym.engines.steps import Kicks
+from rigidsym.engines.steps import Kicks, Stepper
 
 __all__ = [
     "ENGINES",
     "EVERY",
     "SIZES",
+    "STEPPERS",
     "Engine",
     "EngineError",
     "Kicks",
     "Outputs",
     "Prepared",
     "States",
+    "Stepper",
     "checked",
     "engine",
+    "exact_stepper",
     "exactly",
     "integrator",
     "is_lenient",

@@ -13,6 +13,8 @@ from rigidsym.errors import InputError
 ENGINES = ("numpy", "c")
 # Those and the ones on modules in the paper's own form, which nobody is given unasked.
 EVERY = (*ENGINES, "numpy-pi", "c-pi")
+# What makes steps, by the names of their modules.
+STEPPERS = ("numpy-step", "c-step")
 _LOCK = threading.Lock()
 
 
@@ -54,6 +56,16 @@ def stepper(name: str) -> Stepper:
         return NumpyStepper()
     found = _told("c-step", 3)
     return found if isinstance(found, CStepper) else NumpyStepper()
+
+
+def exact_stepper(name: str) -> Stepper:
+    """What makes steps by one of STEPPERS and no other; raises InputError where there is none."""
+    if name not in STEPPERS:
+        raise InputError("engine", repr(name), f"must be one of: {', '.join(STEPPERS)}")
+    found: Any = NumpyStepper() if name == "numpy-step" else _obtained(name)[0]
+    if isinstance(found, str):
+        raise InputError("engine", name, found)
+    return found
 
 
 def integrator(name: str) -> CStepper | None:

@@ -5,6 +5,7 @@ their steps and kicks in turn.
 import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Protocol
 
 import numpy as np
@@ -92,16 +93,19 @@ class Stepper(Protocol):
 
 
 class NumpyStepper:
-    """`rigidsym.generated.torque_free_step` as a `Stepper`."""
+    """`rigidsym.generated.torque_free_step`, or a module like it, as a `Stepper`."""
 
-    __slots__ = ()
+    __slots__ = ("_module",)
+
+    def __init__(self, module: ModuleType = torque_free_step) -> None:
+        self._module = module
 
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
         """See `Stepper`."""
         try:
-            torque_free_step.step(torque_free_step.prepare(inertia), q, omega, dt, out)
+            self._module.step(self._module.prepare(inertia), q, omega, dt, out)
         except ValueError as error:
             field, _, rule = str(error).partition(": ")
             raise EngineError(field, rule, getattr(error, "body", None)) from None

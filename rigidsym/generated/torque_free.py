@@ -22,7 +22,7 @@ Lines of code:
     434  23 %  follow facts of the ledger, each named on its line
     553  30 %  follow classical formulas, each with its reference
      72   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    788  43 %  are the runtime, written by hand
+    807  43 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -36,47 +36,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.5e-16  3.3e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.6e-16  4.2e-16
-  sphere                 8.1e-16  1.9e-40
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  1.2e-51
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 09fdd4bf0a0b947351f08413ed6ddd87a5d7076d4c1d9ae3855f13d240543746
+digest c762c3880ef43509370dfee0a2e24d50db013062cdadd37fa57bfdfd0c428744
 """
 
 # ruff: noqa
@@ -226,7 +189,9 @@ def _choose(x, y, one, other):
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
         return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
-    return (one if first else other) if type(first) is bool else np.where(first, one, other)
+    if isinstance(first, np.ndarray):
+        return np.where(first, one, other)
+    return one if first else other
 
 
 def _rounded(x):
@@ -2131,10 +2096,6 @@ def _integers(x):
     return [m << int(e) - least for m, e in zip(whole, exponent, strict=True)], least - 53
 
 
-# Sensitivities computed at a time: each has some seventy intermediate numbers, and as many results.
-_SENSITIVE = 2048
-
-
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise"):
     """States at the times t in s, and what they change by with their inputs.
@@ -2146,12 +2107,15 @@ def sensitivities(prepared, t, errors="raise"):
     Raises ValueError as `states` does, and for times at which binary64 does not hold the squares of
     changes in any; with errors="nan" there are no numbers then.
     """
+    # One time of one body as a number, which has the shortest way.
+    if np.ndim(t) == 0 and prepared["shape"] == ():
+        t = float(t)
     q, omega = states(prepared, t, None, errors)
     given, count = np.asarray(t, float), len(prepared["unit"])
     # One row of times for all motions, or one for each.
     given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
     shapes = (4,), (3,), (3, 9), (3, 9), (3,), (3,)
-    found = [np.zeros((*omega.shape[:-1], *shape)) for shape in shapes[2:]]
+    found = _together(omega.shape[:-1], shapes[2:])
     rows = [
         x.reshape(count, given.shape[1], *shape)
         for x, shape in zip((q, omega, *found), shapes, strict=True)
@@ -2164,6 +2128,17 @@ def sensitivities(prepared, t, errors="raise"):
     _unchanged(given, rows)
     _check_held(rows, errors)
     return (q, omega, *found)
+
+
+def _together(shape, ends):
+    """Zeros of these shapes in one piece of memory, which allocators keep where they would give
+    pieces back to the system, and have them anew page by page."""
+    sizes = [math.prod((*shape, *end)) for end in ends]
+    piece, found, begin = np.zeros(sum(sizes)), [], 0
+    for end, size in zip(ends, sizes, strict=True):
+        found.append(piece[begin : begin + size].reshape(*shape, *end))
+        begin += size
+    return found
 
 
 def _elapsed(prepared):
@@ -2201,7 +2176,8 @@ def _elapsed(prepared):
 
 
 def _of_group(name, index, known):
-    """The indices of some bodies, and their constants by what they are for."""
+    """The indices of some bodies, and their constants by what they are for: arrays, or of one
+    body Python's floats."""
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
@@ -2211,15 +2187,22 @@ def _of_group(name, index, known):
             key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
             for key, value in constants.items()
         }
-    return index, made
+    return index, _of_one(made, 0) if index.size == 1 else made
+
+
+def _of_one(made, number):
+    """The constants of one body, as Python's floats."""
+    return {
+        part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
+    }
 
 
 def _fill_sensitivities(prepared, group, t, rows):
     """The rows of one group, in blocks: of times, or of bodies where times are few."""
     name, order, index, made = group
     size = t.shape[1]
-    if size < _SENSITIVE // 4:
-        step = max(1, _SENSITIVE // max(1, size))
+    if index.size > 1 and size < _BLOCK // 4:
+        step = max(1, _BLOCK // max(1, size))
         for first in range(0, index.size, step):
             some = slice(first, first + step)
             constants = {
@@ -2231,15 +2214,15 @@ def _fill_sensitivities(prepared, group, t, rows):
             _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
         return
     for number, body in enumerate(index):
-        constants = {
-            part: {key: float(x[number]) for key, x in known.items()}
-            for part, known in made.items()
-        }
+        constants = made if index.size == 1 else _of_one(made, number)
         units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
-        for first in range(0, size, _SENSITIVE):
-            some = slice(first, first + _SENSITIVE)
-            times = t[body if len(t) > 1 else 0, some]
-            _write_sensitivities(name, order, constants, units, times, rows, (body, some))
+        step = max(1, -(-size // max(1, -(-size // _BLOCK))))
+        for first in range(0, size, step):
+            some = slice(first, first + step)
+            # One time as a number: operations on such arrays take ten times as long.
+            where = some if size > 1 else 0
+            times = t[body if len(t) > 1 else 0, where]
+            _write_sensitivities(name, order, constants, units, times, rows, (body, where))
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place):
@@ -2250,7 +2233,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     scale = unit + (unit == 0)
     for k in range(3):
         known[f"Omega{k + 1}"] = omega[..., k] / scale
-    known |= {f"q{k}": q[..., k] for k in range(4)}
+    known |= {f"q{k}": q[..., k][()] for k in range(4)}
     known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in zip("abd", order, strict=True)}
     entry = SENSITIVITY[name]
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
@@ -2321,9 +2304,10 @@ def _unchanged(t, rows):
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
-    if not np.any(lost):
+    # Where the least is a number all are, and it is found sooner.
+    if not any(np.isnan(np.min(x, initial=0.0)) for x in rows[2:]):
         return
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"

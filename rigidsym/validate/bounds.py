@@ -18,8 +18,11 @@ BOUNDS = {
     "entry_points": 2 * BOUND,
 }
 MEASURES = tuple(BOUNDS)
-# The bounds of modules by the Pi form, whose psi is a sum of more terms, are wider by these.
-WIDER = {"numpy-pi": 1.5, "c-pi": 1.5}
+# What the bounds of other modules are times these: psi of the Pi form is a sum of more terms, and
+# a step goes one turn at most.
+_TIMES = {"numpy-pi": 1.5, "c-pi": 1.5, "numpy-step": 0.5, "c-step": 0.5}
+# What is of one quaternion's length alone is as wrong after a step as ever.
+_OF_LENGTH = ("norm", "start")
 # Those whose bound is times a condition.
 CONDITIONED = ("energy", "momentum")
 MEANINGS = {
@@ -36,6 +39,14 @@ MEANINGS = {
 }
 
 
-def bound_of(measure: str, implementation: str) -> float:
-    """The documented bound of a measure for one implementation."""
-    return BOUNDS[measure] * WIDER.get(implementation, 1.0)
+def bounds_of(implementation: str) -> dict[str, float]:
+    """The documented bounds of one implementation, by measure.
+
+    >>> bounds_of("numpy-step")["angle"], bounds_of("c-pi")["norm"]
+    (1e-15, 1.5e-15)
+    """
+    times = _TIMES.get(implementation, 1.0)
+    of_length = max(times, 1.0)
+    return {
+        name: bound * (of_length if name in _OF_LENGTH else times) for name, bound in BOUNDS.items()
+    }

@@ -11,7 +11,7 @@ from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
 from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import Asked, measure_case
-from rigidsym.validate.implementations import PEER, check_target, digest, own_peer
+from rigidsym.validate.implementations import PEER, check_kinds, check_target, digest, own_peer
 from rigidsym.validate.oracle import precise_motion
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.strata import STRATA, count, draw
@@ -60,6 +60,7 @@ class Campaign:
         )
         for target in targets:
             check_target(target)
+        check_kinds(targets)
         for name in strata:
             if name not in STRATA:
                 raise InputError("stratum", name, f"must be one of: {', '.join(map(repr, STRATA))}")

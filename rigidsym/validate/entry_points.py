@@ -12,6 +12,7 @@ from rigidsym.engines import Engine, Prepared, States
 from rigidsym.validate import callers
 from rigidsym.validate.callers import Body
 from rigidsym.validate.oracle import lengths
+from rigidsym.validate.steps import Steps
 
 # Two cases in so many are measured so, the first two of each stratum among them: its ends.
 SHARE = 16
@@ -29,13 +30,15 @@ def is_due(index: int) -> bool:
 
 
 def differences(
-    engine: Engine, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
+    engine: Engine | Steps, prepared: Prepared, body: Body | None, times: np.ndarray, rate: float
 ) -> np.ndarray:
     """For each way, the largest difference from the states at given times: of angle, and of rates
     over their size.
 
     body: inertia, rates and attitude as float64 arrays, or None where doubles do not say them.
     """
+    if isinstance(engine, Steps):
+        return np.array([_apart(*both) for both in engine.ways(prepared, times)])
     found = [
         _apart(_alone(engine, prepared, times), engine.states(prepared, times)),
         _apart(_grid(engine, prepared, rate), engine.states(prepared, _grid_times(rate))),

@@ -7,13 +7,14 @@ from typing import TypeGuard
 
 import numpy as np
 
-from rigidsym.validate.bounds import WIDER
+from rigidsym.validate.bounds import bounds_of
 from rigidsym.validate.case_file import hexadecimal
 from rigidsym.validate.implementations import Implementation, implementation
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.user_integrator import Integrator, UserIntegrator
-from rigidsym.validate.strata import Sample
+from rigidsym.validate.steps import Steps
+from rigidsym.validate.strata import Sample, stepped
 from rigidsym.view.report_data import Numbers
 
 SCHEMA = "rigidsym.case/2"
@@ -77,14 +78,16 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
     """Enclose and measure a case, at the times that are within an implementation's reach.
 
     implementations: targets and "peer NAME"; or by any names engines, peers, and functions such as
-    `examine` takes.
+    `examine` takes.  With steps among them the sample is what `stepped` makes of it, for all.
     """
-    reference = enclose(sample, digits)
+    entered = _entered(implementations)
+    of_steps = any(isinstance(engine, Steps) for engine in entered.values())
+    reference = enclose(stepped(sample) if of_steps else sample, digits)
     errors = {}
-    for name, engine in _entered(implementations).items():
+    for name, engine in entered.items():
         within = reference.within(getattr(engine, "reach", math.inf))
         if within.sample.times:
-            errors[name] = measure(within, engine, WIDER.get(name, 1.0))
+            errors[name] = measure(within, engine, bounds_of(name))
     return Finding(reference, errors)
 
 

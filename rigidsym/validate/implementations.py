@@ -10,19 +10,28 @@ from rigidsym import engines
 from rigidsym.engines import Engine
 from rigidsym.errors import InputError
 from rigidsym.validate.peers import Peer, peer
+from rigidsym.validate.steps import Steps
 
 PEER = "peer "
-Implementation = Engine | Peer
+TARGETS = (*engines.EVERY, *engines.STEPPERS)
+Implementation = Engine | Peer | Steps
 
 
 def check_target(target: str) -> None:
     """Raise InputError for a target there is no module of, or that does not compile here."""
-    if target not in engines.EVERY:
-        raise InputError("target", target, f"must be one of: {', '.join(engines.EVERY)}")
+    if target not in TARGETS:
+        raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
     try:
-        engines.exactly(target)
+        implementation(target)
     except InputError as error:
         raise InputError("target", target, error.rule) from None
+
+
+def check_kinds(targets: Sequence[str]) -> None:
+    """Raise InputError where some targets are steps and others are not."""
+    if len({target in engines.STEPPERS for target in targets}) > 1:
+        rule = "steps go a turn at most, and motions all the way: validate them apart"
+        raise InputError("target", ", ".join(targets), rule)
 
 
 def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
@@ -41,6 +50,8 @@ def implementation(name: str) -> Implementation:
     """The engine of a target, or "peer NAME"; InputError where it cannot be had."""
     if name.startswith(PEER):
         return own_peer(name.removeprefix(PEER))
+    if name in engines.STEPPERS:
+        return Steps(engines.exact_stepper(name))
     return engines.exactly(name)
 
 

@@ -1,5 +1,6 @@
 """How wrong states are, by every measure, in units of 2^-53 and against the documented bounds."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TypeGuard
 
@@ -13,6 +14,7 @@ from rigidsym.validate.callers import Body
 from rigidsym.validate.oracle import Reference, lengths
 from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.quadrature_residual import Quadrature, residual
+from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import Sample
 
 
@@ -31,16 +33,18 @@ class Errors:
         return self.units * ULP
 
 
-def measure(reference: Reference, engine: Engine | Solver, wider: float = 1.0) -> dict[str, Errors]:
-    """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong.
-
-    wider: how many times BOUNDS its bounds are.
-    """
+def measure(
+    reference: Reference, engine: Engine | Solver, bounds: Mapping[str, float] = BOUNDS
+) -> dict[str, Errors]:
+    """Run an engine, or a peer, on a sample; what it refuses is infinitely wrong."""
     times = np.array(reference.sample.times, dtype=float)
     try:
         with np.errstate(all="ignore"):
             found = _measured(reference, engine, times)
-        return {name: replace(errors, share=errors.share / wider) for name, errors in found.items()}
+        return {
+            name: replace(errors, share=errors.share * (BOUNDS[name] / bounds[name]))
+            for name, errors in found.items()
+        }
     # Engines refuse by the first; the second is a fault of theirs, and as wrong.
     except (ValueError, ArithmeticError):
         return {name: _errors(name, times, np.full(len(times), np.inf)) for name in MEASURES}
@@ -53,7 +57,7 @@ def _measured(
     later = np.nextafter(times, np.inf)
     paths = [Quadrature.over(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
     asked = [times, later, *(path.nodes for path in paths)]
-    prepared, body = _made(sample, engine)
+    prepared, body = prepare(sample, engine)
     states = engine.states(prepared, np.concatenate(asked))
     (q, q_later, *q_paths), (omega, _, *omega_paths) = (
         np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in states
@@ -69,7 +73,7 @@ def _measured(
         "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
     }
     # Peers have one entry point only.
-    if entry_points.is_due(sample.index) and _offers(engine, "grid"):
+    if entry_points.is_due(sample.index) and (isinstance(engine, Steps) or _offers(engine, "grid")):
         apart = entry_points.differences(engine, prepared, body, times, rate)
         found["entry_points"] = _errors("entry_points", [0.0] * len(apart), apart)
     found |= _drifts(sample, times, omega)
@@ -77,7 +81,7 @@ def _measured(
     return {name: errors for name, errors in found.items() if len(errors.times)}
 
 
-def _made(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
+def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
     """A prepared motion, and the doubles it is made from where they say all of the sample."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)

@@ -25,7 +25,7 @@ def environment(
         "system": f"{platform.system()} {platform.machine()}",
         "cores": os.cpu_count(),
         **{name: _version(name) for name in PACKAGES},
-        **({"compiler": _compiler()} if "c" in campaign.targets else {}),
+        **({"compiler": _compiler()} if any(x.startswith("c") for x in campaign.targets) else {}),
         **dict(zip(campaign.peers, campaign.peer_versions, strict=True)),
     }
 

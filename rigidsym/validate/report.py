@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from rigidsym.errors import InputError
 from rigidsym.validate import second_oracle
-from rigidsym.validate.bounds import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP, bound_of
+from rigidsym.validate.bounds import BOUNDS, CONDITIONED, MEANINGS, MEASURES, ULP, bounds_of
 from rigidsym.validate.campaign import DISAGREEMENT, ORACLES, Campaign
 from rigidsym.validate.case_file import file_name, hexadecimal
 from rigidsym.validate.finding import Finding
@@ -47,7 +47,7 @@ class Failure:
     @property
     def line(self) -> str:
         """One line that names stratum, case and figure."""
-        bound = bound_of(self.measure, self.target)
+        bound = bounds_of(self.target)[self.measure]
         figure = f"{self.share * bound:.2g}"
         if self.measure in CONDITIONED:
             figure += " times its condition"

@@ -9,7 +9,7 @@ from typing import TypeGuard, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym.engines import EVERY, EngineError, Prepared, States
+from rigidsym.engines import EVERY, STEPPERS, EngineError, Prepared, States
 from rigidsym.errors import InputError
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.peers.initial_state import Start, both_ways
@@ -151,7 +151,7 @@ def _called(integrator: object) -> str:
 def _name(name: str) -> str:
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise InputError("name", repr(name), "must be words of letters, digits and . + - _")
-    if name in (*PEERS, *EVERY):
+    if name in (*PEERS, *EVERY, *STEPPERS):
         raise InputError("name", name, "is measured by that name already: choose another")
     return name
 

@@ -5,7 +5,8 @@ be drawn again alone.  Numbers are doubles, or fractions, and mean their exact v
 can exist.
 """
 
+from rigidsym.validate.strata.one_turn import stepped
 from rigidsym.validate.strata.sample import Sample, Stratum
 from rigidsym.validate.strata.table import STRATA, count, draw, in_doubles, samples
 
-__all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "samples"]
+__all__ = ["STRATA", "Sample", "Stratum", "count", "draw", "in_doubles", "samples", "stepped"]
