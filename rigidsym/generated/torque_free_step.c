@@ -1077,7 +1077,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "eba8217d0decb78c06086bc8ab8b743547a2e8f4597f2cf5cd29b826d6362711"; }
+const char *torque_free_step_digest(void) { return "a954c473d972ffc07bee8a73ad62807df038018e756c267ad921b7120b07f0c9"; }
 
 const char *torque_free_step_message(int code)
 {

@@ -35,12 +35,12 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest eba8217d0decb78c06086bc8ab8b743547a2e8f4597f2cf5cd29b826d6362711
+digest a954c473d972ffc07bee8a73ad62807df038018e756c267ad921b7120b07f0c9
 
-Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
-lanes are vectorised then.  -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused
-when it is compiled. */
+Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
+torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
+runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math, -ffinite-math-only
+and 80-bit arithmetic (x87) are refused when it is compiled. */
 
 #ifndef TORQUE_FREE_STEP_H
 #define TORQUE_FREE_STEP_H

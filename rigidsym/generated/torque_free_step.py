@@ -21,7 +21,7 @@ Lines of code:
     124  25 %  follow facts of the ledger, each named on its line
      77  16 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    281  58 %  are the runtime, written by hand
+    283  58 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
@@ -35,7 +35,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest d370745fc0270b5c3ecfe83f93babefbf76672ef12159a24bddff72622617097
+digest 4c0ed7b61b018e41e703c29b41e4124ee16efcb5679314b07afd3c5158a6dec1
 """
 
 # ruff: noqa
@@ -185,7 +185,9 @@ def _choose(x, y, one, other):
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
         return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
-    return (one if first else other) if type(first) is bool else np.where(first, one, other)
+    if isinstance(first, np.ndarray):
+        return np.where(first, one, other)
+    return one if first else other
 
 
 def _rounded(x):
