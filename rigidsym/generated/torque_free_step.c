@@ -1275,7 +1275,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "2345d8cc7c71fbd3dc228d56e32940e819da6583d0e29aa42ad66859b632084c"; }
+const char *torque_free_step_digest(void) { return "4153cc009b304255729e1014fc8f747a83f22bfa91be9c5152a2115f78705cc0"; }
 
 const char *torque_free_step_message(int code)
 {

@@ -36,14 +36,14 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 2345d8cc7c71fbd3dc228d56e32940e819da6583d0e29aa42ad66859b632084c
+digest 4153cc009b304255729e1014fc8f747a83f22bfa91be9c5152a2115f78705cc0
 
-Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
-lanes are vectorised then.  -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused
-when it is compiled; other options that reorder sums or approximate quotients
-(-fassociative-math, -funsafe-math-optimizations), and directed rounding, by every body_init and
-every call of torque_free_steps. */
+Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
+torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
+runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math, -ffinite-math-only
+and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
+approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
+every body_init and every call of torque_free_steps. */
 
 #ifndef TORQUE_FREE_STEP_H
 #define TORQUE_FREE_STEP_H

@@ -53,12 +53,12 @@ options that reorder sums or approximate quotients (-fassociative-math,
 multiply-add (a portable x86-64 build) accuracy is the same and a state takes two to three times as
 long."""
 _STEP_NOTES = """\
-Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
-lanes are vectorised then.  -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused
-when it is compiled; other options that reorder sums or approximate quotients
-(-fassociative-math, -funsafe-math-optimizations), and directed rounding, by every body_init and
-every call of torque_free_steps."""
+Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
+torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
+runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math, -ffinite-math-only
+and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
+approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
+every body_init and every call of torque_free_steps."""
 _STEP_LANES = """\
 /* How many bodies are computed side by side. */
 #ifndef LANES
