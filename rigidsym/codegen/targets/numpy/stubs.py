@@ -26,6 +26,7 @@ __all__ = [
     "_product_error",
     "_steady_constants",
     "_two_sum",
+    "never",
 ]
 
 Value = TypeVar("Value")
@@ -56,6 +57,7 @@ INITIAL_STATE: Step = {"constants": lambda: (), "given": (), "names": ()}
 NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = 1.0
 MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = MAX_REAL = MAX_STEP = 1.0
 STEPS = LAST = 1
+never = 1.0
 BRANCHES: dict[str, Branch] = {}
 
 
