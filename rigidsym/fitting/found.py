@@ -10,12 +10,13 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.fitting.observability import Observability, observability
+from rigidsym.fitting.observability import Observability, lose, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.states import sensitivities
 from rigidsym.fitting.tumbling import Periods, periods
+from rigidsym.fitting.turned import is_bent
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import matrices
 
@@ -127,7 +128,12 @@ class Found(Alternative):
 
         The variance of what the observations do not tell is infinite, and its covariances are NaN.
         """
-        return self.observability.covariance(self._own[: len(self.names)])
+        rows = self._own[: len(self.names)]
+        found = self.observability.covariance(rows)
+        if self.problem.parameters.axes:
+            bent = is_bent(np.sqrt(np.diag(found)), self.point.omega)
+            lose(found, bent)
+        return found
 
     @property
     def sigma(self) -> np.ndarray:

@@ -51,16 +51,20 @@ class Observability:
         """
         told, blind = rows @ self.told, rows @ self.blind
         found = told @ told.T
-        lost = ~(np.sum(blind**2, axis=1) <= np.diag(found))
-        found[lost] = np.nan
-        found[:, lost] = np.nan
-        found[lost, lost] = np.inf
+        lose(found, ~(np.sum(blind**2, axis=1) <= np.diag(found)))
         return found
 
     def widest(self, rows: np.ndarray) -> np.ndarray:
         """Of rows (..., k, p), (..., k, k), null directions at their natural size."""
         both = rows @ np.hstack([self.told, self.blind])
         return both @ np.swapaxes(both, -2, -1)
+
+
+def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
+    """Make variances infinite, and their covariances no numbers."""
+    covariance[lost] = np.nan
+    covariance[:, lost] = np.nan
+    covariance[lost, lost] = np.inf
 
 
 def observability(problem: Problem, point: Point) -> Observability:
