@@ -21,7 +21,7 @@ Lines of code:
     124  16 %  follow facts of the ledger, each named on its line
      77  10 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    579  74 %  are the runtime, written by hand
+    589  74 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
@@ -35,7 +35,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest a954c473d972ffc07bee8a73ad62807df038018e756c267ad921b7120b07f0c9
+digest 81c18770e47815782d340dbf686f80cff5841e6ec2b30f1e6fb3cde15cbdad7c
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
@@ -106,13 +106,16 @@ typedef struct {
    is there.  vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
    that is not null, u is that from the mass point times sqrt(3 mu/r^5).  coefficients: three b, k,
    three m, and Q11, Q22, Q33, Q23, Q13, Q12 of body k at coefficients + k coefficients_stride.
-   Strides are 3 and 13, or 0 where all have the same. */
+   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds what else
+   pushes a body of attitude q at a time, in body axes, and is handed data. */
 typedef struct {
     const double *coefficients;
     size_t coefficients_stride;
     const double *vector;
     size_t vector_stride;
     const torque_free_orbit *orbit;
+    void (*more)(double t, const double q[4], double torque[3], void *data);
+    void *data;
 } torque_free_torque;
 
 /* A splitting method: drift, kick, drift ... kick, drift, as shares of a step; a drift more than
