@@ -213,12 +213,6 @@ static inline double_double dd_choose(double x, double y, double_double one, dou
     return x <= y ? one : other;
 }
 
-static inline double_double scaled(double_double x, int exponent)
-{
-    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
-    return y;
-}
-
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
@@ -1020,7 +1014,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "656d035c416edaacc721f477e6280e533d83c74f26545b90fbca8a595decd6ea"; }
+const char *torque_free_step_digest(void) { return "888db5eb9f0abc608865eddf183918f4a08c980843b018502f891ba0645c5a0b"; }
 
 const char *torque_free_step_message(int code)
 {

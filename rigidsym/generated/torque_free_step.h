@@ -21,7 +21,7 @@ Lines of code:
     112  18 %  follow facts of the ledger, each named on its line
      77  12 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    437  69 %  are the runtime, written by hand
+    432  69 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
@@ -35,7 +35,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 656d035c416edaacc721f477e6280e533d83c74f26545b90fbca8a595decd6ea
+digest 888db5eb9f0abc608865eddf183918f4a08c980843b018502f891ba0645c5a0b
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
 -O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
