@@ -143,10 +143,9 @@ def _printer(target: str) -> _Printer:
     language, form = split(target)
     if language == "numpy":
         return _Printer(numpy.function_lines, _definition, numpy.constant_text, "  #")
-    kept = c.kept(_functions(form))
 
     def lines(function: Function) -> Lines:
-        printed = c.pieces(function, kept)[0]
+        printed = c.pieces(function, _functions(form))[0]
         return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
 
     def first_line(function: Function) -> str:
