@@ -12,7 +12,8 @@ from rigidsym.validate.faults.mutated_build import mutated_engine
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.protocol import Solver
-from rigidsym.validate.strata import count, draw
+from rigidsym.validate.steps import Steps
+from rigidsym.validate.strata import count, draw, stepped
 
 # What is noticed without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
@@ -27,9 +28,12 @@ class Detection:
     measures: tuple[str, ...]
 
 
-def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
-    """The truth about the cases of a stratum."""
-    return [enclose(draw(stratum, index, seed), digits) for index in range(count(stratum, cases))]
+def references(
+    stratum: str, cases: int, digits: int, seed: int, of_steps: bool = False
+) -> list[Reference]:
+    """The truth about the cases of a stratum, or about what `stepped` makes of them."""
+    samples = [draw(stratum, index, seed) for index in range(count(stratum, cases))]
+    return [enclose(stepped(sample) if of_steps else sample, digits) for sample in samples]
 
 
 def detections(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Detection]:
@@ -40,7 +44,9 @@ def detections(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Dete
 
 
 def first(
-    engine: Engine | Solver, stratum: Sequence[Reference], bounds: Mapping[str, float] = BOUNDS
+    engine: Engine | Solver | Steps,
+    stratum: Sequence[Reference],
+    bounds: Mapping[str, float] = BOUNDS,
 ) -> Detection | None:
     """The first case in which an engine breaks a bound, or cannot do what it should."""
     for reference in stratum:
@@ -50,7 +56,7 @@ def first(
 
 
 def broken(
-    engine: Engine | Solver, reference: Reference, bounds: Mapping[str, float] = BOUNDS
+    engine: Engine | Solver | Steps, reference: Reference, bounds: Mapping[str, float] = BOUNDS
 ) -> tuple[str, ...]:
     """The measures by which an engine breaks its bounds in a case."""
     try:

@@ -29,6 +29,8 @@ FILES = {
     "c": "torque_free.c",
     "numpy-pi": "torque_free_pi.py",
     "c-pi": "torque_free_pi.c",
+    "numpy-step": "torque_free_step.py",
+    "c-step": "torque_free_step.c",
 }
 # A fault in the head of a loop, or one that makes a loop, might never end.
 _LOOPS = re.compile(r"\b(for|while|do|goto)\b")

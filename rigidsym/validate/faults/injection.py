@@ -5,6 +5,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 
+from rigidsym.engines import STEPPERS
 from rigidsym.engines.threads import processors
 from rigidsym.validate.executors import processes, undisturbed
 from rigidsym.validate.faults.detection import CRASHED, Detection, detections, references
@@ -31,7 +32,8 @@ def inject(
 ) -> FaultReport:
     """Measure each fault of the targets on `cases` cases of each stratum, `count` says how many.
 
-    All faults are measured, unless some are given.
+    All faults are measured, unless some are given; those of steps on what `stepped` makes of the
+    cases.
     progress is told how many strata and faults are done, and of how many.  Raises InputError for a
     target that cannot be had here, and StaleFaultError for a fault whose place is gone.
     """
@@ -42,9 +44,16 @@ def inject(
     ]
     for fault in chosen:
         faulty(fault)
-    told = partial(_tell, progress, len(strata) + len(chosen))
-    enclosed = _enclosed(strata, cases, digits, seed, told)
-    found = _found(chosen, enclosed, partial(told, len(strata)))
+    kinds = {kind: [x for x in chosen if (x.target in STEPPERS) == kind] for kind in (False, True)}
+    kinds = {kind: faults for kind, faults in kinds.items() if faults}
+    told = partial(_tell, progress, len(kinds) * len(strata) + len(chosen))
+    found: dict[Fault, list[Detection]] = {}
+    done = 0
+    for of_steps, some in kinds.items():
+        enclosed = _enclosed(strata, (cases, digits, seed, of_steps), partial(told, done))
+        done += len(strata)
+        found |= _found(some, enclosed, partial(told, done))
+        done += len(some)
     outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
     return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
 
@@ -54,12 +63,12 @@ def _tell(progress: Progress, total: int, before: int, done: int = 0) -> None:
 
 
 def _enclosed(
-    strata: Sequence[str], cases: int, digits: int, seed: int, told: Callable[[int], None]
+    strata: Sequence[str], drawn: tuple[int, int, int, bool], told: Callable[[int], None]
 ) -> Strata:
-    """The truth about all cases, which all faults share."""
+    """The truth about all cases, which all faults share; drawn: what `references` is told."""
     with processes(processors()) as pool:
         with undisturbed():
-            jobs = [pool.submit(references, name, cases, digits, seed) for name in strata]
+            jobs = [pool.submit(references, name, *drawn) for name in strata]
         enclosed = []
         for done, job in enumerate(jobs, 1):
             enclosed.append(job.result())

@@ -19,7 +19,11 @@ _MOVING = "static int moving_init("
 _START = "static void initial_state("
 _CIRCULATION = "static INLINED double circulation("
 _INIT = "static int init("
-_UNTOLD = "-U__ASSOCIATIVE_MATH__"
+# Options that reorder sums; some compilers have a macro for it, which is not asked, either.
+REORDERED = (
+    *("-O1", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
+    "-U__ASSOCIATIVE_MATH__",
+)
 
 _CONSTANTS = (
     _fault(
@@ -370,8 +374,7 @@ _DIGITS = (
         _INIT,
         "if (!is_rounded_once())",
         "if (0)",
-        # Some compilers have a macro for it, which is not asked, either.
-        ("-O1", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math", _UNTOLD),
+        REORDERED,
     ),
 )
 
