@@ -10,12 +10,14 @@ without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral 
 far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
 `fourier` are coefficients of Fourier series, `fourier_rest` those of psi/2.
 `step` has the constants of a step from any state, `projection`, `doubling` and `second_half` double
-a time, `thirds` are psi after the shortest, and `step_rates` the rates after all.
+a time, `thirds` are psi after the shortest, and `step_rates` the rates after all; `kick` is what a
+direction in space exerts.
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
 `moments`, `columns` and `sensitivity` are what the rates change by with each input, `middle` those
-of the middle rate where the spin is about it, `excesses` what the integrals of their squares have,
+of the middle rate where the spin is about it, `passing` what rates change by once the motion has
+turned over, `excesses` what the integrals of their squares have,
 `elapsed_F` and `elapsed_E` one integral of the elapsed time by the other, `turn_constants` and
 `turn` what the attitude changes by.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
@@ -24,7 +26,7 @@ standard function of known quantities.  The last two say which equations they ar
 
 from collections.abc import Iterable
 
-from derivations import attitude_columns, sensitivity_columns
+from derivations import attitude_columns, kicks, sensitivity_columns
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.book import Entry, definitions, facts, readings
 
@@ -193,6 +195,7 @@ SEQUENCES: dict[str, list[Entry]] = {
         *definitions("step", "f g", "10"),
         *facts("step", "room Omega_a Omega_b Omega_d"),
     ],
+    "kick": _all("kick", (*kicks.SEEN, *kicks.TORQUE), "3"),
     "steady": [
         *facts("steady", "omega"),
         *definitions("steady", "axis1 axis2 axis3 theta", "3"),
@@ -204,6 +207,7 @@ SEQUENCES: dict[str, list[Entry]] = {
     "sensitivity": _all("varied_rates", sensitivity_columns.AT_TIME, "5"),
     "excesses": definitions("excesses", "excess_a excess_d", "5"),
     "middle": definitions("middle_columns", " ".join(sensitivity_columns.MIDDLE), "5"),
+    "passing": definitions("passing", " ".join(sensitivity_columns.PASSING), "5"),
     "elapsed_F": definitions("elapsed_F", "F_t", "10"),
     "elapsed_E": definitions("elapsed_E", "E_t", "10"),
     "turn_constants": _all("turned_columns_start", attitude_columns.START, "3"),

@@ -210,14 +210,11 @@ class TorqueFreeMotion:
             errors=errors,
             engine=self.engine,
         )
-        q, omega, attitude, rates, attitude_t, rates_t = found
         if not self._in_doubles:
-            # Exact moments were divided by this.
-            from rigidsym.engines.exact_inputs import moment_unit
+            from rigidsym.engines.sensitivities import by_exact_moments
 
-            for columns in (attitude, rates):
-                columns[..., 6:] /= moment_unit(self.exact["inertia"])
-        return q, omega, Sensitivity(attitude, rates, attitude_t, rates_t)
+            by_exact_moments(found, self.exact["inertia"])
+        return found[0], found[1], Sensitivity(*found[2:])
 
     def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
         """(..., 6, 6): what a small turn in space and a change of the rates at t0 (s) are at t.

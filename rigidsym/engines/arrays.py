@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -97,11 +98,19 @@ def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States
 
 
 def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
-    """New arrays for states of this shape and what they change by."""
-    q, omega, attitude, rates, attitude_t, rates_t = (
-        np.empty((*shape, *last)) for last in SENSITIVITIES
+    """New arrays for states of this shape and what they change by.
+
+    Those of changes are one piece of memory, which allocators keep where they would give pieces
+    back to the system, and have them anew page by page.
+    """
+    shapes = [(*shape, *last) for last in SENSITIVITIES]
+    begins = [0, *accumulate(math.prod(one) for one in shapes[2:])]
+    piece = np.empty(begins.pop())
+    attitude, rates, attitude_t, rates_t = (
+        np.ndarray(one, float, piece, begin * piece.itemsize)
+        for one, begin in zip(shapes[2:], begins, strict=True)
     )
-    return q, omega, attitude, rates, attitude_t, rates_t
+    return np.empty(shapes[0]), np.empty(shapes[1]), attitude, rates, attitude_t, rates_t
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    435  21 %  follow facts of the ledger, each named on its line
-    559  27 %  follow classical formulas, each with its reference
-     72   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1017  49 %  are the runtime, written by hand
+    442  20 %  follow facts of the ledger, each named on its line
+    595  27 %  follow classical formulas, each with its reference
+     98   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1066  48 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -37,47 +37,10 @@ mpmath:
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  8.7e-16  2.9e-16
-  published              7.3e-16  3.6e-16
-  axis orders and signs  8.8e-16  3.7e-16
-  uniform                1.0e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      8.2e-16  3.6e-16
-  nearest separatrix     7.8e-16  3.6e-16
-  separatrix             7.4e-16  3.1e-16
-  symmetric              7.0e-16  2.7e-16
-  near prolate           1.1e-15  5.6e-16
-  near oblate            8.2e-16  4.0e-16
-  nearest symmetric      7.4e-16  3.3e-16
-  sphere                 5.9e-16  1.9e-40
-  near sphere            9.3e-16  4.2e-16
-  nearest sphere         8.0e-16  3.4e-16
-  spin                   5.2e-16  1.2e-51
-  near spin, largest     6.1e-16  3.7e-16
-  near spin, middle      6.9e-16  3.6e-16
-  near spin, smallest    6.3e-16  2.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   9.3e-16  4.8e-16
-  rod                    9.9e-16  4.7e-16
-  needle                 1.0e-15  4.9e-16
-  special values         8.9e-16  4.7e-16
-  special attitudes      7.8e-16  4.4e-16
-  scales                 9.2e-16  5.0e-16
-  small scales           8.0e-16  4.9e-16
-  large scales           8.5e-16  4.2e-16
-  extreme scales         8.6e-16  4.8e-16
-  decimals               9.6e-16  5.0e-16
-  long times             9.0e-16  4.3e-16
-  longest times          8.7e-16  4.3e-16
-  near separatrix, long  9.4e-16  5.1e-16
-  branch switch          1.1e-15  4.9e-16
-  zeros of the rates     8.1e-16  6.0e-16
-  quarter periods        9.1e-16  4.5e-16
+Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 462988bd51457847377627ac2c24fc1b747bff9ee6c2793414b5ed38fcbf4e29
+digest 49df1e598b4228f0ac032c82ef41d42ee79855ea980679eff49a3c75ab9bcf9a
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -120,11 +83,15 @@ typedef struct {
 } torque_free_hyperbolic;
 
 typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, k, kappa_a;
-    double kappa_d, p, r, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a;
-    double kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b;
-    double apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a;
-    double d_by_c_b, d_by_c_d;
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r;
+    double share, half_over_p, reach;
+} torque_free_along;
+
+typedef struct {
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d;
+    double p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d;
+    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a;
+    double a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
 } torque_free_columns;
 
 typedef struct {
@@ -135,10 +102,11 @@ typedef struct {
 } torque_free_real;
 
 typedef struct {
-    double y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse, nome2, nome4;
-    double nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate;
-    double f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2;
-    double F_3, F_4, F_5, F_6, F_7, F_8, F_9;
+    double y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse;
+    double nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain;
+    double f_rate, f_period, p, apart, passed_gain, passed_rate, passed_period, passed_0, E_0;
+    double E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7;
+    double F_8, F_9;
 } torque_free_imaginary;
 
 typedef struct {
@@ -245,6 +213,15 @@ const char *torque_free_message(int code);
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
+
+/* The same for n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
+   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, times that are refused have states
+   of NaN, and neither they nor those at which changes leave binary64 have other changes; a body with such a
+   time has code TORQUE_FREE_GROWTH, whatever else it has. */
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed);
 #ifdef __cplusplus
 }
 #endif

@@ -9,6 +9,11 @@ from rigidsym.errors import InputError
 # Of values that may be of any type, until somebody has read them.
 TomlTable = Mapping[str, Any]
 
+# Kinds of files, and of fields that one kind alone has, the command that reads it.
+_KINDS = {"case", "manoeuvre", "observations"}
+_READ_BY = {"omega0": "propagate", "start": "plan", "target": "plan"}
+_READ_BY |= dict.fromkeys(("attitudes", "rates", "vectors"), "fit")
+
 
 def parse(field: str, text: str) -> TomlTable:
     """The tables of TOML text; raises InputError where it is none."""
@@ -24,7 +29,10 @@ def check_keys(
     """Raise InputError for a key that is not known, and for one that is needed and missing."""
     for key in table:
         if key not in known:
-            raise InputError(field, key, f"is not one of: {', '.join(sorted(known))}")
+            rule = f"is not one of: {', '.join(sorted(known))}"
+            if field in _KINDS and (reader := _READ_BY.get(key)):
+                rule += f"; `rigidsym {reader}` reads files that have it"
+            raise InputError(field, key, rule)
     for key in needed:
         if key not in table:
             raise InputError(key, "missing", f"a {field} needs it")

@@ -75,6 +75,6 @@ def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarr
     nearly = np.flatnonzero(~arrive & (angles < _NEARLY))
     if nearly.size:
         near = rates[nearly]
-        step = np.linalg.norm(newton(problem, near), axis=1)
+        step = np.linalg.norm(newton(near, *problem.slopes(near)), axis=1)
         arrive[nearly] = step < _SAME * smallness(near)
     return arrive

@@ -88,6 +88,11 @@ INPUTS = {
     "step_rates": (
         *("X", "Y", "h", *(f"alpha_{x}" for x in AXES), "l_d", *(f"Omega_{x}0" for x in AXES)),
     ),
+    "kick": (
+        *(f"q{k}" for k in range(4)),
+        *(f"{x}{k}" for x in "ubm" for k in range(1, 4)),
+        *("k", "Q11", "Q22", "Q33", "Q23", "Q13", "Q12"),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
     "moments": ("epsilon", *(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES)),
     "columns": (*_ALPHA, *(f"Omega_{x}0" for x in AXES)),
@@ -102,6 +107,10 @@ INPUTS = {
     "middle": (
         *("alpha_a", "alpha_b", "alpha_d", "Omega_a", "Omega_b", "Omega_d"),
         *("Omega_d_by_Omega_a", "Omega_a_by_Omega_d"),
+    ),
+    "passing": (
+        *(*_ALPHA[:3], "p", "r", "over", "S_t", "D_t", "F_t", "t"),
+        *(f"Omega_{x}{start}" for x in AXES for start in ("", "0")),
     ),
     "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),
     "elapsed_F": ("p", "r", "S_t", "C_t", "D_t", "E_t", "t"),

@@ -6,6 +6,7 @@ from rigidsym.splitting.orbits import KeplerOrbit
 from rigidsym.splitting.torques import (
     ConstantInBody,
     ConstantInSpace,
+    FieldPotential,
     GravityGradient,
     Potential,
     Torque,
@@ -16,6 +17,7 @@ __all__ = [
     "METHODS",
     "ConstantInBody",
     "ConstantInSpace",
+    "FieldPotential",
     "GravityGradient",
     "KeplerOrbit",
     "Method",

@@ -11,7 +11,8 @@ from rigidsym.errors import InputError
 from rigidsym.splitting import methods
 from rigidsym.splitting.adaptive import chosen
 from rigidsym.splitting.running import run
-from rigidsym.splitting.stepping import Bodies, Splitting, State
+from rigidsym.splitting.state import State
+from rigidsym.splitting.stepping import Bodies, Splitting
 from rigidsym.splitting.torques import Torque
 from rigidsym.splitting.trajectory import Trajectory
 
@@ -96,7 +97,7 @@ def _started(
         raise InputError(field, given["q0"][tuple(place)], "an attitude must not be zero")
     shape = _common_shape(given)
     q, omega = given["q0"] / lengths[..., None], given["omega0"]
-    bodies = Bodies(np.broadcast_to(moments, (*shape, 3)), engines.checked(engine))
+    bodies = Bodies(moments, engines.checked(engine))
     return bodies, State(np.broadcast_to(q, (*shape, 4)), np.broadcast_to(omega, (*shape, 3)))
 
 

@@ -691,6 +691,8 @@ def test_the_papers_case_ships_with_the_package(capsys):
     [
         ("inertia = [1, 2", "case = the file: is not TOML"),
         (CASE.replace("times", "time"), "case = time: is not one of"),
+        (CASE + "start = [1, 0, 0, 0]", "times; `rigidsym plan` reads files that have it"),
+        (CASE + "rates = []", "times; `rigidsym fit` reads files that have it"),
         (CASE.replace("inertia", "# inertia"), "inertia = missing"),
         (CASE.replace('"0.04"', '"-0.04"'), "inertia[1] = -0.04: principal moments must be"),
         (CASE.replace('"0.04"', '"0.4"'), "larger than the sum"),

@@ -48,15 +48,18 @@ def functions(p, r, t):
     """S_t, C_t, D_t by mpmath's functions, and the integrals of S_t^2 and S_t^2/D_t^2."""
     root = mp.sqrt(p)
 
-    def at(x):
-        if not p:
-            return x, mpf(1), mpf(1)
-        sn, cn, dn = (mp.ellipfun(f"{name}n", root * x, m=r / p) for name in "scd")
-        return sn / root, cn, dn
+    @cache
+    def square(x):
+        return (mp.ellipfun("sn", root * x, m=r / p) / root if p else x) ** 2
 
-    pieces = mp.linspace(0, t, 5)
-    squares = mp.quad(lambda x: at(x)[0] ** 2, pieces)
-    return *at(t), squares, mp.quad(lambda x: (at(x)[0] / at(x)[2]) ** 2, pieces)
+    def integral(function):
+        return mp.quad(function, mp.linspace(0, t, 3), method="gauss-legendre")
+
+    squares = integral(square), integral(lambda x: square(x) / (1 - r * square(x)))
+    if not p:
+        return t, mpf(1), mpf(1), *squares
+    sn, cn, dn = (mp.ellipfun(f"{name}n", root * t, m=r / p) for name in "scd")
+    return sn / root, cn, dn, *squares
 
 
 def columns(inertia, rates, changed):

@@ -43,7 +43,7 @@ def read_again(ledger):
 
 def refused(ledger):
     """Why the one reader refuses a ledger, which the other does as well; "" where it does not."""
-    ledger = json.loads(written(ledger))
+    ledger = json.loads(json.dumps(ledger))
     try:
         require(SPECIFICATION, ledger)
     except Unproved as error:

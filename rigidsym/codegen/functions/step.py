@@ -1,4 +1,4 @@
-"""One step from any state: what the body alone decides, the start, doublings, and the end.
+"""One step from any state: what the body alone decides, the start, doublings, and the end; kicks.
 
 Times begin at t/2^STEPS, where series are short, and are doubled.  What angles and rates grow from
 is extended; what only corrects them is not, but for the last doublings: for thin bodies what is
@@ -16,6 +16,13 @@ from rigidsym.solution import Solution
 ALPHAS = ("alpha_a", "alpha_b", "alpha_d")
 SQUARES = ("l_a", "l_b", "l_d")
 STARTS = ("Omega_a0", "Omega_b0", "Omega_d0")
+# A torque is found from the attitude, a vector in space, and coefficients.
+KICK = (
+    *(f"q{k}" for k in range(4)),
+    *(f"{x}{k}" for x in "ub" for k in range(1, 4)),
+    *("k", "m1", "m2", "m3", "Q11", "Q22", "Q33", "Q23", "Q13", "Q12"),
+)
+TORQUE = ("T1", "T2", "T3")
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
 _PROJECTED = ("z_re", "z_im", "zr_re", "zr_im")
 _SHORTEST = ("s_0", "s_b", "s_d")
@@ -40,6 +47,7 @@ def step(solution: Solution) -> tuple[Function, ...]:
         _front(solution),
         _shortest(solution),
         _attitude(solution),
+        _kick(solution),
     )
 
 
@@ -224,3 +232,10 @@ def _attitude(solution: Solution) -> Function:
     timed = "t Lambda_rate_hi Lambda_rate_lo W_re W_im"
     summary = "The attitude after the step."
     return _function("attitude", summary, f"{timed} {names} epsilon sigma", "", lets, ATTITUDE)
+
+
+def _kick(solution: Solution) -> Function:
+    """On the axes of the body as they are given."""
+    lets = select(solution.sequences["kick"], TORQUE, KICK)
+    summary = "The torque of what a vector in space exerts, and of what stays in the body."
+    return _function("kick", summary, " ".join(KICK), "", lets, TORQUE)

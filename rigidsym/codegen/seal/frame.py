@@ -74,6 +74,10 @@ _STEPS = {
         "t Lambda_rate_hi Lambda_rate_lo W_re W_im s_0 s_b s_d p_0 p_a p_b p_d epsilon sigma",
         "q_0 q_a q_b q_d",
     ),
+    "_step_kick": (
+        "q0 q1 q2 q3 u1 u2 u3 b1 b2 b3 k m1 m2 m3 Q11 Q22 Q33 Q23 Q13 Q12",
+        "T1 T2 T3",
+    ),
 }
 
 

@@ -65,6 +65,11 @@ _THETA = Meanings(
         ("_columns_state", "varied_rates"): {
             f"Omega_b_by_Omega_{x}": f"any_Omega_b_by_Omega_{x}" for x in "ad"
         },
+        ("_along_state", "varied_rates"): {f"Omega_{x}_r": f"any_Omega_{x}_r" for x in "abd"},
+        ("_along_state", "passing"): {"Omega_a": "Omega_a_there"},
+        ("_along_constants", "passing"): {
+            name: f"{name}_there" for name in ("alpha_b", "alpha_d", "Omega_a0", "p")
+        },
         ("_columns_state", "middle_columns"): {
             **{f"alpha_{x}": f"{x}_divisor" for x in "ad"},
             "Omega_b": "b_divisor",
@@ -87,6 +92,8 @@ _THETA = Meanings(
         "_hyperbolic_state": ("hyperbolic_state", "rates"),
         "_moduli": ("moments", "columns"),
         "_columns_constants": ("moments", "columns"),
+        "_along_constants": ("moments", "columns", "passing"),
+        "_along_state": ("sensitivity", "passing"),
         "_columns_state": ("sensitivity", "middle", "excesses"),
         "_real_state": ("elapsed_F",),
         "_imaginary_state": ("elapsed_E",),
@@ -189,6 +196,7 @@ _STEP = Meanings(
         "_step_front": ("constants",),
         "_step_shortest": ("state",),
         "_step_attitude": ("thirds", "state"),
+        "_step_kick": ("kick",),
     },
 )
 OF = {THETA: _THETA, PI: _PI, STEP: _STEP}

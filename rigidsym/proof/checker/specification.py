@@ -7,6 +7,7 @@ forms, and a context is compared with the block whole, record with record.
 """
 
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from rigidsym.proof.checker.language import Form, Forms
@@ -42,8 +43,9 @@ class Block:
         self.stated += other.stated
 
 
+@cache
 def read(text: str) -> Form:
-    """The form of an expression; "?" is itself."""
+    """The form of an expression, read once for all theorems; "?" is itself."""
     return "?" if text.strip() == "?" else Forms().read(text.strip())
 
 

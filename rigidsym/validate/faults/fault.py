@@ -3,6 +3,8 @@
 import re
 from dataclasses import dataclass
 
+from rigidsym.codegen.forms import STEP, split
+
 KINDS = {
     "constant": "a constant off by one part in 1e12, or by its last digits",
     "precision": "a number rounded to single precision",
@@ -45,6 +47,7 @@ class Fault:
     """`old` made `new` in the paragraph of a target's module that begins with `paragraph`.
 
     A paragraph ends with the next empty line.  `options` are the compiler's, beyond the usual ones.
+    in_sensitivities: states show nothing of it.
     """
 
     target: str
@@ -54,6 +57,13 @@ class Fault:
     old: str
     new: str
     options: tuple[str, ...] = ()
+    in_sensitivities: bool = False
+
+    @property
+    def shown_in(self) -> str:
+        """What shows it: states, sensitivities, or steps."""
+        of_states = "steps" if split(self.target)[1] == STEP else "states"
+        return "sensitivities" if self.in_sensitivities else of_states
 
     def __post_init__(self) -> None:
         if self.target not in FILES or self.kind not in KINDS:

@@ -17,14 +17,18 @@ from rigidsym.validate.faults.detection import (
     RAISED,
     Detection,
     broken,
+    columns_references,
     first,
     references,
+    steps_references,
 )
 from rigidsym.validate.faults.drawn import HARMLESS, changes, drawn, every, is_lost
 from rigidsym.validate.faults.fault import FILES
 from rigidsym.validate.faults.mutated_build import faulty, installed, mutated_engine, on_text
 from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.measure import measure
+from rigidsym.validate.oracle import Reference
+from rigidsym.validate.sensitivities import share
 from rigidsym.validate.strata import STRATA
 
 TARGETS = tuple(FILES)
@@ -48,33 +52,48 @@ STRATA_CHOSEN = {
 }
 
 
-# And of steps.
-STRATA_OF_STEPS = {"uniform": 2, "rod": 9, "scales": 9, "rest": 1, "special values": 4, "spin": 3}
-
-
-class Chosen(dict):
-    """The references for faults of a target, those of steps when they are first asked for."""
-
-    def __missing__(self, of_steps):
-        strata = STRATA_OF_STEPS if of_steps else STRATA_CHOSEN
-        drawn = DIGITS, SEED, of_steps
-        self[of_steps] = [references(name, cases, *drawn) for name, cases in strata.items()]
-        return self[of_steps]
-
-    def of(self, target):
-        return self[target.endswith("-step")]
+# And of faults in sensitivities.
+COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "scales"
+# And of those in steps.
+STEPS_CHOSEN = {"uniform": 2, "rod": 9, "scales": 9, "rest": 1, "special values": 4, "spin": 3}
 
 
 @pytest.fixture(scope="module")
-def chosen():
+def of_states():
+    return [references(name, cases, DIGITS, SEED) for name, cases in STRATA_CHOSEN.items()]
+
+
+@pytest.fixture(scope="module")
+def of_columns():
+    return [columns_references(name, 3, DIGITS, SEED) for name in COLUMNS_CHOSEN]
+
+
+@pytest.fixture(scope="module")
+def of_steps():
+    return [steps_references(name, cases, DIGITS, SEED) for name, cases in STEPS_CHOSEN.items()]
+
+
+@pytest.fixture(scope="module")
+def chosen(request):
+    """By what shows a fault, when it is asked for."""
+
+    class Chosen(dict):
+        def __missing__(self, shown_in):
+            fixture = {"sensitivities": "of_columns"}.get(shown_in, f"of_{shown_in}")
+            return request.getfixturevalue(fixture)
+
     return Chosen()
 
 
 # The first fault of every kind for each target, of those by hand and of those that are drawn; of
-# steps the one that was there.
-QUICK = [fault for fault in FAULTS if fault.target not in ("c-pi", "numpy-step", "c-step")]
+# those in sensitivities NumPy's, which are not compiled; of those in steps the one that was there.
+SHOWN = {
+    ("numpy", "sensitivities"),
+    *((target, "states") for target in TARGETS if target != "c-pi"),
+}
+QUICK = [f for f in FAULTS if (f.target, f.shown_in) in SHOWN]
 SAMPLE = [
-    *{(f in BY_HAND, f.target, f.kind): f for f in reversed(QUICK)}.values(),
+    *{(f in BY_HAND, f.target, f.kind, f.shown_in): f for f in reversed(QUICK)}.values(),
     *(f for f in BY_HAND if (f.target, f.kind) == ("c-step", "scale")),
 ]
 
@@ -95,7 +114,8 @@ def test_there_are_many_faults_of_every_kind():
 )
 def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
     engine, bounds = on_text(target, installed(FILES[target])), bounds_of(target)
-    strata = chosen.of(target)
+    shown_in = sorted({fault.shown_in for fault in FAULTS if fault.target == target})
+    strata = [stratum for kind in shown_in for stratum in chosen[kind]]
     assert [first(engine, stratum, bounds) for stratum in strata] == [None] * len(strata)
 
 
@@ -108,7 +128,7 @@ def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
 )
 def test_a_fault_is_noticed(fault, chosen):
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
-    assert any(first(engine, stratum, bounds) for stratum in chosen.of(fault.target))
+    assert any(first(engine, stratum, bounds) for stratum in chosen[fault.shown_in])
 
 
 @pytest.mark.parametrize("target", TARGETS)
@@ -121,10 +141,13 @@ def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
 
 def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
     for target in TARGETS:
-        kinds = {fault.kind for fault in every(target) if fault.name not in HARMLESS}
-        assert {fault.kind for fault in drawn(target)} == kinds
+        of = [f for f in every(target) if f.name not in HARMLESS]
+        kinds = {(fault.kind, fault.in_sensitivities) for fault in of}
+        assert {(fault.kind, fault.in_sensitivities) for fault in drawn(target)} == kinds
         least = {"pi": 30, "step": 12}
-        assert len(drawn(target)) >= least.get(target.partition("-")[2], 35)
+        assert len(drawn(target)) >= least.get(target.partition("-")[2], 60)
+        found = sum(fault.in_sensitivities for fault in drawn(target))
+        assert (found >= 25) == ("-" not in target)
     names = {fault.name for target in TARGETS for fault in every(target)}
     assert HARMLESS.keys() <= names
     assert not {fault.name for fault in FAULTS} & HARMLESS.keys()
@@ -132,15 +155,25 @@ def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
 
 @pytest.fixture(scope="module")
 def figures(chosen):
-    engines = {target: on_text(target, installed(FILES[target])) for target in TARGETS}
-    return {target: worst(engine, chosen.of(target)) for target, engine in engines.items()}
+    """By target, and what shows its faults."""
+    kinds = {(fault.target, fault.shown_in) for fault in FAULTS}
+    return {
+        (target, kind): worst(on_text(target, installed(FILES[target])), chosen[kind])
+        for target, kind in kinds
+    }
 
 
-def worst(engine, chosen):
+def worst(engine, strata):
     """The largest part of its bound that each measure takes."""
-    errors = [measure(reference, engine) for stratum in chosen for reference in stratum]
-    names = {name for found in errors for name in found}
-    return {n: max(np.max(found[n].share) for found in errors if n in found) for n in names}
+    shares = [shares_of(reference, engine) for stratum in strata for reference in stratum]
+    names = {name for found in shares for name in found}
+    return {n: max(found[n] for found in shares if n in found) for n in names}
+
+
+def shares_of(reference, engine):
+    if isinstance(reference, Reference):
+        return {n: np.max(found.share) for n, found in measure(reference, engine).items()}
+    return {"columns": share(engine, reference)}
 
 
 @pytest.mark.slow
@@ -154,8 +187,9 @@ def worst(engine, chosen):
     ],
 )
 def test_what_is_called_harmless_takes_no_more_of_any_bound(fault, chosen, figures):
-    found = worst(mutated_engine(fault), chosen.of(fault.target))
-    assert found == pytest.approx(figures[fault.target], abs=0.1)
+    kind = fault.shown_in
+    found = worst(mutated_engine(fault), chosen[kind])
+    assert found == pytest.approx(figures[fault.target, kind], abs=0.1)
 
 
 def test_coefficients_are_as_good_as_others_far_below_rounding():
@@ -306,7 +340,7 @@ def test_what_raises_is_noticed(chosen):
         def prepare(self, *given):
             raise NameError
 
-    assert broken(Engine(), chosen[False][2][0]) == (RAISED,)
+    assert all(broken(Engine(), strata[2][0]) == (RAISED,) for strata in chosen.values())
 
 
 def test_a_process_that_is_lost_is_noticed_where_it_was(reported):
@@ -329,4 +363,4 @@ def test_a_process_that_is_lost_is_noticed_where_it_was(reported):
 
 
 def test_the_strata_chosen_exist():
-    assert {*STRATA_CHOSEN, *STRATA_OF_STEPS} <= set(STRATA)
+    assert {*STRATA_CHOSEN, *COLUMNS_CHOSEN} <= set(STRATA)

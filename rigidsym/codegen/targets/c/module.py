@@ -166,7 +166,10 @@ def _guard(form: str) -> str:
 
 def header_last(form: str) -> str:
     """What is written by hand after the structs, with places for their members and for limits."""
-    parts = {THETA: ("interface.h", "sensitivity.h"), STEP: ("step_interface.h",)}
+    parts = {
+        THETA: ("interface.h", "sensitivity.h"),
+        STEP: ("step_interface.h", "kick_interface.h"),
+    }
     text = "\n\n".join(map(_part, parts.get(form, ("interface.h",))))
     return f"\n{text}\n{_LAST.strip()}\n"
 
@@ -185,7 +188,7 @@ def source_first(form: str) -> str:
 def source_last(form: str) -> str:
     """What is written by hand after the functions, with places for names and limits."""
     if form == STEP:
-        return f"@limits@\n\n{_part('step.c')}\n"
+        return f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n"
     parts = ["arithmetic.c", "runtime.c", *(["sensitivity.c"] if form == THETA else [])]
     text = "\n\n".join(map(_part, parts)) + "\n"
     return text.replace("@one by one@", str(ONE_BY_ONE[form]))
@@ -235,10 +238,11 @@ def _of_sensitivities(by_name: dict[str, Function]) -> dict[str, str]:
         "@moduli@": ", ".join(results),
         "@moduli out@": ", ".join(f"&{name}" for name in results),
         "@moduli given@": ", ".join(by_name["_moduli"].parameters),
-        "@columns given@": ", ".join(by_name["_columns_constants"].parameters),
         "@turn columns@": ", ".join(f"by[{k}]" for k in range(18)),
     }
-    for name, array in (("columns", "columns"), ("turn", "turned_by")):
+    for name in ("along", "columns"):
+        places[f"@{name} given@"] = ", ".join(by_name[f"_{name}_constants"].parameters)
+    for name, array in (("along", "along"), ("columns", "columns"), ("turn", "turned_by")):
         count = len(by_name[f"_{name}_state"].results)
         places[f"@{name} rows of {array}@"] = _rows(array, count)
     for name in ("real", "imaginary"):

@@ -148,12 +148,12 @@ def _of_sensitivities(by_name: Mapping[str, Function]) -> dict[str, str]:
         "moduli": ", ".join(by_name["_moduli"].results),
         "moduli out": ", ".join(f"&{name}" for name in by_name["_moduli"].results),
         "moduli given": ", ".join(by_name["_moduli"].parameters),
-        "columns given": ", ".join(by_name["_columns_constants"].parameters),
         "turn columns": ", ".join(f"by[{k}]" for k in range(18)),
     }
-    for name in ("real", "imaginary"):
+    for name in ("along", "columns", "real", "imaginary"):
         marks[f"{name} given"] = ", ".join(by_name[f"_{name}_constants"].parameters)
-    arrays = {"columns": ("state", "columns", "s"), "turn": ("state", "turned_by", "s")}
+    arrays = {name: ("state", name, "s") for name in ("along", "columns")}
+    arrays["turn"] = ("state", "turned_by", "s")
     arrays |= dict.fromkeys(("real", "imaginary"), ("angles", "in", "SENSITIVE"))
     for name, (part, array, apart) in arrays.items():
         rows = [f"{array} + {k} * {apart}" for k in range(len(by_name[f"_{name}_{part}"].results))]

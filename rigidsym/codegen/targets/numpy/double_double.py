@@ -150,7 +150,9 @@ def _choose(x, y, one, other):
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
         one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
         return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
-    return (one if first else other) if type(first) is bool else np.where(first, one, other)
+    if isinstance(first, np.ndarray):
+        return np.where(first, one, other)
+    return one if first else other
 
 
 def _rounded(x):

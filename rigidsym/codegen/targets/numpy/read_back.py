@@ -124,7 +124,8 @@ def _tables(functions: tuple[Function, ...]) -> Iterator[str]:
     branches = {name: _branch(name, by_name) for name in _BRANCHES}
     yield f"BRANCHES = {branches}"
     if "_moduli" in by_name:
-        parts = {name: _part(name, by_name) for name in ("columns", "real", "imaginary", "turn")}
+        names = ("along", "columns", "real", "imaginary", "turn")
+        parts = {name: _part(name, by_name) for name in names}
         yield f"SENSITIVITY = { ({'moduli': _step(by_name['_moduli'])} | parts) }"
 
 

@@ -3,21 +3,23 @@
 Its text stands in the generated module of the theta form, after `runtime`.
 """
 
+import math
+
 import numpy as np
 
 from rigidsym.codegen.targets.numpy.runtime import (
+    _BLOCK,
     _called,
     _differences,
+    _DoubleDouble,
     _of,
     _plain,
     _RefusedError,
     states,
 )
-from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY
+from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY, never
 
 # --- runtime ---
-# Sensitivities computed at a time: each has some seventy intermediate numbers, and as many results.
-_SENSITIVE = 2048
 
 
 @np.errstate(all="ignore")
@@ -31,12 +33,15 @@ def sensitivities(prepared, t, errors="raise"):
     Raises ValueError as `states` does, and for times at which binary64 does not hold the squares of
     changes in any; with errors="nan" there are no numbers then.
     """
+    # One time of one body as a number, which has the shortest way.
+    if np.ndim(t) == 0 and prepared["shape"] == ():
+        t = float(t)
     q, omega = states(prepared, t, None, errors)
     given, count = np.asarray(t, float), len(prepared["unit"])
     # One row of times for all motions, or one for each.
     given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
     shapes = (4,), (3,), (3, 9), (3, 9), (3,), (3,)
-    found = [np.zeros((*omega.shape[:-1], *shape)) for shape in shapes[2:]]
+    found = _together(omega.shape[:-1], shapes[2:])
     rows = [
         x.reshape(count, given.shape[1], *shape)
         for x, shape in zip((q, omega, *found), shapes, strict=True)
@@ -49,6 +54,17 @@ def sensitivities(prepared, t, errors="raise"):
     _unchanged(given, rows)
     _check_held(rows, errors)
     return (q, omega, *found)
+
+
+def _together(shape, ends):
+    """Zeros of these shapes in one piece of memory, which allocators keep where they would give
+    pieces back to the system, and have them anew page by page."""
+    sizes = [math.prod((*shape, *end)) for end in ends]
+    piece, found, begin = np.zeros(sum(sizes)), [], 0
+    for end, size in zip(ends, sizes, strict=True):
+        found.append(piece[begin : begin + size].reshape(*shape, *end))
+        begin += size
+    return found
 
 
 def _elapsed(prepared):
@@ -72,6 +88,7 @@ def _elapsed(prepared):
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
+    known |= _phases(prepared)
     if len(axes) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(SENSITIVITY["moduli"], known)
@@ -85,26 +102,44 @@ def _elapsed(prepared):
     return groups
 
 
+def _phases(prepared):
+    """The phase at t = 0, and beyond which p t^2 it is asked for: where it is known."""
+    reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
+    for name, index, constants in prepared["groups"]:
+        if name == "hyperbolic":
+            reach[index] = 1.0
+            y0[:, index] = constants["y0_hi"], constants["y0_lo"]
+    return {"reach": reach, "y0": _DoubleDouble(*y0)}
+
+
 def _of_group(name, index, known):
-    """The indices of some bodies, and their constants by what they are for."""
+    """The indices of some bodies, and their constants by what they are for: arrays, or of one
+    body Python's floats."""
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
-    for part in (name, "columns", "turn"):
+    for part in (name, "along", "columns", "turn"):
         constants = _called(SENSITIVITY[part], known)
         made[part] = {
             key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
             for key, value in constants.items()
         }
-    return index, made
+    return index, _of_one(made, 0) if index.size == 1 else made
+
+
+def _of_one(made, number):
+    """The constants of one body, as Python's floats."""
+    return {
+        part: {key: float(x[number]) for key, x in known.items()} for part, known in made.items()
+    }
 
 
 def _fill_sensitivities(prepared, group, t, rows):
     """The rows of one group, in blocks: of times, or of bodies where times are few."""
     name, order, index, made = group
     size = t.shape[1]
-    if size < _SENSITIVE // 4:
-        step = max(1, _SENSITIVE // max(1, size))
+    if index.size > 1 and size < _BLOCK // 4:
+        step = max(1, _BLOCK // max(1, size))
         for first in range(0, index.size, step):
             some = slice(first, first + step)
             constants = {
@@ -116,15 +151,15 @@ def _fill_sensitivities(prepared, group, t, rows):
             _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
         return
     for number, body in enumerate(index):
-        constants = {
-            part: {key: float(x[number]) for key, x in known.items()}
-            for part, known in made.items()
-        }
+        constants = made if index.size == 1 else _of_one(made, number)
         units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
-        for first in range(0, size, _SENSITIVE):
-            some = slice(first, first + _SENSITIVE)
-            times = t[body if len(t) > 1 else 0, some]
-            _write_sensitivities(name, order, constants, units, times, rows, (body, some))
+        step = max(1, -(-size // max(1, -(-size // _BLOCK))))
+        for first in range(0, size, step):
+            some = slice(first, first + step)
+            # One time as a number: operations on such arrays take ten times as long.
+            where = some if size > 1 else 0
+            times = t[body if len(t) > 1 else 0, where]
+            _write_sensitivities(name, order, constants, units, times, rows, (body, where))
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place):
@@ -135,12 +170,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     scale = unit + (unit == 0)
     for k in range(3):
         known[f"Omega{k + 1}"] = omega[..., k] / scale
-    known |= {f"q{k}": q[..., k] for k in range(4)}
+    known |= {f"q{k}": q[..., k][()] for k in range(4)}
     known |= {f"Omega_{x}": known[f"Omega{axis + 1}"] for x, axis in zip("abd", order, strict=True)}
     entry = SENSITIVITY[name]
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
     known |= dict(zip(entry["timed"], by_time, strict=False))
     known |= _stated(entry, known, constants[name])
+    known |= _stated(SENSITIVITY["along"], known, constants["along"])
     columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
     for one, i in zip("abd", order, strict=True):
         known[f"excess{i + 1}"] = columns[f"excess_{one}"]
@@ -206,9 +242,10 @@ def _unchanged(t, rows):
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
-    if not np.any(lost):
+    # Where the least is a number all are, and it is found sooner.
+    if not any(np.isnan(np.min(x, initial=0.0)) for x in rows[2:]):
         return
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"

@@ -20,6 +20,7 @@ from rigidsym.codegen.targets.numpy.stubs import (
     _step_doubled,
     _step_first,
     _step_front,
+    _step_kick,
     _step_last_projected,
     _step_last_second_half,
     _step_projected,
@@ -192,3 +193,13 @@ def _moved(body, q, t):
     front = _step_front(*before, *q, body["epsilon"])
     attitude = _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs)
     return attitude, [x.hi for x in rates]
+
+
+def torque(q, direction, coefficients):
+    """What a vector in space (..., 3) exerts on bodies of unit quaternions q (..., 4), (..., 3).
+
+    With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
+    b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.
+    """
+    given = (np.moveaxis(x, -1, 0) for x in (q, direction, coefficients))
+    return np.stack(_step_kick(*(x for each in given for x in each)), axis=-1)
