@@ -41,12 +41,13 @@ class Detection:
 
 def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
     """The truth about the states of a stratum's cases."""
-    return [enclose(sample, digits) for sample in _samples(stratum, cases, seed)]
+    return [enclose(x, digits, with_condition=False) for x in _samples(stratum, cases, seed)]
 
 
 def steps_references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
     """The truth about what `stepped` makes of a stratum's cases."""
-    return [enclose(stepped(sample), digits) for sample in _samples(stratum, cases, seed)]
+    samples = map(stepped, _samples(stratum, cases, seed))
+    return [enclose(sample, digits, with_condition=False) for sample in samples]
 
 
 def _samples(stratum: str, cases: int, seed: int) -> Iterator[Sample]:
