@@ -52,7 +52,7 @@ STRATA_CHOSEN = {
 
 
 # And of faults in sensitivities.
-COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "scales"
+COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "beside separatrix"
 
 
 @pytest.fixture(scope="module")
