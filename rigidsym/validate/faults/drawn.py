@@ -78,6 +78,9 @@ HARMLESS = {
             ("real", "F_square_5", "doubled (16)"),
         )
     },
+    "behind_error of imaginary_angles: product_error forgotten (4)": (
+        "1e-16 of what whole turns have added by then"
+    ),
     "sum_even of real_state: a sign turned (5)": "is times the nome to the 16th, below 2e-22",
     **{
         f"c_{k} of circulation: a term dropped ({n})": "what is not zero still is not"
