@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    442  20 %  follow facts of the ledger, each named on its line
-    595  28 %  follow classical formulas, each with its reference
-     98   5 %  are arithmetic: sums, products, quotients, roots, reductions
-   1027  48 %  are the runtime, written by hand
+    457  21 %  follow facts of the ledger, each named on its line
+    595  27 %  follow classical formulas, each with its reference
+     98   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1029  47 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest ffef0a80b884ae05b8a5d59e7ce0235c42ea4fd2e22c74d39946676bb5862da7
+digest ba9835d0a71e9dff45e3f39a81b9265a8ff87167a1ae057dedbec013e025910f
 
 Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
 -DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
@@ -88,10 +88,11 @@ typedef struct {
 } torque_free_along;
 
 typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d;
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k;
     double p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d;
-    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a;
-    double a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
+    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a;
+    double leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b;
+    double b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
 } torque_free_columns;
 
 typedef struct {
