@@ -211,7 +211,7 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
 
 def _validate_sensitivity(campaign: "Campaign") -> int:
     from rigidsym import engines
-    from rigidsym.validate.sensitivities import BOUND, HEADS, by_stratum, of_engine
+    from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum, of_engine
 
     drawn = campaign.cases, campaign.seed, campaign.strata
     worst = [
@@ -223,8 +223,11 @@ def _validate_sensitivity(campaign: "Campaign") -> int:
     for target, found in broken:
         say(f"broken: {target}: {found.stratum}: {found.error:.1e}")
     with reader_may_leave():
-        title = f"rigidsym validate --sensitivity: errors of columns, {BOUND:.0e} documented"
+        title = "rigidsym validate --sensitivity: errors of columns"
         table(title, ("module", *HEADS), [(target, *found.row()) for target, found in worst])
+        for stratum in dict.fromkeys(found.stratum for _, found in worst):
+            if stratum in WIDER:
+                print(f"{stratum}: {WIDER[stratum].why}")
     return 1 if broken else 0
 
 

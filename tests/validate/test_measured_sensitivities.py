@@ -7,9 +7,20 @@ import pytest
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.cli import main
+from rigidsym.engines import ENGINES
 from rigidsym.precise.balls import ball, working
 from rigidsym.validate import sensitivities
-from rigidsym.validate.sensitivities import BOUND, COLUMNS, by_stratum, columns, enclosed, errors
+from rigidsym.validate.sensitivities import (
+    BOUND,
+    COLUMNS,
+    WIDER,
+    bound_of,
+    by_stratum,
+    columns,
+    enclosed,
+    errors,
+    of_engine,
+)
 from rigidsym.validate.strata import STRATA, draw
 
 # A step is small beside all distances from edges that strata have early.
@@ -117,6 +128,28 @@ def test_what_is_refused_is_counted():
 
 def test_the_bound_is_the_documented_one():
     assert BOUND == 1e-13
+    assert set(WIDER) < set(STRATA)
+
+
+@pytest.mark.parametrize("stratum", WIDER)
+def test_no_bound_is_wider_than_it_has_to_be(stratum):
+    """A case comes near it: the command fails without it, and a fifth of it would be too narrow."""
+    sample = draw(stratum, WIDER[stratum].case, seed=sensitivities.SEED)
+    true = enclosed(sample)
+    worst = max(np.nanmax(errors(of_engine(engine)(sample), true)) for engine in ENGINES)
+    assert max(BOUND, bound_of(stratum) / 5) < worst <= bound_of(stratum)
+
+
+@pytest.mark.parametrize("stratum", ["paper", "near spin, middle"])
+def test_a_bound_is_kept_and_broken(stratum):
+    """Within it an error passes, beyond it not."""
+
+    def wrong(size):
+        return lambda sample: enclosed(sample) * (1 + size)
+
+    for share, kept in ((0.9, True), (1.1, False)):
+        found = by_stratum(wrong(share * bound_of(stratum)), cases=1, strata=(stratum,))
+        assert [worst.is_within for worst in found] == [kept]
 
 
 def test_modules_are_measured_by_the_command(capsys):
