@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 674285c52cf25124d319e04c15ded1379c58df4341b6cdfead6c384ccb3da858
+digest 3ac83bbc2c505af5b65f00471df042934076da6157f48d2a7a781b34c0a3f399
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 4153cc009b304255729e1014fc8f747a83f22bfa91be9c5152a2115f78705cc0
+digest e84d6544dd60c742f70a24b76f8b30b240aa58771cd8cc21c0547b2dcae9ce1f
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
