@@ -45,6 +45,7 @@ CHAPTERS = (
     "edges",
     "addition_form",
     "step_form",
+    "kicks",
     "rate_sensitivities",
     "integral_sensitivities",
     "attitude_sensitivities",

@@ -10,7 +10,8 @@ without cancellation.  `pi_circular` and `pi_hyperbolic` are psi by an integral 
 far from the separatrix and near it, and `ascent` goes back up the steps of `landen`.
 `fourier` are coefficients of Fourier series, `fourier_rest` those of psi/2.
 `step` has the constants of a step from any state, `projection`, `doubling` and `second_half` double
-a time, `thirds` are psi after the shortest, and `step_rates` the rates after all.
+a time, `thirds` are psi after the shortest, and `step_rates` the rates after all; `kick` is what a
+direction in space exerts.
 `periods` are what comes back and how far the attitude has turned by then, `momentum` the rates that
 an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` and `theorem1_state`
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
@@ -25,7 +26,7 @@ standard function of known quantities.  The last two say which equations they ar
 
 from collections.abc import Iterable
 
-from derivations import attitude_columns, sensitivity_columns
+from derivations import attitude_columns, kicks, sensitivity_columns
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.book import Entry, definitions, facts, readings
 
@@ -194,6 +195,7 @@ SEQUENCES: dict[str, list[Entry]] = {
         *definitions("step", "f g", "10"),
         *facts("step", "room Omega_a Omega_b Omega_d"),
     ],
+    "kick": _all("kick", (*kicks.SEEN, *kicks.TORQUE), "3"),
     "steady": [
         *facts("steady", "omega"),
         *definitions("steady", "axis1 axis2 axis3 theta", "3"),

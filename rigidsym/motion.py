@@ -190,10 +190,10 @@ class TorqueFreeMotion:
         """q and omega at t (s) as a call returns them, and their derivatives by all inputs.
 
         In closed form and at all times, in every regime; see `Sensitivity` for shapes and frames.
-        Errors are measured to be below 1e-13 of the larger of a column and the change itself (that
-        of omega0, or |omega0| times the relative change of a moment), in 31 of 36 strata of
-        motions, and up to 5e-10 beside the separatrix, 7e-12 on it and 1e-12 in the others; columns
-        that have fallen keep 1e-16 of the largest that they were.
+        Errors are below 1e-13 of the larger of a column and the change itself (that of omega0, or
+        |omega0| times the relative change of a moment), in all strata of motions but five: 1e-12
+        for spin about the middle axis and near it, and where derivatives are near the least double;
+        1e-9 where a rate of a nearly symmetric body is zero (`rigidsym validate --sensitivity`).
         Raises InputError as a call does,
         and for times at which a motion on its way to spin about the middle axis has derivatives
         whose squares leave binary64; with errors="nan" there are no numbers then.
@@ -203,21 +203,19 @@ class TorqueFreeMotion:
         >>> S.attitude.shape, S.rates_t.shape
         ((2, 3, 9), (2, 3))
         """
-        prepared, times = self._prepared, _times(t, errors)
+        prepared = self._prepared
+        times = t if type(t) is float and math.isfinite(t) else _doubles(t, errors)
         found = _refusing(
             lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
             t=times,
             errors=errors,
             engine=self.engine,
         )
-        q, omega, attitude, rates, attitude_t, rates_t = found
         if not self._in_doubles:
-            # Exact moments were divided by this.
-            from rigidsym.engines.exact_inputs import moment_unit
+            from rigidsym.engines.sensitivities import by_exact_moments
 
-            for columns in (attitude, rates):
-                columns[..., 6:] /= moment_unit(self.exact["inertia"])
-        return q, omega, Sensitivity(attitude, rates, attitude_t, rates_t)
+            by_exact_moments(found, self.exact["inertia"])
+        return found[0], found[1], Sensitivity(*found[2:])
 
     def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
         """(..., 6, 6): what a small turn in space and a change of the rates at t0 (s) are at t.
@@ -809,14 +807,19 @@ def _doubles(t: ArrayLike, errors: str) -> float | np.ndarray:
 def _floats(
     inertia: Vector3, omega0: Vector3, attitude0: Quaternion
 ) -> dict[str, tuple[float, ...]]:
-    """Inertia, omega0 and attitude0 by name where they are nothing but good floats."""
-    moments, rates = inputs.floats(inertia, 3), inputs.floats(omega0, 3)
-    start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(attitude0, 4)
+    """Inertia, omega0 and attitude0 by name where they are nothing but good doubles."""
+    moments, rates = inputs.floats(_listed(inertia), 3), inputs.floats(_listed(omega0), 3)
+    start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(_listed(attitude0), 4)
     if moments is None or rates is None or start is None:
         return {}
     if not inputs.are_moments(moments) or not any(start):
         return {}
     return {"inertia": moments, "omega0": rates, "attitude0": start}
+
+
+def _listed(values: Vector3 | Quaternion) -> Vector3 | Quaternion:
+    """An array's items as Python's numbers, which are quicker to look at; the rest as it is."""
+    return values.tolist() if type(values) is np.ndarray and values.ndim == 1 else values
 
 
 def _times(t: ArrayLike, errors: str = "raise") -> np.ndarray:

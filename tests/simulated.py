@@ -3,6 +3,7 @@
 import numpy as np
 
 import rigidsym
+from rigidsym.fitting.parameters import Point
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotation_vectors
 
 # Long-axis mode, triaxial, of about two turns.
@@ -21,15 +22,20 @@ def rates(motion, times, sigma, random):
     return motion(times)[1] + sigma * random.normal(size=(len(times), 3))
 
 
+def at_epoch(fit, truth):
+    """The truth as a point of the problem of a fit."""
+    q, omega = truth(fit.problem.epoch)
+    return Point(q, omega, np.array(truth.exact["inertia"], float), np.eye(4)[0])
+
+
 def told(fit, truth):
     """How far a fit is from the truth in each direction it tells, in units of its error: (k,)."""
-    moments, omega, attitude = (np.array(x, float) for x in truth.exact.values())
-    turn = product(np.array(fit.motion.exact["attitude0"], float), conjugate(attitude))
+    there = at_epoch(fit, truth)
     apart = np.empty(fit.problem.parameters.count)
-    apart[:3] = rotation_vectors(turn / np.linalg.norm(turn))
-    apart[3:6] = np.array(fit.motion.exact["omega0"], float) - omega
-    across = fit.problem.parameters.linear(fit._point)[6:9, 6:8]
-    scaled = fit.moments - moments * (fit.moments.max() / moments.max())
+    apart[:3] = rotation_vectors(product(fit.point.attitude, conjugate(there.attitude)))
+    apart[3:6] = fit.point.omega - there.omega
+    across = fit.problem.parameters.linear(fit.point)[6:9, 6:8]
+    scaled = fit.moments - there.moments * (fit.moments.max() / there.moments.max())
     apart[6:8] = np.linalg.lstsq(np.column_stack([across, fit.moments]), scaled, rcond=None)[0][:2]
     return np.linalg.lstsq(
         np.hstack([fit.observability.told, fit.observability.blind]), apart, rcond=None

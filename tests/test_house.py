@@ -46,8 +46,8 @@ ALLOWED = {
     "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
     "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
-    "rigidsym.splitting": "engines errors inputs motion quaternions",
-    "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
+    "rigidsym.splitting": "engines errors generated inputs motion quaternions",
+    "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
     "rigidsym.fitting": f"{NUMBERS} engines io motion view",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,

@@ -210,13 +210,14 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
 
 
 def _validate_sensitivity(campaign: "Campaign") -> int:
+    from rigidsym import engines
     from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum, of_engine
 
     drawn = campaign.cases, campaign.seed, campaign.strata
     worst = [
         (target, found)
         for target in campaign.targets
-        for found in by_stratum(of_engine(target), *drawn)
+        for found in by_stratum(of_engine(engines.engine(target)), *drawn)
     ]
     broken = [(target, found) for target, found in worst if not found.is_within]
     for target, found in broken:

@@ -13,10 +13,11 @@ from rigidsym.engines.choice import (
     engine,
     exact_stepper,
     exactly,
+    integrator,
     stepper,
 )
 from rigidsym.engines.protocol import Engine, EngineError, Outputs, Prepared, States
-from rigidsym.engines.steps import Stepper
+from rigidsym.engines.steps import Kicks, Stepper
 
 __all__ = [
     "ENGINES",
@@ -25,6 +26,7 @@ __all__ = [
     "STEPPERS",
     "Engine",
     "EngineError",
+    "Kicks",
     "Outputs",
     "Prepared",
     "States",
@@ -33,6 +35,7 @@ __all__ = [
     "engine",
     "exact_stepper",
     "exactly",
+    "integrator",
     "is_lenient",
     "stepper",
 ]

@@ -11,6 +11,7 @@ from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, State
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
 # The last axes of states and what they change by.
 SENSITIVITIES = ((4,), (3,), (3, 9), (3, 9), (3,), (3,))
+_CHANGES = sum(map(math.prod, SENSITIVITIES[2:]))
 SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 
@@ -97,10 +98,18 @@ def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States
 
 
 def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
-    """New arrays for states of this shape and what they change by."""
-    q, omega, attitude, rates, attitude_t, rates_t = (
-        np.empty((*shape, *last)) for last in SENSITIVITIES
-    )
+    """New arrays for states of this shape and what they change by.
+
+    Those of changes are one piece of memory, which allocators keep where they would give pieces
+    back to the system, and have them anew page by page.
+    """
+    count = math.prod(shape)
+    piece, begin, changes = np.empty(_CHANGES * count), 0, []
+    for last in SENSITIVITIES[2:]:
+        changes.append(np.ndarray((*shape, *last), float, piece, begin))
+        begin += changes[-1].nbytes
+    attitude, rates, attitude_t, rates_t = changes
+    q, omega = (np.empty((*shape, *last)) for last in SENSITIVITIES[:2])
     return q, omega, attitude, rates, attitude_t, rates_t
 
 

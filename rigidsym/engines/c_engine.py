@@ -20,7 +20,7 @@ _DOUBLE = ctypes.sizeof(c_double)
 # One state, q before omega.
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
 # A prepared motion takes as long as this many states.
-_PREPARATION = 256
+PREPARATION = 256
 # Codes of torque_free.h that many inputs can be meant by, and those of times.
 _NOT_FINITE, _SEPARATRIX, _TIME = 1, 5, 6
 
@@ -174,7 +174,7 @@ class CEngine:
         states = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
         t, count = arrays.rows_of_times(t, shape), math.prod(shape)
-        parts = threads.threads(count * (t.shape[1] + _PREPARATION))
+        parts = threads.threads(count * (t.shape[1] + PREPARATION))
         if count < parts and not lenient:
             self._one_by_one(bodies, t, states)
         else:
@@ -223,7 +223,7 @@ class CEngine:
             )
             return begin + failed.value if code else None
 
-        piece = max(1, threads.PIECE // (times + _PREPARATION))
+        piece = max(1, threads.PIECE // (times + PREPARATION))
         for body in threads.in_parts(part, count, parts, piece):
             if body is not None:
                 # Once more, because a prepared motion knows which times are too late.

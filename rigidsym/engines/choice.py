@@ -68,6 +68,12 @@ def exact_stepper(name: str) -> Stepper:
     return found
 
 
+def integrator(name: str) -> CStepper | None:
+    """What makes many steps with kicks between them; None but for C's engine with a compiler."""
+    found = _told("c-step", 3) if name == "c" else None
+    return found if isinstance(found, CStepper) else None
+
+
 def _numpy(name: str) -> Engine:
     if name == "numpy":
         return NumpyEngine()

@@ -11,9 +11,8 @@ from typing import Any, TypeAlias
 _Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
 _BODY = (c_void_p,) * 3
 _OUT = (c_void_p,) * 2
-_ARITHMETIC = 8
-# Of the theta form alone.
-_SENSITIVITY = "states_with_sensitivity", (c_void_p, c_size_t, *(c_void_p,) * 7)
+_ARITHMETIC, _STEP_ARITHMETIC = 8, 6
+_CHANGES = (c_void_p,) * 4
 # Name after the prefix, result, arguments.
 _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "digest": (c_char_p, ()),
@@ -30,8 +29,14 @@ _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     ),
     "last_time": (c_double, (c_void_p,)),
 }
-
-
+# Of the theta form alone.
+_SENSITIVITIES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
+    "states_with_sensitivity": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT, *_CHANGES)),
+    "propagate_with_sensitivity": (
+        c_int,
+        (c_size_t, *_BODY, c_size_t, c_void_p, c_size_t, *_OUT, *_CHANGES, c_void_p, c_void_p),
+    ),
+}
 _STEPS: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "step_digest": (c_char_p, ()),
     "step_message": (c_char_p, (c_int,)),
@@ -41,6 +46,13 @@ _STEPS: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "steps": (
         c_int,
         (c_size_t, c_void_p, c_size_t, *_BODY, c_size_t, *_OUT, c_void_p),
+    ),
+    "integrate": (
+        c_int,
+        (
+            *(c_size_t, c_void_p, c_size_t, c_void_p, c_void_p),
+            *(c_double, c_double, c_size_t, c_size_t, *_OUT, c_void_p),
+        ),
     ),
 }
 
@@ -63,7 +75,8 @@ class Library:
     states_on_grid: Callable[..., int]
     propagate: Callable[..., int]
     last_time: Callable[..., float]
-    states_with_sensitivity: Callable[..., int] | None
+    states_with_sensitivity: Callable[..., int] | None = None
+    propagate_with_sensitivity: Callable[..., int] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +89,7 @@ class StepLibrary:
     body_init: Callable[..., int]
     step: Callable[..., int]
     steps: Callable[..., int]
+    integrate: Callable[..., int]
 
 
 AnyLibrary: TypeAlias = Library | StepLibrary
@@ -95,12 +109,22 @@ def load(path: Path, sources: Mapping[str, str]) -> AnyLibrary:
     return functions
 
 
-def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError where no prepared will be made: options in $CC can do that."""
-    prepared = (c_double * -(-library.motion_size() // ctypes.sizeof(c_double)))()
+def check_arithmetic(library: AnyLibrary) -> None:
+    """Raise LibraryError where none will be prepared: options in $CC can do that."""
     one = (c_double * 4)(1.0, 1.0, 1.0, 1.0)
-    if library.motion_init(prepared, one, one, one) == _ARITHMETIC:
-        raise LibraryError(f"the C module refuses: {library.message(_ARITHMETIC).decode()}")
+    if isinstance(library, Library):
+        code, refused = (
+            library.motion_init(_room(library.motion_size()), one, one, one),
+            _ARITHMETIC,
+        )
+    else:
+        code, refused = library.body_init(_room(library.body_size()), one), _STEP_ARITHMETIC
+    if code == refused:
+        raise LibraryError(f"the C module refuses: {library.message(refused).decode()}")
+
+
+def _room(size: int) -> ctypes.Array[c_double]:
+    return (c_double * -(-size // ctypes.sizeof(c_double)))()
 
 
 def written_digest(sources: Mapping[str, str]) -> str | None:
@@ -117,11 +141,9 @@ def _prefix(sources: Mapping[str, str]) -> str:
 
 def _functions(shared: ctypes.CDLL, prefix: str) -> Library:
     declared = _declared(shared, prefix, _SIGNATURES)
-    name, arguments = _SENSITIVITY
-    more = getattr(shared, f"{prefix}_{name}", None)
-    if more is not None:
-        more.restype, more.argtypes = c_int, arguments
-    return Library(**declared, states_with_sensitivity=more)
+    if hasattr(shared, f"{prefix}_{next(iter(_SENSITIVITIES))}"):
+        declared |= _declared(shared, prefix, _SENSITIVITIES)
+    return Library(**declared)
 
 
 def _step_functions(shared: ctypes.CDLL) -> StepLibrary:

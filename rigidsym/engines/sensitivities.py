@@ -1,21 +1,29 @@
 """States with what they change by: by the modules of the theta form, NumPy's or C's."""
 
+import ctypes
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from fractions import Fraction
+from typing import Any, NoReturn, Protocol, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rigidsym.engines import arrays
-from rigidsym.engines.c_engine import CEngine, offset
-from rigidsym.engines.numpy_engine import NumpyEngine, in_blocks
+from rigidsym.engines import arrays, threads
+from rigidsym.engines.c_engine import PREPARATION, CEngine, offset
+from rigidsym.engines.numpy_engine import Module, NumpyEngine, in_blocks
 from rigidsym.engines.protocol import Engine, EngineError, Prepared, Sensitivities
-from rigidsym.generated import torque_free
 
 # A time at which squares of changes leave binary64, in torque_free.h.
 _GROWTH = 9
+# Doubles of each array in a state with its sensitivities, which takes as long as so many states.
+_SIZES = tuple(map(math.prod, arrays.SENSITIVITIES))
+_STATES = 8
+# One time before all arrays, each after the other, by the byte.
+_Numbers = ctypes.c_double * (1 + sum(_SIZES))
+_DOUBLE = ctypes.sizeof(ctypes.c_double)
+_BEGINS = tuple(_DOUBLE * sum((1, *_SIZES[:k])) for k in range(len(_SIZES)))
 
 
 class Sensitive(Protocol):
@@ -41,19 +49,47 @@ class Sensitive(Protocol):
 
 def sensitive(engine: Engine) -> Sensitive:
     """What goes with an engine's prepared motions; raises EngineError where nothing does."""
-    if isinstance(engine, CEngine) and engine.library.states_with_sensitivity:
-        return _C(engine, engine.library.states_with_sensitivity)
-    if isinstance(engine, NumpyEngine) and engine.module is torque_free:
-        return _Numpy()
+    if isinstance(engine, CEngine):
+        one = engine.library.states_with_sensitivity
+        many = engine.library.propagate_with_sensitivity
+        if one and many:
+            return _C(engine, one, many)
+    if isinstance(engine, NumpyEngine) and _offers(engine.module):
+        return _Numpy(engine.module)
     raise EngineError("engine", "its module has no sensitivities")
 
 
+def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
+    """Make sensitivities of a motion prepared exactly those by moments in kg m^2: these were
+    divided by a power of two."""
+    # Here, because doubles need nothing of it.
+    from rigidsym.engines.exact_inputs import moment_unit
+
+    for columns in found[2:4]:
+        columns[..., 6:] /= moment_unit(inertia)
+
+
+class _Module(Module, Protocol):
+    """What the generated module of the theta form offers beyond states."""
+
+    def sensitivities(self, prepared: Prepared, t: ArrayLike, errors: str = ...) -> Sensitivities:
+        """States and what they change by."""
+        ...
+
+
+def _offers(module: Module) -> TypeGuard[_Module]:
+    return hasattr(module, "sensitivities")
+
+
+@dataclass(frozen=True, slots=True)
 class _Numpy:
+    module: _Module
+
     def sensitivities(
         self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
     ) -> Sensitivities:
         """States at times and what they change by, of prepared motions."""
-        return torque_free.sensitivities(prepared, t, errors)
+        return self.module.sensitivities(prepared, t, errors)
 
     def propagate(
         self,
@@ -76,43 +112,75 @@ class _Numpy:
         ]
 
         def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
-            block = torque_free.sensitivities(prepared, times, errors)
+            block = self.module.sensitivities(prepared, times, errors)
             for row, values in zip(rows, block, strict=True):
                 row[some] = values
 
-        in_blocks(torque_free, given, t, shape, errors, run)
+        in_blocks(self.module, given, t, shape, errors, run)
         return found
 
 
-@dataclass(frozen=True, slots=True)
 class _C:
-    engine: CEngine
-    compute: Callable[..., int]
+    __slots__ = ("engine", "many", "one")
+
+    def __init__(self, engine: CEngine, one: Callable[..., int], many: Callable[..., int]) -> None:
+        self.engine, self.one, self.many = engine, one, many
 
     def sensitivities(
         self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
     ) -> Sensitivities:
         """See `Sensitive`."""
-        times, lenient = arrays.times(t), arrays.is_lenient(errors)
+        lenient = arrays.is_lenient(errors)
+        if isinstance(t, float) and not lenient:
+            return self._at(prepared, t)
+        times = arrays.times(t)
         found = arrays.sensitivities(times.shape)
         self._fill(prepared, times, found, lenient)
         return found
 
+    def _at(self, prepared: Prepared, t: float) -> Sensitivities:
+        """At one time, by a shorter way from Python to C and back."""
+        # NumPy's types do not know that arrays of ctypes are buffers.
+        numbers: Any = _Numbers(t)
+        place = ctypes.addressof(numbers)
+        code = self.one(prepared, 1, place, *(place + begin for begin in _BEGINS))
+        q, omega, attitude, rates, attitude_t, rates_t = (
+            np.ndarray(shape, float, numbers, begin)
+            for shape, begin in zip(arrays.SENSITIVITIES, _BEGINS, strict=True)
+        )
+        found = q, omega, attitude, rates, attitude_t, rates_t
+        self._check(code, prepared, np.array(t), found)
+        return found
+
     def _fill(self, prepared: Prepared, t: np.ndarray, found: Sensitivities, lenient: bool) -> None:
-        library = self.engine.library
-        near = np.isfinite(t) & (np.abs(t) <= library.last_time(prepared))
-        given = np.where(near, t, 0.0) if lenient else t
-        places = (x.ctypes.data for x in (given, *found))
-        code = self.compute(prepared, t.size, *places)
         if lenient:
+            near = np.isfinite(t) & (np.abs(t) <= self.engine.library.last_time(prepared))
+            self._compute(prepared, np.where(near, t, 0.0), found)
             for x in found:
                 x[~near] = np.nan
-        elif code == _GROWTH:
+        else:
+            self._check(self._compute(prepared, t, found), prepared, t, found)
+
+    def _check(self, code: int, prepared: Prepared, t: np.ndarray, found: Sensitivities) -> None:
+        """Raise EngineError for what a code says of times."""
+        if code == _GROWTH:
             lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
-            rule = library.message(code).decode().partition(": ")[2]
+            rule = self.engine.library.message(code).decode().partition(": ")[2]
             raise EngineError("t", rule, time=int(np.argmax(np.any(lost, axis=0))))
-        elif code:
+        if code:
             raise self.engine.refused_times(code, prepared, t)
+
+    def _compute(self, prepared: Prepared, t: np.ndarray, found: Sensitivities) -> int:
+        """Threads share the times; the code, that of a time which is refused before any other."""
+        places = [x.ctypes.data for x in (t, *found)]
+
+        def part(begin: int, end: int) -> int:
+            rows = offset(places, begin, (1, *_SIZES))
+            return self.one(prepared, end - begin, *rows)
+
+        parts = threads.threads(_STATES * t.size)
+        codes = threads.in_parts(part, t.size, parts, threads.PIECE // _STATES)
+        return min(filter(None, codes), default=0)
 
     def propagate(
         self,
@@ -122,43 +190,42 @@ class _C:
         t: ArrayLike,
         errors: str = "raise",
     ) -> Sensitivities:
-        """See `Sensitive`; a body after the other."""
+        """See `Sensitive`; threads share the bodies."""
         given, lenient = arrays.named(inertia, omega0, attitude0), arrays.is_lenient(errors)
         t = np.asarray(t, float)
         shape = arrays.batch(given, t)
         found = arrays.sensitivities((*shape, *t.shape[-1:]))
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
         t, count = arrays.rows_of_times(t, shape), math.prod(shape)
-        rows = [
-            x.reshape(count, t.shape[1], *last)
-            for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
-        ]
-        places = [x.ctypes.data for x in (*bodies.values(), t, *rows)]
-        own = t.shape[1] if len(t) > 1 else 0
-        sizes = 3, 3, 4, own, *(t.shape[1] * math.prod(x) for x in arrays.SENSITIVITIES)
-        init, prepared = self.engine.library.motion_init, self.engine.blank()
-        for k in range(count):
-            place = offset(places, k, sizes)
-            if init(prepared, *place[:3]) or self.compute(prepared, t.shape[1], *place[3:]):
-                # Once more, by the way that says what is refused.
-                q, omega, attitude, rates, attitude_t, rates_t = (x[k] for x in rows)
-                one = q, omega, attitude, rates, attitude_t, rates_t
-                self._one(k, bodies, t[k if own else 0], one, lenient)
+        times = t.shape[1]
+        codes = np.empty(count if lenient else 0, np.intc)
+        places = [x.ctypes.data for x in (*bodies.values(), t, *found)]
+        own = times if len(t) > 1 else 0
+        sizes = 3, 3, 4, own, *(times * size for size in _SIZES)
+
+        def part(begin: int, end: int) -> int | None:
+            failed = ctypes.c_size_t(0)
+            *body, at, q, omega, turns, rates, turns_t, rates_t = offset(places, begin, sizes)
+            told = codes[begin:].ctypes.data if lenient else None
+            rows = q, omega, turns, rates, turns_t, rates_t
+            code = self.many(
+                end - begin, *body, times, at, own, *rows, told, ctypes.addressof(failed)
+            )
+            return begin + failed.value if code else None
+
+        work = _STATES * times + PREPARATION
+        parts = min(threads.threads(count * work), max(1, count))
+        refused = threads.in_parts(part, count, parts, max(1, threads.PIECE // work))
+        for body in refused:
+            if body is not None:
+                self._refuse(body, bodies, t[body if own else 0])
         return found
 
-    def _one(
-        self,
-        k: int,
-        bodies: Mapping[str, np.ndarray],
-        t: np.ndarray,
-        found: Sensitivities,
-        lenient: bool,
-    ) -> None:
+    def _refuse(self, body: int, bodies: Mapping[str, np.ndarray], t: np.ndarray) -> NoReturn:
+        """Once more, by the way that says what is refused."""
         try:
-            prepared = self.engine.prepare(*(array[k] for array in bodies.values()))
-            self._fill(prepared, t, found, lenient)
+            prepared = self.engine.prepare(*(array[body] for array in bodies.values()))
+            self.sensitivities(prepared, t)
         except EngineError as error:
-            if not lenient:
-                raise EngineError(error.field, error.rule, k, error.time) from None
-            for x in found:
-                x[...] = np.nan
+            raise EngineError(error.field, error.rule, body, error.time) from None
+        raise AssertionError("a body that was refused is not")

@@ -1,7 +1,10 @@
-"""Steps of many bodies, by NumPy or by C compiled here: the modules of the form `step`."""
+"""Steps of many bodies, by NumPy or by C compiled here: the modules of the form `step`; and by C
+their steps and kicks in turn.
+"""
 
 import ctypes
 from collections.abc import Callable
+from dataclasses import dataclass
 from types import ModuleType
 from typing import Protocol
 
@@ -15,6 +18,64 @@ from rigidsym.generated import torque_free_step
 _DOUBLE = ctypes.sizeof(ctypes.c_double)
 # A step takes as long as this many states.
 _STEP = 16
+# Bodies that a thread takes at a time.
+_SOME = 64
+
+
+class _Torque(ctypes.Structure):
+    """torque_free_torque."""
+
+    _fields_ = (
+        ("coefficients", ctypes.c_void_p),
+        ("coefficients_stride", ctypes.c_size_t),
+        ("vector", ctypes.c_void_p),
+        ("vector_stride", ctypes.c_size_t),
+        ("orbit", ctypes.c_void_p),
+    )
+
+
+class _Splitting(ctypes.Structure):
+    """torque_free_splitting."""
+
+    _fields_ = (
+        ("count", ctypes.c_size_t),
+        ("drifts", ctypes.c_void_p),
+        ("kicks", ctypes.c_void_p),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Kicks:
+    """Bodies and what pushes them, in steps of a splitting method; float64, each in one piece.
+
+    inertia (B, 3), coefficients (B, 13) and vector (B, 3), or one row for all; orbit (11,), which
+    takes the vector's place: as in torque_free_step.h.  drifts (S + 1,), kicks (S,).
+    """
+
+    inertia: np.ndarray
+    coefficients: np.ndarray
+    vector: np.ndarray | None
+    orbit: np.ndarray | None
+    drifts: np.ndarray
+    kicks: np.ndarray
+
+    def torque(self, first: int) -> _Torque:
+        """For torque_free_integrate, of bodies from one on."""
+        coefficients, vector = _from(self.coefficients, first), (None, 0)
+        if self.orbit is None and self.vector is not None:
+            vector = _from(self.vector, first)
+        orbit = None if self.orbit is None else self.orbit.ctypes.data
+        return _Torque(*coefficients, *vector, orbit)
+
+    def splitting(self) -> _Splitting:
+        """For torque_free_integrate."""
+        return _Splitting(len(self.kicks), self.drifts.ctypes.data, self.kicks.ctypes.data)
+
+
+def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
+    """The address of a row and the numbers from one to the next: 0 where one serves all."""
+    stride = rows.shape[1] if len(rows) > 1 else 0
+    return rows.ctypes.data + first * stride * _DOUBLE, stride
 
 
 class Stepper(Protocol):
@@ -90,6 +151,32 @@ class CStepper:
             return (code, begin + failed.value) if code else None
 
         return part
+
+    def integrate(
+        self, kicks: Kicks, span: tuple[float, float, int, int], q: np.ndarray, omega: np.ndarray
+    ) -> None:
+        """Steps of B bodies q (B, 4), omega (B, 3), in place; threads share the bodies.
+
+        span: the time begin (s), the step, and between which numbers of steps from there.  Raises
+        EngineError for the first body that is refused; states are undefined then.
+        """
+        begin, step, first, last = span
+        splitting = kicks.splitting()
+
+        def part(start: int, end: int) -> tuple[int, int] | None:
+            failed, torque = ctypes.c_size_t(0), kicks.torque(start)
+            code = self._library.integrate(
+                *(end - start, *_from(kicks.inertia, start)),
+                *(ctypes.byref(splitting), ctypes.byref(torque), begin, step, first, last),
+                *(q[start:end].ctypes.data, omega[start:end].ctypes.data, ctypes.byref(failed)),
+            )
+            return (code, start + failed.value) if code else None
+
+        work = len(q) * _STEP * (last - first) * len(kicks.kicks)
+        parts = threads.threads(work) if len(q) > _SOME else 1
+        for refused in threads.in_parts(part, len(q), parts, _SOME):
+            if refused:
+                raise self._refused(*refused)
 
     def _refused(self, code: int, body: int) -> EngineError:
         field, _, rule = self._library.message(code).decode().rpartition(": ")

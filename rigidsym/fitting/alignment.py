@@ -27,7 +27,7 @@ def aligned(problem: Problem, point: Point) -> Point:
     if not aligns(problem.sets):
         return point
     free = replace(point, attitude=np.broadcast_to(IDENTITY, point.attitude.shape))
-    q, _ = free.seen(*states(free, problem.times, problem.engine))
+    q, _ = free.seen(*states(free, problem.since, problem.engine))
     matrix = np.zeros((point.count, 4, 4))
     for one, at in zip(problem.sets, problem.places, strict=True):
         if isinstance(one, Attitudes):

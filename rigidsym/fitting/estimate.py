@@ -8,14 +8,15 @@ from numpy.typing import ArrayLike
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
-from rigidsym.fitting.found import Alternative
 from rigidsym.fitting.given import Given, Sigma, observations, problem
-from rigidsym.fitting.local import Local, checked_loss, local
-from rigidsym.fitting.parameters import Point
+from rigidsym.fitting.local import checked_loss, local
+from rigidsym.fitting.origin import solved
+from rigidsym.fitting.parameters import IDENTITY, Point
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.search import search
 from rigidsym.fitting.shown import Fit
 from rigidsym.fitting.spin import spin
+from rigidsym.fitting.states import states
 from rigidsym.motion import TorqueFreeMotion
 
 STARTS, MOST_STARTS = 2000, 1_000_000
@@ -98,15 +99,18 @@ def fit(
     checked_loss(loss)
     size = None if scale is None else _positive("scale", scale)
     if guess is None:
-        found = search(posed, known, count, limit, range_, loss, progress)
+        minima = search(posed, known, count, limit, range_, loss, progress)
     else:
-        found = [local(posed, _start(guess, known), loss)]
-    best, *others = found
+        posed, start = started(posed, guess, known)
+        minima = [local(posed, start, loss)]
+    best, *others = minima
     only = spin(posed, best, loss) if posed.parameters.shape else None
     chosen = only or best
-    alternatives = [_alternative(posed, x, size) for x in others]
+    found = solved(posed, chosen.point, size)
     return Fit(
-        *_solved(posed, chosen, size),
+        found.motion,
+        found.point,
+        found.chi2,
         posed,
         loss,
         range_,
@@ -114,7 +118,7 @@ def fit(
         chosen.converged,
         chosen.reason,
         only is not None,
-        tuple(alternatives),
+        tuple(solved(posed, x.point, size) for x in others),
     )
 
 
@@ -125,25 +129,14 @@ def _positive(name: str, value: float) -> float:
     return found
 
 
-def _start(guess: TorqueFreeMotion, known: np.ndarray | None) -> Point:
+def started(
+    posed: Problem, guess: TorqueFreeMotion, known: np.ndarray | None
+) -> tuple[Problem, Point]:
+    """The problem, and the guess at its epoch: t = 0 where the guess has no state in the midst."""
     moments, omega, attitude = (np.array(x, float) for x in guess.exact.values())
-    identity = np.array([1.0, 0.0, 0.0, 0.0])
-    unit = attitude / np.linalg.norm(attitude)
-    return Point(unit, omega, moments if known is None else known, identity)
-
-
-def _alternative(posed: Problem, found: Local, size: float | None) -> Alternative:
-    return Alternative(*_solved(posed, found, size))
-
-
-def _solved(
-    posed: Problem, found: Local, size: float | None
-) -> tuple[TorqueFreeMotion, np.ndarray, float]:
-    point = found.point
-    moments = point.moments
-    if posed.parameters.shape and posed.prior is None:
-        moments = moments / moments.max() * (size or 1.0)
-    motion = TorqueFreeMotion(moments.tolist(), point.omega.tolist(), point.attitude.tolist())
-    residuals = posed.residuals(replace(point, moments=moments))
-    chi2 = float(np.sum(residuals**2)) if np.isfinite(residuals).all() else np.inf
-    return motion, point.mount, chi2
+    moments = moments if known is None else known
+    start = Point(attitude / np.linalg.norm(attitude), omega, moments, IDENTITY)
+    q, omega = states(start, np.array([posed.epoch]), posed.engine)
+    if not (np.isfinite(q).all() and np.isfinite(omega).all()):
+        return replace(posed, epoch=0.0), start
+    return posed, replace(start, attitude=q[0], omega=omega[0])

@@ -49,11 +49,16 @@ class Prediction:
 
 @dataclass(frozen=True, eq=False)
 class Alternative:
-    """A motion that fits about as well: chi2, and the axes of the body in those observed."""
+    """A motion that fits about as well: its chi2, and its state at the problem's epoch."""
 
     motion: TorqueFreeMotion
-    mount: np.ndarray
+    point: Point
     chi2: float
+
+    @property
+    def mount(self) -> np.ndarray:
+        """(4,): the rotation from the principal axes to those observed."""
+        return self.point.mount
 
     @property
     def mode(self) -> "Mode | None":
@@ -92,20 +97,18 @@ class Found(Alternative):
     alternatives: tuple[Alternative, ...]
 
     @cached_property
-    def _point(self) -> Point:
-        moments, omega, attitude = (np.array(x, float) for x in self.motion.exact.values())
-        return Point(attitude / np.linalg.norm(attitude), omega, moments, self.mount)
-
-    @cached_property
     def observability(self) -> Observability:
         """What the observations tell, and what they do not."""
-        return observability(self.problem, self._point)
+        return observability(self.problem, self.point)
 
     @cached_property
     def _own(self) -> np.ndarray:
         """How the quantities of `names` go with the parameters, (12, p), the unit of moments kept
         at the largest where nothing tells their scale."""
-        found = self.problem.parameters.linear(self._point)
+        found = self.problem.parameters.linear(self.point)
+        zero = np.array([-self.problem.epoch])
+        _, _, since = sensitivities(self.point, zero, self.problem.engine)
+        found[:6] = since[0] @ found[:9]
         if self.problem.prior is None:
             share = self.moments / self.moments.max()
             largest = int(np.argmax(self.moments))
@@ -141,14 +144,14 @@ class Found(Alternative):
         """Unit directions (k, p) of the problem's parameters that change nothing observed.
 
         In units of 1 rad, of the size of the rates, and of that of the moments; the names of the
-        parameters are `problem.parameters.names`.
+        parameters are `problem.parameters.names`, of the state at `problem.epoch`, s.
         """
         return self.observability.null
 
     @property
     def degrees_of_freedom(self) -> int:
         """Numbers observed, less the parameters that they tell."""
-        return self.problem.count - self.observability.told.shape[1]
+        return self.problem.count - self.observability.moved.shape[1]
 
     @property
     def probability(self) -> float:
@@ -186,10 +189,12 @@ class Found(Alternative):
             raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")
         self.motion(times)
         every = np.atleast_1d(times)
-        q, omega, sensitivity = sensitivities(self._point, every, self.problem.engine)
-        seen = self._point.seen(q, omega)
-        own = self.problem.parameters.linear(self._point)
-        rows = observed(self._point, *seen, sensitivity, own)
+        q, omega, sensitivity = sensitivities(
+            self.point, every - self.problem.epoch, self.problem.engine
+        )
+        seen = self.point.seen(q, omega)
+        own = self.problem.parameters.linear(self.point)
+        rows = observed(self.point, *seen, sensitivity, own)
         found = *seen, self.observability.widest(rows)
         return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
 

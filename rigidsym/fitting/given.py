@@ -10,7 +10,14 @@ from rigidsym import inputs
 from rigidsym.engines import batches, checked
 from rigidsym.errors import InputError
 from rigidsym.fitting.covariances import whitening
-from rigidsym.fitting.observations import Attitudes, Directions, Modelled, Observations, Rates
+from rigidsym.fitting.observations import (
+    Attitudes,
+    Directions,
+    Modelled,
+    Observations,
+    Rates,
+    middle,
+)
 from rigidsym.fitting.parameters import Parameters
 from rigidsym.fitting.problem import Prior, Problem
 
@@ -92,7 +99,7 @@ def problem(
     parameters = Parameters(
         shape=inertia != "known", scale=prior is not None, axes=inertia == "tensor"
     )
-    found = Problem(sets, parameters, prior, checked(engine))
+    found = Problem(sets, parameters, prior, checked(engine), middle(sets))
     if found.count < parameters.count:
         rule = f"are fewer than the {parameters.count} parameters"
         raise InputError("observations", f"{found.count} numbers", rule)

@@ -15,6 +15,8 @@ _MOST_STEPS = 1000
 _TOLERANCES = {"xtol": 1e-10, "ftol": 1e-10, "gtol": 1e-10}
 # Of chi2: near the separatrix doubles move it by more than SciPy's tolerances.
 _FALL = 0.1
+# MINPACK's, in scales of the parameters.
+_FIRST_STEP = 100.0
 _NO_MINIMUM = f"no minimum within {_MOST_STEPS} steps"
 _NOT_FINITE = "the motion has no states at the times of observation"
 
@@ -81,6 +83,15 @@ class _Evaluated:
             self.at, self.found = z.tobytes(), (residuals, slopes @ self.basis)
         return self.found
 
+    @property
+    def scale(self) -> np.ndarray:
+        """Of the parameters at the start: MINPACK's first step may take residuals 100 scales of
+        theirs away, which has to be as far as they are."""
+        residuals, slopes = self(np.zeros(self.basis.shape[1]))
+        sizes = np.linalg.norm(slopes, axis=0)
+        far = max(1.0, float(np.linalg.norm(residuals)) / _FIRST_STEP)
+        return far / np.where(sizes > 0, sizes, 1.0)
+
 
 def _solved(evaluated: _Evaluated, method: Literal["lm", "trf"], loss: str) -> Any:
     """What SciPy finds; None where it gets where there are no states."""
@@ -103,7 +114,7 @@ def _solved(evaluated: _Evaluated, method: Literal["lm", "trf"], loss: str) -> A
             np.zeros(evaluated.basis.shape[1]),
             jac=slopes,
             method=method,
-            x_scale="jac",
+            x_scale=evaluated.scale if method == "lm" else "jac",
             loss=loss,
             max_nfev=_MOST_STEPS,
             **_TOLERANCES,

@@ -6,7 +6,7 @@ along inertial axes, and by its rates.  Leading shapes are those of many motions
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from copy import copy
 from dataclasses import dataclass, field
 from typing import ClassVar, Self
@@ -273,6 +273,12 @@ class Modelled(Observations):
             ahead, behind = (self._modelled(q, omega + x * size * axis) for x in (1, -1))
             columns.append((ahead - behind) / (2 * size))
         return np.stack(columns, axis=-1)
+
+
+def middle(sets: Iterable[Observations]) -> float:
+    """Of the first time of all and the last, s."""
+    times = np.concatenate([one.t for one in sets])
+    return float(np.min(times) / 2 + np.max(times) / 2)
 
 
 def _times(name: str, values: ArrayLike) -> np.ndarray:

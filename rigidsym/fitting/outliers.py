@@ -17,7 +17,7 @@ Named = tuple[int, int]
 def against_others(problem: Problem, found: Observability) -> list[np.ndarray]:
     """Of each set (N,): the chi2 with which each observation misses what the others predict of it,
     of as many degrees of freedom as it has numbers; NaN where they predict nothing."""
-    return _deleted(problem.rows, found.residuals, found.slopes @ found.told)
+    return _deleted(problem.rows, found.residuals, found.moved)
 
 
 def _deleted(sets: list[np.ndarray], residuals: np.ndarray, part: np.ndarray) -> list[np.ndarray]:
@@ -41,9 +41,9 @@ def outliers(problem: Problem, found: Observability) -> tuple[Named, ...]:
     """
     total = sum(one.count for one in problem.sets)
     limits = [float(chi2.isf(_CHANCE / total, one.width)) for one in problem.sets]
-    slopes, residuals = found.slopes.copy(), found.residuals
+    moved, residuals = found.moved.copy(), found.residuals
     named: list[Named] = []
-    part = slopes @ found.told
+    part = moved
     while len(named) < total // 2:
         misses = _deleted(problem.rows, residuals, part)
         over = [np.nan_to_num(x) / limit for x, limit in zip(misses, limits, strict=True)]
@@ -53,12 +53,11 @@ def outliers(problem: Problem, found: Observability) -> tuple[Named, ...]:
             break
         named.append((worst, place))
         gone = problem.rows[worst][place]
-        slopes[gone] = 0.0
+        moved[gone] = 0.0
         kept = np.where(np.isin(np.arange(len(residuals)), gone), 0.0, residuals)
-        told = slopes @ found.told
-        step = np.linalg.lstsq(told, -kept, rcond=None)[0]
-        residuals = kept + told @ step
+        step = np.linalg.lstsq(moved, -kept, rcond=None)[0]
+        residuals = kept + moved @ step
         # Errors of the rest, without what has gone.
-        left, sizes, _ = np.linalg.svd(told, full_matrices=False)
+        left, sizes, _ = np.linalg.svd(moved, full_matrices=False)
         part = left * (sizes > 0)
     return tuple(sorted(named))

@@ -112,6 +112,17 @@ class Parameters:
             found = replace(found, mount=product(turn, found.mount))
         return found
 
+    def stepped(self, point: Point, x: np.ndarray) -> Point:
+        """The point that x (count,) stands for as `linear` counts it: shapes are steps of the
+        moments, to where bodies end at most."""
+        level = np.array(x)
+        level[self._places("shape") + self._places("scale")] = 0.0
+        moments = point.moments + self.linear(point)[6:9] @ x
+        if np.any(moments != point.moments):
+            own, _ = _second_moments(np.abs(moments))
+            moments = np.sum(own) - own
+        return replace(self.moved(point, level), moments=moments)
+
     def inner(self, point: Point) -> Point:
         """The point, or one beside it from which its shape can move."""
         if not self.shape:

@@ -20,12 +20,17 @@ class Prior:
 
 @dataclass(frozen=True)
 class Problem:
-    """Which motion shows these observations?  One row of residuals for each number observed."""
+    """Which motion shows these observations?  One row of residuals for each number observed.
+
+    Parameters are those of the state at `epoch`, s: in the midst of the observations, since next to
+    a separatrix errors grow by exp(rate time) both ways, and doubles hold only so much of it.
+    """
 
     sets: tuple[Observations, ...]
     parameters: Parameters
     prior: Prior | None = None
     engine: str = "numpy"
+    epoch: float = 0.0
 
     @cached_property
     def times(self) -> np.ndarray:
@@ -37,10 +42,15 @@ class Problem:
         """Where the times of each set are in them."""
         return [np.searchsorted(self.times, one.t) for one in self.sets]
 
+    @cached_property
+    def since(self) -> np.ndarray:
+        """The times, (N,), since the epoch, s."""
+        return self.times - self.epoch
+
     @property
     def span(self) -> float:
-        """From the first time to the last, and to t = 0 if that is farther, s."""
-        return float(max(np.ptp(self.times), np.max(np.abs(self.times))))
+        """From the first time to the last, and to the epoch if that is farther, s."""
+        return float(max(np.ptp(self.times), np.max(np.abs(self.since))))
 
     @cached_property
     def rows(self) -> list[np.ndarray]:
@@ -60,7 +70,11 @@ class Problem:
 
     def residuals(self, point: Point) -> np.ndarray:
         """(..., count)."""
-        seen = point.seen(*states(point, self.times, self.engine))
+        return self.missed(point, *states(point, self.since, self.engine))
+
+    def missed(self, point: Point, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """The same by states of the principal axes at the times, (..., N, 4) and (..., N, 3)."""
+        seen = point.seen(q, omega)
         parts = []
         for one, at in zip(self.sets, self.places, strict=True):
             found = one.residuals(*(x[..., at, :] for x in seen))
@@ -74,7 +88,7 @@ class Problem:
 
         own (..., 12, p): see `Parameters.own`.
         """
-        q, omega, sensitivity = sensitivities(point, self.times, self.engine)
+        q, omega, sensitivity = sensitivities(point, self.since, self.engine)
         seen = point.seen(q, omega)
         moved = observed(point, *seen, sensitivity, own)
         residuals, slopes = [], []

@@ -2,12 +2,14 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
 from rigidsym.fitting import batch
 from rigidsym.fitting.alignment import aligned
 from rigidsym.fitting.local import Local, local
+from rigidsym.fitting.observations import middle
 from rigidsym.fitting.parameters import Point, joined
 from rigidsym.fitting.problem import Problem
 from rigidsym.fitting.starts import fastest_rate, starts
@@ -52,7 +54,8 @@ def search(
         points, cost = batch.refine(first, points, rounds, robust)
         points, cost = _best(first, points, cost, kept)
         progress(k, total)
-    for k, stage in enumerate(stages[1:], len(_ROUNDS) + 1):
+    for k, (before, stage) in enumerate(pairwise(stages), len(_ROUNDS) + 1):
+        points = _at(points, stage.epoch - before.epoch, problem.engine)
         points, cost = batch.refine(stage, points, _ROUNDS[-1][0], robust)
         points, cost = _best(stage, points, cost, _ROUNDS[-1][1])
         progress(k, total)
@@ -60,6 +63,12 @@ def search(
     found = [local(problem, polished[k], loss) for k in range(polished.count)]
     progress(total, total)
     return distinct(problem, found, within)
+
+
+def _at(points: Point, since: float, engine: str) -> Point:
+    """The same motions some time later."""
+    q, omega = states(points, np.array([since]), engine)
+    return replace(points, attitude=q[:, 0], omega=omega[:, 0])
 
 
 def _promising(problem: Problem, points: Point) -> Point:
@@ -104,7 +113,7 @@ def _best(
 
 def _different(problem: Problem, points: Point) -> list[int]:
     """Which of the motions (B,) have other rates at the times of observation than those before."""
-    _, omega = points.seen(*states(points, problem.times, problem.engine))
+    _, omega = points.seen(*states(points, problem.since, problem.engine))
     rates = omega.reshape(points.count, -1)
     kept: list[int] = []
     for k, one in enumerate(rates):
@@ -141,4 +150,4 @@ def _some(problem: Problem, begin: float, length: float, most: int) -> Problem:
         if index.size:
             index = index[np.unique(np.linspace(0, index.size - 1, most).round().astype(int))]
             sets.append(one.some(index))
-    return replace(problem, sets=tuple(sets))
+    return replace(problem, sets=tuple(sets), epoch=middle(sets))

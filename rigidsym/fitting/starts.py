@@ -142,10 +142,14 @@ def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, faste
 
 
 def _at(problem: Problem, time: float, rates: np.ndarray, bodies: Body) -> Point:
-    """Motions that have these rates (B, 3), along the axes observed, at a time, from t = 0."""
+    """Motions from the epoch that have these rates (B, 3), along the axes observed, at a time."""
     own = rotated(conjugate(bodies.mount), rates)
     _, omega = propagate(
-        bodies.moments, own, np.array([-time]), errors="nan", engine=problem.engine
+        bodies.moments,
+        own,
+        np.array([problem.epoch - time]),
+        errors="nan",
+        engine=problem.engine,
     )
     attitude = np.broadcast_to(IDENTITY, (len(own), 4))
     return Point(attitude, omega[:, 0], bodies.moments, bodies.mount)

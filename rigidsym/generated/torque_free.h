@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    457  21 %  follow facts of the ledger, each named on its line
-    595  27 %  follow classical formulas, each with its reference
+    457  20 %  follow facts of the ledger, each named on its line
+    595  26 %  follow classical formulas, each with its reference
      98   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1029  47 %  are the runtime, written by hand
+   1158  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,14 +40,17 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest ba9835d0a71e9dff45e3f39a81b9265a8ff87167a1ae057dedbec013e025910f
+digest 8833a108fc32533d776281dee2d60ae91a103a877c139b197efdf282b7771682
 
-Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
--DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
-C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
-machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
-a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
-x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
+Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
+-DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
+time; torque_free_state_at needs 3 KB.  C++11 and later compile it, too.  Compile with -O3
+-fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
+vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
+-fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
+AVX-512, -mprefer-vector-width=512 saves a fifth.  Without -fno-math-errno torque_free_propagate
+prepares one motion at a time, not as many as a register holds, and takes several times as long;
+below -O2 -fno-math-errno needs -DTORQUE_FREE_LANES=1.
 -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
@@ -214,6 +217,15 @@ const char *torque_free_message(int code);
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
+
+/* The same for n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
+   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, times that are refused have states
+   of NaN, and neither they nor those at which changes leave binary64 have other changes; a body with such a
+   time has code TORQUE_FREE_GROWTH, whatever else it has. */
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed);
 #ifdef __cplusplus
 }
 #endif

@@ -23,12 +23,14 @@ def refine(
     enough: of the angle by which doubles miss at most where they can arrive; 0 for the least.
     """
     rates = rates.copy()
-    angles = np.linalg.norm(problem.misses(rates), axis=1)
+    # Slopes at the rates to be tried cost less than they would in a call of their own.
+    misses, slopes = problem.slopes(rates)
+    angles = np.linalg.norm(misses, axis=1)
     going = np.flatnonzero(angles > enough * _rounding(rates))
     for _ in range(rounds):
         if not going.size:
             break
-        step = newton(problem, rates[going])
+        step = newton(rates[going], misses[going], slopes[going])
         helped = np.zeros(len(going), dtype=bool)
         for share in _SHORTER:
             rest = np.flatnonzero(~helped)
@@ -36,10 +38,12 @@ def refine(
                 break
             row = going[rest]
             tried = rates[row] + share * step[rest]
-            found = np.linalg.norm(problem.misses(tried), axis=1)
+            missed, sloped = problem.slopes(tried)
+            found = np.linalg.norm(missed, axis=1)
             better = found < angles[row]
             row, helped[rest] = row[better], better
             rates[row], angles[row] = tried[better], found[better]
+            misses[row], slopes[row] = missed[better], sloped[better]
         going = going[helped]
         going = going[angles[going] > enough * _rounding(rates[going])]
     return rates, angles
@@ -54,17 +58,18 @@ def _rounding(rates: np.ndarray) -> np.ndarray:
     return np.maximum(_ROUNDING * smallness(rates), _LEAST)
 
 
-def newton(problem: Problem, rates: np.ndarray) -> np.ndarray:
+def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndarray:
     """Steps (N, 3) to arrival, of least length, and no longer than a part of the rates.
 
-    None where misses grow faster with the rates than binary64 can say.
+    Of rates (N, 3), by what they miss (N, 3), and what that changes by with them (N, 3, 3).  None
+    where misses grow faster with the rates than binary64 can say.
     """
-    misses, slopes = problem.slopes(rates)
     known = np.asarray(np.all(np.isfinite(slopes), axis=(1, 2)))
     left, sizes, right = np.linalg.svd(np.where(known[:, None, None], slopes, np.eye(3)))
     # Along a one-parameter family, which misses by rounding alone, there is next to no step.
     inverse = known[:, None] * sizes / np.maximum(sizes, _SINGULAR * sizes[:, :1]) ** 2
-    step = -np.einsum("nji,nj,nkj,nk->ni", right, inverse, left, np.nan_to_num(misses))
+    across = np.nan_to_num(misses)[:, None] @ left * inverse[:, None]
+    step = -(across @ right)[:, 0]
     length = np.linalg.norm(step, axis=1)
     longest = _LONGEST * (1 + np.linalg.norm(rates, axis=1))
     return step * np.minimum(1, longest / np.maximum(length, longest))[:, None]

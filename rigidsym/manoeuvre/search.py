@@ -106,7 +106,8 @@ def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.nd
     """Samples, and the rows between which the first steps go."""
     count, grid = len(curves.ends), len(_GRID)
     arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
-    times, periods = transits(problem, curves.at(arc, x))
+    momenta = curves.at(arc, x)
+    times, periods = transits(problem, momenta)
     least = np.fmin(times[:-1], times[1:])
     shortest = np.fmin(periods[:-1], periods[1:])
     whole = np.floor((bound * _MARGIN - least) / shortest) + 1
@@ -119,7 +120,8 @@ def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.nd
         np.concatenate([step, step + 1]) + len(x) * np.tile(turns, 2), return_inverse=True
     )
     at, turns = nodes % len(x), nodes // len(x)
-    samples = sample(problem, curves, bound, arc[at], x[at], turns)
+    found = _arriving(problem, bound, momenta[at], turns, times[at], periods[at])
+    samples = Samples(arc[at], x[at], turns, *found)
     return samples, place[: len(step)], place[len(step) :]
 
 
@@ -133,13 +135,26 @@ def sample(
 ) -> Samples:
     """The samples there; what arrives much later than `bound` has no half angle."""
     momenta = curves.at(arc, x)
-    first, period = transits(problem, momenta)
+    return Samples(
+        arc, x, turns, *_arriving(problem, bound, momenta, turns, *transits(problem, momenta))
+    )
+
+
+def _arriving(
+    problem: Problem,
+    bound: float,
+    momenta: np.ndarray,
+    turns: np.ndarray,
+    first: np.ndarray,
+    period: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Of momenta (N, 3) of size 1 periods, times, rates and half angles, from their transits."""
     # No turns take no time, also on the separatrix, where one takes for ever.
     time = first + np.multiply(turns, period, out=np.zeros(len(first)), where=turns > 0)
     rates = np.where(time <= _FAR * bound, time, np.nan)[:, None] * momenta / problem.inertia
     arrived = problem.arrivals(np.nan_to_num(rates))
     half = np.arctan2(np.sum(arrived[:, 1:] * momenta, axis=1), arrived[:, 0])
-    return Samples(arc, x, turns, period, time, rates, np.where(time <= _FAR * bound, half, np.nan))
+    return period, time, rates, np.where(time <= _FAR * bound, half, np.nan)
 
 
 def _is_coarse(begin: Samples, end: Samples, bound: float) -> np.ndarray:

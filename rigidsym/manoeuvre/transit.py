@@ -17,10 +17,19 @@ from rigidsym.solution.partition import ROOT
 from rigidsym.solution.polhode import discriminant
 from rigidsym.solution.signs import SIGNS, handedness
 
-_FUNCTIONS = {
-    **{"sqrt": np.sqrt, "power": np.power},
-    "choose": lambda x, y, one, other: np.where(x <= y, one, other),
-}
+
+def _choose(
+    x: np.ndarray | float, y: np.ndarray | float, one: np.ndarray | int, other: np.ndarray | int
+) -> np.ndarray | int:
+    """One where x <= y, else the other."""
+    first = x <= y
+    if isinstance(first, np.ndarray):
+        return np.where(first, one, other)
+    return one if first else other
+
+
+# NumPy has squares by the operator, and logarithms in the function.
+_FUNCTIONS = {"sqrt": np.sqrt, "power": pow, "choose": _choose}
 _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
 
@@ -96,6 +105,8 @@ def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndar
 
     Not a number where they never are, being on another polhode, or do not move.
     """
-    begin, end = phases(problem, momenta), phases(problem, momenta @ problem.rotation)
-    first = np.mod(end.u - begin.u, 4 * begin.quarter) / begin.speed
-    return np.where(begin.branch == end.branch, first, np.nan), begin.period
+    count = len(momenta)
+    both = phases(problem, np.concatenate([momenta, momenta @ problem.rotation]))
+    first = np.mod(both.u[count:] - both.u[:count], 4 * both.quarter[:count]) / both.speed[:count]
+    arrives = both.branch[:count] == both.branch[count:]
+    return np.where(arrives, first, np.nan), both.period[:count]

@@ -88,6 +88,11 @@ INPUTS = {
     "step_rates": (
         *("X", "Y", "h", *(f"alpha_{x}" for x in AXES), "l_d", *(f"Omega_{x}0" for x in AXES)),
     ),
+    "kick": (
+        *(f"q{k}" for k in range(4)),
+        *(f"{x}{k}" for x in "ubm" for k in range(1, 4)),
+        *("k", "Q11", "Q22", "Q33", "Q23", "Q13", "Q12"),
+    ),
     "steady": ("Omega1", "Omega2", "Omega3", "p0", "p1", "p2", "p3", "t"),
     "moments": ("epsilon", *(f"c_{x}" for x in AXES), *(f"Omega_{x}0" for x in AXES)),
     "columns": (*_ALPHA, *(f"Omega_{x}0" for x in AXES)),

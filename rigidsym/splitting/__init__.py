@@ -6,8 +6,10 @@ from rigidsym.splitting.orbits import KeplerOrbit
 from rigidsym.splitting.torques import (
     ConstantInBody,
     ConstantInSpace,
+    FieldPotential,
     GravityGradient,
     Potential,
+    Tide,
     Torque,
 )
 from rigidsym.splitting.trajectory import Trajectory
@@ -16,10 +18,12 @@ __all__ = [
     "METHODS",
     "ConstantInBody",
     "ConstantInSpace",
+    "FieldPotential",
     "GravityGradient",
     "KeplerOrbit",
     "Method",
     "Potential",
+    "Tide",
     "Torque",
     "Trajectory",
     "integrate",

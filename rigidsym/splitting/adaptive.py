@@ -7,7 +7,8 @@ import numpy as np
 from rigidsym.errors import PrecisionError
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting.running import run
-from rigidsym.splitting.stepping import Splitting, State
+from rigidsym.splitting.state import State
+from rigidsym.splitting.stepping import Splitting
 from rigidsym.splitting.trajectory import Trajectory
 
 # The first step, which is halved, of the fastest body, rad.

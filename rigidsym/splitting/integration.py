@@ -11,7 +11,8 @@ from rigidsym.errors import InputError
 from rigidsym.splitting import methods
 from rigidsym.splitting.adaptive import chosen
 from rigidsym.splitting.running import run
-from rigidsym.splitting.stepping import Bodies, Splitting, State
+from rigidsym.splitting.state import State
+from rigidsym.splitting.stepping import Bodies, Splitting
 from rigidsym.splitting.torques import Torque
 from rigidsym.splitting.trajectory import Trajectory
 

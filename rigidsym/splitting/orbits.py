@@ -68,6 +68,17 @@ class KeplerOrbit:
         along, across = self._in_plane(self.mean_motion * (t - self.epoch))
         return along * self.axes[0] + across * self.axes[1]
 
+    def tide(self, t: float) -> np.ndarray:
+        """The position times sqrt(3 mu / r^5): a body's gravity gradient is v x I v, N m, where v
+        are its components (3,) in body axes."""
+        return tidal(self.mu, self.position(t))
+
+    @property
+    def numbers(self) -> np.ndarray:
+        """What `torque_free_orbit` has in C, (11,)."""
+        shape = self.mean_motion, self.epoch, self.eccentricity, self._semi_major, 3 * self.mu
+        return np.array([*shape, *self.axes[0], *self.axes[1]])
+
     @property
     def _semi_major(self) -> float:
         return self.periapsis / abs(1 - self.eccentricity)
@@ -80,6 +91,12 @@ class KeplerOrbit:
             return a * (math.cos(E) - e), a * math.sqrt(1 - e * e) * math.sin(E)
         F = hyperbolic_anomaly(mean_anomaly, e)
         return a * (e - math.cosh(F)), a * math.sqrt(e * e - 1) * math.sinh(F)
+
+
+def tidal(mu: float, position: np.ndarray) -> np.ndarray:
+    """A position (3,), m, times sqrt(3 mu / r^5)."""
+    r = math.hypot(*position)
+    return math.sqrt(3 * mu / r) / (r * r) * position
 
 
 def elliptic_anomaly(mean: float, e: float) -> float:

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from rigidsym.splitting.stepping import Splitting, State
+from rigidsym.splitting.state import State
+from rigidsym.splitting.stepping import Splitting
 from rigidsym.splitting.trajectory import Trajectory, states
 
 

@@ -8,16 +8,10 @@ from numpy.typing import ArrayLike
 from rigidsym import engines
 from rigidsym.engines import arrays, batches
 from rigidsym.errors import InputError
+from rigidsym.splitting import compiled
 from rigidsym.splitting.methods import Method
-from rigidsym.splitting.torques import Torque
-
-
-@dataclass(slots=True)
-class State:
-    """Attitudes (..., 4) and rates (..., 3) of bodies at one time."""
-
-    q: np.ndarray
-    omega: np.ndarray
+from rigidsym.splitting.state import State
+from rigidsym.splitting.torques import DirectionTorque, Torque
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +75,27 @@ class Splitting:
 
     def advance(self, state: State, begin: float, step: float, first: int, last: int) -> State:
         """From begin + first step to begin + last step, s; drifts that meet are one."""
+        if (kicks := self._compiled(state)) is not None:
+            try:
+                after = compiled.advance(kicks, state, begin, step, (first, last))
+            except engines.EngineError:
+                # What follows says which torque, or goes further than steps do.
+                pass
+            else:
+                self.evaluations += len(kicks.kicks) * (last - first)
+                return after
+        return self._advanced(state, begin, step, first, last)
+
+    def _compiled(self, state: State) -> engines.Kicks | None:
+        """What C's loop takes; None where it is not asked for, or the torque is none of its."""
+        torque = self.torque
+        if self.bodies.engine != "c" or self.rate_dependent:
+            return None
+        if not isinstance(torque, DirectionTorque):
+            return None
+        return compiled.kicks(self.bodies.inertia, torque, self.method, state.omega.shape[:-1])
+
+    def _advanced(self, state: State, begin: float, step: float, first: int, last: int) -> State:
         drifts, kicks = self.method.drifts, self.method.kicks
         pending = 0.0
         for k in range(first, last):

@@ -4,7 +4,6 @@ A torque is any callable of the time (s), attitudes (..., 4) and rates (..., 3) 
 (..., 3); these are the common ones.
 """
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -13,33 +12,105 @@ from numpy.typing import ArrayLike
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
+from rigidsym.generated.torque_free_step import torque as by_direction
 from rigidsym.quaternions import conjugate, product, rotated
-from rigidsym.splitting.orbits import KeplerOrbit
+from rigidsym.splitting.orbits import KeplerOrbit, tidal
 
-Components = tuple[np.ndarray, np.ndarray, np.ndarray]
 Torque = Callable[[float, np.ndarray, np.ndarray], np.ndarray]
+_NO_TURN = np.array([1.0, 0.0, 0.0, 0.0])
 
 
-class ConstantInBody:
+class DirectionTorque:
+    """What a vector in space exerts, whose components in body axes are v: b + k v + v x (Q v - m).
+
+    source: the vector, (..., 3), or an orbit, on which it is `KeplerOrbit.tide`; coefficients
+    (..., 13): b, k, m, and Q11, Q22, Q33, Q23, Q13, Q12.  The ledger proves (`kick`) that the last
+    two terms are the torque of v Q v / 2 - m v.  With C's engine whole runs are made of these
+    without Python in between.
+    """
+
+    def __init__(self, source: np.ndarray | KeplerOrbit, coefficients: np.ndarray) -> None:
+        self.source, self.coefficients = source, coefficients
+
+    def vector(self, t: float) -> np.ndarray:
+        """In inertial axes, (..., 3)."""
+        return self.source.tide(t) if isinstance(self.source, KeplerOrbit) else self.source
+
+    def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """N m, (..., 3)."""
+        return by_direction(q, self.vector(t), self.coefficients)
+
+
+class ConstantInBody(DirectionTorque):
     """The same in body axes: a thruster.  torque: (..., 3), N m."""
 
     def __init__(self, torque: ArrayLike) -> None:
         self.torque = _vectors("torque", torque)
-
-    def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """N m, (..., 3)."""
-        return np.broadcast_to(self.torque, omega.shape)
+        super().__init__(np.zeros(3), _coefficients(b=self.torque))
 
 
-class ConstantInSpace:
+class ConstantInSpace(DirectionTorque):
     """The same in inertial axes.  torque: (..., 3), N m."""
 
     def __init__(self, torque: ArrayLike) -> None:
         self.torque = _vectors("torque", torque)
+        super().__init__(self.torque, _coefficients(k=1.0))
 
-    def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """N m, (..., 3)."""
-        return rotated(conjugate(q), np.broadcast_to(self.torque, omega.shape))
+
+class FieldPotential(DirectionTorque):
+    """Of the energy v Q v / 2 - m v in a field that is constant in space and v in body axes.
+
+    field (..., 3); linear (..., 3), m: a dipole's moment in a magnetic field, or the mass times the
+    lever from the pivot where the field is gravity; quadratic (..., 3, 3), Q, symmetric.
+    """
+
+    def __init__(
+        self,
+        field: ArrayLike,
+        *,
+        linear: ArrayLike = (0, 0, 0),
+        quadratic: ArrayLike = ((0, 0, 0),) * 3,
+    ) -> None:
+        self.field, self.linear = _vectors("field", field), _vectors("linear", linear)
+        self.quadratic = _symmetric(quadratic)
+        super().__init__(self.field, _coefficients(m=self.linear, Q=self.quadratic))
+
+    def energy(self, t: float, q: np.ndarray) -> np.ndarray:
+        """J, (...)."""
+        v = _in_body(q, self.field)
+        quadratic = np.sum(v * np.squeeze(self.quadratic @ v[..., None], -1), axis=-1)
+        return quadratic / 2 - np.sum(self.linear * v, axis=-1)
+
+
+class Tide:
+    """That of a mass point on one body, 3 mu / r^5  r x I r, by where the body is.
+
+    mu: m^3/s^2; inertia: (3,), kg m^2, about principal axes.
+    """
+
+    def __init__(self, mu: float, inertia: np.ndarray) -> None:
+        self.mu, self.inertia = mu, inertia
+        self._coefficients = _coefficients(Q=_differences(inertia))
+
+    def __call__(self, position: np.ndarray) -> np.ndarray:
+        """N m, of a position from the mass point, m, (3,) each in body axes."""
+        return by_direction(_NO_TURN, tidal(self.mu, position), self._coefficients)
+
+
+class GravityGradient(DirectionTorque):
+    """The tide of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
+
+    inertia: (..., 3), kg m^2, about principal axes.  Hughes, Spacecraft Attitude Dynamics, 8.1.
+    """
+
+    def __init__(self, inertia: ArrayLike, orbit: KeplerOrbit) -> None:
+        self.inertia, self.orbit = _vectors("inertia", inertia), orbit
+        super().__init__(orbit, _coefficients(Q=_differences(self.inertia)))
+
+    def energy(self, t: float, q: np.ndarray) -> np.ndarray:
+        """What depends on the attitude of the potential energy, J, (...): that which the torque
+        lowers, to the second order in the size of the body (MacCullagh's formula)."""
+        return np.sum(self.inertia * _in_body(q, self.vector(t)) ** 2, axis=-1) / 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,46 +129,43 @@ class Potential:
         return -0.5 * product(conjugate(q), np.asarray(self.gradient(t, q)))[..., 1:]
 
 
-class GravityGradient:
-    """The tide of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
-
-    inertia: (..., 3), kg m^2, about principal axes.  Hughes, Spacecraft Attitude Dynamics, 8.1.
-    """
-
-    def __init__(self, inertia: ArrayLike, orbit: KeplerOrbit) -> None:
-        self.inertia, self.orbit = _vectors("inertia", inertia), orbit
-
-    def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """N m, (..., 3)."""
-        strength, (x, y, z) = self._seen(t, q)
-        c_1, c_2, c_3 = np.moveaxis(strength * self.inertia, -1, 0)
-        parts = (c_3 - c_2) * y * z, (c_1 - c_3) * z * x, (c_2 - c_1) * x * y
-        return np.stack(parts, axis=-1)
-
-    def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """What depends on the attitude of the potential energy, J, (...): that which the torque
-        lowers, to the second order in the size of the body (MacCullagh's formula)."""
-        strength, towards = self._seen(t, q)
-        return strength / 2 * np.sum(self.inertia * np.stack(towards, axis=-1) ** 2, axis=-1)
-
-    def _seen(self, t: float, q: np.ndarray) -> tuple[float, Components]:
-        """3 mu / r^3, and the unit vector from the mass point, in body axes."""
-        position = self.orbit.position(t)
-        r = math.hypot(*position)
-        return 3 * self.orbit.mu / r**3, _in_body(q, *(position / r))
+def _coefficients(
+    b: ArrayLike = (0, 0, 0),
+    k: float = 0.0,
+    m: ArrayLike = (0, 0, 0),
+    Q: ArrayLike = ((0, 0, 0),) * 3,
+) -> np.ndarray:
+    matrix = np.asarray(Q)
+    # Of a symmetric matrix, in the order that the ledger's names have in the generated code.
+    parts = matrix[..., [0, 1, 2, 1, 0, 0], [0, 1, 2, 2, 2, 1]]
+    given = [np.asarray(x, float) for x in (b, [k], m)] + [parts]
+    shape = np.broadcast_shapes(*(x.shape[:-1] for x in given))
+    return np.concatenate([np.broadcast_to(x, (*shape, x.shape[-1])) for x in given], axis=-1)
 
 
-def _in_body(q: np.ndarray, x: float, y: float, z: float) -> Components:
-    """Components along the axes of bodies of one vector in space; NumPy's cross products, with
-    which `rotated` does this, would take most of the time of a step of few bodies."""
-    a, b, c, d = np.moveaxis(q, -1, 0)
-    # The vector from the right by that of q, twice.
-    u, v, w = 2 * (y * d - z * c), 2 * (z * b - x * d), 2 * (x * c - y * b)
-    return x + a * u + (v * d - w * c), y + a * v + (w * b - u * d), z + a * w + (u * c - v * b)
+def _differences(inertia: np.ndarray) -> np.ndarray:
+    """Principal moments (..., 3) less the least, which exerts nothing, as matrices (..., 3, 3)."""
+    return (inertia - np.min(inertia, axis=-1, keepdims=True))[..., None] * np.eye(3)
+
+
+def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
+    """Components along the axes of bodies, (..., 3)."""
+    shape = np.broadcast_shapes(q.shape[:-1], vector.shape[:-1])
+    return rotated(conjugate(q), np.broadcast_to(vector, (*shape, 3)))
 
 
 def _vectors(field: str, value: ArrayLike) -> np.ndarray:
     array = batches.array(field, value)
     if array.shape[-1:] != (3,):
         raise InputError(field, f"an array of shape {array.shape}", "must be (..., 3)")
+    return array
+
+
+def _symmetric(value: ArrayLike) -> np.ndarray:
+    array = batches.array("quadratic", value)
+    if array.shape[-2:] != (3, 3):
+        rule = "must be (..., 3, 3)"
+        raise InputError("quadratic", f"an array of shape {array.shape}", rule)
+    if not np.array_equal(array, np.swapaxes(array, -1, -2)):
+        raise InputError("quadratic", array.tolist(), "must be symmetric")
     return array

@@ -8,7 +8,8 @@ from numpy.typing import ArrayLike
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.splitting.stepping import Splitting, State
+from rigidsym.splitting.state import State
+from rigidsym.splitting.stepping import Splitting
 
 # Of what a time is rounded by: nearer to the end of a step, it is that end.
 _NEAR = 4 * float(np.finfo(float).eps)

@@ -57,7 +57,7 @@ def _measured(
     later = np.nextafter(times, np.inf)
     paths = [Quadrature.over(float(begin), rate) for begin in times[[len(times) // 2, -1]]]
     asked = [times, later, *(path.nodes for path in paths)]
-    prepared, body = _made(sample, engine)
+    prepared, body = prepare(sample, engine)
     states = engine.states(prepared, np.concatenate(asked))
     (q, q_later, *q_paths), (omega, _, *omega_paths) = (
         np.split(x, np.cumsum([len(part) for part in asked])[:-1]) for x in states
@@ -81,7 +81,7 @@ def _measured(
     return {name: errors for name, errors in found.items() if len(errors.times)}
 
 
-def _made(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
+def prepare(sample: Sample, engine: Engine | Solver) -> tuple[Prepared, Body | None]:
     """A prepared motion, and the doubles it is made from where they say all of the sample."""
     state = (sample.inertia, sample.omega0, sample.attitude0)
     inertia, omega0, attitude0 = (np.array(values, dtype=float) for values in state)

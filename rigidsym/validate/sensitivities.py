@@ -14,8 +14,10 @@ from fractions import Fraction
 import numpy as np
 from flint import arb
 
-from rigidsym.motion import TorqueFreeMotion
-from rigidsym.validate.oracle import decades_below_one, precise_motion
+from rigidsym.engines import Engine
+from rigidsym.engines.sensitivities import by_exact_moments, sensitive
+from rigidsym.validate.measure import prepare
+from rigidsym.validate.oracle import column_digits, precise_motion
 from rigidsym.validate.strata import Sample, samples
 
 DIGITS, CASES, SEED = 25, 15, 1
@@ -93,6 +95,30 @@ class StratumErrors:
         return self.measured > 0 and self.error <= bound_of(self.stratum)
 
 
+@dataclass(frozen=True, slots=True)
+class ColumnsReference:
+    """A sample with its true columns (N, 6, 10)."""
+
+    sample: Sample
+    columns: np.ndarray
+
+    @classmethod
+    def of(cls, sample: Sample, digits: int = DIGITS) -> "ColumnsReference":
+        """By enclosures."""
+        return cls(sample, enclosed(sample, digits))
+
+
+def share(engine: Engine, reference: ColumnsReference) -> float:
+    """The largest part of its bound that a column of an engine takes in a case; infinite where
+    one is missing."""
+    wrong = errors(of_engine(engine)(reference.sample), reference.columns)
+    # Where one column leaves binary64 a module has no numbers for the others.
+    asked = _is_asked(_sizes(reference.columns)).all(axis=1, keepdims=True)
+    if np.any(asked & np.isnan(wrong)):
+        return math.inf
+    return float(np.nanmax(wrong, initial=0.0)) / BOUND
+
+
 def by_stratum(
     sensitive: Sensitive, cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
 ) -> Iterator[StratumErrors]:
@@ -130,21 +156,28 @@ def errors(found: np.ndarray, expected: np.ndarray) -> np.ndarray:
 
     Numbers that are wrong are infinitely so where they are infinite.
     """
+    size = _sizes(expected)
     with np.errstate(all="ignore"):
-        size = np.maximum(np.linalg.norm(expected, axis=1), 1.0)
         wrong = np.linalg.norm(found - expected, axis=1) / size
-    asked = np.isfinite(size) & (size < LARGEST)
     given = ~np.isnan(found).any(axis=1)
-    return np.where(asked & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
+    return np.where(_is_asked(size) & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
+
+
+def _sizes(expected: np.ndarray) -> np.ndarray:
+    """(N, 10), what errors of columns are over."""
+    with np.errstate(all="ignore"):
+        return np.maximum(np.linalg.norm(expected, axis=1), 1.0)
+
+
+def _is_asked(size: np.ndarray) -> np.ndarray:
+    return np.isfinite(size) & (size < LARGEST)
 
 
 def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
     """The true columns (N, 6, 10), in these units."""
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
-    # Balls are small in units of kg m^2 and rad/s, and have to be so in the inputs' own.
-    heavy = len(str(int(max(sample.inertia))))
-    more = digits + heavy + 2 * decades_below_one(sample.omega0)
-    rows = np.array([_floats(row[7:]) for row in motion.sensitivities(times, more)])
+    found = motion.sensitivities(times, column_digits(sample, digits))
+    rows = np.array([_floats(row[7:]) for row in found])
     blocks = np.split(rows, [27, 54, 57], axis=-1)
     turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
     return columns(sample, turns, rates, *blocks[2:])
@@ -173,13 +206,14 @@ def columns(
         return np.concatenate(rows, axis=-2) * units
 
 
-def of_engine(engine: str) -> Sensitive:
+def of_engine(engine: Engine) -> Sensitive:
     """Sensitivities by the module of an engine; NaN where it refuses."""
 
-    def sensitive(sample: Sample) -> np.ndarray:
-        state = sample.inertia, sample.omega0, sample.attitude0
-        motion = TorqueFreeMotion(*state, engine=engine)
-        _, _, found = motion.sensitivity(np.array(sample.times), errors="nan")
-        return columns(sample, found.attitude, found.rates, found.attitude_t, found.rates_t)
+    def found(sample: Sample) -> np.ndarray:
+        prepared, _ = prepare(sample, engine)
+        numbers = sensitive(engine).sensitivities(prepared, np.array(sample.times), errors="nan")
+        if not sample.in_doubles:
+            by_exact_moments(numbers, sample.exact[0])
+        return columns(sample, *numbers[2:])
 
-    return sensitive
+    return found

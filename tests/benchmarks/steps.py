@@ -2,21 +2,28 @@
 
     nice uv run python tests/benchmarks/steps.py
 
-A step is compared with a propagation of as many bodies to one time each, by the same engine, and
-with two threads.  What is printed last is drift: the root mean square of the relative change of
-energy and momentum over 64 bodies, beside what a random walk of steps of 2^-53 has.
+A step is compared with a propagation of as many bodies to one time each, by the same engine, with
+NO_SQUISH in C, whose error stands beside its cost, and with two threads; and a step of SABA2 under
+gravity gradient with its own free motions alone.  What is printed last is drift: the root mean
+square of the relative change of energy and momentum over 64 bodies, beside what a random walk of
+steps of 2^-53 has.
 """
 
+import ctypes
 import math
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
 import rigidsym
-from rigidsym.engines import threads
+from rigidsym.engines import compiler, threads
+from rigidsym.quaternions import conjugate, product, rotation_vectors
+from rigidsym.splitting import GravityGradient, KeplerOrbit
 
 BODIES, MANY, DRIFT_STEPS = 10_000, 1_000_000, (10**4, 10**6)
 
@@ -56,6 +63,58 @@ def costs() -> None:
     threads.processors = alone
 
 
+def no_squish() -> Callable[..., None]:
+    """The function of no_squish.c."""
+    source = Path(__file__).with_name("no_squish.c")
+    with tempfile.TemporaryDirectory() as place:
+        flags = ("-std=c99", "-Ofast", *compiler.NATIVE, "-fPIC", "-shared")
+        sources = {source.name: source.read_text(encoding="utf-8")}
+        built = compiler.compile_library(compiler.find(), sources, Path(place), flags)
+        found = ctypes.CDLL(str(built)).no_squish
+    found.argtypes = (ctypes.c_size_t, *(ctypes.c_void_p,) * 3, ctypes.c_double)
+    return found
+
+
+def rival() -> None:
+    """NO_SQUISH without kicks, on one core: what it costs, and how far from the motion it is."""
+    inertia, q, omega = drawn(BODIES)
+    step = no_squish()
+    rows = [np.ascontiguousarray(x.T) for x in (1 / inertia, q, inertia * omega)]
+    places = [x.ctypes.data for x in rows]
+    step(BODIES, *places, 0.3)
+    truth, rates = rigidsym.step(inertia, q, omega, 0.3, engine="c")
+    turned = np.linalg.norm(rotation_vectors(product(conjugate(truth), rows[1].T)), axis=-1)
+    off = np.linalg.norm(rows[2].T / inertia - rates, axis=-1) / np.linalg.norm(omega, axis=-1)
+    alone = threads.processors
+    threads.processors = lambda: 1
+    out = np.empty_like(q), np.empty_like(omega)
+    own = seconds(lambda: rigidsym.step(inertia, q, omega, 0.3, engine="c", out=out))
+    same = seconds(lambda: rigidsym.step(inertia[0], q, omega, 0.3, engine="c", out=out))
+    threads.processors = alone
+    taken = seconds(lambda: step(BODIES, *places, 0.3))
+    print(f"NO_SQUISH step in C             {taken / BODIES * 1e6:8.3f} us a body")
+    print(f"a step of ours over it          {own / taken:8.2f}, of one body {same / taken:.2f}")
+    errors = f"{np.median(turned):8.1e} rad, of rates {np.median(off):.1e}"
+    print(f"its error in one step (median)  {errors}")
+
+
+def pushed() -> None:
+    """A step of SABA2 under gravity gradient: two free motions, and two kicks."""
+    alone = threads.processors
+    threads.processors = lambda: 1
+    orbit = KeplerOrbit(mu=3.986004418e14, periapsis=6.778137e6)
+    for bodies, steps in ((1, 20_000), (16, 2000), (BODIES, 100)):
+        inertia, q, omega = drawn(bodies)
+        torque, out = GravityGradient(inertia, orbit), (np.empty_like(q), np.empty_like(omega))
+        start = inertia, q, omega, torque, [0, 0.6 * steps]
+        run = seconds(partial(rigidsym.integrate, *start, step=0.6, engine="c"), 5)
+        free = seconds(partial(rigidsym.step, *start[:3], 0.3, engine="c", out=out))
+        taken = run / steps / bodies
+        ratio = f"{taken / (2 * free / bodies):6.2f} of two steps by themselves"
+        print(f"saba2, {bodies:5} bodies {taken * 1e6:8.3f} us a step and body, {ratio}")
+    threads.processors = alone
+
+
 def scaling() -> None:
     """Two processors against one."""
     inertia, q, omega = drawn(MANY)
@@ -85,6 +144,8 @@ def drift() -> None:
 
 if __name__ == "__main__":
     costs()
+    rival()
+    pushed()
     scaling()
     if "--drift" in sys.argv:
         drift()

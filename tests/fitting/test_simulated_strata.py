@@ -10,10 +10,9 @@ tests are slow.
 import numpy as np
 import pytest
 from scipy.stats import chi2
-from simulated import attitudes, told
+from simulated import at_epoch, attitudes, told
 
 import rigidsym
-from rigidsym.fitting.parameters import Point
 from rigidsym.validate.strata import draw
 
 SIGMA, LOOKS, TURNS = 1e-4, 40, 6.0
@@ -50,9 +49,7 @@ def fitted(stratum, index):
 
 def fall(truth, fit):
     """Of chi2, from the truth to the estimate."""
-    moments, omega, attitude = (np.array(x, float) for x in truth.exact.values())
-    there = Point(attitude / np.linalg.norm(attitude), omega, moments, np.eye(4)[0])
-    return np.sum(fit.problem.residuals(there) ** 2) - fit.chi2
+    return np.sum(fit.problem.residuals(at_epoch(fit, truth)) ** 2) - fit.chi2
 
 
 def agree(squares, freedom):

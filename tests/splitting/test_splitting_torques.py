@@ -9,6 +9,7 @@ from rigidsym.quaternions import of_rotation_vectors, product, rotated
 from rigidsym.splitting import (
     ConstantInBody,
     ConstantInSpace,
+    FieldPotential,
     GravityGradient,
     KeplerOrbit,
     Potential,
@@ -44,6 +45,40 @@ def test_gravity_pushes_down_its_slope(unit, eccentricity):
     torque = tide(0.9, unit, OMEGA)
     assert np.max(np.abs(torque)) > 0.1
     assert np.allclose(torque, slope(per_body.energy, 0.9, unit), rtol=0, atol=1e-8)
+
+
+def test_a_field_pushes_down_its_slope(unit):
+    quadratic = np.array([[0.3, 0.1, 0.0], [0.1, -0.2, 0.4], [0.0, 0.4, 0.1]])
+    field = FieldPotential((0.2, 0.3, 1.0), linear=(0.1, 0.2, 0.3), quadratic=quadratic)
+    torque = field(0.0, unit, OMEGA)
+    assert np.max(np.abs(torque)) > 0.1
+    assert np.allclose(torque, slope(field.energy, 0.0, unit), rtol=0, atol=1e-9)
+
+
+BAD_FIELDS = {
+    "a short field": (((1.0, 2.0),), {}, r"^field = an array of shape \(2,\)"),
+    "a matrix of two rows": (
+        ((0, 0, 1),),
+        {"quadratic": np.zeros((2, 3))},
+        r"^quadratic = an array of shape \(2, 3\): must be \(..., 3, 3\)",
+    ),
+    "a matrix that is not symmetric": (
+        ((0, 0, 1),),
+        {"quadratic": np.triu(np.ones((3, 3)))},
+        "^quadratic = .*must be symmetric",
+    ),
+}
+
+
+@pytest.mark.parametrize(("field", "more", "line"), BAD_FIELDS.values(), ids=BAD_FIELDS)
+def test_a_field_that_is_none_is_refused(field, more, line):
+    with pytest.raises(InputError, match=line):
+        FieldPotential(*field, **more)
+
+
+def test_a_sphere_feels_no_tide(unit):
+    tide = GravityGradient((2.0, 2.0, 2.0), KeplerOrbit(1.0, 1.0, 0.3))
+    assert np.array_equal(tide(0.3, unit, OMEGA), np.zeros((2, 3)))
 
 
 def test_a_body_whose_axis_points_down_feels_no_tide():

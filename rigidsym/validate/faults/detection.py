@@ -1,21 +1,32 @@
-"""Whether a stratum notices a fault: its cases are measured until one breaks a bound."""
+"""Whether a stratum notices a fault: its cases are measured until one breaks a bound.
+
+Faults in states are looked for in states, those in sensitivities in their columns.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
 from rigidsym.engines import Engine
+from rigidsym.validate import sensitivities
 from rigidsym.validate.bounds import BOUNDS, bounds_of
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.mutated_build import mutated_engine
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.protocol import Solver
+from rigidsym.validate.sensitivities import ColumnsReference
 from rigidsym.validate.strata import count, draw
 
 # What is noticed without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
+# The measure of faults in sensitivities.
+COLUMNS = "sensitivities"
+# Columns are so many numbers that few cases of a stratum say what there is to say.
+MOST_CASES = 3
+AnyReference = Reference | ColumnsReference
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,11 +39,20 @@ class Detection:
 
 
 def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
-    """The truth about the cases of a stratum."""
-    return [enclose(draw(stratum, index, seed), digits) for index in range(count(stratum, cases))]
+    """The truth about the states of a stratum's cases."""
+    return [
+        enclose(draw(stratum, index, seed), digits, with_condition=False)
+        for index in range(count(stratum, cases))
+    ]
 
 
-def detections(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Detection]:
+def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
+    """The truth about the sensitivities of a stratum's first cases."""
+    few = range(count(stratum, min(cases, MOST_CASES)))
+    return [ColumnsReference.of(draw(stratum, index, seed), digits) for index in few]
+
+
+def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
     """What the strata notice, at most one case of each."""
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
     found = (first(engine, stratum, bounds) for stratum in strata)
@@ -40,7 +60,7 @@ def detections(fault: Fault, strata: Sequence[Sequence[Reference]]) -> list[Dete
 
 
 def first(
-    engine: Engine | Solver, stratum: Sequence[Reference], bounds: Mapping[str, float] = BOUNDS
+    engine: Engine | Solver, stratum: Sequence[AnyReference], bounds: Mapping[str, float] = BOUNDS
 ) -> Detection | None:
     """The first case in which an engine breaks a bound, or cannot do what it should."""
     for reference in stratum:
@@ -50,11 +70,15 @@ def first(
 
 
 def broken(
-    engine: Engine | Solver, reference: Reference, bounds: Mapping[str, float] = BOUNDS
+    engine: Engine | Solver, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
 ) -> tuple[str, ...]:
     """The measures by which an engine breaks its bounds in a case."""
     try:
         with np.errstate(all="ignore"):
+            if isinstance(reference, ColumnsReference):
+                # What has no sensitivities is asked for none.
+                share = sensitivities.share(cast("Engine", engine), reference)
+                return (COLUMNS,) if share > 1 else ()
             errors = measure(reference, engine, bounds)
     except Exception:
         # Faults may raise anything, and whatever it is, it is noticed.

@@ -43,6 +43,7 @@ class Fault:
     """`old` made `new` in the paragraph of a target's module that begins with `paragraph`.
 
     A paragraph ends with the next empty line.  `options` are the compiler's, beyond the usual ones.
+    in_sensitivities: states show nothing of it.
     """
 
     target: str
@@ -52,6 +53,7 @@ class Fault:
     old: str
     new: str
     options: tuple[str, ...] = ()
+    in_sensitivities: bool = False
 
     def __post_init__(self) -> None:
         if self.target not in FILES or self.kind not in KINDS:

@@ -1,22 +1,30 @@
 """Every fault against every stratum, in processes that may be lost."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from functools import partial
 
 from rigidsym.engines.threads import processors
 from rigidsym.validate.executors import processes, undisturbed
-from rigidsym.validate.faults.detection import CRASHED, Detection, detections, references
+from rigidsym.validate.faults.detection import (
+    CRASHED,
+    AnyReference,
+    Detection,
+    columns_references,
+    detections,
+    references,
+)
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.mutated_build import faulty
 from rigidsym.validate.faults.report import FaultReport, Outcome
 from rigidsym.validate.faults.tables import all_faults
 from rigidsym.validate.implementations import check_target
-from rigidsym.validate.oracle import Reference
 from rigidsym.validate.strata import STRATA
 
-Strata = Sequence[Sequence[Reference]]
+# By whether it is that of sensitivities.
+Truth = Mapping[bool, Sequence[Sequence[AnyReference]]]
+_REFERENCES = {False: references, True: columns_references}
 Progress = Callable[[int, int], None]
 
 
@@ -42,9 +50,11 @@ def inject(
     ]
     for fault in chosen:
         faulty(fault)
-    told = partial(_tell, progress, len(strata) + len(chosen))
-    enclosed = _enclosed(strata, cases, digits, seed, told)
-    found = _found(chosen, enclosed, partial(told, len(strata)))
+    of = sorted({fault.in_sensitivities for fault in chosen})
+    enclosed = len(strata) * len(of)
+    told = partial(_tell, progress, enclosed + len(chosen))
+    truth = _truth(of, strata, (cases, digits, seed), told)
+    found = _found(chosen, truth, partial(told, enclosed))
     outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
     return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
 
@@ -53,35 +63,42 @@ def _tell(progress: Progress, total: int, before: int, done: int = 0) -> None:
     progress(before + done, total)
 
 
-def _enclosed(
-    strata: Sequence[str], cases: int, digits: int, seed: int, told: Callable[[int], None]
-) -> Strata:
-    """The truth about all cases, which all faults share."""
+def _truth(
+    of: Sequence[bool],
+    strata: Sequence[str],
+    drawn: tuple[int, int, int],
+    told: Callable[[int], None],
+) -> Truth:
+    """What is true of all cases, which all faults share: of states, and of sensitivities."""
+    enclosed: dict[bool, list[Sequence[AnyReference]]] = {kind: [] for kind in of}
     with processes(processors()) as pool:
         with undisturbed():
-            jobs = [pool.submit(references, name, cases, digits, seed) for name in strata]
-        enclosed = []
-        for done, job in enumerate(jobs, 1):
-            enclosed.append(job.result())
+            jobs = [
+                (kind, pool.submit(_REFERENCES[kind], name, *drawn))
+                for kind in of
+                for name in strata
+            ]
+        for done, (kind, job) in enumerate(jobs, 1):
+            enclosed[kind].append(job.result())
             told(done)
     return enclosed
 
 
 def _found(
-    faults: Sequence[Fault], strata: Strata, told: Callable[[int], None]
+    faults: Sequence[Fault], truth: Truth, told: Callable[[int], None]
 ) -> dict[Fault, list[Detection]]:
     """The notices of every fault; those that may have ended a process are looked at alone."""
     left, found = list(faults), {}
     while left:
-        for fault, result in _until_a_crash(left, strata):
-            found[fault] = _alone(fault, strata) if result is None else result
+        for fault, result in _until_a_crash(left, truth):
+            found[fault] = _alone(fault, truth) if result is None else result
             left.remove(fault)
             told(len(found))
     return found
 
 
 def _until_a_crash(
-    faults: Sequence[Fault], strata: Strata
+    faults: Sequence[Fault], truth: Truth
 ) -> Iterator[tuple[Fault, list[Detection] | None]]:
     """Faults and detections; None for all that were under way when a process was lost, the last."""
     waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
@@ -90,8 +107,9 @@ def _until_a_crash(
         while running or (waiting and not lost):
             try:
                 while waiting and len(running) < processors() and not lost:
+                    fault = waiting[0]
                     with undisturbed():
-                        job = pool.submit(detections, waiting[0], strata)
+                        job = pool.submit(detections, fault, truth[fault.in_sensitivities])
                     running[job] = waiting.pop(0)
             except BrokenProcessPool:
                 lost = True
@@ -101,10 +119,10 @@ def _until_a_crash(
                 yield running.pop(job), None if crashed else job.result()
 
 
-def _alone(fault: Fault, strata: Strata) -> list[Detection]:
+def _alone(fault: Fault, truth: Truth) -> list[Detection]:
     """The detections of a fault that may end a process: each stratum has its own."""
     found = []
-    for stratum in strata:
+    for stratum in truth[fault.in_sensitivities]:
         try:
             with processes(1) as pool:
                 found += pool.submit(detections, fault, [stratum]).result()

@@ -17,6 +17,7 @@ from rigidsym.validate.faults.detection import (
     RAISED,
     Detection,
     broken,
+    columns_references,
     first,
     references,
 )
@@ -25,6 +26,8 @@ from rigidsym.validate.faults.fault import FILES
 from rigidsym.validate.faults.mutated_build import faulty, installed, mutated_engine, on_text
 from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.measure import measure
+from rigidsym.validate.oracle import Reference
+from rigidsym.validate.sensitivities import share
 from rigidsym.validate.strata import STRATA
 
 TARGETS = tuple(FILES)
@@ -48,14 +51,30 @@ STRATA_CHOSEN = {
 }
 
 
+# And of faults in sensitivities.
+COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "scales"
+
+
 @pytest.fixture(scope="module")
-def chosen():
+def of_states():
     return [references(name, cases, DIGITS, SEED) for name, cases in STRATA_CHOSEN.items()]
 
 
-# The first fault of every kind for each target, of those by hand and of those that are drawn.
-QUICK = [fault for fault in FAULTS if fault.target != "c-pi"]
-SAMPLE = {(f in BY_HAND, f.target, f.kind): f for f in reversed(QUICK)}.values()
+@pytest.fixture(scope="module")
+def of_columns():
+    return [columns_references(name, 3, DIGITS, SEED) for name in COLUMNS_CHOSEN]
+
+
+@pytest.fixture(scope="module")
+def chosen(of_states, of_columns):
+    """By whether a fault is in sensitivities."""
+    return {False: of_states, True: of_columns}
+
+
+# The first fault of every kind for each target, of those by hand and of those that are drawn; of
+# those in sensitivities NumPy's, which are not compiled.
+QUICK = [f for f in FAULTS if f.target != "c-pi" and (f.target != "c" or not f.in_sensitivities)]
+SAMPLE = {(f in BY_HAND, f.target, f.kind, f.in_sensitivities): f for f in reversed(QUICK)}.values()
 
 
 def test_there_are_many_faults_of_every_kind():
@@ -71,7 +90,9 @@ def test_there_are_many_faults_of_every_kind():
 @pytest.mark.parametrize("target", TARGETS)
 def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
     engine, bounds = on_text(target, installed(FILES[target])), bounds_of(target)
-    assert [first(engine, stratum, bounds) for stratum in chosen] == [None] * len(chosen)
+    others = ("-pi", "-step")
+    strata = chosen[False] if target.endswith(others) else [*chosen[False], *chosen[True]]
+    assert [first(engine, stratum, bounds) for stratum in strata] == [None] * len(strata)
 
 
 @pytest.mark.parametrize(
@@ -83,7 +104,7 @@ def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
 )
 def test_a_fault_is_noticed(fault, chosen):
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
-    assert any(first(engine, stratum, bounds) for stratum in chosen)
+    assert any(first(engine, stratum, bounds) for stratum in chosen[fault.in_sensitivities])
 
 
 @pytest.mark.parametrize("target", TARGETS)
@@ -96,9 +117,12 @@ def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
 
 def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
     for target in TARGETS:
-        kinds = {fault.kind for fault in every(target) if fault.name not in HARMLESS}
-        assert {fault.kind for fault in drawn(target)} == kinds
-        assert len(drawn(target)) >= (30 if target.endswith("-pi") else 35)
+        of = [f for f in every(target) if f.name not in HARMLESS]
+        kinds = {(fault.kind, fault.in_sensitivities) for fault in of}
+        assert {(fault.kind, fault.in_sensitivities) for fault in drawn(target)} == kinds
+        assert len(drawn(target)) >= (30 if target.endswith("-pi") else 60)
+        found = sum(fault.in_sensitivities for fault in drawn(target))
+        assert (found >= 25) == (not target.endswith("-pi"))
     names = {fault.name for target in TARGETS for fault in every(target)}
     assert HARMLESS.keys() <= names
     assert not {fault.name for fault in FAULTS} & HARMLESS.keys()
@@ -106,14 +130,25 @@ def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
 
 @pytest.fixture(scope="module")
 def figures(chosen):
-    return {target: worst(on_text(target, installed(FILES[target])), chosen) for target in TARGETS}
+    """By target, and whether they are of sensitivities."""
+    kinds = {(fault.target, fault.in_sensitivities) for fault in FAULTS}
+    return {
+        (target, kind): worst(on_text(target, installed(FILES[target])), chosen[kind])
+        for target, kind in kinds
+    }
 
 
-def worst(engine, chosen):
+def worst(engine, strata):
     """The largest part of its bound that each measure takes."""
-    errors = [measure(reference, engine) for stratum in chosen for reference in stratum]
-    names = {name for found in errors for name in found}
-    return {n: max(np.max(found[n].share) for found in errors if n in found) for n in names}
+    shares = [shares_of(reference, engine) for stratum in strata for reference in stratum]
+    names = {name for found in shares for name in found}
+    return {n: max(found[n] for found in shares if n in found) for n in names}
+
+
+def shares_of(reference, engine):
+    if isinstance(reference, Reference):
+        return {n: np.max(found.share) for n, found in measure(reference, engine).items()}
+    return {"columns": share(engine, reference)}
 
 
 @pytest.mark.slow
@@ -127,7 +162,9 @@ def worst(engine, chosen):
     ],
 )
 def test_what_is_called_harmless_takes_no_more_of_any_bound(fault, chosen, figures):
-    assert worst(mutated_engine(fault), chosen) == pytest.approx(figures[fault.target], abs=0.1)
+    kind = fault.in_sensitivities
+    found = worst(mutated_engine(fault), chosen[kind])
+    assert found == pytest.approx(figures[fault.target, kind], abs=0.1)
 
 
 def test_coefficients_are_as_good_as_others_far_below_rounding():
@@ -278,7 +315,7 @@ def test_what_raises_is_noticed(chosen):
         def prepare(self, *given):
             raise NameError
 
-    assert broken(Engine(), chosen[2][0]) == (RAISED,)
+    assert all(broken(Engine(), strata[2][0]) == (RAISED,) for strata in chosen.values())
 
 
 def test_a_process_that_is_lost_is_noticed_where_it_was(reported):
@@ -301,4 +338,4 @@ def test_a_process_that_is_lost_is_noticed_where_it_was(reported):
 
 
 def test_the_strata_chosen_exist():
-    assert set(STRATA_CHOSEN) <= set(STRATA)
+    assert {*STRATA_CHOSEN, *COLUMNS_CHOSEN} <= set(STRATA)

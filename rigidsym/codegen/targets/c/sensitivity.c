@@ -168,37 +168,80 @@ static void no_numbers(size_t n, double *x)
         x[k] = NAN;
 }
 
-int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
-                                        double *omega, double *attitude, double *rates, double *attitude_t,
-                                        double *rates_t)
+static void no_changes(size_t n, double *attitude, double *rates, double *attitude_t, double *rates_t)
+{
+    no_numbers(27 * n, attitude);
+    no_numbers(27 * n, rates);
+    no_numbers(3 * n, attitude_t);
+    no_numbers(3 * n, rates_t);
+}
+
+/* Sensitivities of n states, after these; where lenient, times that are too late have none. */
+static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
+                            double *attitude, double *rates, double *attitude_t, double *rates_t, int lenient)
 {
     const size_t most = SENSITIVE;
     sensitive made;
-    int code = states_at(motion, n, t, q, omega, 0);
-    if (code != TORQUE_FREE_OK)
+    int code = states_at(motion, n, t, q, omega, lenient);
+    if (code != TORQUE_FREE_OK && !lenient)
         return code;
     sensitive_init(motion, &made);
     for (size_t i = 0; i < n; i += most) {
         const size_t count = n - i < most ? n - i : most;
         double inner[SENSITIVE];
         int zero;
-        (void)scaled_times(motion, count, t + i, inner, &zero);
+        if (!scaled_times(motion, count, t + i, inner, &zero))
+            for (size_t k = 0; k < count; k++)
+                inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
         if (!made.at_rest)
             block_sensitivities(motion, &made, count, inner, q + 4 * i, omega + 3 * i, attitude + 27 * i,
                                 rates + 27 * i, attitude_t + 3 * i, rates_t + 3 * i);
         for (size_t k = i; k < i + count; k++) {
+            const int late = !(fabs(motion->unit * t[k]) <= motion->max_angle);
             if (made.at_rest || !(t[k] < 0.0 || t[k] > 0.0))
                 plain_sensitivity(motion, t[k], attitude + 27 * k, rates + 27 * k);
             for (size_t j = 3 * k; made.at_rest && j < 3 * k + 3; j++)
                 attitude_t[j] = rates_t[j] = 0.0;
-            if (any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
-                no_numbers(27, attitude + 27 * k);
-                no_numbers(27, rates + 27 * k);
-                no_numbers(3, attitude_t + 3 * k);
-                no_numbers(3, rates_t + 3 * k);
-                code = TORQUE_FREE_GROWTH;
+            if (late || any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
+                no_changes(1, attitude + 27 * k, rates + 27 * k, attitude_t + 3 * k, rates_t + 3 * k);
+                code = late ? code : TORQUE_FREE_GROWTH;
             }
         }
     }
     return code;
+}
+
+int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
+                                        double *omega, double *attitude, double *rates, double *attitude_t,
+                                        double *rates_t)
+{
+    return sensitivities_at(motion, n, t, q, omega, attitude, rates, attitude_t, rates_t, 0);
+}
+
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed)
+{
+    torque_free_motion motion;
+    for (size_t k = 0; k < bodies; k++) {
+        double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
+        double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
+        double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
+        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+        if (code == TORQUE_FREE_OK) {
+            code = sensitivities_at(&motion, n, t + stride * k, q_k, omega_k, attitude_k, rates_k, attitude_t_k,
+                                    rates_t_k, codes != NULL);
+        } else if (codes) {
+            no_states(n, q_k, omega_k);
+            no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
+        }
+        if (codes) {
+            codes[k] = code;
+        } else if (code != TORQUE_FREE_OK) {
+            *failed = k;
+            return code;
+        }
+    }
+    return TORQUE_FREE_OK;
 }

@@ -7,3 +7,12 @@
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
+
+/* The same for n times of each of many bodies, as torque_free_propagate has them: q[bodies][n][4] to
+   rates_t[bodies][n][3], none of which overlap.  Where codes is not NULL, times that are refused have states
+   of NaN, and neither they nor those at which changes leave binary64 have other changes; a body with such a
+   time has code TORQUE_FREE_GROWTH, whatever else it has. */
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed);

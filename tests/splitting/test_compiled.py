@@ -1,0 +1,150 @@
+"""C's loop takes bodies where steps and kicks from Python do."""
+
+import numpy as np
+import pytest
+
+import rigidsym
+from rigidsym.errors import InputError
+from rigidsym.splitting import (
+    METHODS,
+    ConstantInBody,
+    ConstantInSpace,
+    FieldPotential,
+    GravityGradient,
+    KeplerOrbit,
+    compiled,
+)
+
+BODY = (2.0, 3.0, 4.0)
+START = (1.0, 0.0, 0.0, 0.0)
+RATES = (0.5, 0.3, -0.2)
+TIMES = [0.0, 2.0, 5.3]
+QUADRATIC = np.array([[0.3, 0.1, 0.0], [0.1, -0.2, 0.4], [0.0, 0.4, 0.1]])
+TILTED = {"inclination": 0.4, "node": 1.0, "argument": 2.0, "epoch": 0.5}
+TORQUES = {
+    "in the body": ConstantInBody((0.1, -0.2, 0.05)),
+    "in space": ConstantInSpace((0.1, -0.2, 0.05)),
+    "a dipole": FieldPotential((0.0, 0.3, 1.0), linear=(0.1, 0.2, 0.3)),
+    "a quadrupole": FieldPotential((0.0, 0.3, 1.0), quadratic=QUADRATIC),
+    "gravity on a circle": GravityGradient(BODY, KeplerOrbit(0.3, 1.5, **TILTED)),
+    "gravity on an ellipse": GravityGradient(BODY, KeplerOrbit(0.3, 1.5, 0.6, **TILTED)),
+    "gravity on a hyperbola": GravityGradient(BODY, KeplerOrbit(0.3, 1.5, 1.6, **TILTED)),
+}
+
+
+def by_python(torque):
+    """The same as something that C does not know."""
+    return lambda t, q, omega: torque(t, q, omega)
+
+
+def apart(one, other):
+    return max(np.max(np.abs(x - y)) for x, y in zip(one, other, strict=True))
+
+
+@pytest.fixture
+def calls(monkeypatch):
+    """Of the loop, with the numbers of steps."""
+    found, advance = [], compiled.advance
+
+    def counted(*arguments):
+        found.append(arguments[-1])
+        return advance(*arguments)
+
+    monkeypatch.setattr(compiled, "advance", counted)
+    return found
+
+
+@pytest.mark.parametrize("torque", TORQUES.values(), ids=TORQUES)
+@pytest.mark.parametrize("count", [1, 3, 20])
+def test_it_is_what_python_makes_of_the_torque(torque, count, calls):
+    rates = np.array(RATES) * np.linspace(1.0, 2.0, count)[:, None]
+    found, expected = (
+        rigidsym.integrate(BODY, START, rates, x, TIMES, step=0.25, engine="c")
+        for x in (torque, by_python(torque))
+    )
+    free = rigidsym.propagate(BODY, rates, TIMES, START)
+    assert calls
+    assert apart(found, expected) < 1e-13 < 1e-2 < apart(found, free)
+    assert found.evaluations == expected.evaluations
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_is(method):
+    torque, start = TORQUES["gravity on an ellipse"], ([BODY, (4.0, 3.0, 2.0)], START, RATES)
+    found, expected = (
+        rigidsym.integrate(*start, x, TIMES, step=0.5, method=method, engine="c")
+        for x in (torque, by_python(torque))
+    )
+    assert apart(found, expected) < 1e-13
+
+
+def test_bodies_may_have_torques_and_fields_of_their_own():
+    inertia = np.array([BODY, (4.0, 3.0, 2.0)])
+    torque = FieldPotential([(0.0, 0.3, 1.0), (1.0, 0.0, 0.0)], linear=[(0.1, 0.2, 0.3)] * 2)
+    found, expected = (
+        rigidsym.integrate(inertia, START, RATES, x, TIMES, step=0.5, engine="c")
+        for x in (torque, by_python(torque))
+    )
+    assert apart(found, expected) < 1e-13
+
+
+def test_how_many_steps_go_into_a_call_changes_nothing(monkeypatch):
+    torque = TORQUES["a dipole"]
+    start = BODY, START, [RATES, (0.1, 0.7, 0.2)], torque, TIMES
+    whole = rigidsym.integrate(*start, step=0.1, engine="c")
+    monkeypatch.setattr(compiled, "_AT_ONCE", 12)
+    assert apart(whole, rigidsym.integrate(*start, step=0.1, engine="c")) < 1e-13
+
+
+def test_threads_change_no_bit(monkeypatch):
+    rates = np.array(RATES) * np.linspace(1.0, 2.0, 150)[:, None]
+    start = BODY, START, rates, TORQUES["a dipole"], TIMES
+    alone = rigidsym.integrate(*start, step=0.1, engine="c")
+    monkeypatch.setattr("rigidsym.engines.threads.threads", lambda states: 2)
+    assert apart(alone, rigidsym.integrate(*start, step=0.1, engine="c")) == 0
+
+
+def test_what_it_refuses_is_done_by_python(calls):
+    """Drifts of 25 rad."""
+    torque = TORQUES["in the body"]
+    found, expected = (
+        rigidsym.integrate(BODY, START, RATES, x, [0.0, 80.0], step=40.0, engine="c")
+        for x in (torque, by_python(torque))
+    )
+    assert calls
+    assert apart(found, expected) == 0
+    assert found.evaluations == expected.evaluations
+
+
+def test_a_torque_that_overflows_is_named_by_body_and_time():
+    """Not at the start, where the body is as the field would have it."""
+    torque = FieldPotential((0.0, 0.0, 1e3), linear=[(0.0, 0.0, 1e-3), (0.0, 0.0, 1e308)])
+    line = r"^torque\[0\] = .*must be finite \(body 1, t = 0.25 s\)"
+    with pytest.raises(InputError, match=line), np.errstate(over="ignore"):
+        rigidsym.integrate(
+            [BODY] * 2, START, RATES, torque, TIMES, step=0.5, engine="c", method="strang"
+        )
+
+
+def test_ctrl_c_is_heard_between_calls_and_keeps_what_was_reached(monkeypatch):
+    advance = compiled.advance
+
+    def stopping(found, state, begin, step, numbers):
+        if numbers[1] > 4:
+            raise KeyboardInterrupt
+        return advance(found, state, begin, step, numbers)
+
+    monkeypatch.setattr(compiled, "advance", stopping)
+    with pytest.raises(KeyboardInterrupt) as stop:
+        rigidsym.integrate(
+            BODY, START, RATES, TORQUES["a dipole"], [0.0, 1.0, 2.0, 3.0], step=0.5, engine="c"
+        )
+    assert stop.value.trajectory.times.tolist() == [0.0, 1.0, 2.0]
+
+
+def test_it_serves_where_there_is_no_compiler(monkeypatch):
+    torque = TORQUES["a dipole"]
+    expected = rigidsym.integrate(BODY, START, RATES, torque, TIMES, step=0.5, engine="c")
+    monkeypatch.setattr("rigidsym.engines.integrator", lambda name: None)
+    found = rigidsym.integrate(BODY, START, RATES, torque, TIMES, step=0.5, engine="c")
+    assert 0 < apart(found, expected) < 1e-13
