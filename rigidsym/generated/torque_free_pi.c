@@ -236,12 +236,6 @@ static inline double_double dd_choose(double x, double y, double_double one, dou
     return x <= y ? one : other;
 }
 
-static inline double_double scaled(double_double x, int exponent)
-{
-    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
-    return y;
-}
-
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
@@ -1842,6 +1836,12 @@ static double scaled_by(double x, int n)
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
 }
 
+static double_double scaled(double_double x, int n)
+{
+    const double_double y = {scaled_by(x.hi, n), scaled_by(x.lo, n)};
+    return y;
+}
+
 static int all_finite(size_t n, const double *x)
 {
     for (size_t k = 0; k < n; k++)
@@ -2507,6 +2507,18 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
     return TORQUE_FREE_PI_OK;
 }
 
+/* The states of one of many bodies; times that are too late have none where `lenient`. */
+static int states_of(const torque_free_pi_motion *motion, size_t n, const double *t, double *q, double *omega,
+                     int lenient)
+{
+    if (n != 1)
+        return states_at(motion, n, t, q, omega, lenient);
+    const int code = torque_free_pi_state_at(motion, *t, q, omega);
+    if (code != TORQUE_FREE_PI_OK && lenient)
+        no_states(1, q, omega);
+    return code;
+}
+
 int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
@@ -2529,7 +2541,7 @@ int torque_free_pi_propagate(size_t bodies, const double *inertia, const double 
             const size_t k = first + i;
             double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
             if (code[i] == TORQUE_FREE_PI_OK)
-                code[i] = states_at(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
+                code[i] = states_of(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
             else if (codes)
                 no_states(n, q_k, omega_k);
             if (codes) {
@@ -2550,7 +2562,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "fd9710e432ee68a467d8a229bb6e0fec5f903583c098dae447502eb44c2802a3"; }
+const char *torque_free_pi_digest(void) { return "f6a205a553fa81a23543e28487df0db403727cd8964f8e2ef7379e105b85752b"; }
 
 const char *torque_free_pi_message(int code)
 {

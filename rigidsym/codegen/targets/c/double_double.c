@@ -190,12 +190,6 @@ static inline double_double dd_choose(double x, double y, double_double one, dou
     return x <= y ? one : other;
 }
 
-static inline double_double scaled(double_double x, int exponent)
-{
-    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
-    return y;
-}
-
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
