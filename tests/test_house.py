@@ -47,7 +47,7 @@ ALLOWED = {
     "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.splitting": "engines errors generated inputs motion quaternions",
-    "rigidsym.manoeuvre": f"{NUMBERS} engines io motion validate.executors view",
+    "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
     "rigidsym.fitting": f"{NUMBERS} engines io motion view",
     # What shows it, and what reads and writes files.
     "rigidsym.view": NUMBERS,

@@ -47,14 +47,31 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
     refused = np.zeros(len(rows), bool)
     for first in range(0, len(rows), _BLOCK):
         some = slice(first, first + _BLOCK)
-        refused[some] = np.any(rows[some] <= 0, axis=-1)
-        if not allow_nonphysical:
-            refused[some] |= _are_impossible(rows[some])
+        doubtful = first + _doubtful(rows[some])
+        if doubtful.size:
+            refused[doubtful] = _are_refused(rows[doubtful], allow_nonphysical)
     if lenient and refused.any():
         return np.where(refused.reshape(*inertia.shape[:-1], 1), np.nan, inertia)
     for body in np.flatnonzero(refused)[:1]:
         _refuse_body(inertia, np.unravel_index(body, inertia.shape[:-1]))
     return inertia
+
+
+@np.errstate(over="ignore", invalid="ignore")
+def _doubtful(inertia: np.ndarray) -> np.ndarray:
+    """The places of those of (B, 3) moments that sums of doubles do not show to be possible.
+
+    Where a rounded sum is above a double, the sum is; and three moments that are each below the sum
+    of the others are positive.
+    """
+    a, b, c = inertia.T
+    return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
+
+
+def _are_refused(inertia: np.ndarray, allow_nonphysical: bool) -> np.ndarray:
+    """Which of (B, 3) moments no body can have."""
+    refused = np.any(inertia <= 0, axis=-1)
+    return refused if allow_nonphysical else refused | _are_impossible(inertia)
 
 
 def _refuse_body(inertia: np.ndarray, place: tuple[np.intp, ...]) -> NoReturn:

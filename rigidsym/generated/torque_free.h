@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    442  20 %  follow facts of the ledger, each named on its line
-    595  27 %  follow classical formulas, each with its reference
+    442  19 %  follow facts of the ledger, each named on its line
+    595  26 %  follow classical formulas, each with its reference
      98   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1066  48 %  are the runtime, written by hand
+   1156  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,14 +40,17 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 49df1e598b4228f0ac032c82ef41d42ee79855ea980679eff49a3c75ab9bcf9a
+digest 674285c52cf25124d319e04c15ded1379c58df4341b6cdfead6c384ccb3da858
 
-Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
--DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
-C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
-machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
-a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
-x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
+Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
+-DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
+time; torque_free_state_at needs 3 KB.  C++11 and later compile it, too.  Compile with -O3
+-fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
+vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
+-fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
+AVX-512, -mprefer-vector-width=512 saves a fifth.  Without -fno-math-errno torque_free_propagate
+prepares one motion at a time, not as many as a register holds, and takes several times as long;
+below -O2 -fno-math-errno needs -DTORQUE_FREE_LANES=1.
 -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused

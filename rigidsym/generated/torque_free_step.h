@@ -21,7 +21,7 @@ Lines of code:
     144  16 %  follow facts of the ledger, each named on its line
      77   9 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    655  74 %  are the runtime, written by hand
+    662  74 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
@@ -36,14 +36,14 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest e42a07ab15a416387e7e1e2879405976979dbf87b229d7173c31fd8c6193bcdf
+digest 4153cc009b304255729e1014fc8f747a83f22bfa91be9c5152a2115f78705cc0
 
-Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
-lanes are vectorised then.  -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused
-when it is compiled; other options that reorder sums or approximate quotients
-(-fassociative-math, -funsafe-math-optimizations), and directed rounding, by every body_init and
-every call of torque_free_steps. */
+Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
+torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
+runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math, -ffinite-math-only
+and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
+approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
+every body_init and every call of torque_free_steps. */
 
 #ifndef TORQUE_FREE_STEP_H
 #define TORQUE_FREE_STEP_H

@@ -18,10 +18,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    144  28 %  follow facts of the ledger, each named on its line
+    144  27 %  follow facts of the ledger, each named on its line
      77  15 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    294  56 %  are the runtime, written by hand
+    297  57 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 166f5ecd4568b81307732d3bce9cd02f620681ee97ff2d400a6632fe3ebf99d7
+digest 746ad5d247ce614260c5ede24bae0d44038cea8a3ad2d6643ea19937670f36ec
 """
 
 # ruff: noqa
@@ -702,5 +702,9 @@ def torque(q, direction, coefficients):
     With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
     b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.
     """
-    given = (np.moveaxis(x, -1, 0) for x in (q, direction, coefficients))
-    return np.stack(_step_kick(*(x for each in given for x in each)), axis=-1)
+    given = [np.asarray(x, float) for x in (q, direction, coefficients)]
+    if all(x.ndim == 1 for x in given):
+        # Of one body in plain numbers: calls of NumPy would take ten times as long.
+        return np.array(_step_kick(*(x for each in given for x in each.tolist())))
+    rows = (np.moveaxis(x, -1, 0) for x in given)
+    return np.stack(_step_kick(*(x for each in rows for x in each)), axis=-1)

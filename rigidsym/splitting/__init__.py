@@ -9,6 +9,7 @@ from rigidsym.splitting.torques import (
     FieldPotential,
     GravityGradient,
     Potential,
+    Tide,
     Torque,
 )
 from rigidsym.splitting.trajectory import Trajectory
@@ -22,6 +23,7 @@ __all__ = [
     "KeplerOrbit",
     "Method",
     "Potential",
+    "Tide",
     "Torque",
     "Trajectory",
     "integrate",

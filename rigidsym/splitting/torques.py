@@ -82,6 +82,21 @@ class FieldPotential(DirectionTorque):
         return quadratic / 2 - np.sum(self.linear * v, axis=-1)
 
 
+class Tide:
+    """That of a mass point on one body, 3 mu / r^5  r x I r, by where the body is.
+
+    mu: m^3/s^2; inertia: (3,), kg m^2, about principal axes.
+    """
+
+    def __init__(self, mu: float, inertia: np.ndarray) -> None:
+        self.mu, self.inertia = mu, inertia
+        self._coefficients = _coefficients(Q=_differences(inertia))
+
+    def __call__(self, position: np.ndarray) -> np.ndarray:
+        """N m, of a position from the mass point, m, (3,) each in body axes."""
+        return by_direction(_NO_TURN, tidal(self.mu, position), self._coefficients)
+
+
 class GravityGradient(DirectionTorque):
     """The tide of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
 
@@ -112,11 +127,6 @@ class Potential:
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
         """N m, (..., 3)."""
         return -0.5 * product(conjugate(q), np.asarray(self.gradient(t, q)))[..., 1:]
-
-
-def tide(mu: float, inertia: np.ndarray, position: np.ndarray) -> np.ndarray:
-    """That of a mass point on a body (3,) at a position (3,) from it, m, in body axes, N m."""
-    return by_direction(_NO_TURN, tidal(mu, position), _coefficients(Q=_differences(inertia)))
 
 
 def _coefficients(

@@ -9,9 +9,10 @@ from rigidsym.errors import require
 
 require("flying a manoeuvre", "scipy", "erfa", "ppigrf")
 
+from rigidsym.manoeuvre.flight.environment import Environment  # noqa: E402
 from rigidsym.manoeuvre.flight.fly import fly  # noqa: E402
 from rigidsym.manoeuvre.flight.reading import read  # noqa: E402
 from rigidsym.manoeuvre.flight.run import Run  # noqa: E402
 from rigidsym.manoeuvre.flight.settings import Flight  # noqa: E402
 
-__all__ = ["Flight", "Run", "fly", "read"]
+__all__ = ["Environment", "Flight", "Run", "fly", "read"]

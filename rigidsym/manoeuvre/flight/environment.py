@@ -6,11 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import earth, sky, torques
 from rigidsym.manoeuvre.flight.atmosphere import density
 from rigidsym.manoeuvre.flight.box import Box
 from rigidsym.manoeuvre.flight.rotation import matrix
 from rigidsym.manoeuvre.flight.settings import Flight
+from rigidsym.splitting import Tide
 
 GRID = 10.0
 "Seconds between the places at which the field and the Sun are computed; splines between them."
@@ -36,9 +38,13 @@ Torque = Callable[[Surroundings], np.ndarray]
 
 
 class Environment:
-    """The disturbances of a flight from `begin` (s) on that are switched on, as torques by name."""
+    """The disturbances of a flight from `begin` (s) on that are switched on, as torques by name.
+
+    It is a torque for `rigidsym.integrate`, too, over the length of the flight.
+    """
 
     def __init__(self, flight: Flight, inertia: np.ndarray, begin: float = 0.0) -> None:
+        self._begin, self._end = begin, float(flight.run.length)
         self._path = earth.Path(flight.orbit)
         self._sky = _sky(flight, self._path, begin)
         self.torques = _torques(flight, inertia)
@@ -58,6 +64,17 @@ class Environment:
             return np.zeros(3)
         here = self.at(t, q)
         return np.sum([torque(here) for torque in self.torques.values()], axis=0)
+
+    def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """The sum of the torques on spacecraft of attitudes q (..., 4) at a time (s): (..., 3).
+
+        Raises InputError for a time outside of the flight, where nothing is known of the sky.
+        """
+        if not self._begin <= t <= self._end:
+            rule = f"must be of the flight, {self._begin:g} to {self._end:g} s"
+            raise InputError("t", t, rule)
+        found = [self.total(t, attitude) for attitude in q.reshape(-1, 4)]
+        return np.reshape(found, omega.shape)
 
     def each(self, t: np.ndarray, q: np.ndarray) -> dict[str, np.ndarray]:
         """Every torque (N, 3) by name along times (N,) and attitudes (N, 4)."""
@@ -83,10 +100,10 @@ def _sky(flight: Flight, path: earth.Path, begin: float) -> CubicSpline:
 def _torques(flight: Flight, inertia: np.ndarray) -> dict[str, Torque]:
     craft, on = flight.spacecraft, flight.disturbances
     box = Box(craft.size, craft.offset)
-    air = density(flight.orbit.altitude)
+    air, tide = density(flight.orbit.altitude), Tide(earth.MU, inertia)
     known: dict[str, Torque] = {
         "drag": lambda here: torques.drag(box, here.wind, air, craft.drag_coefficient),
-        "gravity_gradient": lambda here: torques.gravity_gradient(inertia, here.position),
+        "gravity_gradient": lambda here: tide(here.position),
         "radiation": lambda here: torques.radiation(
             box, here.sun, here.lit, craft.specular, craft.diffuse
         ),

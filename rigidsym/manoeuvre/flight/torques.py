@@ -9,15 +9,9 @@ import math
 import numpy as np
 
 from rigidsym.manoeuvre.flight.box import Box
-from rigidsym.manoeuvre.flight.earth import ASTRONOMICAL_UNIT, MU, SUNLIGHT
+from rigidsym.manoeuvre.flight.earth import ASTRONOMICAL_UNIT, SUNLIGHT
 from rigidsym.manoeuvre.flight.rotation import cross
 from rigidsym.manoeuvre.flight.settings import Triple
-
-
-def gravity_gradient(inertia: np.ndarray, position: np.ndarray) -> np.ndarray:
-    """3 mu / r^5  r x I r, from the Earth's middle to the spacecraft (m)."""
-    radius = math.hypot(*position)
-    return 3 * MU / radius**5 * cross(position, inertia * position)
 
 
 def dipole(moment: Triple, field: np.ndarray) -> np.ndarray:

@@ -12,7 +12,6 @@ from rigidsym.codegen.forms import STEP, THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import comment
-from rigidsym.codegen.names import SIGNS
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
@@ -44,7 +43,7 @@ def check(
     given = statements(source, derived)
     for number in _numbers(functions, constants):
         _expect(source, given, number)
-    for statement in lanes.struct(functions) if form == STEP else ():
+    for statement in lanes.structs(functions):
         _expect(source, given, statement)
     known: dict[str, Function] = {}
     decided = 0
@@ -120,14 +119,7 @@ def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
 def _marks(functions: tuple[Function, ...]) -> dict[str, str]:
     """What functions of motions take and give."""
     by_name = {function.name: function for function in functions}
-    start = by_name["_initial_state"]
     marks = {
-        "initial": ", ".join(x for x in start.results if x not in SIGNS),
-        "signs": ", ".join(SIGNS),
-        "initial given": ", ".join(start.parameters),
-        "initial out": ", ".join(f"&{name}" for name in start.results),
-        "circular given": ", ".join(by_name["_circular_constants"].parameters),
-        "hyperbolic given": ", ".join(by_name["_hyperbolic_constants"].parameters),
         "branches": "\n".join(
             f"        torque_free_{name} {name};" for name in ("circular", "hyperbolic", "steady")
         ),

@@ -201,5 +201,9 @@ def torque(q, direction, coefficients):
     With v that vector in body axes, it is b + k v + v x (Q v - m); coefficients (..., 13): three
     b, k, three m, and Q11, Q22, Q33, Q23, Q13, Q12 of a symmetric Q.
     """
-    given = (np.moveaxis(x, -1, 0) for x in (q, direction, coefficients))
-    return np.stack(_step_kick(*(x for each in given for x in each)), axis=-1)
+    given = [np.asarray(x, float) for x in (q, direction, coefficients)]
+    if all(x.ndim == 1 for x in given):
+        # Of one body in plain numbers: calls of NumPy would take ten times as long.
+        return np.array(_step_kick(*(x for each in given for x in each.tolist())))
+    rows = (np.moveaxis(x, -1, 0) for x in given)
+    return np.stack(_step_kick(*(x for each in rows for x in each)), axis=-1)
