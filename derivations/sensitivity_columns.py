@@ -169,6 +169,19 @@ MIDDLE = {
     "middle_by_Omega_a": "alpha_b/alpha_d*(Omega_d/Omega_b)*Omega_d_by_Omega_a",
     "middle_by_Omega_d": "alpha_b/alpha_a*(Omega_a/Omega_b)*Omega_a_by_Omega_d",
 }
+# Where p grows alone: `_k` less `_r`, by r times the integral of S_t^2/D_t^2 over the phase, from
+# where it was at t = 0, instead of over the elapsed time from 0.
+PASSING = {
+    "passed": "r*F_t - alpha_a/alpha_b*(Omega_b*Omega_b0/(Omega_a*Omega_a0))*S_t/D_t",
+    "half_over_p": "1/(2*p)",
+    "since": "(t + passed)*half_over_p",
+    "share": "1/(2*alpha_b*alpha_d*Omega_a0)",
+    "Omega_a_p": "alpha_a*Omega_b*Omega_d*since"
+    " + (over*(Omega_a*S_t**2 + share*D_t) - share*(Omega_a0/Omega_a))",
+    "Omega_b_p": "alpha_b*Omega_d*Omega_a*since + over*S_t*(Omega_b*S_t + share*alpha_b*Omega_d0)",
+    "Omega_d_p": "alpha_d*Omega_a*Omega_b*since"
+    " + over*S_t*(Omega_d*S_t + share*alpha_d*Omega_b0*D_t)",
+}
 CHANGES = ("Omega_a", "Omega_b", "Omega_d", "c_a", "c_b", "c_d")
 AT_TIME = {**RATES, **DIRECTIONS, **COLUMNS, **EXCESS}
 MOVED = {"a": "h1", "b": "h2", "d": "h3"}
@@ -241,6 +254,7 @@ def _columns_vary(book: Book) -> None:
     book.claim("varied_rates.excess", {"D(excess_b)": "Omega_b**2 - Omega_b0**2"}, ["10"])
     _excesses(book, *given, *functions, defined)
     _middle(book, *given, *functions, defined)
+    _passing(book, *given, *functions, defined)
     still = [Part(x.witness, x.units, reading=x.reading) for x in functions]
     start = Part(relations=(*START.relations, "F_t"))
     book.open(join("varied_rates_start", *given, *still, defined, start, static=True))
@@ -275,6 +289,18 @@ def _middle(book: Book, *parts: Part) -> None:
     book.open(join("middle_columns", *parts, defined))
     same = {name: name.replace("middle", "Omega_b") for name in MIDDLE}
     book.claim("middle_columns.products", same, ["10"])
+
+
+def _passing(book: Book, *parts: Part) -> None:
+    """Where p grows alone, with no difference of what grows with the elapsed time and then not."""
+    _, text, _, _ = ELAPSED["E_t"]
+    # p is alpha_d g_a.
+    units = ("alpha_b", "alpha_d", "Omega_a", "Omega_a0", "g_a")
+    defined = Part(definitions={"E_t": text, **PASSING}, units=units)
+    book.open(join("passing", *(x for x in parts if x is not SQUARED), defined))
+    book.claim("passing.integral", {"D(passed)": "-alpha_a/alpha_b*(Omega_b/Omega_a)**2"}, ["10"])
+    same = {f"Omega_{x}_p": f"Omega_{x}_k - Omega_{x}_r" for x in AXES}
+    book.claim("passing.changes", same, ["10"])
 
 
 def _elapsed(book: Book) -> None:

@@ -38,6 +38,8 @@ _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
 _SHORT = 30
 _PI_BITS = 1000
+# Whole numbers up to here are doubles.
+_MOST_WHOLE = 2**53
 # Python reads and writes whole numbers of so many digits.
 _INT_DIGITS = 4300
 MOST_DIGITS = 100_000
@@ -209,15 +211,19 @@ def _long_text(text: str) -> Fraction:
 
 
 def floats(values: Vector3 | Quaternion, length: int) -> tuple[float, ...] | None:
-    """The values where they are as many finite floats as said, so that nothing has to be read."""
-    if not _are_floats(values) or len(values) != length:
+    """The values where doubles say them, as many as said and finite, so that nothing is read."""
+    if not _are_doubles(values) or len(values) != length:
         return None
-    return tuple(values) if math.isfinite(sum(map(abs, values))) else None
+    found = tuple(map(float, values))
+    return found if math.isfinite(sum(map(abs, found))) else None
 
 
-def _are_floats(values: object) -> TypeGuard[tuple[float, ...] | list[float]]:
-    is_plain = type(values) is tuple or type(values) is list
-    return is_plain and all(type(x) is float for x in values)
+def _are_doubles(values: object) -> TypeGuard[Sequence[float]]:
+    """Whether it is a tuple or a list of floats, or of whole numbers that are doubles exactly."""
+    return isinstance(values, tuple | list) and all(
+        isinstance(x, float) or (type(x) is int and -_MOST_WHOLE <= x <= _MOST_WHOLE)
+        for x in values
+    )
 
 
 def are_moments(values: Sequence[float]) -> bool:

@@ -203,7 +203,8 @@ class TorqueFreeMotion:
         >>> S.attitude.shape, S.rates_t.shape
         ((2, 3, 9), (2, 3))
         """
-        prepared, times = self._prepared, _times(t, errors)
+        prepared = self._prepared
+        times = t if type(t) is float and math.isfinite(t) else _doubles(t, errors)
         found = _refusing(
             lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
             t=times,
@@ -806,14 +807,19 @@ def _doubles(t: ArrayLike, errors: str) -> float | np.ndarray:
 def _floats(
     inertia: Vector3, omega0: Vector3, attitude0: Quaternion
 ) -> dict[str, tuple[float, ...]]:
-    """Inertia, omega0 and attitude0 by name where they are nothing but good floats."""
-    moments, rates = inputs.floats(inertia, 3), inputs.floats(omega0, 3)
-    start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(attitude0, 4)
+    """Inertia, omega0 and attitude0 by name where they are nothing but good doubles."""
+    moments, rates = inputs.floats(_listed(inertia), 3), inputs.floats(_listed(omega0), 3)
+    start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(_listed(attitude0), 4)
     if moments is None or rates is None or start is None:
         return {}
     if not inputs.are_moments(moments) or not any(start):
         return {}
     return {"inertia": moments, "omega0": rates, "attitude0": start}
+
+
+def _listed(values: Vector3 | Quaternion) -> Vector3 | Quaternion:
+    """An array's items as Python's numbers, which are quicker to look at; the rest as it is."""
+    return values.tolist() if type(values) is np.ndarray and values.ndim == 1 else values
 
 
 def _times(t: ArrayLike, errors: str = "raise") -> np.ndarray:

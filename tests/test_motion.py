@@ -238,6 +238,17 @@ def test_numbers_of_every_kind(kind):
     assert motion.inertia == (Fraction(3, 2), Fraction(3, 2), Fraction(3, 4))
 
 
+@pytest.mark.parametrize("whole", [3, 2**53, 2**53 + 1, 2**62], ids=str)
+@pytest.mark.parametrize("given", [tuple, list, np.array, np.float64], ids=lambda x: x.__name__)
+def test_whole_numbers_and_arrays_are_what_they_say(given, whole):
+    """Those that no double is, too."""
+    numbers = [given(values) for values in ((whole, whole, 2), (1, -2, 0), (0, 3, 0, 4))]
+    motion = TorqueFreeMotion(*numbers)
+    exact = [[Fraction(int(x)) for x in values] for values in numbers]
+    assert motion == TorqueFreeMotion(*exact)
+    assert motion.inertia[0] == (float(whole) if given is np.float64 else whole)
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

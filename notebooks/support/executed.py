@@ -21,7 +21,7 @@ RECORD = Path(__file__).with_name("executed.json")
 # What every notebook may import, and what runs and writes them.
 TOGETHER = (
     "build.py",
-    *(f"support/{name}.py" for name in ("__init__", "executed", "figures", "play")),
+    *(f"support/{name}.py" for name in ("__init__", "executed", "figures", "play", "water")),
 )
 PACKAGES = ("derivations", "rigidsym")
 _CORE_LAB_APP = re.compile(r"(?!rigidsym)([\w.-]+)[^;]*(; extra == ['\"](lab|app)['\"])?")

@@ -130,9 +130,8 @@ for name, runs in measured.items():
     style = "k--" if name == "DOP853" else "-"
     axes.loglog([count for _, count in runs], errors[name], style, marker="o", ms=3, label=name)
 axes.set(xlabel="evaluations of the torque in an orbit", ylabel="error at its end, rad")
-axes.grid(alpha=0.3)
 axes.legend()
-figure
+axes.grid(alpha=0.3)
 
 # %% [markdown]
 # * **A weak torque, many steps** (tides, radiation, drag): `saba2`, the default, or `aba84` where
@@ -286,9 +285,9 @@ print(f"pole further east: {np.mean(eastward > 0):.0%}")
 figure, axes = plt.subplots(figsize=(7, 3.2), layout="constrained")
 for mode, name in ((short_axis, "short-axis mode"), (~short_axis, "long-axis mode")):
     axes.scatter(faster[mode], shift[mode], s=8, label=name)
-axes.set(xlabel="effective spin rate, of what it was", ylabel="shift of the pole, deg")
 axes.legend()
-figure
+axes.set(xlabel="effective spin rate, of what it was", ylabel="shift of the pole, deg")
+axes.grid(alpha=0.3)
 
 # %% tags=["hide-cell"]
 assert chosen.error < 1e-6

@@ -69,8 +69,9 @@ Carlson's R_J, angles and their reduction) are truncated as follows;
 said to be measured, and `pytest tests/codegen/special_functions` holds all against mpmath:""",
     STEP: """\
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
-cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
-mpmath:""",
+cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
+proves the bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them
+against mpmath:""",
 }
 
 
@@ -122,10 +123,10 @@ def _pi() -> list[str]:
 def _step() -> list[str]:
     """What steps alone have."""
     return [
-        f"  X and Y, {short_time.TERMS} terms of series   "
-        f"relative, {_up(short_time.MEASURED)} measured",
+        f"  X and Y, {short_time.TERMS} terms of series    "
+        f"relative, below {_up(float(short_time.elapsed_tail()))} up to 8 rad",
         f"  J, {short_time.J_TERMS} terms of series         in psi/2 after all doublings, "
-        f"{_up(short_time.J_MEASURED)} measured",
+        f"below {_up(float(short_time.third_kind_tail()))} up to 8 rad",
     ]
 
 

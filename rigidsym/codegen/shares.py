@@ -8,12 +8,17 @@ from importlib import resources
 from rigidsym.codegen.forms import STEP, THETA, split
 from rigidsym.codegen.ir import KINDS
 
+
+def _of_c(names: str) -> tuple[str, ...]:
+    return tuple(f"targets/c/{name}.c" for name in names.split())
+
+
 # Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
 RUNTIMES = {
     "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
     "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
-    "c": tuple(f"targets/c/{x}.c" for x in ("runtime", "exact", "arithmetic", "double_double")),
-    "c-step": tuple(f"targets/c/{x}.c" for x in ("step", "kick", "double_double")),
+    "c": _of_c("runtime exact arithmetic rounding quotients double_double"),
+    "c-step": _of_c("step kick step_arithmetic rounding quotients double_double"),
 }
 # And what the theta form has beside them.
 SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}
@@ -54,4 +59,6 @@ def handwritten(module: str) -> int:
 def _lines(name: str, comment: str) -> int:
     whole = resources.files("rigidsym.codegen").joinpath(name).read_text("utf-8")
     code = re.sub(comment, "", whole, flags=re.DOTALL)
+    # Other files, where this one names them, are counted by themselves.
+    code = re.sub(r"@\w+\.c@", "", code)
     return sum(bool(line.strip()) for line in code.splitlines())

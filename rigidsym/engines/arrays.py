@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Mapping
-from itertools import accumulate
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,6 +11,7 @@ from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, State
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
 # The last axes of states and what they change by.
 SENSITIVITIES = ((4,), (3,), (3, 9), (3, 9), (3,), (3,))
+_CHANGES = sum(map(math.prod, SENSITIVITIES[2:]))
 SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 
@@ -103,14 +103,14 @@ def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
     Those of changes are one piece of memory, which allocators keep where they would give pieces
     back to the system, and have them anew page by page.
     """
-    shapes = [(*shape, *last) for last in SENSITIVITIES]
-    begins = [0, *accumulate(math.prod(one) for one in shapes[2:])]
-    piece = np.empty(begins.pop())
-    attitude, rates, attitude_t, rates_t = (
-        np.ndarray(one, float, piece, begin * piece.itemsize)
-        for one, begin in zip(shapes[2:], begins, strict=True)
-    )
-    return np.empty(shapes[0]), np.empty(shapes[1]), attitude, rates, attitude_t, rates_t
+    count = math.prod(shape)
+    piece, begin, changes = np.empty(_CHANGES * count), 0, []
+    for last in SENSITIVITIES[2:]:
+        changes.append(np.ndarray((*shape, *last), float, piece, begin))
+        begin += changes[-1].nbytes
+    attitude, rates, attitude_t, rates_t = changes
+    q, omega = (np.empty((*shape, *last)) for last in SENSITIVITIES[:2])
+    return q, omega, attitude, rates, attitude_t, rates_t
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:

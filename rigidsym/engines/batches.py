@@ -1,5 +1,6 @@
 """Batches: arrays of doubles as users give them, and the bodies in them that cannot exist."""
 
+import math
 from typing import NoReturn
 
 import numpy as np
@@ -26,9 +27,13 @@ def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
     except (TypeError, ValueError, OverflowError):
         raise InputError(name, written(value, repr), "must be an array of numbers") from None
     # The extremes tell, without another array of that size; NaN comes through both.
-    if doubles.size and not lenient and not np.isfinite([np.min(doubles), np.max(doubles)]).all():
+    if doubles.size and not lenient and not _are_finite(doubles):
         _refuse(name, doubles, tuple(np.argwhere(~np.isfinite(doubles))[0]), "must be finite")
     return doubles
+
+
+def _are_finite(doubles: np.ndarray) -> bool:
+    return math.isfinite(doubles.min()) and math.isfinite(doubles.max())
 
 
 def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
@@ -42,14 +47,31 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
     refused = np.zeros(len(rows), bool)
     for first in range(0, len(rows), _BLOCK):
         some = slice(first, first + _BLOCK)
-        refused[some] = np.any(rows[some] <= 0, axis=-1)
-        if not allow_nonphysical:
-            refused[some] |= _are_impossible(rows[some])
+        doubtful = first + _doubtful(rows[some])
+        if doubtful.size:
+            refused[doubtful] = _are_refused(rows[doubtful], allow_nonphysical)
     if lenient and refused.any():
         return np.where(refused.reshape(*inertia.shape[:-1], 1), np.nan, inertia)
     for body in np.flatnonzero(refused)[:1]:
         _refuse_body(inertia, np.unravel_index(body, inertia.shape[:-1]))
     return inertia
+
+
+@np.errstate(over="ignore", invalid="ignore")
+def _doubtful(inertia: np.ndarray) -> np.ndarray:
+    """The places of those of (B, 3) moments that sums of doubles do not show to be possible.
+
+    Where a rounded sum is above a double, the sum is; and three moments that are each below the sum
+    of the others are positive.
+    """
+    a, b, c = inertia.T
+    return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
+
+
+def _are_refused(inertia: np.ndarray, allow_nonphysical: bool) -> np.ndarray:
+    """Which of (B, 3) moments no body can have."""
+    refused = np.any(inertia <= 0, axis=-1)
+    return refused if allow_nonphysical else refused | _are_impossible(inertia)
 
 
 def _refuse_body(inertia: np.ndarray, place: tuple[np.intp, ...]) -> NoReturn:

@@ -13,7 +13,6 @@ from rigidsym.engines.cache import CacheError
 from rigidsym.engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
 from rigidsym.engines.library import (
     AnyLibrary,
-    Library,
     LibraryError,
     check_arithmetic,
     load,
@@ -37,8 +36,7 @@ def library(remarks: list[str], engine: str = "c") -> AnyLibrary:
     sources, compiler = package_sources(engine), find()
     key = _key(sources, compiler)
     found = _cached(sources, key, remarks) or _built(sources, compiler, key, remarks)
-    if isinstance(found, Library):
-        check_arithmetic(found)
+    check_arithmetic(found)
     return found
 
 

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 _Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
 _BODY = (c_void_p,) * 3
 _OUT = (c_void_p,) * 2
-_ARITHMETIC = 8
+_ARITHMETIC, _STEP_ARITHMETIC = 8, 6
 _CHANGES = (c_void_p,) * 4
 # Name after the prefix, result, arguments.
 _SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
@@ -37,8 +37,6 @@ _SENSITIVITIES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
         (c_size_t, *_BODY, c_size_t, c_void_p, c_size_t, *_OUT, *_CHANGES, c_void_p, c_void_p),
     ),
 }
-
-
 _STEPS: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
     "step_digest": (c_char_p, ()),
     "step_message": (c_char_p, (c_int,)),
@@ -111,12 +109,22 @@ def load(path: Path, sources: Mapping[str, str]) -> AnyLibrary:
     return functions
 
 
-def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError where no prepared will be made: options in $CC can do that."""
-    prepared = (c_double * -(-library.motion_size() // ctypes.sizeof(c_double)))()
+def check_arithmetic(library: AnyLibrary) -> None:
+    """Raise LibraryError where none will be prepared: options in $CC can do that."""
     one = (c_double * 4)(1.0, 1.0, 1.0, 1.0)
-    if library.motion_init(prepared, one, one, one) == _ARITHMETIC:
-        raise LibraryError(f"the C module refuses: {library.message(_ARITHMETIC).decode()}")
+    if isinstance(library, Library):
+        code, refused = (
+            library.motion_init(_room(library.motion_size()), one, one, one),
+            _ARITHMETIC,
+        )
+    else:
+        code, refused = library.body_init(_room(library.body_size()), one), _STEP_ARITHMETIC
+    if code == refused:
+        raise LibraryError(f"the C module refuses: {library.message(refused).decode()}")
+
+
+def _room(size: int) -> ctypes.Array[c_double]:
+    return (c_double * -(-size // ctypes.sizeof(c_double)))()
 
 
 def written_digest(sources: Mapping[str, str]) -> str | None:

@@ -5,7 +5,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import NoReturn, Protocol, TypeGuard
+from typing import Any, NoReturn, Protocol, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +20,10 @@ _GROWTH = 9
 # Doubles of each array in a state with its sensitivities, which takes as long as so many states.
 _SIZES = tuple(map(math.prod, arrays.SENSITIVITIES))
 _STATES = 8
+# One time before all arrays, each after the other, by the byte.
+_Numbers = ctypes.c_double * (1 + sum(_SIZES))
+_DOUBLE = ctypes.sizeof(ctypes.c_double)
+_BEGINS = tuple(_DOUBLE * sum((1, *_SIZES[:k])) for k in range(len(_SIZES)))
 
 
 class Sensitive(Protocol):
@@ -126,9 +130,26 @@ class _C:
         self, prepared: Prepared, t: ArrayLike, errors: str = "raise"
     ) -> Sensitivities:
         """See `Sensitive`."""
-        times, lenient = arrays.times(t), arrays.is_lenient(errors)
+        lenient = arrays.is_lenient(errors)
+        if isinstance(t, float) and not lenient:
+            return self._at(prepared, t)
+        times = arrays.times(t)
         found = arrays.sensitivities(times.shape)
         self._fill(prepared, times, found, lenient)
+        return found
+
+    def _at(self, prepared: Prepared, t: float) -> Sensitivities:
+        """At one time, by a shorter way from Python to C and back."""
+        # NumPy's types do not know that arrays of ctypes are buffers.
+        numbers: Any = _Numbers(t)
+        place = ctypes.addressof(numbers)
+        code = self.one(prepared, 1, place, *(place + begin for begin in _BEGINS))
+        q, omega, attitude, rates, attitude_t, rates_t = (
+            np.ndarray(shape, float, numbers, begin)
+            for shape, begin in zip(arrays.SENSITIVITIES, _BEGINS, strict=True)
+        )
+        found = q, omega, attitude, rates, attitude_t, rates_t
+        self._check(code, prepared, np.array(t), found)
         return found
 
     def _fill(self, prepared: Prepared, t: np.ndarray, found: Sensitivities, lenient: bool) -> None:
@@ -137,11 +158,16 @@ class _C:
             self._compute(prepared, np.where(near, t, 0.0), found)
             for x in found:
                 x[~near] = np.nan
-        elif (code := self._compute(prepared, t, found)) == _GROWTH:
+        else:
+            self._check(self._compute(prepared, t, found), prepared, t, found)
+
+    def _check(self, code: int, prepared: Prepared, t: np.ndarray, found: Sensitivities) -> None:
+        """Raise EngineError for what a code says of times."""
+        if code == _GROWTH:
             lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
             rule = self.engine.library.message(code).decode().partition(": ")[2]
             raise EngineError("t", rule, time=int(np.argmax(np.any(lost, axis=0))))
-        elif code:
+        if code:
             raise self.engine.refused_times(code, prepared, t)
 
     def _compute(self, prepared: Prepared, t: np.ndarray, found: Sensitivities) -> int:

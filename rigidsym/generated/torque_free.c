@@ -21,6 +21,29 @@
 #define TORQUE_FREE_BLOCK 64
 #endif
 
+/* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
+   one where roots that report errors keep loops from being vectorised.  What these call has to be
+   in them, too, which takes seconds to compile, and is in vain where addresses are checked. */
+#ifndef TORQUE_FREE_LANES
+#if !defined(__OPTIMIZE__) || !defined(__NO_MATH_ERRNO__)
+#define TORQUE_FREE_LANES 1
+#elif defined(__AVX512F__)
+#define TORQUE_FREE_LANES 8
+#elif defined(__AVX__)
+#define TORQUE_FREE_LANES 4
+#elif defined(__aarch64__)
+#define TORQUE_FREE_LANES 2
+#else
+#define TORQUE_FREE_LANES 1
+#endif
+#endif
+#define LANES TORQUE_FREE_LANES
+#if LANES > 1 && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#define FLAT __attribute__((flatten))
+#else
+#define FLAT
+#endif
+
 /* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
    that breaks this shows in a macro: torque_free_motion_init looks, too. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
@@ -219,14 +242,22 @@ static inline double_double scaled(double_double x, int exponent)
     return y;
 }
 
-/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
+/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
+   2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
 {
-    int e;
-    return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
+    const uint64_t bits = bits_of(x.hi);
+    const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
+    const double e = from_bits(bits >> 52 | UINT64_C(0x4330000000000000)) - (4503599627370496.0 + 1022.0);
+    return fraction < 0.70710678118654752 ? e - 1.0 : e;
 }
 
-static inline double_double dd_mantissa(double_double x) { return scaled(x, -(int)dd_exponent(x)); }
+static inline double_double dd_mantissa(double_double x)
+{
+    const double power = power_of_two(-dd_exponent(x));
+    const double_double y = {x.hi * power, x.lo * power};
+    return y;
+}
 /* An exact number is the sum of non-overlapping doubles, smallest first (Shewchuk, Discrete and
    Computational Geometry 18, 1997).  32 parts hold any value of `discriminant`. */
 typedef struct { int size; double part[32]; } exact;
@@ -328,6 +359,170 @@ static const double exponential_5 = 2.4801536334724617e-05; /* e^r, r^8 */
 static const double exponential_6 = 2.7557280025515365e-06; /* e^r, r^9 */
 static const double exponential_7 = 2.7613836801372293e-07; /* e^r, r^10 */
 static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
+
+typedef struct {
+    double c_a_hi[LANES];
+    double c_a_lo[LANES];
+    double c_b_hi[LANES];
+    double c_b_lo[LANES];
+    double c_d_hi[LANES];
+    double c_d_lo[LANES];
+    double c_ab_hi[LANES];
+    double c_ab_lo[LANES];
+    double c_ad_hi[LANES];
+    double c_ad_lo[LANES];
+    double c_bd_hi[LANES];
+    double c_bd_lo[LANES];
+    double Omega_a_hi[LANES];
+    double Omega_a_lo[LANES];
+    double Omega_b_hi[LANES];
+    double Omega_b_lo[LANES];
+    double Omega_d_hi[LANES];
+    double Omega_d_lo[LANES];
+    double E_b_hi[LANES];
+    double E_b_lo[LANES];
+    double axis_a[LANES];
+    double axis_b[LANES];
+    double axis_d[LANES];
+    double K_hi[LANES];
+    double K_lo[LANES];
+    double A_a_hi[LANES];
+    double A_a_lo[LANES];
+    double A_b_hi[LANES];
+    double A_b_lo[LANES];
+    double A_d_hi[LANES];
+    double A_d_lo[LANES];
+    double B_a_hi[LANES];
+    double B_a_lo[LANES];
+    double B_d_hi[LANES];
+    double B_d_lo[LANES];
+    double k_1_hi[LANES];
+    double k_1_lo[LANES];
+    double kc_1_hi[LANES];
+    double kc_1_lo[LANES];
+    double mu_hi[LANES];
+    double mu_lo[LANES];
+    double psi_0_hi[LANES];
+    double psi_0_lo[LANES];
+    double s_hi[LANES];
+    double s_lo[LANES];
+    double c_hi[LANES];
+    double c_lo[LANES];
+    double d_hi[LANES];
+    double d_lo[LANES];
+    double epsilon[LANES];
+    double sigma[LANES];
+    double rho[LANES];
+    double chi[LANES];
+    double q_0_hi[LANES];
+    double q_0_lo[LANES];
+    double q_a_hi[LANES];
+    double q_a_lo[LANES];
+    double q_b_hi[LANES];
+    double q_b_lo[LANES];
+    double q_d_hi[LANES];
+    double q_d_lo[LANES];
+    double unit[LANES];
+} lanes;
+typedef struct {
+    double v_rate_hi[LANES];
+    double v_rate_lo[LANES];
+    double v_hi[LANES];
+    double v_lo[LANES];
+    double Lambda_rate_hi[LANES];
+    double Lambda_rate_lo[LANES];
+    double T4_re_0[LANES];
+    double T4_re_1[LANES];
+    double T4_re_2[LANES];
+    double T4_re_3[LANES];
+    double T4_im_0[LANES];
+    double T4_im_1[LANES];
+    double T4_im_2[LANES];
+    double T1_re_0[LANES];
+    double T1_re_1[LANES];
+    double T1_re_2[LANES];
+    double T1_re_3[LANES];
+    double T1_im_0[LANES];
+    double T1_im_1[LANES];
+    double T1_im_2[LANES];
+    double T1_im_3[LANES];
+    double even_0[LANES];
+    double even_1[LANES];
+    double even_2[LANES];
+    double odd_0[LANES];
+    double odd_1[LANES];
+    double sine_even_0[LANES];
+    double sine_even_1[LANES];
+    double sine_even_2[LANES];
+    double sine_odd_0[LANES];
+    double sine_odd_1[LANES];
+    double row_0_P4_re[LANES];
+    double row_0_P4_im[LANES];
+    double row_0_P1_re[LANES];
+    double row_0_P1_im[LANES];
+    double row_a_P4_re[LANES];
+    double row_a_P4_im[LANES];
+    double row_a_P1_re[LANES];
+    double row_a_P1_im[LANES];
+    double row_b_P4_re[LANES];
+    double row_b_P4_im[LANES];
+    double row_b_P1_re[LANES];
+    double row_b_P1_im[LANES];
+    double row_d_P4_re[LANES];
+    double row_d_P4_im[LANES];
+    double row_d_P1_re[LANES];
+    double row_d_P1_im[LANES];
+    double gain_a[LANES];
+    double gain_b[LANES];
+    double gain_d[LANES];
+} circular_lanes;
+typedef struct {
+    double y_rate_hi[LANES];
+    double y_rate_lo[LANES];
+    double y0_hi[LANES];
+    double y0_lo[LANES];
+    double period_hi[LANES];
+    double period_lo[LANES];
+    double Lambda_rate_hi[LANES];
+    double Lambda_rate_lo[LANES];
+    double jump_hi[LANES];
+    double jump_lo[LANES];
+    double period_far[LANES];
+    double period_inverse[LANES];
+    double re_0[LANES];
+    double re_1[LANES];
+    double re_2[LANES];
+    double re_3[LANES];
+    double im_0[LANES];
+    double im_1[LANES];
+    double im_2[LANES];
+    double im_3[LANES];
+    double nome[LANES];
+    double nome2[LANES];
+    double nome4[LANES];
+    double nome8[LANES];
+    double nome12[LANES];
+    double row_0_P4_re[LANES];
+    double row_0_P4_im[LANES];
+    double row_0_P1_re[LANES];
+    double row_0_P1_im[LANES];
+    double row_a_P4_re[LANES];
+    double row_a_P4_im[LANES];
+    double row_a_P1_re[LANES];
+    double row_a_P1_im[LANES];
+    double row_b_P4_re[LANES];
+    double row_b_P4_im[LANES];
+    double row_b_P1_re[LANES];
+    double row_b_P1_im[LANES];
+    double row_d_P4_re[LANES];
+    double row_d_P4_im[LANES];
+    double row_d_P1_re[LANES];
+    double row_d_P1_im[LANES];
+    double gain_a[LANES];
+    double gain_b[LANES];
+    double gain_d[LANES];
+} hyperbolic_lanes;
+
 /* e^x for x <= 0. */
 static INLINED double exponential(double x)
 {
@@ -398,77 +593,97 @@ static INLINED double circulation(double c_12, double c_13, double c_23, double 
 }
 
 /* Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`. */
-static void initial_state(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
-    double_double c_ad, double_double c_bd, double_double Omega_a, double_double Omega_b,
-    double_double Omega_d, double_double E_b, double axis_a, double axis_b,
-    double axis_d, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
-    double_double *A_d_out, double_double *B_a_out, double_double *B_d_out,
-    double_double *k_1_out, double_double *kc_1_out, double_double *mu_out,
-    double_double *psi_0_out, double_double *s_out, double_double *c_out,
-    double_double *d_out, double *epsilon_out, double *sigma_out, double *rho_out,
-    double *chi_out)
+static FLAT void initial_state(lanes *lane)
 {
-    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
-    const double sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0); /* fact: choice start_signs.sigma; (12) */
-    const double rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0); /* fact: choice start_signs.rho; (12) */
-    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const double chi = choose(0.0, tau * dd_rounded(Omega_d), 1.0, -1.0); /* fact: choice start_signs.chi; (12) */
-    const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* fact: regular.H, regular.E_d; (6), (15) */
-    const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* fact: regular.H, regular.E_a, regular.E_d; (6), (15) */
-    const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* fact: regular.H, regular.E_a; (6), (15) */
-    const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: regular.H; (6), (15) */
-    const double_double common_4 = dd_mul_xx(c_b, c_ab); /* fact: regular.E_a, regular.A_b; (6), (15), (10), (13), (14) */
-    const double_double common_5 = dd_mul_xx(c_d, c_ad); /* fact: regular.E_a, regular.A_d; (6), (15), (10), (13), (14) */
-    const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* fact: regular.E_a; (6), (15) */
-    const double_double common_6 = dd_mul_xx(c_a, c_ad); /* fact: regular.E_d, regular.A_a; (6), (15), (10), (13), (14) */
-    const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* fact: regular.E_d; (6), (15) */
-    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
-    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
-    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
-    const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* fact: attitude.K; (6), (15) */
-    const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* fact: regular.A_a; (10), (13), (14) */
-    const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* fact: regular.A_b; (10), (13), (14) */
-    const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* fact: regular.A_d; (10), (13), (14) */
-    const double_double common_7 = dd_mul_xx(c_ab, E_d); /* fact: regular.lambda_, regular.m_1; (10), (13), (14) */
-    const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* fact: regular.lambda_; (10), (13), (14) */
-    const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* fact: regular.m; (10), (13), (14) */
-    const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* fact: regular.m_1; (10), (13), (14) */
-    const double_double k_c = dd_sqrt(m_1); /* fact: descended.k_c; DLMF 22.7.1 */
-    const double_double common_8 = dd_add_dx(1.0, k_c); /* fact: descended.k_1, descended.mu, definition landen.kc_next; DLMF 22.7.1, DLMF 22.7.2 */
-    const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* fact: descended.k_1; DLMF 22.7.1 */
-    const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* fact: descended.mu; DLMF 22.7.2 */
-    const double_double common_9 = dd_mul_xx(c_a, A_a); /* fact: descended.psi_0, theta_form.B_a; (33), (34), (27) */
-    const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), dd_add_xx(K, common_9)); /* fact: descended.psi_0; (33), (34) */
-    const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
-    const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
-    const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
-    const double_double B_a = common_9; /* fact: theta_form.B_a; (27) */
-    const double_double B_d = dd_mul_xx(c_d, A_d); /* fact: theta_form.B_d; (28) */
-    const double_double root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_10 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
-    const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double d = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    *K_out = K;
-    *A_a_out = A_a;
-    *A_b_out = A_b;
-    *A_d_out = A_d;
-    *B_a_out = B_a;
-    *B_d_out = B_d;
-    *k_1_out = k_1;
-    *kc_1_out = kc_1;
-    *mu_out = mu;
-    *psi_0_out = psi_0;
-    *s_out = s;
-    *c_out = c;
-    *d_out = d;
-    *epsilon_out = epsilon;
-    *sigma_out = sigma;
-    *rho_out = rho;
-    *chi_out = chi;
+    for (size_t i = 0; i < LANES; i++) {
+        const double_double c_a = {lane->c_a_hi[i], lane->c_a_lo[i]};
+        const double_double c_b = {lane->c_b_hi[i], lane->c_b_lo[i]};
+        const double_double c_d = {lane->c_d_hi[i], lane->c_d_lo[i]};
+        const double_double c_ab = {lane->c_ab_hi[i], lane->c_ab_lo[i]};
+        const double_double c_ad = {lane->c_ad_hi[i], lane->c_ad_lo[i]};
+        const double_double c_bd = {lane->c_bd_hi[i], lane->c_bd_lo[i]};
+        const double_double Omega_a = {lane->Omega_a_hi[i], lane->Omega_a_lo[i]};
+        const double_double Omega_b = {lane->Omega_b_hi[i], lane->Omega_b_lo[i]};
+        const double_double Omega_d = {lane->Omega_d_hi[i], lane->Omega_d_lo[i]};
+        const double_double E_b = {lane->E_b_hi[i], lane->E_b_lo[i]};
+        const double axis_a = lane->axis_a[i];
+        const double axis_b = lane->axis_b[i];
+        const double axis_d = lane->axis_d[i];
+        const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+        const double sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0); /* fact: choice start_signs.sigma; (12) */
+        const double rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0); /* fact: choice start_signs.rho; (12) */
+        const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+        const double chi = choose(0.0, tau * dd_rounded(Omega_d), 1.0, -1.0); /* fact: choice start_signs.chi; (12) */
+        const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* fact: regular.H, regular.E_d; (6), (15) */
+        const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* fact: regular.H, regular.E_a, regular.E_d; (6), (15) */
+        const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* fact: regular.H, regular.E_a; (6), (15) */
+        const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: regular.H; (6), (15) */
+        const double_double common_4 = dd_mul_xx(c_b, c_ab); /* fact: regular.E_a, regular.A_b; (6), (15), (10), (13), (14) */
+        const double_double common_5 = dd_mul_xx(c_d, c_ad); /* fact: regular.E_a, regular.A_d; (6), (15), (10), (13), (14) */
+        const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* fact: regular.E_a; (6), (15) */
+        const double_double common_6 = dd_mul_xx(c_a, c_ad); /* fact: regular.E_d, regular.A_a; (6), (15), (10), (13), (14) */
+        const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* fact: regular.E_d; (6), (15) */
+        const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
+        const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
+        const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
+        const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* fact: attitude.K; (6), (15) */
+        const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* fact: regular.A_a; (10), (13), (14) */
+        const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* fact: regular.A_b; (10), (13), (14) */
+        const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* fact: regular.A_d; (10), (13), (14) */
+        const double_double common_7 = dd_mul_xx(c_ab, E_d); /* fact: regular.lambda_, regular.m_1; (10), (13), (14) */
+        const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* fact: regular.lambda_; (10), (13), (14) */
+        const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* fact: regular.m; (10), (13), (14) */
+        const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* fact: regular.m_1; (10), (13), (14) */
+        const double_double k_c = dd_sqrt(m_1); /* fact: descended.k_c; DLMF 22.7.1 */
+        const double_double common_8 = dd_add_dx(1.0, k_c); /* fact: descended.k_1, descended.mu, definition landen.kc_next; DLMF 22.7.1, DLMF 22.7.2 */
+        const double_double k_1 = dd_div_xx(m, dd_mul_xx(common_8, common_8)); /* fact: descended.k_1; DLMF 22.7.1 */
+        const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* fact: descended.mu; DLMF 22.7.2 */
+        const double_double common_9 = dd_mul_xx(c_a, A_a); /* fact: descended.psi_0, theta_form.B_a; (33), (34), (27) */
+        const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), dd_add_xx(K, common_9)); /* fact: descended.psi_0; (33), (34) */
+        const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
+        const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
+        const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
+        const double_double B_a = common_9; /* fact: theta_form.B_a; (27) */
+        const double_double B_d = dd_mul_xx(c_d, A_d); /* fact: theta_form.B_d; (28) */
+        const double_double root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_10 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+        const double_double common_11 = dd_mul_xx(dd_add_dx(1.0, k_1), common_10); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+        const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_11); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
+        const double_double v = dd_sqrt(dd_mul_xx(common_11, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+        const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
+        const double_double d = dd_div_xx(v, common_10); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+        lane->K_hi[i] = K.hi;
+        lane->K_lo[i] = K.lo;
+        lane->A_a_hi[i] = A_a.hi;
+        lane->A_a_lo[i] = A_a.lo;
+        lane->A_b_hi[i] = A_b.hi;
+        lane->A_b_lo[i] = A_b.lo;
+        lane->A_d_hi[i] = A_d.hi;
+        lane->A_d_lo[i] = A_d.lo;
+        lane->B_a_hi[i] = B_a.hi;
+        lane->B_a_lo[i] = B_a.lo;
+        lane->B_d_hi[i] = B_d.hi;
+        lane->B_d_lo[i] = B_d.lo;
+        lane->k_1_hi[i] = k_1.hi;
+        lane->k_1_lo[i] = k_1.lo;
+        lane->kc_1_hi[i] = kc_1.hi;
+        lane->kc_1_lo[i] = kc_1.lo;
+        lane->mu_hi[i] = mu.hi;
+        lane->mu_lo[i] = mu.lo;
+        lane->psi_0_hi[i] = psi_0.hi;
+        lane->psi_0_lo[i] = psi_0.lo;
+        lane->s_hi[i] = s.hi;
+        lane->s_lo[i] = s.lo;
+        lane->c_hi[i] = c.hi;
+        lane->c_lo[i] = c.lo;
+        lane->d_hi[i] = d.hi;
+        lane->d_lo[i] = d.lo;
+        lane->epsilon[i] = epsilon;
+        lane->sigma[i] = sigma;
+        lane->rho[i] = rho;
+        lane->chi[i] = chi;
+    }
 }
 
 /* One step of Landen's descending transformation. */
@@ -575,231 +790,250 @@ static double_double logarithm(double_double x)
 }
 
 /* The constants of a motion on the circular branch, from `_initial_state`. */
-static void circular_constants(double_double K, double_double A_a, double_double A_b, double_double A_d,
-    double_double B_a, double_double B_d, double_double k_1, double_double kc_1,
-    double_double mu, double_double psi_0, double_double s, double_double c,
-    double_double d, double_double q_0, double_double q_a, double_double q_b,
-    double_double q_d, double epsilon, double sigma, double rho, double chi, double unit,
-    torque_free_circular *motion)
+static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *restrict motion)
 {
-    const double_double r = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
-    const double_double root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
-    const double_double Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
-    const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
-    double_double K_1, sin_v, cos_v, Y_b;
-    ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* classical: DLMF 19.8.12 */
-    const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
-    const double_double h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
-    const double_double h_minus = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
-    const double_double g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* fact: reading theta_form.g; (10) */
-    const double_double up1 = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down1 = h_minus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up1 = dd_mul_xx(h_plus, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down1 = dd_mul_xx(h_minus, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up2 = dd_mul_xx(up1, step_up1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up2 = dd_mul_xx(step_up1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down2 = dd_mul_xx(down1, step_down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down2 = dd_mul_xx(step_down1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up3 = dd_mul_xx(up2, step_up2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up3 = dd_mul_xx(step_up2, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down3 = dd_mul_xx(down2, step_down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down3 = dd_mul_xx(step_down2, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up4 = dd_mul_xx(up3, step_up3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up4 = dd_mul_xx(step_up3, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down4 = dd_mul_xx(down3, step_down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down4 = dd_mul_xx(step_down3, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up5 = dd_mul_xx(up4, step_up4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up5 = dd_mul_xx(step_up4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down5 = dd_mul_xx(down4, step_down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down5 = dd_mul_xx(step_down4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up6 = dd_mul_xx(up5, step_up5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up6 = dd_mul_xx(step_up5, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down6 = dd_mul_xx(down5, step_down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down6 = dd_mul_xx(step_down5, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up7 = dd_mul_xx(up6, step_up6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up7 = dd_mul_xx(step_up6, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down7 = dd_mul_xx(down6, step_down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down7 = dd_mul_xx(step_down6, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up8 = dd_mul_xx(up7, step_up7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up8 = dd_mul_xx(step_up7, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down8 = dd_mul_xx(down7, step_down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down8 = dd_mul_xx(step_down7, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up9 = dd_mul_xx(up8, step_up8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_up9 = dd_mul_xx(step_up8, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down9 = dd_mul_xx(down8, step_down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double step_down9 = dd_mul_xx(step_down8, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double up10 = dd_mul_xx(up9, step_up9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double down10 = dd_mul_xx(down9, step_down9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p1 = dd_add_xx(up1, down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d1 = dd_sub_xx(up1, down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p2 = dd_add_xx(up2, down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d2 = dd_sub_xx(up2, down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p3 = dd_add_xx(up3, down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d3 = dd_sub_xx(up3, down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p4 = dd_add_xx(up4, down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d4 = dd_sub_xx(up4, down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p5 = dd_add_xx(up5, down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d5 = dd_sub_xx(up5, down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p6 = dd_add_xx(up6, down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d6 = dd_sub_xx(up6, down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p7 = dd_add_xx(up7, down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d7 = dd_sub_xx(up7, down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p8 = dd_add_xx(up8, down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d8 = dd_sub_xx(up8, down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double p10 = dd_add_xx(up10, down10); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double d10 = dd_sub_xx(up10, down10); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_1 = dd_mul_dx(4.0, d4); /* classical: DLMF 20.2.4, DLMF 20.2.1 */
-    const double_double zeta = dd_div_xx(dd_mul_xx(g, dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_xx(dd_mul_dx(2.0, d2), common_1), dd_mul_dx(6.0, d6)), dd_mul_dx(8.0, d8)), dd_mul_dx(10.0, d10))), dd_sub_xx(dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, p2), p4), p6), p8), p10)); /* classical: DLMF 20.2.4 */
-    const double_double T4_re_0 = dd_sub_dx(1.0, p4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re_1 = dd_add_xx(dd_neg(p2), dd_mul_dx(3.0, p6)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re_2 = dd_mul_dx(2.0, p4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re_3 = dd_mul_dx(-4.0, p6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_im_0 = dd_mul_dx(rho, dd_add_xx(dd_mul_dx(-2.0, d2), dd_mul_dx(2.0, d6))); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_im_1 = dd_mul_dx(rho, common_1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_im_2 = dd_mul_dx(rho, dd_mul_dx(-8.0, d6)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_0 = dd_add_xx(dd_sub_xx(dd_sub_xx(p1, p3), p5), p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_2 = dd_mul_dx(4.0, p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_1 = dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, p3), dd_mul_dx(2.0, p5)), common_2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_2 = dd_sub_xx(dd_mul_dx(4.0, p5), common_2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_re_3 = dd_mul_dx(-8.0, p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_0 = dd_mul_dx(rho, dd_add_xx(dd_add_xx(dd_sub_xx(dd_neg(d1), d3), d5), d7)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_3 = dd_mul_dx(4.0, d7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_1 = dd_mul_dx(rho, dd_sub_xx(dd_add_xx(dd_mul_dx(2.0, d3), dd_mul_dx(2.0, d5)), common_3)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_2 = dd_mul_dx(rho, dd_sub_xx(dd_mul_dx(-4.0, d5), common_3)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T1_im_3 = dd_mul_dx(rho, dd_mul_dx(8.0, d7)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q2 = dd_mul_xx(Q, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q4 = dd_mul_xx(Q2, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q6 = dd_mul_xx(Q4, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_4 = dd_mul_xx(Q4, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
-    const double_double Q9 = dd_mul_xx(common_4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q12 = dd_mul_xx(Q6, Q6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q16 = dd_mul_xx(Q12, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double Q20 = dd_mul_xx(Q16, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_5 = dd_mul_dx(2.0, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const double_double common_6 = dd_mul_dx(2.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const double_double even_0 = dd_add_xx(dd_sub_dx(1.0, common_5), common_6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_7 = dd_mul_dx(16.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double even_1 = dd_sub_xx(dd_mul_dx(4.0, Q4), common_7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double even_2 = common_7; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_8 = dd_mul_dx(2.0, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
-    const double_double odd_0 = dd_sub_xx(common_8, dd_mul_dx(6.0, Q9)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double odd_1 = dd_mul_dx(8.0, Q9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_even_0 = dd_add_xx(dd_add_xx(dd_sub_xx(dd_sub_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double common_9 = dd_mul_dx(4.0, Q12); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_even_1 = dd_sub_xx(dd_sub_xx(dd_mul_dx(4.0, Q6), common_9), dd_mul_dx(12.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_even_2 = dd_mul_dx(16.0, Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_odd_0 = dd_sub_xx(dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, Q2), dd_mul_dx(2.0, Q6)), common_9), dd_mul_dx(4.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double sine_odd_1 = dd_add_xx(dd_mul_dx(-8.0, Q12), dd_mul_dx(8.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double two = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.2 */
-    const double_double even_sum = dd_add_xx(dd_add_dx(1.0, common_5), common_6); /* classical: DLMF 20.2.3 */
-    const double_double common_10 = dd_mul_dx(2.0, Q9); /* classical: DLMF 20.2.3 */
-    const double_double odd_sum = dd_add_xx(dd_add_xx(common_8, common_10), dd_mul_xx(common_10, Q16)); /* classical: DLMF 20.2.3 */
-    const double_double three = dd_add_xx(even_sum, odd_sum); /* classical: DLMF 20.2.3 */
-    const double_double four = dd_sub_xx(even_sum, odd_sum); /* classical: DLMF 20.2.4 */
-    const double_double h2_plus = dd_mul_xx(h_plus, h_plus); /* classical: DLMF 20.7.14 */
-    const double_double h2_minus = dd_mul_xx(h_minus, h_minus); /* classical: DLMF 20.7.14 */
-    const double_double side_plus = dd_mul_xx(h2_plus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_plus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_plus))))))))); /* classical: DLMF 20.7.14 */
-    const double_double side_minus = dd_mul_xx(h2_minus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_minus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_minus))))))))); /* classical: DLMF 20.7.14 */
-    const double_double watson = dd_add_xx(dd_add_dx(1.0, side_plus), side_minus); /* classical: DLMF 20.7.14 */
-    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* fact: definition theta_form.Lambda; (33), (34) */
-    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
-    const double_double v = half_turns(sin_v, cos_v); /* classical: DLMF 4.24.3 */
-    const double_double v_rate = dd_div_xx(dd_mul_xx(mu, g), pi); /* arithmetic */
-    const double_double x = dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_v, sin_v))); /* classical: DLMF 4.21.27 */
-    const double_double x2 = dd_mul_xx(x, x); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
-    const double_double T4_re = dd_add_xx(T4_re_0, dd_mul_xx(x, dd_add_xx(T4_re_1, dd_mul_xx(x, dd_add_xx(T4_re_2, dd_mul_xx(x, T4_re_3)))))); /* classical: DLMF 20.2.4 */
-    const double_double T4_im = dd_mul_xx(dd_mul_xx(sin_v, cos_v), dd_add_xx(T4_im_0, dd_mul_xx(x, dd_add_xx(T4_im_1, dd_mul_xx(x, T4_im_2))))); /* classical: DLMF 20.2.4 */
-    const double_double T1_re = dd_mul_xx(sin_v, dd_add_xx(T1_re_0, dd_mul_xx(x, dd_add_xx(T1_re_1, dd_mul_xx(x, dd_add_xx(T1_re_2, dd_mul_xx(x, T1_re_3))))))); /* classical: DLMF 20.2.1 */
-    const double_double T1_im = dd_mul_xx(cos_v, dd_add_xx(T1_im_0, dd_mul_xx(x, dd_add_xx(T1_im_1, dd_mul_xx(x, dd_add_xx(T1_im_2, dd_mul_xx(x, T1_im_3))))))); /* classical: DLMF 20.2.1 */
-    const double_double sum_even = dd_add_xx(even_0, dd_mul_xx(x2, dd_add_xx(even_1, dd_mul_xx(x2, even_2)))); /* classical: DLMF 20.2.4 */
-    const double_double sum_odd = dd_mul_xx(x, dd_add_xx(odd_0, dd_mul_xx(x2, odd_1))); /* classical: DLMF 20.2.4 */
-    const double_double theta4_v = dd_sub_xx(sum_even, sum_odd); /* classical: DLMF 20.2.4 */
-    const double_double P4_re = T4_re; /* fact: definition theta_form.P4_re; (18) */
-    const double_double P4_im = T4_im; /* fact: definition theta_form.P4_im; (18) */
-    const double_double P1_re = T1_re; /* fact: definition theta_form.P1_re; (18) */
-    const double_double P1_im = T1_im; /* fact: definition theta_form.P1_im; (18) */
-    const double_double W = dd_mul_xx(theta4_v, watson); /* fact: reading theta_form.W; (1) */
-    const double_double N = dd_sqrt(W); /* fact: theta_form.N_of_W; (1) */
-    const double_double qbar_0 = dd_div_xx(P4_re, N); /* fact: theta_form.qbar_0; (18), (25) */
-    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* fact: theta_form.qbar_a; (18), (25) */
-    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* fact: theta_form.qbar_b; (18), (25) */
-    const double common_11 = -epsilon * sigma * chi; /* fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37) */
-    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_11, P1_re), N); /* fact: theta_form.qbar_d; (18), (25) */
-    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
-    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
-    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
-    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
-    const double_double over_N = dd_div_dx(1.0, dd_sqrt(watson)); /* classical: DLMF 20.7.14 */
-    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* fact: definition attitude.q_0; (37) */
-    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* fact: definition attitude.q_0; (37) */
-    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* fact: definition attitude.q_0; (37) */
-    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* fact: definition attitude.q_0; (37) */
-    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* fact: definition attitude.q_a; (37) */
-    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* fact: definition attitude.q_a; (37) */
-    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* fact: definition attitude.q_a; (37) */
-    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* fact: definition attitude.q_a; (37) */
-    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* fact: definition attitude.q_b; (37) */
-    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* fact: definition attitude.q_b; (37) */
-    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* fact: definition attitude.q_b; (37) */
-    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* fact: definition attitude.q_b; (37) */
-    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* fact: definition attitude.q_d; (37) */
-    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* fact: definition attitude.q_d; (37) */
-    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* fact: definition attitude.q_d; (37) */
-    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* fact: definition attitude.q_d; (37) */
-    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* fact: definition regular.Omega_a; (10), DLMF 22.2.4 */
-    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* fact: definition regular.Omega_b; (10), DLMF 22.2.4 */
-    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* fact: definition regular.Omega_d; (10), DLMF 22.2.4 */
-    motion->v_rate_hi = v_rate.hi;
-    motion->v_rate_lo = v_rate.lo;
-    motion->v_hi = v.hi;
-    motion->v_lo = v.lo;
-    motion->Lambda_rate_hi = Lambda_rate.hi;
-    motion->Lambda_rate_lo = Lambda_rate.lo;
-    motion->T4_re_0 = dd_rounded(T4_re_0);
-    motion->T4_re_1 = dd_rounded(T4_re_1);
-    motion->T4_re_2 = dd_rounded(T4_re_2);
-    motion->T4_re_3 = dd_rounded(T4_re_3);
-    motion->T4_im_0 = dd_rounded(T4_im_0);
-    motion->T4_im_1 = dd_rounded(T4_im_1);
-    motion->T4_im_2 = dd_rounded(T4_im_2);
-    motion->T1_re_0 = dd_rounded(T1_re_0);
-    motion->T1_re_1 = dd_rounded(T1_re_1);
-    motion->T1_re_2 = dd_rounded(T1_re_2);
-    motion->T1_re_3 = dd_rounded(T1_re_3);
-    motion->T1_im_0 = dd_rounded(T1_im_0);
-    motion->T1_im_1 = dd_rounded(T1_im_1);
-    motion->T1_im_2 = dd_rounded(T1_im_2);
-    motion->T1_im_3 = dd_rounded(T1_im_3);
-    motion->even_0 = dd_rounded(even_0);
-    motion->even_1 = dd_rounded(even_1);
-    motion->even_2 = dd_rounded(even_2);
-    motion->odd_0 = dd_rounded(odd_0);
-    motion->odd_1 = dd_rounded(odd_1);
-    motion->sine_even_0 = dd_rounded(sine_even_0);
-    motion->sine_even_1 = dd_rounded(sine_even_1);
-    motion->sine_even_2 = dd_rounded(sine_even_2);
-    motion->sine_odd_0 = dd_rounded(sine_odd_0);
-    motion->sine_odd_1 = dd_rounded(sine_odd_1);
-    motion->row_0_P4_re = dd_rounded(row_0_P4_re);
-    motion->row_0_P4_im = dd_rounded(row_0_P4_im);
-    motion->row_0_P1_re = dd_rounded(row_0_P1_re);
-    motion->row_0_P1_im = dd_rounded(row_0_P1_im);
-    motion->row_a_P4_re = dd_rounded(row_a_P4_re);
-    motion->row_a_P4_im = dd_rounded(row_a_P4_im);
-    motion->row_a_P1_re = dd_rounded(row_a_P1_re);
-    motion->row_a_P1_im = dd_rounded(row_a_P1_im);
-    motion->row_b_P4_re = dd_rounded(row_b_P4_re);
-    motion->row_b_P4_im = dd_rounded(row_b_P4_im);
-    motion->row_b_P1_re = dd_rounded(row_b_P1_re);
-    motion->row_b_P1_im = dd_rounded(row_b_P1_im);
-    motion->row_d_P4_re = dd_rounded(row_d_P4_re);
-    motion->row_d_P4_im = dd_rounded(row_d_P4_im);
-    motion->row_d_P1_re = dd_rounded(row_d_P1_re);
-    motion->row_d_P1_im = dd_rounded(row_d_P1_im);
-    motion->gain_a = dd_rounded(gain_a);
-    motion->gain_b = dd_rounded(gain_b);
-    motion->gain_d = dd_rounded(gain_d);
+    for (size_t i = 0; i < LANES; i++) {
+        const double_double K = {lane->K_hi[i], lane->K_lo[i]};
+        const double_double A_a = {lane->A_a_hi[i], lane->A_a_lo[i]};
+        const double_double A_b = {lane->A_b_hi[i], lane->A_b_lo[i]};
+        const double_double A_d = {lane->A_d_hi[i], lane->A_d_lo[i]};
+        const double_double B_a = {lane->B_a_hi[i], lane->B_a_lo[i]};
+        const double_double B_d = {lane->B_d_hi[i], lane->B_d_lo[i]};
+        const double_double k_1 = {lane->k_1_hi[i], lane->k_1_lo[i]};
+        const double_double kc_1 = {lane->kc_1_hi[i], lane->kc_1_lo[i]};
+        const double_double mu = {lane->mu_hi[i], lane->mu_lo[i]};
+        const double_double psi_0 = {lane->psi_0_hi[i], lane->psi_0_lo[i]};
+        const double_double s = {lane->s_hi[i], lane->s_lo[i]};
+        const double_double c = {lane->c_hi[i], lane->c_lo[i]};
+        const double_double d = {lane->d_hi[i], lane->d_lo[i]};
+        const double_double q_0 = {lane->q_0_hi[i], lane->q_0_lo[i]};
+        const double_double q_a = {lane->q_a_hi[i], lane->q_a_lo[i]};
+        const double_double q_b = {lane->q_b_hi[i], lane->q_b_lo[i]};
+        const double_double q_d = {lane->q_d_hi[i], lane->q_d_lo[i]};
+        const double epsilon = lane->epsilon[i];
+        const double sigma = lane->sigma[i];
+        const double rho = lane->rho[i];
+        const double chi = lane->chi[i];
+        const double unit = lane->unit[i];
+        const double_double r = root_ratio(k_1, kc_1); /* classical: DLMF 20.9.1 */
+        const double_double root_r = dd_sqrt(r); /* fact: scaling.root_r; (27) */
+        const double_double Q = dd_div_xx(k_1, r); /* fact: scaling.Q; (27) */
+        const double_double Y = dd_div_xx(B_d, dd_mul_xx(dd_add_xx(K, B_a), root_r)); /* fact: definition scaling.Y; (28) */
+        double_double K_1, sin_v, cos_v, Y_b;
+        ladder(k_1, kc_1, s, c, d, r, Y, &K_1, &sin_v, &cos_v, &Y_b); /* classical: DLMF 19.8.12 */
+        const double_double root_h = dd_sqrt(dd_add_xx(dd_mul_xx(Y_b, Y_b), Q)); /* fact: scaling.root_h; (28) */
+        const double_double h_plus = dd_add_xx(root_h, Y_b); /* fact: scaling.h_plus; (28) */
+        const double_double h_minus = dd_sub_xx(root_h, Y_b); /* fact: scaling.h_minus; (28) */
+        const double_double g = dd_div_xx(pi, dd_mul_dx(2.0, K_1)); /* fact: reading theta_form.g; (10) */
+        const double_double up1 = h_plus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down1 = h_minus; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up1 = dd_mul_xx(h_plus, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down1 = dd_mul_xx(h_minus, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up2 = dd_mul_xx(up1, step_up1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up2 = dd_mul_xx(step_up1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down2 = dd_mul_xx(down1, step_down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down2 = dd_mul_xx(step_down1, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up3 = dd_mul_xx(up2, step_up2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up3 = dd_mul_xx(step_up2, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down3 = dd_mul_xx(down2, step_down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down3 = dd_mul_xx(step_down2, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up4 = dd_mul_xx(up3, step_up3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up4 = dd_mul_xx(step_up3, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down4 = dd_mul_xx(down3, step_down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down4 = dd_mul_xx(step_down3, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up5 = dd_mul_xx(up4, step_up4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up5 = dd_mul_xx(step_up4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down5 = dd_mul_xx(down4, step_down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down5 = dd_mul_xx(step_down4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up6 = dd_mul_xx(up5, step_up5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up6 = dd_mul_xx(step_up5, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down6 = dd_mul_xx(down5, step_down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down6 = dd_mul_xx(step_down5, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up7 = dd_mul_xx(up6, step_up6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up7 = dd_mul_xx(step_up6, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down7 = dd_mul_xx(down6, step_down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down7 = dd_mul_xx(step_down6, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up8 = dd_mul_xx(up7, step_up7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up8 = dd_mul_xx(step_up7, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down8 = dd_mul_xx(down7, step_down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down8 = dd_mul_xx(step_down7, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up9 = dd_mul_xx(up8, step_up8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_up9 = dd_mul_xx(step_up8, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down9 = dd_mul_xx(down8, step_down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double step_down9 = dd_mul_xx(step_down8, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double up10 = dd_mul_xx(up9, step_up9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double down10 = dd_mul_xx(down9, step_down9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p1 = dd_add_xx(up1, down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d1 = dd_sub_xx(up1, down1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p2 = dd_add_xx(up2, down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d2 = dd_sub_xx(up2, down2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p3 = dd_add_xx(up3, down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d3 = dd_sub_xx(up3, down3); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p4 = dd_add_xx(up4, down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d4 = dd_sub_xx(up4, down4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p5 = dd_add_xx(up5, down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d5 = dd_sub_xx(up5, down5); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p6 = dd_add_xx(up6, down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d6 = dd_sub_xx(up6, down6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p7 = dd_add_xx(up7, down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d7 = dd_sub_xx(up7, down7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p8 = dd_add_xx(up8, down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d8 = dd_sub_xx(up8, down8); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double p10 = dd_add_xx(up10, down10); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double d10 = dd_sub_xx(up10, down10); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_1 = dd_mul_dx(4.0, d4); /* classical: DLMF 20.2.4, DLMF 20.2.1 */
+        const double_double zeta = dd_div_xx(dd_mul_xx(g, dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_xx(dd_mul_dx(2.0, d2), common_1), dd_mul_dx(6.0, d6)), dd_mul_dx(8.0, d8)), dd_mul_dx(10.0, d10))), dd_sub_xx(dd_add_xx(dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, p2), p4), p6), p8), p10)); /* classical: DLMF 20.2.4 */
+        const double_double T4_re_0 = dd_sub_dx(1.0, p4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_re_1 = dd_add_xx(dd_neg(p2), dd_mul_dx(3.0, p6)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_re_2 = dd_mul_dx(2.0, p4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_re_3 = dd_mul_dx(-4.0, p6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_im_0 = dd_mul_dx(rho, dd_add_xx(dd_mul_dx(-2.0, d2), dd_mul_dx(2.0, d6))); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_im_1 = dd_mul_dx(rho, common_1); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_im_2 = dd_mul_dx(rho, dd_mul_dx(-8.0, d6)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_re_0 = dd_add_xx(dd_sub_xx(dd_sub_xx(p1, p3), p5), p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_2 = dd_mul_dx(4.0, p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_re_1 = dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, p3), dd_mul_dx(2.0, p5)), common_2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_re_2 = dd_sub_xx(dd_mul_dx(4.0, p5), common_2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_re_3 = dd_mul_dx(-8.0, p7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_im_0 = dd_mul_dx(rho, dd_add_xx(dd_add_xx(dd_sub_xx(dd_neg(d1), d3), d5), d7)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_3 = dd_mul_dx(4.0, d7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_im_1 = dd_mul_dx(rho, dd_sub_xx(dd_add_xx(dd_mul_dx(2.0, d3), dd_mul_dx(2.0, d5)), common_3)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_im_2 = dd_mul_dx(rho, dd_sub_xx(dd_mul_dx(-4.0, d5), common_3)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T1_im_3 = dd_mul_dx(rho, dd_mul_dx(8.0, d7)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double Q2 = dd_mul_xx(Q, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double Q4 = dd_mul_xx(Q2, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double Q6 = dd_mul_xx(Q4, Q2); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_4 = dd_mul_xx(Q4, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.7.14 */
+        const double_double Q9 = dd_mul_xx(common_4, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double Q12 = dd_mul_xx(Q6, Q6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double Q16 = dd_mul_xx(Q12, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double Q20 = dd_mul_xx(Q16, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_5 = dd_mul_dx(2.0, Q4); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+        const double_double common_6 = dd_mul_dx(2.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+        const double_double even_0 = dd_add_xx(dd_sub_dx(1.0, common_5), common_6); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_7 = dd_mul_dx(16.0, Q16); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double even_1 = dd_sub_xx(dd_mul_dx(4.0, Q4), common_7); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double even_2 = common_7; /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_8 = dd_mul_dx(2.0, Q); /* classical: DLMF 20.2.1, DLMF 20.2.4, DLMF 20.2.3 */
+        const double_double odd_0 = dd_sub_xx(common_8, dd_mul_dx(6.0, Q9)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double odd_1 = dd_mul_dx(8.0, Q9); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double sine_even_0 = dd_add_xx(dd_add_xx(dd_sub_xx(dd_sub_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double common_9 = dd_mul_dx(4.0, Q12); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double sine_even_1 = dd_sub_xx(dd_sub_xx(dd_mul_dx(4.0, Q6), common_9), dd_mul_dx(12.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double sine_even_2 = dd_mul_dx(16.0, Q20); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double sine_odd_0 = dd_sub_xx(dd_add_xx(dd_add_xx(dd_mul_dx(-2.0, Q2), dd_mul_dx(2.0, Q6)), common_9), dd_mul_dx(4.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double sine_odd_1 = dd_add_xx(dd_mul_dx(-8.0, Q12), dd_mul_dx(8.0, Q20)); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double two = dd_add_xx(dd_add_xx(dd_add_xx(dd_add_dx(1.0, Q2), Q6), Q12), Q20); /* classical: DLMF 20.2.2 */
+        const double_double even_sum = dd_add_xx(dd_add_dx(1.0, common_5), common_6); /* classical: DLMF 20.2.3 */
+        const double_double common_10 = dd_mul_dx(2.0, Q9); /* classical: DLMF 20.2.3 */
+        const double_double odd_sum = dd_add_xx(dd_add_xx(common_8, common_10), dd_mul_xx(common_10, Q16)); /* classical: DLMF 20.2.3 */
+        const double_double three = dd_add_xx(even_sum, odd_sum); /* classical: DLMF 20.2.3 */
+        const double_double four = dd_sub_xx(even_sum, odd_sum); /* classical: DLMF 20.2.4 */
+        const double_double h2_plus = dd_mul_xx(h_plus, h_plus); /* classical: DLMF 20.7.14 */
+        const double_double h2_minus = dd_mul_xx(h_minus, h_minus); /* classical: DLMF 20.7.14 */
+        const double_double side_plus = dd_mul_xx(h2_plus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_plus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_plus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_plus))))))))); /* classical: DLMF 20.7.14 */
+        const double_double side_minus = dd_mul_xx(h2_minus, dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q2, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q4, h2_minus), dd_add_dx(1.0, dd_mul_xx(dd_mul_xx(Q6, h2_minus), dd_add_dx(1.0, dd_mul_xx(common_4, h2_minus))))))))); /* classical: DLMF 20.7.14 */
+        const double_double watson = dd_add_xx(dd_add_dx(1.0, side_plus), side_minus); /* classical: DLMF 20.7.14 */
+        const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* fact: definition theta_form.Lambda; (33), (34) */
+        const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
+        const double_double v = half_turns(sin_v, cos_v); /* classical: DLMF 4.24.3 */
+        const double_double v_rate = dd_div_xx(dd_mul_xx(mu, g), pi); /* arithmetic */
+        const double_double x = dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_v, sin_v))); /* classical: DLMF 4.21.27 */
+        const double_double x2 = dd_mul_xx(x, x); /* classical: DLMF 20.2.1, DLMF 20.2.4 */
+        const double_double T4_re = dd_add_xx(T4_re_0, dd_mul_xx(x, dd_add_xx(T4_re_1, dd_mul_xx(x, dd_add_xx(T4_re_2, dd_mul_xx(x, T4_re_3)))))); /* classical: DLMF 20.2.4 */
+        const double_double T4_im = dd_mul_xx(dd_mul_xx(sin_v, cos_v), dd_add_xx(T4_im_0, dd_mul_xx(x, dd_add_xx(T4_im_1, dd_mul_xx(x, T4_im_2))))); /* classical: DLMF 20.2.4 */
+        const double_double T1_re = dd_mul_xx(sin_v, dd_add_xx(T1_re_0, dd_mul_xx(x, dd_add_xx(T1_re_1, dd_mul_xx(x, dd_add_xx(T1_re_2, dd_mul_xx(x, T1_re_3))))))); /* classical: DLMF 20.2.1 */
+        const double_double T1_im = dd_mul_xx(cos_v, dd_add_xx(T1_im_0, dd_mul_xx(x, dd_add_xx(T1_im_1, dd_mul_xx(x, dd_add_xx(T1_im_2, dd_mul_xx(x, T1_im_3))))))); /* classical: DLMF 20.2.1 */
+        const double_double sum_even = dd_add_xx(even_0, dd_mul_xx(x2, dd_add_xx(even_1, dd_mul_xx(x2, even_2)))); /* classical: DLMF 20.2.4 */
+        const double_double sum_odd = dd_mul_xx(x, dd_add_xx(odd_0, dd_mul_xx(x2, odd_1))); /* classical: DLMF 20.2.4 */
+        const double_double theta4_v = dd_sub_xx(sum_even, sum_odd); /* classical: DLMF 20.2.4 */
+        const double_double P4_re = T4_re; /* fact: definition theta_form.P4_re; (18) */
+        const double_double P4_im = T4_im; /* fact: definition theta_form.P4_im; (18) */
+        const double_double P1_re = T1_re; /* fact: definition theta_form.P1_re; (18) */
+        const double_double P1_im = T1_im; /* fact: definition theta_form.P1_im; (18) */
+        const double_double W = dd_mul_xx(theta4_v, watson); /* fact: reading theta_form.W; (1) */
+        const double_double N = dd_sqrt(W); /* fact: theta_form.N_of_W; (1) */
+        const double_double qbar_0 = dd_div_xx(P4_re, N); /* fact: theta_form.qbar_0; (18), (25) */
+        const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* fact: theta_form.qbar_a; (18), (25) */
+        const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* fact: theta_form.qbar_b; (18), (25) */
+        const double common_11 = -epsilon * sigma * chi; /* fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37) */
+        const double_double qbar_d = dd_div_xx(dd_mul_dx(common_11, P1_re), N); /* fact: theta_form.qbar_d; (18), (25) */
+        const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
+        const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
+        const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
+        const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
+        const double_double over_N = dd_div_dx(1.0, dd_sqrt(watson)); /* classical: DLMF 20.7.14 */
+        const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* fact: definition attitude.q_0; (37) */
+        const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* fact: definition attitude.q_0; (37) */
+        const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_11))); /* fact: definition attitude.q_0; (37) */
+        const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* fact: definition attitude.q_0; (37) */
+        const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* fact: definition attitude.q_a; (37) */
+        const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* fact: definition attitude.q_a; (37) */
+        const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_11))); /* fact: definition attitude.q_a; (37) */
+        const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* fact: definition attitude.q_a; (37) */
+        const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* fact: definition attitude.q_b; (37) */
+        const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* fact: definition attitude.q_b; (37) */
+        const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_11)))); /* fact: definition attitude.q_b; (37) */
+        const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* fact: definition attitude.q_b; (37) */
+        const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* fact: definition attitude.q_d; (37) */
+        const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* fact: definition attitude.q_d; (37) */
+        const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_11)); /* fact: definition attitude.q_d; (37) */
+        const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* fact: definition attitude.q_d; (37) */
+        const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+        const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(four, three)), unit); /* fact: definition regular.Omega_a; (10), DLMF 22.2.4 */
+        const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, two)), unit); /* fact: definition regular.Omega_b; (10), DLMF 22.2.4 */
+        const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(four, two)), unit); /* fact: definition regular.Omega_d; (10), DLMF 22.2.4 */
+        motion->v_rate_hi[i] = v_rate.hi;
+        motion->v_rate_lo[i] = v_rate.lo;
+        motion->v_hi[i] = v.hi;
+        motion->v_lo[i] = v.lo;
+        motion->Lambda_rate_hi[i] = Lambda_rate.hi;
+        motion->Lambda_rate_lo[i] = Lambda_rate.lo;
+        motion->T4_re_0[i] = dd_rounded(T4_re_0);
+        motion->T4_re_1[i] = dd_rounded(T4_re_1);
+        motion->T4_re_2[i] = dd_rounded(T4_re_2);
+        motion->T4_re_3[i] = dd_rounded(T4_re_3);
+        motion->T4_im_0[i] = dd_rounded(T4_im_0);
+        motion->T4_im_1[i] = dd_rounded(T4_im_1);
+        motion->T4_im_2[i] = dd_rounded(T4_im_2);
+        motion->T1_re_0[i] = dd_rounded(T1_re_0);
+        motion->T1_re_1[i] = dd_rounded(T1_re_1);
+        motion->T1_re_2[i] = dd_rounded(T1_re_2);
+        motion->T1_re_3[i] = dd_rounded(T1_re_3);
+        motion->T1_im_0[i] = dd_rounded(T1_im_0);
+        motion->T1_im_1[i] = dd_rounded(T1_im_1);
+        motion->T1_im_2[i] = dd_rounded(T1_im_2);
+        motion->T1_im_3[i] = dd_rounded(T1_im_3);
+        motion->even_0[i] = dd_rounded(even_0);
+        motion->even_1[i] = dd_rounded(even_1);
+        motion->even_2[i] = dd_rounded(even_2);
+        motion->odd_0[i] = dd_rounded(odd_0);
+        motion->odd_1[i] = dd_rounded(odd_1);
+        motion->sine_even_0[i] = dd_rounded(sine_even_0);
+        motion->sine_even_1[i] = dd_rounded(sine_even_1);
+        motion->sine_even_2[i] = dd_rounded(sine_even_2);
+        motion->sine_odd_0[i] = dd_rounded(sine_odd_0);
+        motion->sine_odd_1[i] = dd_rounded(sine_odd_1);
+        motion->row_0_P4_re[i] = dd_rounded(row_0_P4_re);
+        motion->row_0_P4_im[i] = dd_rounded(row_0_P4_im);
+        motion->row_0_P1_re[i] = dd_rounded(row_0_P1_re);
+        motion->row_0_P1_im[i] = dd_rounded(row_0_P1_im);
+        motion->row_a_P4_re[i] = dd_rounded(row_a_P4_re);
+        motion->row_a_P4_im[i] = dd_rounded(row_a_P4_im);
+        motion->row_a_P1_re[i] = dd_rounded(row_a_P1_re);
+        motion->row_a_P1_im[i] = dd_rounded(row_a_P1_im);
+        motion->row_b_P4_re[i] = dd_rounded(row_b_P4_re);
+        motion->row_b_P4_im[i] = dd_rounded(row_b_P4_im);
+        motion->row_b_P1_re[i] = dd_rounded(row_b_P1_re);
+        motion->row_b_P1_im[i] = dd_rounded(row_b_P1_im);
+        motion->row_d_P4_re[i] = dd_rounded(row_d_P4_re);
+        motion->row_d_P4_im[i] = dd_rounded(row_d_P4_im);
+        motion->row_d_P1_re[i] = dd_rounded(row_d_P1_re);
+        motion->row_d_P1_im[i] = dd_rounded(row_d_P1_im);
+        motion->gain_a[i] = dd_rounded(gain_a);
+        motion->gain_b[i] = dd_rounded(gain_b);
+        motion->gain_d[i] = dd_rounded(gain_d);
+    }
 }
 
 /* What changes with time on the circular branch, at t + t_lo. */
@@ -938,192 +1172,210 @@ static void circular_state(const torque_free_circular *motion, size_t n, const d
 }
 
 /* The constants of a motion on the hyperbolic branch, from `_initial_state`. */
-static void hyperbolic_constants(double_double K, double_double A_a, double_double A_b, double_double A_d,
-    double_double B_a, double_double B_d, double_double k_1, double_double kc_1,
-    double_double mu, double_double psi_0, double_double s, double_double c,
-    double_double q_0, double_double q_a, double_double q_b, double_double q_d,
-    double epsilon, double sigma, double rho, double chi, double unit,
-    torque_free_hyperbolic *motion)
+static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lanes *restrict motion)
 {
-    const double_double root_k = dd_sqrt(k_1); /* fact: theta_form.root_k; (27) */
-    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* fact: definition theta_form.x; (28) */
-    const double_double y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(x, x))); /* fact: theta_form.y; DLMF 22.6.1 */
-    const double_double common_1 = dd_mul_xx(k_1, x); /* fact: theta_form.z; DLMF 22.6.1 */
-    const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_1, common_1))); /* fact: theta_form.z; DLMF 22.6.1 */
-    const double_double s_beta = dd_div_xx(x, y); /* fact: definition theta_form.s_beta; DLMF 22.6.1 */
-    const double_double c_beta = dd_div_dx(1.0, y); /* fact: definition theta_form.c_beta; DLMF 22.6.1 */
-    const double_double d_beta = dd_div_xx(z, y); /* fact: definition theta_form.d_beta; DLMF 22.6.1 */
-    const double_double r = root_ratio(kc_1, k_1); /* classical: DLMF 20.9.1 */
-    const double_double root_nome = dd_div_xx(kc_1, r); /* classical: DLMF 20.9.1 */
-    const double_double nome = dd_mul_xx(root_nome, root_nome); /* classical: DLMF 20.9.1 */
-    const double_double size_s = dd_size(s); /* classical: DLMF 22.4.3 */
-    const double near = dd_rounded(dd_mul_xx(c, c)); /* classical: DLMF 22.4.3 */
-    const double far = dd_rounded(dd_mul_xx(kc_1, dd_mul_xx(s, s))); /* classical: DLMF 22.4.3 */
-    const double_double above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
-    const double_double below = dd_choose(far, near, c, dd_mul_xx(kc_1, size_s)); /* classical: DLMF 22.4.3 */
-    const double_double xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
-    double_double K_c, sin_a, cos_a, Y_b;
-    ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* classical: DLMF 19.8.12 */
-    const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* fact: reading hyperbolic_form.gc; (10) */
-    const double_double nome2 = dd_mul_xx(nome, nome); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome4 = dd_mul_xx(nome2, nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome6 = dd_mul_xx(nome4, nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome8 = dd_mul_xx(nome4, nome4); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome12 = dd_mul_xx(nome8, nome4); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome20 = dd_mul_xx(nome12, nome8); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double nome30 = dd_mul_xx(dd_mul_xx(nome20, nome8), nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_0 = cos_a; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_0 = sin_a; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double turn = dd_mul_dx(2.0, dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_a, sin_a)))); /* classical: DLMF 4.21.27 */
-    const double_double C_1 = dd_mul_xx(dd_sub_xd(turn, 1.0), C_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_1 = dd_mul_xx(dd_add_xd(turn, 1.0), S_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_2 = dd_sub_xx(dd_mul_xx(turn, C_1), C_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_2 = dd_sub_xx(dd_mul_xx(turn, S_1), S_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_3 = dd_sub_xx(dd_mul_xx(turn, C_2), C_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_3 = dd_sub_xx(dd_mul_xx(turn, S_2), S_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_4 = dd_sub_xx(dd_mul_xx(turn, C_3), C_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_4 = dd_sub_xx(dd_mul_xx(turn, S_3), S_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double C_5 = dd_sub_xx(dd_mul_xx(turn, C_4), C_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double S_5 = dd_sub_xx(dd_mul_xx(turn, S_4), S_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double zeta = dd_div_xx(dd_mul_xx(gc, dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(S_0, dd_mul_xx(dd_mul_dx(3.0, nome2), S_1)), dd_mul_xx(dd_mul_dx(5.0, nome6), S_2)), dd_mul_xx(dd_mul_dx(7.0, nome12), S_3)), dd_mul_xx(dd_mul_dx(9.0, nome20), S_4)), dd_mul_xx(dd_mul_dx(11.0, nome30), S_5))), dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(C_0, dd_mul_xx(nome2, C_1)), dd_mul_xx(nome6, C_2)), dd_mul_xx(nome12, C_3)), dd_mul_xx(nome20, C_4)), dd_mul_xx(nome30, C_5))); /* classical: DLMF 20.2.2 */
-    const double_double re_0 = C_0; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_0 = dd_neg(dd_mul_dx(rho, S_0)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double re_1 = dd_mul_xx(nome, C_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_1 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome), S_1)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double re_2 = dd_mul_xx(nome4, C_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_2 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome4), S_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double re_3 = dd_mul_xx(dd_mul_xx(nome8, nome), C_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double im_3 = dd_neg(dd_mul_xx(dd_mul_xx(dd_mul_dx(rho, nome8), nome), S_3)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* classical: DLMF 20.2.2 */
-    const double_double common_2 = dd_mul_dx(2.0, nome2); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double common_3 = dd_mul_dx(2.0, nome8); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double common_4 = dd_mul_xx(nome12, nome6); /* classical: DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
-    const double_double common_5 = dd_mul_dx(2.0, common_4); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
-    const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_2), common_3), common_5); /* classical: DLMF 20.2.3 */
-    const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_2), common_3), common_5); /* classical: DLMF 20.2.4 */
-    const double_double twice = dd_sub_xd(dd_mul_xx(turn, turn), 2.0); /* classical: DLMF 4.21.27 */
-    const double_double twice2 = dd_sub_xd(dd_mul_xx(twice, twice), 2.0); /* classical: DLMF 4.21.27 */
-    const double_double twice3 = dd_sub_xx(dd_mul_xx(twice, twice2), twice); /* classical: DLMF 4.21.27 */
-    const double_double watson = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xx(nome2, twice)), dd_mul_xx(nome8, twice2)), dd_mul_xx(common_4, twice3)); /* classical: DLMF 20.7.14 */
-    const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* fact: definition theta_form.Lambda; (33), (34) */
-    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
-    const double nome_d = dd_rounded(nome); /* classical: DLMF 20.2.2 */
-    const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome))); /* classical: DLMF 20.2.2 */
-    const double period_far = choose(nome_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 20.2.7 */
-    const double period_d = dd_rounded(dd_choose(nome_d, 0.0, dd_of(1.0), period)); /* classical: DLMF 20.2.7 */
-    const double period_inverse = choose(nome_d, 0.0, 0.0, 1.0 / period_d); /* classical: DLMF 20.2.7 */
-    const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* classical: DLMF 4.35.11 */
-    const double_double common_6 = dd_add_xx(Y_b, cosh_y); /* classical: DLMF 4.37.16 */
-    const double_double y_b = logarithm(common_6); /* classical: DLMF 4.37.16 */
-    const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* classical: DLMF 22.4.3 */
-    const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double y0 = dd_mul_dx(side, y_size); /* arithmetic */
-    const double_double y_rate = dd_mul_xx(mu, gc); /* arithmetic */
-    const double_double e_near = dd_div_dx(1.0, dd_mul_xx(common_6, common_6)); /* classical: DLMF 4.37.16 */
-    const double_double e_far = dd_div_xx(nome, e_near); /* classical: DLMF 20.2.2 */
-    const double_double w = dd_choose(far, near, e_near, e_far); /* classical: DLMF 20.2.2 */
-    const double_double p = dd_choose(far, near, e_far, e_near); /* classical: DLMF 20.2.2 */
-    const double_double alpha = half_turns(sin_a, cos_a); /* classical: DLMF 4.24.3 */
-    const double_double jump = dd_mul_dx(-2.0 * rho, alpha); /* classical: DLMF 20.2.7 */
-    const double_double p2 = dd_mul_xx(p, p); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double qw = dd_mul_xx(nome, w); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double qw2 = dd_mul_xx(qw, qw); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_re_even = dd_add_xx(re_0, dd_mul_xx(p2, re_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_re_odd = dd_mul_xx(p, dd_add_xx(re_1, dd_mul_xx(p2, re_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_re_even = dd_add_xx(re_0, dd_mul_xx(qw2, re_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_re_odd = dd_mul_xx(qw, dd_add_xx(re_1, dd_mul_xx(qw2, re_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_im_even = dd_add_xx(im_0, dd_mul_xx(p2, im_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double near_im_odd = dd_mul_xx(p, dd_add_xx(im_1, dd_mul_xx(p2, im_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_im_even = dd_add_xx(im_0, dd_mul_xx(qw2, im_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double far_im_odd = dd_mul_xx(qw, dd_add_xx(im_1, dd_mul_xx(qw2, im_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double T4_re = dd_add_xx(dd_add_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_add_xx(far_re_even, far_re_odd))); /* classical: DLMF 20.2.2 */
-    const double_double T4_im = dd_mul_dx(side, dd_sub_xx(dd_add_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_add_xx(far_im_even, far_im_odd)))); /* classical: DLMF 20.2.2 */
-    const double_double T1_re = dd_mul_dx(side, dd_sub_xx(dd_sub_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_sub_xx(far_re_even, far_re_odd)))); /* classical: DLMF 20.2.1 */
-    const double_double T1_im = dd_add_xx(dd_sub_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_sub_xx(far_im_even, far_im_odd))); /* classical: DLMF 20.2.1 */
-    const double_double w2 = dd_mul_xx(w, w); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
-    const double_double tall = dd_add_dx(1.0, dd_mul_xx(p2, dd_add_xx(nome2, dd_mul_xx(p2, nome8)))); /* classical: DLMF 20.2.2 */
-    const double_double deep = dd_mul_xx(w2, dd_add_dx(1.0, dd_mul_xx(qw2, dd_add_xx(nome2, dd_mul_xx(qw2, nome8))))); /* classical: DLMF 20.2.2 */
-    const double_double theta2_y = dd_add_xx(tall, deep); /* classical: DLMF 20.2.2 */
-    const double_double P4_re = T4_re; /* fact: definition theta_form.P4_re; (18) */
-    const double_double P4_im = T4_im; /* fact: definition theta_form.P4_im; (18) */
-    const double_double P1_re = T1_re; /* fact: definition theta_form.P1_re; (18) */
-    const double_double P1_im = T1_im; /* fact: definition theta_form.P1_im; (18) */
-    const double_double W = dd_mul_xx(dd_mul_dx(2.0, theta2_y), watson); /* fact: reading hyperbolic_form.W; (1) */
-    const double_double N = dd_sqrt(W); /* fact: theta_form.N_of_W; (1) */
-    const double_double qbar_0 = dd_div_xx(P4_re, N); /* fact: theta_form.qbar_0; (18), (25) */
-    const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* fact: theta_form.qbar_a; (18), (25) */
-    const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* fact: theta_form.qbar_b; (18), (25) */
-    const double common_7 = -epsilon * sigma * chi; /* fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37) */
-    const double_double qbar_d = dd_div_xx(dd_mul_dx(common_7, P1_re), N); /* fact: theta_form.qbar_d; (18), (25) */
-    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
-    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
-    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
-    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
-    const double_double over_N = dd_div_dx(1.0, dd_sqrt(dd_mul_dx(2.0, watson))); /* classical: DLMF 20.7.14 */
-    const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* fact: definition attitude.q_0; (37) */
-    const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* fact: definition attitude.q_0; (37) */
-    const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* fact: definition attitude.q_0; (37) */
-    const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* fact: definition attitude.q_0; (37) */
-    const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* fact: definition attitude.q_a; (37) */
-    const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* fact: definition attitude.q_a; (37) */
-    const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* fact: definition attitude.q_a; (37) */
-    const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* fact: definition attitude.q_a; (37) */
-    const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* fact: definition attitude.q_b; (37) */
-    const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* fact: definition attitude.q_b; (37) */
-    const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* fact: definition attitude.q_b; (37) */
-    const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* fact: definition attitude.q_b; (37) */
-    const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* fact: definition attitude.q_d; (37) */
-    const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* fact: definition attitude.q_d; (37) */
-    const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* fact: definition attitude.q_d; (37) */
-    const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* fact: definition attitude.q_d; (37) */
-    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* fact: definition regular.Omega_a; (10), DLMF 22.2.4 */
-    const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* fact: definition regular.Omega_b; (10), DLMF 22.2.4 */
-    const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* fact: definition regular.Omega_d; (10), DLMF 22.2.4 */
-    motion->y_rate_hi = y_rate.hi;
-    motion->y_rate_lo = y_rate.lo;
-    motion->y0_hi = y0.hi;
-    motion->y0_lo = y0.lo;
-    motion->period_hi = period.hi;
-    motion->period_lo = period.lo;
-    motion->Lambda_rate_hi = Lambda_rate.hi;
-    motion->Lambda_rate_lo = Lambda_rate.lo;
-    motion->jump_hi = jump.hi;
-    motion->jump_lo = jump.lo;
-    motion->period_far = period_far;
-    motion->period_inverse = period_inverse;
-    motion->re_0 = dd_rounded(re_0);
-    motion->re_1 = dd_rounded(re_1);
-    motion->re_2 = dd_rounded(re_2);
-    motion->re_3 = dd_rounded(re_3);
-    motion->im_0 = dd_rounded(im_0);
-    motion->im_1 = dd_rounded(im_1);
-    motion->im_2 = dd_rounded(im_2);
-    motion->im_3 = dd_rounded(im_3);
-    motion->nome = dd_rounded(nome);
-    motion->nome2 = dd_rounded(nome2);
-    motion->nome4 = dd_rounded(nome4);
-    motion->nome8 = dd_rounded(nome8);
-    motion->nome12 = dd_rounded(nome12);
-    motion->row_0_P4_re = dd_rounded(row_0_P4_re);
-    motion->row_0_P4_im = dd_rounded(row_0_P4_im);
-    motion->row_0_P1_re = dd_rounded(row_0_P1_re);
-    motion->row_0_P1_im = dd_rounded(row_0_P1_im);
-    motion->row_a_P4_re = dd_rounded(row_a_P4_re);
-    motion->row_a_P4_im = dd_rounded(row_a_P4_im);
-    motion->row_a_P1_re = dd_rounded(row_a_P1_re);
-    motion->row_a_P1_im = dd_rounded(row_a_P1_im);
-    motion->row_b_P4_re = dd_rounded(row_b_P4_re);
-    motion->row_b_P4_im = dd_rounded(row_b_P4_im);
-    motion->row_b_P1_re = dd_rounded(row_b_P1_re);
-    motion->row_b_P1_im = dd_rounded(row_b_P1_im);
-    motion->row_d_P4_re = dd_rounded(row_d_P4_re);
-    motion->row_d_P4_im = dd_rounded(row_d_P4_im);
-    motion->row_d_P1_re = dd_rounded(row_d_P1_re);
-    motion->row_d_P1_im = dd_rounded(row_d_P1_im);
-    motion->gain_a = dd_rounded(gain_a);
-    motion->gain_b = dd_rounded(gain_b);
-    motion->gain_d = dd_rounded(gain_d);
+    for (size_t i = 0; i < LANES; i++) {
+        const double_double K = {lane->K_hi[i], lane->K_lo[i]};
+        const double_double A_a = {lane->A_a_hi[i], lane->A_a_lo[i]};
+        const double_double A_b = {lane->A_b_hi[i], lane->A_b_lo[i]};
+        const double_double A_d = {lane->A_d_hi[i], lane->A_d_lo[i]};
+        const double_double B_a = {lane->B_a_hi[i], lane->B_a_lo[i]};
+        const double_double B_d = {lane->B_d_hi[i], lane->B_d_lo[i]};
+        const double_double k_1 = {lane->k_1_hi[i], lane->k_1_lo[i]};
+        const double_double kc_1 = {lane->kc_1_hi[i], lane->kc_1_lo[i]};
+        const double_double mu = {lane->mu_hi[i], lane->mu_lo[i]};
+        const double_double psi_0 = {lane->psi_0_hi[i], lane->psi_0_lo[i]};
+        const double_double s = {lane->s_hi[i], lane->s_lo[i]};
+        const double_double c = {lane->c_hi[i], lane->c_lo[i]};
+        const double_double q_0 = {lane->q_0_hi[i], lane->q_0_lo[i]};
+        const double_double q_a = {lane->q_a_hi[i], lane->q_a_lo[i]};
+        const double_double q_b = {lane->q_b_hi[i], lane->q_b_lo[i]};
+        const double_double q_d = {lane->q_d_hi[i], lane->q_d_lo[i]};
+        const double epsilon = lane->epsilon[i];
+        const double sigma = lane->sigma[i];
+        const double rho = lane->rho[i];
+        const double chi = lane->chi[i];
+        const double unit = lane->unit[i];
+        const double_double root_k = dd_sqrt(k_1); /* fact: theta_form.root_k; (27) */
+        const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* fact: definition theta_form.x; (28) */
+        const double_double y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(x, x))); /* fact: theta_form.y; DLMF 22.6.1 */
+        const double_double common_1 = dd_mul_xx(k_1, x); /* fact: theta_form.z; DLMF 22.6.1 */
+        const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_1, common_1))); /* fact: theta_form.z; DLMF 22.6.1 */
+        const double_double s_beta = dd_div_xx(x, y); /* fact: definition theta_form.s_beta; DLMF 22.6.1 */
+        const double_double c_beta = dd_div_dx(1.0, y); /* fact: definition theta_form.c_beta; DLMF 22.6.1 */
+        const double_double d_beta = dd_div_xx(z, y); /* fact: definition theta_form.d_beta; DLMF 22.6.1 */
+        const double_double r = root_ratio(kc_1, k_1); /* classical: DLMF 20.9.1 */
+        const double_double root_nome = dd_div_xx(kc_1, r); /* classical: DLMF 20.9.1 */
+        const double_double nome = dd_mul_xx(root_nome, root_nome); /* classical: DLMF 20.9.1 */
+        const double_double size_s = dd_size(s); /* classical: DLMF 22.4.3 */
+        const double near = dd_rounded(dd_mul_xx(c, c)); /* classical: DLMF 22.4.3 */
+        const double far = dd_rounded(dd_mul_xx(kc_1, dd_mul_xx(s, s))); /* classical: DLMF 22.4.3 */
+        const double_double above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
+        const double_double below = dd_choose(far, near, c, dd_mul_xx(kc_1, size_s)); /* classical: DLMF 22.4.3 */
+        const double_double xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
+        double_double K_c, sin_a, cos_a, Y_b;
+        ladder(kc_1, k_1, s_beta, c_beta, d_beta, kc_1, xi, &K_c, &sin_a, &cos_a, &Y_b); /* classical: DLMF 19.8.12 */
+        const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* fact: reading hyperbolic_form.gc; (10) */
+        const double_double nome2 = dd_mul_xx(nome, nome); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double nome4 = dd_mul_xx(nome2, nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double nome6 = dd_mul_xx(nome4, nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double nome8 = dd_mul_xx(nome4, nome4); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double nome12 = dd_mul_xx(nome8, nome4); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double nome20 = dd_mul_xx(nome12, nome8); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double nome30 = dd_mul_xx(dd_mul_xx(nome20, nome8), nome2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double C_0 = cos_a; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double S_0 = sin_a; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double turn = dd_mul_dx(2.0, dd_sub_dx(1.0, dd_mul_dx(2.0, dd_mul_xx(sin_a, sin_a)))); /* classical: DLMF 4.21.27 */
+        const double_double C_1 = dd_mul_xx(dd_sub_xd(turn, 1.0), C_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double S_1 = dd_mul_xx(dd_add_xd(turn, 1.0), S_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double C_2 = dd_sub_xx(dd_mul_xx(turn, C_1), C_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double S_2 = dd_sub_xx(dd_mul_xx(turn, S_1), S_0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double C_3 = dd_sub_xx(dd_mul_xx(turn, C_2), C_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double S_3 = dd_sub_xx(dd_mul_xx(turn, S_2), S_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double C_4 = dd_sub_xx(dd_mul_xx(turn, C_3), C_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double S_4 = dd_sub_xx(dd_mul_xx(turn, S_3), S_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double C_5 = dd_sub_xx(dd_mul_xx(turn, C_4), C_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double S_5 = dd_sub_xx(dd_mul_xx(turn, S_4), S_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double zeta = dd_div_xx(dd_mul_xx(gc, dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(S_0, dd_mul_xx(dd_mul_dx(3.0, nome2), S_1)), dd_mul_xx(dd_mul_dx(5.0, nome6), S_2)), dd_mul_xx(dd_mul_dx(7.0, nome12), S_3)), dd_mul_xx(dd_mul_dx(9.0, nome20), S_4)), dd_mul_xx(dd_mul_dx(11.0, nome30), S_5))), dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(dd_add_xx(C_0, dd_mul_xx(nome2, C_1)), dd_mul_xx(nome6, C_2)), dd_mul_xx(nome12, C_3)), dd_mul_xx(nome20, C_4)), dd_mul_xx(nome30, C_5))); /* classical: DLMF 20.2.2 */
+        const double_double re_0 = C_0; /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double im_0 = dd_neg(dd_mul_dx(rho, S_0)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double re_1 = dd_mul_xx(nome, C_1); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double im_1 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome), S_1)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double re_2 = dd_mul_xx(nome4, C_2); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double im_2 = dd_neg(dd_mul_xx(dd_mul_dx(rho, nome4), S_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double re_3 = dd_mul_xx(dd_mul_xx(nome8, nome), C_3); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double im_3 = dd_neg(dd_mul_xx(dd_mul_xx(dd_mul_dx(rho, nome8), nome), S_3)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double two = dd_add_xx(dd_add_dx(1.0, nome4), nome12); /* classical: DLMF 20.2.2 */
+        const double_double common_2 = dd_mul_dx(2.0, nome2); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+        const double_double common_3 = dd_mul_dx(2.0, nome8); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+        const double_double common_4 = dd_mul_xx(nome12, nome6); /* classical: DLMF 20.2.3, DLMF 20.2.4, DLMF 20.7.14 */
+        const double_double common_5 = dd_mul_dx(2.0, common_4); /* classical: DLMF 20.2.3, DLMF 20.2.4 */
+        const double_double three = dd_add_xx(dd_add_xx(dd_add_dx(1.0, common_2), common_3), common_5); /* classical: DLMF 20.2.3 */
+        const double_double four = dd_sub_xx(dd_add_xx(dd_sub_dx(1.0, common_2), common_3), common_5); /* classical: DLMF 20.2.4 */
+        const double_double twice = dd_sub_xd(dd_mul_xx(turn, turn), 2.0); /* classical: DLMF 4.21.27 */
+        const double_double twice2 = dd_sub_xd(dd_mul_xx(twice, twice), 2.0); /* classical: DLMF 4.21.27 */
+        const double_double twice3 = dd_sub_xx(dd_mul_xx(twice, twice2), twice); /* classical: DLMF 4.21.27 */
+        const double_double watson = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xx(nome2, twice)), dd_mul_xx(nome8, twice2)), dd_mul_xx(common_4, twice3)); /* classical: DLMF 20.7.14 */
+        const double_double Lambda = dd_add_xx(dd_div_xd(psi_0, 2.0), dd_mul_xx(dd_mul_dx(rho, mu), zeta)); /* fact: definition theta_form.Lambda; (33), (34) */
+        const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
+        const double nome_d = dd_rounded(nome); /* classical: DLMF 20.2.2 */
+        const double_double period = dd_neg(logarithm(dd_choose(nome_d, 0.0, dd_of(1.0), nome))); /* classical: DLMF 20.2.2 */
+        const double period_far = choose(nome_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 20.2.7 */
+        const double period_d = dd_rounded(dd_choose(nome_d, 0.0, dd_of(1.0), period)); /* classical: DLMF 20.2.7 */
+        const double period_inverse = choose(nome_d, 0.0, 0.0, 1.0 / period_d); /* classical: DLMF 20.2.7 */
+        const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* classical: DLMF 4.35.11 */
+        const double_double common_6 = dd_add_xx(Y_b, cosh_y); /* classical: DLMF 4.37.16 */
+        const double_double y_b = logarithm(common_6); /* classical: DLMF 4.37.16 */
+        const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* classical: DLMF 22.4.3 */
+        const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double y0 = dd_mul_dx(side, y_size); /* arithmetic */
+        const double_double y_rate = dd_mul_xx(mu, gc); /* arithmetic */
+        const double_double e_near = dd_div_dx(1.0, dd_mul_xx(common_6, common_6)); /* classical: DLMF 4.37.16 */
+        const double_double e_far = dd_div_xx(nome, e_near); /* classical: DLMF 20.2.2 */
+        const double_double w = dd_choose(far, near, e_near, e_far); /* classical: DLMF 20.2.2 */
+        const double_double p = dd_choose(far, near, e_far, e_near); /* classical: DLMF 20.2.2 */
+        const double_double alpha = half_turns(sin_a, cos_a); /* classical: DLMF 4.24.3 */
+        const double_double jump = dd_mul_dx(-2.0 * rho, alpha); /* classical: DLMF 20.2.7 */
+        const double_double p2 = dd_mul_xx(p, p); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double qw = dd_mul_xx(nome, w); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double qw2 = dd_mul_xx(qw, qw); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double near_re_even = dd_add_xx(re_0, dd_mul_xx(p2, re_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double near_re_odd = dd_mul_xx(p, dd_add_xx(re_1, dd_mul_xx(p2, re_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double far_re_even = dd_add_xx(re_0, dd_mul_xx(qw2, re_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double far_re_odd = dd_mul_xx(qw, dd_add_xx(re_1, dd_mul_xx(qw2, re_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double near_im_even = dd_add_xx(im_0, dd_mul_xx(p2, im_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double near_im_odd = dd_mul_xx(p, dd_add_xx(im_1, dd_mul_xx(p2, im_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double far_im_even = dd_add_xx(im_0, dd_mul_xx(qw2, im_2)); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double far_im_odd = dd_mul_xx(qw, dd_add_xx(im_1, dd_mul_xx(qw2, im_3))); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double T4_re = dd_add_xx(dd_add_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_add_xx(far_re_even, far_re_odd))); /* classical: DLMF 20.2.2 */
+        const double_double T4_im = dd_mul_dx(side, dd_sub_xx(dd_add_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_add_xx(far_im_even, far_im_odd)))); /* classical: DLMF 20.2.2 */
+        const double_double T1_re = dd_mul_dx(side, dd_sub_xx(dd_sub_xx(near_re_even, near_re_odd), dd_mul_xx(w, dd_sub_xx(far_re_even, far_re_odd)))); /* classical: DLMF 20.2.1 */
+        const double_double T1_im = dd_add_xx(dd_sub_xx(near_im_even, near_im_odd), dd_mul_xx(w, dd_sub_xx(far_im_even, far_im_odd))); /* classical: DLMF 20.2.1 */
+        const double_double w2 = dd_mul_xx(w, w); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double_double tall = dd_add_dx(1.0, dd_mul_xx(p2, dd_add_xx(nome2, dd_mul_xx(p2, nome8)))); /* classical: DLMF 20.2.2 */
+        const double_double deep = dd_mul_xx(w2, dd_add_dx(1.0, dd_mul_xx(qw2, dd_add_xx(nome2, dd_mul_xx(qw2, nome8))))); /* classical: DLMF 20.2.2 */
+        const double_double theta2_y = dd_add_xx(tall, deep); /* classical: DLMF 20.2.2 */
+        const double_double P4_re = T4_re; /* fact: definition theta_form.P4_re; (18) */
+        const double_double P4_im = T4_im; /* fact: definition theta_form.P4_im; (18) */
+        const double_double P1_re = T1_re; /* fact: definition theta_form.P1_re; (18) */
+        const double_double P1_im = T1_im; /* fact: definition theta_form.P1_im; (18) */
+        const double_double W = dd_mul_xx(dd_mul_dx(2.0, theta2_y), watson); /* fact: reading hyperbolic_form.W; (1) */
+        const double_double N = dd_sqrt(W); /* fact: theta_form.N_of_W; (1) */
+        const double_double qbar_0 = dd_div_xx(P4_re, N); /* fact: theta_form.qbar_0; (18), (25) */
+        const double_double qbar_a = dd_div_xx(dd_mul_dx(sigma, P4_im), N); /* fact: theta_form.qbar_a; (18), (25) */
+        const double_double qbar_b = dd_div_xx(dd_mul_dx(chi, P1_im), N); /* fact: theta_form.qbar_b; (18), (25) */
+        const double common_7 = -epsilon * sigma * chi; /* fact: theta_form.qbar_d, definition attitude.q_0, definition attitude.q_a, definition attitude.q_b, definition attitude.q_d; (18), (25), (37) */
+        const double_double qbar_d = dd_div_xx(dd_mul_dx(common_7, P1_re), N); /* fact: theta_form.qbar_d; (18), (25) */
+        const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
+        const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
+        const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
+        const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
+        const double_double over_N = dd_div_dx(1.0, dd_sqrt(dd_mul_dx(2.0, watson))); /* classical: DLMF 20.7.14 */
+        const double_double row_0_P4_re = dd_mul_xx(over_N, p_0); /* fact: definition attitude.q_0; (37) */
+        const double_double row_0_P4_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_a, sigma))); /* fact: definition attitude.q_0; (37) */
+        const double_double row_0_P1_re = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_d, common_7))); /* fact: definition attitude.q_0; (37) */
+        const double_double row_0_P1_im = dd_mul_xx(over_N, dd_neg(dd_mul_xd(p_b, chi))); /* fact: definition attitude.q_0; (37) */
+        const double_double row_a_P4_re = dd_mul_xx(over_N, p_a); /* fact: definition attitude.q_a; (37) */
+        const double_double row_a_P4_im = dd_mul_xx(over_N, dd_mul_xd(p_0, sigma)); /* fact: definition attitude.q_a; (37) */
+        const double_double row_a_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_b, common_7))); /* fact: definition attitude.q_a; (37) */
+        const double_double row_a_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_d, chi)))); /* fact: definition attitude.q_a; (37) */
+        const double_double row_b_P4_re = dd_mul_xx(over_N, p_b); /* fact: definition attitude.q_b; (37) */
+        const double_double row_b_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_d, sigma))); /* fact: definition attitude.q_b; (37) */
+        const double_double row_b_P1_re = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_a, common_7)))); /* fact: definition attitude.q_b; (37) */
+        const double_double row_b_P1_im = dd_mul_xx(over_N, dd_mul_xd(p_0, chi)); /* fact: definition attitude.q_b; (37) */
+        const double_double row_d_P4_re = dd_mul_xx(over_N, p_d); /* fact: definition attitude.q_d; (37) */
+        const double_double row_d_P4_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_neg(dd_mul_xd(p_b, sigma)))); /* fact: definition attitude.q_d; (37) */
+        const double_double row_d_P1_re = dd_mul_xx(over_N, dd_mul_xd(p_0, common_7)); /* fact: definition attitude.q_d; (37) */
+        const double_double row_d_P1_im = dd_mul_xx(over_N, dd_mul_dx(epsilon, dd_mul_xd(p_a, chi))); /* fact: definition attitude.q_d; (37) */
+        const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+        const double_double gain_a = dd_mul_xd(dd_mul_xx(dd_mul_dx(sigma, A_a), dd_div_xx(two, three)), unit); /* fact: definition regular.Omega_a; (10), DLMF 22.2.4 */
+        const double_double gain_b = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi, A_b), dd_div_xx(three, four)), unit); /* fact: definition regular.Omega_b; (10), DLMF 22.2.4 */
+        const double_double gain_d = dd_mul_xd(dd_mul_xx(dd_mul_dx(chi * tau, A_d), dd_div_xx(two, four)), unit); /* fact: definition regular.Omega_d; (10), DLMF 22.2.4 */
+        motion->y_rate_hi[i] = y_rate.hi;
+        motion->y_rate_lo[i] = y_rate.lo;
+        motion->y0_hi[i] = y0.hi;
+        motion->y0_lo[i] = y0.lo;
+        motion->period_hi[i] = period.hi;
+        motion->period_lo[i] = period.lo;
+        motion->Lambda_rate_hi[i] = Lambda_rate.hi;
+        motion->Lambda_rate_lo[i] = Lambda_rate.lo;
+        motion->jump_hi[i] = jump.hi;
+        motion->jump_lo[i] = jump.lo;
+        motion->period_far[i] = period_far;
+        motion->period_inverse[i] = period_inverse;
+        motion->re_0[i] = dd_rounded(re_0);
+        motion->re_1[i] = dd_rounded(re_1);
+        motion->re_2[i] = dd_rounded(re_2);
+        motion->re_3[i] = dd_rounded(re_3);
+        motion->im_0[i] = dd_rounded(im_0);
+        motion->im_1[i] = dd_rounded(im_1);
+        motion->im_2[i] = dd_rounded(im_2);
+        motion->im_3[i] = dd_rounded(im_3);
+        motion->nome[i] = dd_rounded(nome);
+        motion->nome2[i] = dd_rounded(nome2);
+        motion->nome4[i] = dd_rounded(nome4);
+        motion->nome8[i] = dd_rounded(nome8);
+        motion->nome12[i] = dd_rounded(nome12);
+        motion->row_0_P4_re[i] = dd_rounded(row_0_P4_re);
+        motion->row_0_P4_im[i] = dd_rounded(row_0_P4_im);
+        motion->row_0_P1_re[i] = dd_rounded(row_0_P1_re);
+        motion->row_0_P1_im[i] = dd_rounded(row_0_P1_im);
+        motion->row_a_P4_re[i] = dd_rounded(row_a_P4_re);
+        motion->row_a_P4_im[i] = dd_rounded(row_a_P4_im);
+        motion->row_a_P1_re[i] = dd_rounded(row_a_P1_re);
+        motion->row_a_P1_im[i] = dd_rounded(row_a_P1_im);
+        motion->row_b_P4_re[i] = dd_rounded(row_b_P4_re);
+        motion->row_b_P4_im[i] = dd_rounded(row_b_P4_im);
+        motion->row_b_P1_re[i] = dd_rounded(row_b_P1_re);
+        motion->row_b_P1_im[i] = dd_rounded(row_b_P1_im);
+        motion->row_d_P4_re[i] = dd_rounded(row_d_P4_re);
+        motion->row_d_P4_im[i] = dd_rounded(row_d_P4_im);
+        motion->row_d_P1_re[i] = dd_rounded(row_d_P1_re);
+        motion->row_d_P1_im[i] = dd_rounded(row_d_P1_im);
+        motion->gain_a[i] = dd_rounded(gain_a);
+        motion->gain_b[i] = dd_rounded(gain_b);
+        motion->gain_d[i] = dd_rounded(gain_d);
+    }
 }
 
 /* What changes with time on the hyperbolic branch, at t + t_lo. */
@@ -1321,6 +1573,124 @@ static void moduli(double_double c_a, double_double c_b, double_double c_d, doub
     *complement_out = complement;
 }
 
+/* What both directions are made from; reach: beyond which p t^2 phases are known. */
+static void along_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
+    double_double c_ad, double_double c_bd, double_double Omega_a0,
+    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
+    double axis_b, double axis_d, double reach, torque_free_along *motion)
+{
+    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+    const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
+    const double_double alpha_b = dd_div_xx(dd_mul_dx(-epsilon, c_ad), c_b); /* fact: definition coefficients.alpha_b; (5) */
+    const double_double alpha_d = dd_div_xx(dd_mul_dx(epsilon, c_ab), c_d); /* fact: definition coefficients.alpha_d; (5) */
+    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), dd_mul_xx(Omega_b0, Omega_b0)); /* fact: definition varied_rates.k; (5) */
+    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), dd_mul_xx(Omega_a0, Omega_a0)); /* fact: definition varied_rates.kappa_a; (5) */
+    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), dd_mul_xx(Omega_d0, Omega_d0)); /* fact: definition varied_rates.kappa_d; (5) */
+    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
+    const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
+    const double_double alpha_b_there = dd_choose(dd_rounded(dd_size(alpha_b)), 0.0, dd_of(1.0), alpha_b); /* arithmetic */
+    const double_double alpha_d_there = dd_choose(dd_rounded(dd_size(alpha_d)), 0.0, dd_of(1.0), alpha_d); /* arithmetic */
+    const double_double Omega_a0_there = dd_choose(dd_rounded(dd_size(Omega_a0)), 0.0, dd_of(1.0), Omega_a0); /* arithmetic */
+    const double_double p_there = dd_choose(dd_rounded(dd_size(p)), 0.0, dd_of(1.0), p); /* arithmetic */
+    const double_double half_over_p = dd_div_dx(1.0, dd_mul_dx(2.0, p_there)); /* fact: definition passing.half_over_p; (5) */
+    const double_double share = dd_div_dx(1.0, dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_b_there), alpha_d_there), Omega_a0_there)); /* fact: definition passing.share; (5) */
+    motion->Omega_a0 = dd_rounded(Omega_a0);
+    motion->Omega_b0 = dd_rounded(Omega_b0);
+    motion->Omega_d0 = dd_rounded(Omega_d0);
+    motion->alpha_a = dd_rounded(alpha_a);
+    motion->alpha_b = dd_rounded(alpha_b);
+    motion->alpha_d = dd_rounded(alpha_d);
+    motion->k = dd_rounded(k);
+    motion->kappa_a = dd_rounded(kappa_a);
+    motion->kappa_d = dd_rounded(kappa_d);
+    motion->p = dd_rounded(p);
+    motion->r = dd_rounded(r);
+    motion->share = dd_rounded(share);
+    motion->half_over_p = dd_rounded(half_over_p);
+    motion->reach = reach;
+}
+
+/* What the rates change by where p and r grow alike, and where r does. */
+static void along_state(const torque_free_along *motion, size_t n, const double *restrict S_t_in,
+    const double *restrict C_t_in, const double *restrict D_t_in,
+    const double *restrict E_t_in, const double *restrict f_in,
+    const double *restrict passed_in, const double *restrict turned_in,
+    const double *restrict t_in, const double *restrict Omega_a_in,
+    const double *restrict Omega_b_in, const double *restrict Omega_d_in,
+    double *restrict over_out, double *restrict Omega_a_k_out,
+    double *restrict Omega_b_k_out, double *restrict Omega_d_k_out,
+    double *restrict Omega_a_r_out, double *restrict Omega_b_r_out,
+    double *restrict Omega_d_r_out)
+{
+    const double Omega_a0 = motion->Omega_a0;
+    const double Omega_b0 = motion->Omega_b0;
+    const double Omega_d0 = motion->Omega_d0;
+    const double alpha_a = motion->alpha_a;
+    const double alpha_b = motion->alpha_b;
+    const double alpha_d = motion->alpha_d;
+    const double k = motion->k;
+    const double kappa_a = motion->kappa_a;
+    const double kappa_d = motion->kappa_d;
+    const double p = motion->p;
+    const double r = motion->r;
+    const double share = motion->share;
+    const double half_over_p = motion->half_over_p;
+    const double reach = motion->reach;
+    for (size_t i = 0; i < n; i++) {
+        const double S_t = S_t_in[i];
+        const double C_t = C_t_in[i];
+        const double D_t = D_t_in[i];
+        const double E_t = E_t_in[i];
+        const double f = f_in[i];
+        const double passed = passed_in[i];
+        const double turned = turned_in[i];
+        const double t = t_in[i];
+        const double Omega_a = Omega_a_in[i];
+        const double Omega_b = Omega_b_in[i];
+        const double Omega_d = Omega_d_in[i];
+        const double common_1 = D_t * D_t; /* fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5) */
+        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition passing.Omega_a_p; (5) */
+        const double below = fused(kappa_d, common_2, common_1); /* fact: definition varied_rates.below; (5) */
+        const double over = 1.0 / below; /* fact: definition varied_rates.over; (5) */
+        const double S_k = fused(C_t * D_t, E_t, -(common_2 * S_t)) / 2.0; /* fact: definition varied_rates.S_k; (5) */
+        const double C_k = -S_t * fused(S_t, C_t, p * D_t * E_t) / 2.0; /* fact: definition varied_rates.C_k; (5) */
+        const double D_k = -S_t * fused(S_t, D_t, r * C_t * E_t) / 2.0; /* fact: definition varied_rates.D_k; (5) */
+        const double below_k = -S_t * fused(S_t, below, k * C_t * D_t * E_t); /* fact: definition varied_rates.below_k; (5) */
+        const double common_3 = alpha_a * Omega_b0 * Omega_d0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5) */
+        const double Omega_a_k = over * fused(-Omega_a, below_k, fused(Omega_a0, D_k, common_3 * fused(S_k, C_t, S_t * C_k))); /* fact: definition varied_rates.Omega_a_k; (5) */
+        const double common_4 = alpha_b * Omega_d0 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
+        const double common_5 = C_t * C_t; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double Omega_b_k = over * fused(common_4, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * over * fused(kappa_a + kappa_d, common_5 * common_1, common_2 * fused(p * kappa_a, common_1, r * kappa_d * common_5)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_6 = alpha_d * Omega_a0 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
+        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_6 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
+        const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
+        const double C_r = p * S_t * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
+        const double D_r = fused(r * S_t * C_t, f, -common_2) / (2.0 * D_t); /* fact: definition varied_rates.D_r; (5) */
+        const double below_r = k * S_t * C_t * f; /* fact: definition varied_rates.below_r; (5) */
+        const double any_Omega_a_r = over * fused(-Omega_a, below_r, fused(Omega_a0, D_r, common_3 * fused(S_r, C_t, S_t * C_r))); /* fact: definition varied_rates.Omega_a_r; (5) */
+        const double any_Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_4 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
+        const double any_Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_6 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
+        const double Omega_a_there = choose(fabs(Omega_a), 0.0, 1.0, Omega_a); /* arithmetic */
+        const double since = (t + passed) * half_over_p; /* fact: definition passing.since; (5) */
+        const double Omega_a_p = fused(alpha_a * Omega_b * Omega_d, since, fused(over, fused(Omega_a_there, common_2, share * D_t), -(share * (Omega_a0 / Omega_a_there)))); /* fact: definition passing.Omega_a_p; (5) */
+        const double common_7 = over * S_t; /* fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5) */
+        const double Omega_b_p = fused(alpha_b * Omega_d * Omega_a_there, since, common_7 * fused(Omega_b, S_t, share * alpha_b * Omega_d0)); /* fact: definition passing.Omega_b_p; (5) */
+        const double Omega_d_p = fused(alpha_d * Omega_a_there * Omega_b, since, common_7 * fused(Omega_d, S_t, share * alpha_d * Omega_b0 * D_t)); /* fact: definition passing.Omega_d_p; (5) */
+        const double lobe = choose(2.0, turned, 0.0, Omega_b * Omega_b0); /* arithmetic */
+        const double crossed = choose(reach, p * (t * t), lobe, 1.0); /* arithmetic */
+        const double Omega_a_r = choose(crossed, 0.0, Omega_a_k - Omega_a_p, any_Omega_a_r); /* arithmetic */
+        const double Omega_b_r = choose(crossed, 0.0, Omega_b_k - Omega_b_p, any_Omega_b_r); /* arithmetic */
+        const double Omega_d_r = choose(crossed, 0.0, Omega_d_k - Omega_d_p, any_Omega_d_r); /* arithmetic */
+        over_out[i] = over;
+        Omega_a_k_out[i] = Omega_a_k;
+        Omega_b_k_out[i] = Omega_b_k;
+        Omega_d_k_out[i] = Omega_d_k;
+        Omega_a_r_out[i] = Omega_a_r;
+        Omega_b_r_out[i] = Omega_b_r;
+        Omega_d_r_out[i] = Omega_d_r;
+    }
+}
+
 /* What sensitivities of the rates are made from, at t = 0. */
 static void columns_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
@@ -1341,19 +1711,14 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     const double_double alpha_d_by_c_d = dd_div_xx(dd_neg(alpha_d), c_d); /* fact: definition coefficients.alpha_d_by_c_d; (5) */
     const double_double alpha_d_by_c_a = dd_div_dx(epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_a; (5) */
     const double_double alpha_d_by_c_b = dd_div_dx(-epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_b; (5) */
-    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
+    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
     const double_double tilt_by_c_a = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_add_xx(c_a, c_ab), common_1)), c_a), c_d), dd_div_xx(tilt, c_a)); /* fact: definition coefficients.tilt_by_c_a; (5) */
-    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d; (5) */
+    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d; (5) */
     const double_double tilt_by_c_b = dd_div_xx(dd_div_xx(dd_mul_dx(-epsilon, dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_d, common_2))), c_a), c_d); /* fact: definition coefficients.tilt_by_c_b; (5) */
     const double_double tilt_by_c_d = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_sub_xx(c_d, c_bd), common_2)), c_a), c_d), dd_div_xx(tilt, c_d)); /* fact: definition coefficients.tilt_by_c_d; (5) */
-    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
+    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
     const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_3), dd_mul_xx(alpha_b, common_1)); /* fact: definition varied_rates.g_a; (5) */
     const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_3), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_d; (5) */
-    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_3); /* fact: definition varied_rates.k; (5) */
-    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), common_1); /* fact: definition varied_rates.kappa_a; (5) */
-    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), common_2); /* fact: definition varied_rates.kappa_d; (5) */
-    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
-    const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
     const double_double p_by_Omega_a = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_b), alpha_d), Omega_a0); /* fact: definition varied_rates.p_by_Omega_a; (5) */
     const double_double p_by_Omega_b = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_a), alpha_d), Omega_b0); /* fact: definition varied_rates.p_by_Omega_b; (5) */
     const double_double r_by_Omega_d = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_a), alpha_b), Omega_d0); /* fact: definition varied_rates.r_by_Omega_d; (5) */
@@ -1383,11 +1748,6 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->alpha_b = dd_rounded(alpha_b);
     motion->alpha_d = dd_rounded(alpha_d);
     motion->alpha_divisor = dd_rounded(alpha_divisor);
-    motion->k = dd_rounded(k);
-    motion->kappa_a = dd_rounded(kappa_a);
-    motion->kappa_d = dd_rounded(kappa_d);
-    motion->p = dd_rounded(p);
-    motion->r = dd_rounded(r);
     motion->g_a = dd_rounded(g_a);
     motion->g_d = dd_rounded(g_d);
     motion->p_by_Omega_a = dd_rounded(p_by_Omega_a);
@@ -1416,7 +1776,10 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
 /* What the rates change by, and integrals of their squares, from functions of the time. */
 static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
-    const double *restrict E_t_in, const double *restrict f_in,
+    const double *restrict E_t_in, const double *restrict over_in,
+    const double *restrict Omega_a_k_in, const double *restrict Omega_b_k_in,
+    const double *restrict Omega_d_k_in, const double *restrict Omega_a_r_in,
+    const double *restrict Omega_b_r_in, const double *restrict Omega_d_r_in,
     const double *restrict t_in, const double *restrict Omega_a_in,
     const double *restrict Omega_b_in, const double *restrict Omega_d_in,
     double *restrict Omega_a_by_Omega_a_out, double *restrict Omega_a_by_Omega_b_out,
@@ -1438,11 +1801,6 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
     const double alpha_b = motion->alpha_b;
     const double alpha_d = motion->alpha_d;
     const double alpha_divisor = motion->alpha_divisor;
-    const double k = motion->k;
-    const double kappa_a = motion->kappa_a;
-    const double kappa_d = motion->kappa_d;
-    const double p = motion->p;
-    const double r = motion->r;
     const double g_a = motion->g_a;
     const double g_d = motion->g_d;
     const double p_by_Omega_a = motion->p_by_Omega_a;
@@ -1471,57 +1829,38 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double C_t = C_t_in[i];
         const double D_t = D_t_in[i];
         const double E_t = E_t_in[i];
-        const double f = f_in[i];
+        const double over = over_in[i];
+        const double Omega_a_k = Omega_a_k_in[i];
+        const double Omega_b_k = Omega_b_k_in[i];
+        const double Omega_d_k = Omega_d_k_in[i];
+        const double Omega_a_r = Omega_a_r_in[i];
+        const double Omega_b_r = Omega_b_r_in[i];
+        const double Omega_d_r = Omega_d_r_in[i];
         const double t = t_in[i];
         const double Omega_a = Omega_a_in[i];
         const double Omega_b = Omega_b_in[i];
         const double Omega_d = Omega_d_in[i];
-        const double common_1 = D_t * D_t; /* fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5) */
-        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double below = fused(kappa_d, common_2, common_1); /* fact: definition varied_rates.below; (5) */
-        const double over = 1.0 / below; /* fact: definition varied_rates.over; (5) */
-        const double common_3 = C_t * D_t; /* fact: definition varied_rates.S_k, definition varied_rates.Omega_b_by_Omega_b; (5) */
-        const double S_k = fused(common_3, E_t, -(common_2 * S_t)) / 2.0; /* fact: definition varied_rates.S_k; (5) */
-        const double common_4 = S_t * C_t; /* fact: definition varied_rates.C_k, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double C_k = -S_t * fused(p * D_t, E_t, common_4) / 2.0; /* fact: definition varied_rates.C_k; (5) */
-        const double common_5 = S_t * D_t; /* fact: definition varied_rates.D_k, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double D_k = -S_t * fused(r * C_t, E_t, common_5) / 2.0; /* fact: definition varied_rates.D_k; (5) */
-        const double below_k = -S_t * fused(S_t, below, k * C_t * D_t * E_t); /* fact: definition varied_rates.below_k; (5) */
-        const double common_6 = alpha_a * Omega_b0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition varied_rates.Omega_a_by_Omega_d; (5) */
-        const double common_7 = common_6 * Omega_d0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5) */
-        const double Omega_a_k = over * fused(-Omega_a, below_k, fused(Omega_a0, D_k, common_7 * fused(S_k, C_t, S_t * C_k))); /* fact: definition varied_rates.Omega_a_k; (5) */
-        const double common_8 = alpha_b * Omega_d0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r, definition varied_rates.Omega_b_by_Omega_a; (5) */
-        const double common_9 = common_8 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
-        const double common_10 = C_t * C_t; /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double Omega_b_k = over * fused(common_9, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * over * fused(kappa_a + kappa_d, common_10 * common_1, common_2 * fused(p * kappa_a, common_1, r * kappa_d * common_10)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double common_11 = alpha_d * Omega_a0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r, definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double common_12 = common_11 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
-        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_12 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
-        const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
-        const double C_r = p * S_t * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
-        const double D_r = fused(r * S_t * C_t, f, -common_2) / (2.0 * D_t); /* fact: definition varied_rates.D_r; (5) */
-        const double below_r = k * S_t * C_t * f; /* fact: definition varied_rates.below_r; (5) */
-        const double Omega_a_r = over * fused(-Omega_a, below_r, fused(Omega_a0, D_r, common_7 * fused(S_r, C_t, S_t * C_r))); /* fact: definition varied_rates.Omega_a_r; (5) */
-        const double Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_9 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
-        const double Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_12 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
-        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a), common_2, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
-        const double any_Omega_b_by_Omega_a = fused(over, fused(common_8, S_t, -(Omega_b * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
-        const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
+        const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a), common_1, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
+        const double any_Omega_b_by_Omega_a = fused(over, fused(alpha_b * Omega_d0, S_t, -(Omega_b * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
         const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * Omega_a_k); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
-        const double Omega_b_by_Omega_b = fused(over, common_3, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
-        const double Omega_d_by_Omega_b = fused(over, common_11 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double Omega_a_by_Omega_d = fused(over, common_6 * S_t * C_t, r_by_Omega_d * Omega_a_r); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double Omega_b_by_Omega_b = fused(over, C_t * D_t, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
+        const double Omega_d_by_Omega_b = fused(over, alpha_d * Omega_a0 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
+        const double Omega_a_by_Omega_d = fused(over, alpha_a * Omega_b0 * S_t * C_t, r_by_Omega_d * Omega_a_r); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
         const double any_Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
         const double Omega_d_by_Omega_d = fused(over, C_t, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
-        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(over, fused(a_by_c_a, common_4, -(Omega_a * kappa_by_c_a * common_2)), p_by_c_a * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
-        const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_2)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
-        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_5, -(Omega_d * kappa_by_c_a * common_2)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
-        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(over, fused(a_by_c_b, common_4, -(Omega_a * kappa_by_c_b * common_2)), p_by_c_b * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
-        const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_2)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
-        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_5, -(Omega_d * kappa_by_c_b * common_2)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
-        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(over, fused(a_by_c_d, common_4, -(Omega_a * kappa_by_c_d * common_2)), p_by_c_d * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
-        const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_2)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
-        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_5, -(Omega_d * kappa_by_c_d * common_2)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
+        const double common_2 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(over, fused(a_by_c_a, common_2, -(Omega_a * kappa_by_c_a * common_1)), p_by_c_a * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
+        const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_1)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
+        const double common_3 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_3, -(Omega_d * kappa_by_c_a * common_1)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
+        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(over, fused(a_by_c_b, common_2, -(Omega_a * kappa_by_c_b * common_1)), p_by_c_b * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
+        const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_1)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
+        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_3, -(Omega_d * kappa_by_c_b * common_1)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
+        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(over, fused(a_by_c_d, common_2, -(Omega_a * kappa_by_c_d * common_1)), p_by_c_d * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_1)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
+        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_3, -(Omega_d * kappa_by_c_d * common_1)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
         const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t, -(Omega_b0 * t))); /* fact: definition varied_rates.excess_b; (5) */
         const double b_divisor = choose(fabs(Omega_b), 0.0, 1.0, Omega_b); /* arithmetic */
         const double d_divisor = choose(fabs(alpha_d), 0.0, 1.0, alpha_d); /* arithmetic */
@@ -1716,10 +2055,13 @@ static void real_angles(const torque_free_real *motion, size_t n, const double *
         const double v_whole = nearest(v); /* classical: DLMF 4.16 */
         const double v_rest = v - v_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
         const double v_turns = v_rest + v_error; /* classical: DLMF 4.16 */
-        const double v_square = v_turns * v_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double v_side = choose(0.0, v_rest, 1.0, -1.0); /* classical: DLMF 4.16 */
+        const double v_left = fused(-v_side, v_error, 1.0 / 2.0 - fabs(v_rest)); /* classical: DLMF 4.21.10 */
         const double v_sign = alternating(v_whole); /* classical: DLMF 4.16 */
-        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
-        const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
+        const double v_turns_square = v_turns * v_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double v_left_square = v_left * v_left; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double cos_v = v_sign * fused(v_left, pi_hi, v_left * fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
         sin_v_out[i] = sin_v;
         cos_v_out[i] = cos_v;
     }
@@ -1729,7 +2071,8 @@ static void real_angles(const torque_free_real *motion, size_t n, const double *
 static void real_state(const torque_free_real *motion, size_t n, const double *restrict sin_v_in,
     const double *restrict cos_v_in, const double *restrict t_in,
     double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
-    double *restrict E_t_out, double *restrict f_out)
+    double *restrict E_t_out, double *restrict f_out, double *restrict passed_out,
+    double *restrict turned_out)
 {
     const double even_0 = motion->even_0;
     const double even_1 = motion->even_1;
@@ -1799,17 +2142,22 @@ static void real_state(const torque_free_real *motion, size_t n, const double *r
         const double F_far = fused(-S_t, C_t / D_t, fused(-p, E_t, t)) / apart; /* fact: definition elapsed_F.F_t; (10) */
         const double F_t = choose(growth, common_2, F_near, F_far); /* classical: DLMF 22.16.30 */
         const double f = D_t * F_t; /* fact: definition varied_rates.f; (5) */
+        const double passed = 0.0; /* arithmetic */
+        const double turned = 0.0; /* arithmetic */
         S_t_out[i] = S_t;
         C_t_out[i] = C_t;
         D_t_out[i] = D_t;
         E_t_out[i] = E_t;
         f_out[i] = f;
+        passed_out[i] = passed;
+        turned_out[i] = turned;
     }
 }
 
 /* Constants of the elapsed time for m > 1/2, from `_moduli`. */
 static void imaginary_constants(double_double p, double_double r, double_double apart, double_double lambda_,
-    double_double modulus, double_double complement, torque_free_imaginary *motion)
+    double_double modulus, double_double complement, double_double y0,
+    torque_free_imaginary *motion)
 {
     const double_double ratio = root_ratio(complement, modulus); /* classical: DLMF 20.9.1 */
     const double_double root_nome = dd_div_xx(complement, ratio); /* classical: DLMF 20.9.1 */
@@ -1846,6 +2194,24 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double_double m_safe = dd_choose(nome_d, 0.0, dd_of(1.0), m_1); /* classical: DLMF 22.16.30 */
     const double_double whole = dd_choose(nome_d, 0.0, dd_of(0.0), dd_div_xx(dd_mul_xx(dd_div_xx(dd_mul_dx(2.0, g), m_safe), over_lambda), r)); /* classical: DLMF 22.16.30 */
     const double_double f_period = dd_sub_xx(whole, dd_mul_xx(f_rate, period)); /* classical: DLMF 22.16.30 */
+    const double_double passed_gain = dd_div_xd(dd_mul_xx(r, scale), 2.0); /* classical: DLMF 22.16.30 */
+    const double_double passed_rate = dd_mul_xx(r, f_rate); /* classical: DLMF 22.16.30 */
+    const double_double passed_period = dd_mul_xx(r, f_period); /* classical: DLMF 22.16.30 */
+    const double_double z0 = dd_mul_dx(2.0, y0); /* classical: DLMF 20.7.12 */
+    const double start = dd_rounded(z0); /* arithmetic */
+    const double start_lo = dd_rounded(dd_sub_xd(z0, start)); /* arithmetic */
+    const double period_rest = dd_rounded(dd_choose(nome_d, 0.0, dd_of(0.0), dd_sub_xd(period, period_far))); /* arithmetic */
+    const double start_side = choose(0.0, start, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double start_depth = 2.0 * fabs(start); /* classical: DLMF 20.2.2 */
+    const double start_more = 2.0 * (start_side * start_lo); /* classical: DLMF 20.2.2 */
+    const double start_w2 = exponential(-start_depth) * (1.0 - start_more); /* classical: DLMF 20.2.2 */
+    const double start_p2 = exponential(start_depth - period_far) * (1.0 + (start_more - period_rest)); /* classical: DLMF 20.2.2 */
+    const double common_5 = start_w2 * start_w2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+    const double common_6 = start_p2 * start_p2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+    const double_double common_7 = dd_mul_xd(nome12, common_6); /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+    const double_double start_rise = dd_add_xx(dd_add_dx((1.0 - common_5) / 2.0, dd_sub_xx(dd_mul_xd(nome4, start_p2), dd_mul_xd(nome6, common_5 * start_w2))), dd_div_xd(dd_mul_dx(3.0, dd_sub_xx(common_7, dd_mul_xd(nome16, common_5 * common_5))), 2.0)); /* classical: DLMF 22.16.30 */
+    const double_double start_theta = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xd(nome4, common_6)), dd_mul_dx(common_5, nome8)), dd_add_xx(dd_mul_dx(start_p2, dd_add_dx(1.0, common_7)), dd_mul_dx(start_w2, dd_add_xx(nome2, dd_mul_xd(nome18, common_5))))); /* classical: DLMF 20.2.3 */
+    const double_double passed_0 = dd_add_xx(dd_mul_xx(dd_mul_xd(passed_gain, start_side), dd_div_xx(start_rise, dd_mul_dx(start_w2, start_theta))), dd_mul_xd(dd_neg(passed_rate), start)); /* classical: DLMF 22.16.30 */
     const double p_d = dd_rounded(p); /* arithmetic */
     const double r_d = dd_rounded(r); /* arithmetic */
     const double apart_d = dd_rounded(apart); /* arithmetic */
@@ -1854,8 +2220,8 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double F_one = 4.0 * (r_d - apart_d); /* classical: DLMF 22.10 */
     const double F_two = -6.0 * (r_d * apart_d); /* classical: DLMF 22.10 */
     const double E_square_0 = 1.0; /* classical: DLMF 22.10 */
-    const double common_5 = 1.0 / 3.0; /* classical: DLMF 22.10 */
-    const double E_0 = common_5; /* classical: DLMF 22.10 */
+    const double common_8 = 1.0 / 3.0; /* classical: DLMF 22.10 */
+    const double E_0 = common_8; /* classical: DLMF 22.10 */
     const double E_square_1 = E_one * E_square_0 / 12.0; /* classical: DLMF 22.10 */
     const double E_1 = E_square_1 / 5.0; /* classical: DLMF 22.10 */
     const double E_square_2 = fused(E_one, E_square_1, E_two * (E_square_0 * E_square_0)) / 30.0; /* classical: DLMF 22.10 */
@@ -1875,7 +2241,7 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double E_square_9 = fused(E_one, E_square_8, E_two * fused(E_square_7, E_square_0, fused(E_square_6, E_square_1, fused(E_square_5, E_square_2, fused(E_square_4, E_square_3, fused(E_square_3, E_square_4, fused(E_square_2, E_square_5, fused(E_square_0, E_square_7, E_square_1 * E_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
     const double E_9 = E_square_9 / 21.0; /* classical: DLMF 22.10 */
     const double F_square_0 = 1.0; /* classical: DLMF 22.10 */
-    const double F_0 = common_5; /* classical: DLMF 22.10 */
+    const double F_0 = common_8; /* classical: DLMF 22.10 */
     const double F_square_1 = F_one * F_square_0 / 12.0; /* classical: DLMF 22.10 */
     const double F_1 = F_square_1 / 5.0; /* classical: DLMF 22.10 */
     const double F_square_2 = fused(F_one, F_square_1, F_two * (F_square_0 * F_square_0)) / 30.0; /* classical: DLMF 22.10 */
@@ -1898,6 +2264,8 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->y_rate_lo = y_rate.lo;
     motion->period_hi = period.hi;
     motion->period_lo = period.lo;
+    motion->z0_hi = z0.hi;
+    motion->z0_lo = z0.lo;
     motion->period_far = period_far;
     motion->period_inverse = period_inverse;
     motion->nome2 = dd_rounded(nome2);
@@ -1915,6 +2283,10 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->f_period = dd_rounded(f_period);
     motion->p = dd_rounded(p);
     motion->apart = dd_rounded(apart);
+    motion->passed_gain = dd_rounded(passed_gain);
+    motion->passed_rate = dd_rounded(passed_rate);
+    motion->passed_period = dd_rounded(passed_period);
+    motion->passed_0 = dd_rounded(passed_0);
     motion->E_0 = E_0;
     motion->E_1 = E_1;
     motion->E_2 = E_2;
@@ -1941,12 +2313,15 @@ static void imaginary_constants(double_double p, double_double r, double_double 
 static void imaginary_angles(const torque_free_imaginary *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict w_out, double *restrict p2_out,
     double *restrict y_out, double *restrict side_out, double *restrict flip_out,
-    double *restrict periods_out)
+    double *restrict periods_out, double *restrict z_w2_out, double *restrict z_p2_out,
+    double *restrict z_out, double *restrict z_side_out, double *restrict turns_out)
 {
     const double y_rate_hi = motion->y_rate_hi;
     const double y_rate_lo = motion->y_rate_lo;
     const double period_hi = motion->period_hi;
     const double period_lo = motion->period_lo;
+    const double z0_hi = motion->z0_hi;
+    const double z0_lo = motion->z0_lo;
     const double period_far = motion->period_far;
     const double period_inverse = motion->period_inverse;
     for (size_t i = 0; i < n; i++) {
@@ -1960,28 +2335,56 @@ static void imaginary_angles(const torque_free_imaginary *motion, size_t n, cons
         const double ahead = p_y + -back; /* arithmetic: Knuth 4.2.2 */
         const double ahead_other = ahead - p_y; /* arithmetic: Knuth 4.2.2 */
         const double ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other); /* arithmetic: Knuth 4.2.2 */
-        const double y = ahead + (ahead_error + (p_y_error - back_error)); /* classical: DLMF 20.2.7 */
+        const double y_rest = ahead_error + (p_y_error - back_error); /* classical: DLMF 20.2.7 */
+        const double y = ahead + y_rest; /* classical: DLMF 20.2.7 */
+        const double y_lo = ahead - y + y_rest; /* arithmetic: Knuth 4.2.2 */
         const double side = choose(0.0, y, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
         const double flip = alternating(periods); /* classical: DLMF 20.2.6 */
         const double depth = fabs(y); /* classical: DLMF 20.2.2 */
-        const double w = exponential(-depth); /* classical: DLMF 20.2.2 */
-        const double p2 = exponential(fused(2.0, depth, -period_far)); /* classical: DLMF 20.2.2 */
+        const double more = side * y_lo; /* classical: DLMF 20.2.2 */
+        const double w = exponential(-depth) * (1.0 - more); /* classical: DLMF 20.2.2 */
+        const double p2 = exponential(fused(2.0, depth, -period_far)) * (1.0 + fused(2.0, more, -period_lo)); /* classical: DLMF 20.2.2 */
+        const double turns = nearest((p_y + z0_hi) * period_inverse); /* classical: DLMF 20.2.7 */
+        const double behind = period_hi * turns; /* arithmetic: Dekker 1971 */
+        const double behind_error = fused(period_lo, turns, product_error(period_hi, turns, behind)); /* arithmetic: Dekker 1971 */
+        const double beyond = p_y + -behind; /* arithmetic: Knuth 4.2.2 */
+        const double beyond_other = beyond - p_y; /* arithmetic: Knuth 4.2.2 */
+        const double beyond_error = p_y - (beyond - beyond_other) + (-behind - beyond_other); /* arithmetic: Knuth 4.2.2 */
+        const double z_near = beyond + z0_hi; /* arithmetic: Knuth 4.2.2 */
+        const double z_near_other = z_near - beyond; /* arithmetic: Knuth 4.2.2 */
+        const double z_near_error = beyond - (z_near - z_near_other) + (z0_hi - z_near_other); /* arithmetic: Knuth 4.2.2 */
+        const double z_rest = z_near_error + (beyond_error + (p_y_error + z0_lo - behind_error)); /* arithmetic */
+        const double z = z_near + z_rest; /* classical: DLMF 20.2.7 */
+        const double z_lo = z_near - z + z_rest; /* arithmetic: Knuth 4.2.2 */
+        const double z_side = choose(0.0, z, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double z_depth = 2.0 * fabs(z); /* classical: DLMF 20.2.2 */
+        const double z_more = 2.0 * (z_side * z_lo); /* classical: DLMF 20.2.2 */
+        const double z_w2 = exponential(-z_depth) * (1.0 - z_more); /* classical: DLMF 20.2.2 */
+        const double z_p2 = exponential(z_depth - period_far) * (1.0 + (z_more - period_lo)); /* classical: DLMF 20.2.2 */
         w_out[i] = w;
         p2_out[i] = p2;
         y_out[i] = y;
         side_out[i] = side;
         flip_out[i] = flip;
         periods_out[i] = periods;
+        z_w2_out[i] = z_w2;
+        z_p2_out[i] = z_p2;
+        z_out[i] = z;
+        z_side_out[i] = z_side;
+        turns_out[i] = turns;
     }
 }
 
-/* S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`. */
+/* S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`. */
 static void imaginary_state(const torque_free_imaginary *motion, size_t n, const double *restrict w_in,
     const double *restrict p2_in, const double *restrict y_in,
     const double *restrict side_in, const double *restrict flip_in,
-    const double *restrict periods_in, const double *restrict t_in,
-    double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
-    double *restrict E_t_out, double *restrict f_out)
+    const double *restrict periods_in, const double *restrict z_w2_in,
+    const double *restrict z_p2_in, const double *restrict z_in,
+    const double *restrict z_side_in, const double *restrict turns_in,
+    const double *restrict t_in, double *restrict S_t_out, double *restrict C_t_out,
+    double *restrict D_t_out, double *restrict E_t_out, double *restrict f_out,
+    double *restrict passed_out, double *restrict turned_out)
 {
     const double nome2 = motion->nome2;
     const double nome4 = motion->nome4;
@@ -1998,6 +2401,10 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
     const double f_period = motion->f_period;
     const double p = motion->p;
     const double apart = motion->apart;
+    const double passed_gain = motion->passed_gain;
+    const double passed_rate = motion->passed_rate;
+    const double passed_period = motion->passed_period;
+    const double passed_0 = motion->passed_0;
     const double E_0 = motion->E_0;
     const double E_1 = motion->E_1;
     const double E_2 = motion->E_2;
@@ -2025,6 +2432,11 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
         const double side = side_in[i];
         const double flip = flip_in[i];
         const double periods = periods_in[i];
+        const double z_w2 = z_w2_in[i];
+        const double z_p2 = z_p2_in[i];
+        const double z = z_in[i];
+        const double z_side = z_side_in[i];
+        const double turns = turns_in[i];
         const double t = t_in[i];
         const double common_1 = w * w; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
         const double qw2 = nome2 * common_1; /* classical: DLMF 20.2.2 */
@@ -2058,11 +2470,21 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
         const double f = choose(growth, common_5, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
         const double E_far = (fused(-S_t, C_t / D_t, t) - apart * f / D_t) / p; /* fact: definition elapsed_E.E_t; (10) */
         const double E_t = choose(growth, common_5, E_near, E_far); /* classical: DLMF 22.16.30 */
+        const double common_7 = z_w2 * z_w2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+        const double common_8 = z_p2 * z_p2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+        const double common_9 = nome12 * common_8; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+        const double z_rise = (1.0 - common_7) / 2.0 + fused(nome4, z_p2, -(nome6 * (common_7 * z_w2))) + 3.0 * fused(-nome16, common_7 * common_7, common_9) / 2.0; /* classical: DLMF 22.16.30 */
+        const double z_theta = fused(common_7, nome8, fused(nome4, common_8, 1.0)) + fused(z_p2, 1.0 + common_9, z_w2 * fused(nome18, common_7, nome2)); /* classical: DLMF 20.2.3 */
+        const double passed_z = fused(passed_gain * z_side, z_rise / (z_w2 * z_theta), fused(turns, passed_period, -(passed_rate * z))); /* classical: DLMF 22.16.30 */
+        const double passed = passed_z - passed_0; /* classical: DLMF 22.16.30 */
+        const double turned = fabs(turns); /* classical: DLMF 20.2.7 */
         S_t_out[i] = S_t;
         C_t_out[i] = C_t;
         D_t_out[i] = D_t;
         E_t_out[i] = E_t;
         f_out[i] = f;
+        passed_out[i] = passed;
+        turned_out[i] = turned;
     }
 }
 
@@ -2489,6 +2911,12 @@ static int exponent_of(size_t n, const double *x)
     return e - 1;
 }
 
+/* x 2^n, which `ldexp` says where the power is no double. */
+static double scaled_by(double x, int n)
+{
+    return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
+}
+
 static int all_finite(size_t n, const double *x)
 {
     for (size_t k = 0; k < n; k++)
@@ -2580,36 +3008,93 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_motion *motion, const double_double inertia[3], const double_double apart[3],
-                       const double_double omega[3], const double_double q[4], double_double E_b)
+/* Lane i of the given constants of a branch as those of a motion, and the code of that. */
+static int take(torque_free_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
 {
-    const int *axis = motion->axis;
-    const double_double c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
-    const double_double c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
-    const double_double c_bd = difference(apart, axis[1], axis[2]);
-    const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
-    const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    const double unit = motion->unit, *constants;
-    size_t held;
-    double_double K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d;
-    double epsilon, sigma, rho, chi;
-    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_1, &kc_1, &mu, &psi_0, &s, &c, &d, &epsilon, &sigma, &rho, &chi);
-    if (k_1.hi * k_1.hi <= max_circular) {
-        motion->branch = 1;
-        circular_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.circular);
+    const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
+    double *constants = (double *)&motion->of;
+    for (size_t k = 0; k < held; k++)
+        constants[k] = rows[k * LANES + i];
+    if (motion->branch == 1)
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
-        constants = (const double *)&motion->of.circular;
-        held = sizeof motion->of.circular / sizeof *constants;
-    } else {
-        motion->branch = 2;
-        hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_1, kc_1, mu, psi_0, s, c, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.hyperbolic);
+    else
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
-        constants = (const double *)&motion->of.hyperbolic;
-        held = sizeof motion->of.hyperbolic / sizeof *constants;
+    return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+}
+
+/* What is put in lane i: what a motion's constants come from. */
+#define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
+
+static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
+                const double_double apart[3], const double_double omega[3], const double_double q[4], double_double E_b)
+{
+    const int a = motion->axis[0], b = motion->axis[1], d = motion->axis[2];
+    PUT(c_a, c[a]), PUT(c_b, c[b]), PUT(c_d, c[d]);
+    PUT(c_ab, difference(apart, a, b)), PUT(c_ad, difference(apart, a, d)), PUT(c_bd, difference(apart, b, d));
+    PUT(Omega_a, omega[a]), PUT(Omega_b, omega[b]), PUT(Omega_d, omega[d]), PUT(E_b, E_b);
+    PUT(q_0, q[0]), PUT(q_a, q[1 + a]), PUT(q_b, q[1 + b]), PUT(q_d, q[1 + d]);
+    lane->axis_a[i] = a, lane->axis_b[i] = b, lane->axis_d[i] = d;
+    lane->unit[i] = motion->unit;
+}
+
+/* Every lane that is not one's own repeats one that is, so that nothing is computed that no motion has. */
+static void repeat(lanes *lane, const int own[LANES])
+{
+    double *row = (double *)lane;
+    size_t from = 0;
+    while (!own[from])
+        from++;
+    for (size_t k = 0; k < sizeof *lane / sizeof *row; k += LANES)
+        for (size_t i = 0; i < LANES; i++)
+            row[k + i] = own[i] ? row[k + i] : row[k + from];
+}
+
+/* The constants of those of n motions in lanes that are on one branch, from what `initial_state` left. */
+static void branch_init(const lanes *lane, int branch, size_t n, torque_free_motion *motion, int *code)
+{
+    lanes alike = *lane;
+    union {
+        circular_lanes circular;
+        hyperbolic_lanes hyperbolic;
+    } of;
+    int own[LANES], count = 0, others = 0;
+    for (size_t i = 0; i < LANES; i++) {
+        own[i] = i < n && motion[i].branch == branch;
+        count += own[i];
+        others += i < n && motion[i].branch && !own[i];
     }
-    const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    if (!count)
+        return;
+    if (others)
+        repeat(&alike, own);
+    if (branch == 1)
+        circular_constants(&alike, &of.circular);
+    else
+        hyperbolic_constants(&alike, &of.hyperbolic);
+    const size_t held = branch == 1 ? sizeof(torque_free_circular) : sizeof(torque_free_hyperbolic);
+    for (size_t i = 0; i < n; i++)
+        if (own[i])
+            code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
+}
+
+/* The constants of n motions that `begin` put in lanes, and their codes; steady ones have theirs. */
+static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *code)
+{
+    int own[LANES], count = 0;
+    for (size_t i = 0; i < LANES; i++) {
+        own[i] = i < n && motion[i].branch;
+        count += own[i];
+    }
+    if (!count)
+        return;
+    if (count < LANES)
+        repeat(lane, own);
+    initial_state(lane);
+    for (size_t i = 0; i < n; i++)
+        if (own[i])
+            motion[i].branch = lane->k_1_hi[i] * lane->k_1_hi[i] <= max_circular ? 1 : 2;
+    branch_init(lane, 1, n, motion, code);
+    branch_init(lane, 2, n, motion, code);
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -2677,61 +3162,59 @@ static void keep(torque_free_motion *motion, const double_double c[3], const dou
     }
 }
 
-/* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
-   before faint ones were taken for zero. */
-static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
-                const double_double q[4], const double_double *known, double unit)
+/* A motion but for what lanes give, which its branch, not zero, says that it needs, and lane i with what
+   that comes from.  c, what each of it is above the next in turn, omega and q in inner units; `given` are
+   the rates before faint ones were taken for zero. */
+static void begin(torque_free_motion *motion, lanes *lane, size_t i, const double_double c[3],
+                  const double_double apart[3], const double_double given[3], const double_double q[4],
+                  const double_double *known, double unit)
 {
-    torque_free_motion made;
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
-    memset(&made, 0, sizeof made);
+    memset(motion, 0, sizeof *motion);
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
         length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
     }
     length = dd_sqrt(length);
-    made.unit = unit;
-    made.max_angle = max_angle;
+    motion->unit = unit;
+    motion->max_angle = max_angle;
     for (int k = 0; k < 4; k++) {
         unit_q[k] = dd_div_xx(q[k], length);
-        made.q0[k] = dd_rounded(unit_q[k]);
+        motion->q0[k] = dd_rounded(unit_q[k]);
     }
     for (int k = 0; k < 3; k++)
-        made.omega0[k] = given[k].hi * unit;
-    sorted(apart, made.axis);
-    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, made.axis);
+        motion->omega0[k] = given[k].hi * unit;
+    sorted(apart, motion->axis);
+    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, motion->axis);
     const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
     const int faint = !is_zero(discriminant) && fabs(discriminant.hi) < min_discriminant;
     int lost = 0;
     for (int k = 0; k < 3; k += 2)
-        lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
+        lost |= is_zero(omega[motion->axis[k]]) && !is_zero(given[motion->axis[k]]);
     if (distinct && (lost || faint))
-        follow(&made, c, apart, omega, given, &discriminant, faint);
-    made.moment_unit = 1.0;
-    keep(&made, c, apart, omega, discriminant);
-    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+        follow(motion, c, apart, omega, given, &discriminant, faint);
+    motion->moment_unit = 1.0;
+    keep(motion, c, apart, omega, discriminant);
+    const double side = side_of(apart, omega, motion->axis, discriminant.hi);
     if (side < 0.0) {
-        const int first = made.axis[0];
-        made.axis[0] = made.axis[2];
-        made.axis[2] = first;
+        const int first = motion->axis[0];
+        motion->axis[0] = motion->axis[2];
+        motion->axis[2] = first;
     }
-    int code = TORQUE_FREE_OK;
-    if (!is_rounded_once())
-        return TORQUE_FREE_ARITHMETIC;
-    if (side < 0.0 || side > 0.0)
-        code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    motion->branch = side < 0.0 || side > 0.0;
+    if (motion->branch)
+        put(lane, i, motion, c, apart, omega, unit_q, discriminant);
     else
-        steady_init(&made, omega, unit_q);
-    if (code == TORQUE_FREE_OK)
-        *motion = made;
-    return code;
+        steady_init(motion, omega, unit_q);
 }
 
-int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
-                          const double attitude0[4])
+/* The same from doubles, or a code. */
+static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
+                         const double omega0[3], const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
+    motion->branch = 0;
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
     for (int k = 1; k < 3; k++)
@@ -2742,16 +3225,16 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
     const int q_scale = exponent_of(4, attitude0);
     int is_zero_attitude = 1;
     for (int k = 0; k < 3; k++) {
-        c[k] = dd_of(ldexp(inertia[k], -c_scale));
-        omega[k] = dd_of(ldexp(omega0[k], -scale));
+        c[k] = dd_of(scaled_by(inertia[k], -c_scale));
+        omega[k] = dd_of(scaled_by(omega0[k], -scale));
         /* What is not zero stays so. */
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (ldexp(least, -c_scale) < min_moment_ratio)
+    if (scaled_by(least, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_THIN;
     for (int k = 0; k < 4; k++) {
-        q[k] = dd_of(ldexp(attitude0[k], -q_scale));
+        q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
         is_zero_attitude = is_zero_attitude && is_zero(q[k]);
     }
     if (is_zero_attitude)
@@ -2759,12 +3242,33 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
     /* Differences of doubles are pairs exactly. */
     for (int k = 0; k < 3; k++)
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
-    const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
-    for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
+    begin(motion, lane, i, c, apart, omega, q, NULL, scaled_by(1.0, scale));
+    for (int k = 0; k < 3; k++)
         motion->omega0[k] = omega0[k];
+    motion->moment_unit = scaled_by(1.0, c_scale);
+    return TORQUE_FREE_OK;
+}
+
+/* One motion that was begun, where it has a code of its own. */
+static int end(torque_free_motion *motion, torque_free_motion *made, lanes *lane)
+{
+    int code = TORQUE_FREE_OK;
+    if (!is_rounded_once())
+        return TORQUE_FREE_ARITHMETIC;
+    moving_init(lane, 1, made, &code);
     if (code == TORQUE_FREE_OK)
-        motion->moment_unit = ldexp(1.0, c_scale);
+        *motion = *made;
     return code;
+}
+
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
+                          const double attitude0[4])
+{
+    torque_free_motion made;
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int code = begin_doubles(&made, &lane, 0, inertia, omega0, attitude0);
+    return code == TORQUE_FREE_OK ? end(motion, &made, &lane) : code;
 }
 
 int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
@@ -2798,7 +3302,11 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
     const double_double known = {discriminant[0], discriminant[1]};
-    return init(motion, c, apart, omega, q, &known, unit);
+    torque_free_motion made;
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    begin(&made, &lane, 0, c, apart, omega, q, &known, unit);
+    return end(motion, &made, &lane);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
@@ -3078,19 +3586,33 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
 {
-    torque_free_motion motion;
-    for (size_t k = 0; k < bodies; k++) {
-        double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-        if (code == TORQUE_FREE_OK)
-            code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
-        else if (codes)
-            no_states(n, q_k, omega_k);
-        if (codes) {
-            codes[k] = code;
-        } else if (code != TORQUE_FREE_OK) {
-            *failed = k;
-            return code;
+    torque_free_motion motion[LANES];
+    int code[LANES];
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int rounded = is_rounded_once();
+    for (size_t first = 0; first < bodies; first += LANES) {
+        const size_t count = bodies - first < LANES ? bodies - first : LANES;
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            code[i] = begin_doubles(&motion[i], &lane, i, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+            if (code[i] == TORQUE_FREE_OK && !rounded)
+                code[i] = TORQUE_FREE_ARITHMETIC;
+        }
+        moving_init(&lane, count, motion, code);
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
+            if (code[i] == TORQUE_FREE_OK)
+                code[i] = states_at(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
+            else if (codes)
+                no_states(n, q_k, omega_k);
+            if (codes) {
+                codes[k] = code[i];
+            } else if (code[i] != TORQUE_FREE_OK) {
+                *failed = k;
+                return code[i];
+            }
         }
     }
     return TORQUE_FREE_OK;
@@ -3103,7 +3625,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "ce81307f5cf25d9d28a37a50d34f6e4a30ce6da9c2a3656af97eec837485bb7f"; }
+const char *torque_free_digest(void) { return "674285c52cf25124d319e04c15ded1379c58df4341b6cdfead6c384ccb3da858"; }
 
 const char *torque_free_message(int code)
 {
@@ -3122,11 +3644,12 @@ const char *torque_free_message(int code)
     }
 }
 
-/* How many sensitivities are computed side by side: each takes some eighty doubles of stack. */
+/* How many sensitivities are computed side by side: each takes some ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
 typedef struct {
+    torque_free_along along;
     torque_free_columns columns;
     torque_free_turn turn;
     torque_free_real real;
@@ -3163,14 +3686,20 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
+    /* Where it is not known when a motion turns over, it hardly does. */
+    const int turns_over = motion->branch == 2;
+    const double reach = turns_over ? 1.0 : never;
+    const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
+                              turns_over ? motion->of.hyperbolic.y0_lo : 0.0};
     double_double p, r, apart, lambda_, divisor, modulus, complement;
     moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &p, &r, &apart, &lambda_, &divisor, &modulus, &complement);
+    along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, reach, &made->along);
     columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &made->columns);
     made->is_real = modulus.hi * modulus.hi <= max_real;
     if (made->is_real)
         real_constants(p, r, apart, lambda_, divisor, modulus, complement, &made->real);
     else
-        imaginary_constants(p, r, apart, lambda_, modulus, complement, &made->imaginary);
+        imaginary_constants(p, r, apart, lambda_, modulus, complement, y0, &made->imaginary);
     if (!made->at_rest)
         turn_constants(c[0].hi, c[1].hi, c[2].hi, difference(apart_from_next, 0, 1).hi,
                        difference(apart_from_next, 0, 2).hi, difference(apart_from_next, 1, 2).hi, omega[0].hi,
@@ -3178,19 +3707,20 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
                        &made->turn);
 }
 
-/* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */
+/* S_t, C_t, D_t, E_t, D_t F_t, what has passed and the turns at n inner times, in rows s apart. */
 static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
 {
-    double in[6 * SENSITIVE], rest[SENSITIVE];
+    double in[11 * SENSITIVE], rest[SENSITIVE];
     for (size_t i = 0; i < n; i++)
         rest[i] = 0.0;
     if (made->is_real) {
         real_angles(&made->real, n, t, rest, in, in + SENSITIVE);
-        real_state(&made->real, n, in, in + SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s);
+        real_state(&made->real, n, in, in + SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s,
+                   to + 5 * s, to + 6 * s);
     } else {
-        imaginary_angles(&made->imaginary, n, t, rest, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE);
-        imaginary_state(&made->imaginary, n, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s,
-                        to + 4 * s);
+        imaginary_angles(&made->imaginary, n, t, rest, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, in + 6 * SENSITIVE, in + 7 * SENSITIVE, in + 8 * SENSITIVE, in + 9 * SENSITIVE, in + 10 * SENSITIVE);
+        imaginary_state(&made->imaginary, n, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, in + 6 * SENSITIVE, in + 7 * SENSITIVE, in + 8 * SENSITIVE, in + 9 * SENSITIVE, in + 10 * SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s,
+                        to + 4 * s, to + 5 * s, to + 6 * s);
     }
 }
 
@@ -3214,7 +3744,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     enum { s = SENSITIVE };
     static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     static const double zeros[3] = {0.0, 0.0, 0.0};
-    double functions[5 * s], state[7 * s], columns[21 * s], turned_by[24 * s];
+    double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
     const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
     const double *by[18], *excess[3], *eta[18];
     const int *axis = made->axis;
@@ -3225,8 +3755,11 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
             state[(4 + k) * s + i] = omega[3 * i + k] * over;
     }
     elapsed(made, n, s, t, functions);
+    along_state(&made->along, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
+                functions + 4 * s, functions + 5 * s, functions + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                state + (4 + axis[2]) * s, along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s);
     columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                  functions + 4 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                   state + (4 + axis[2]) * s, columns, columns + s, columns + 2 * s, columns + 3 * s, columns + 4 * s, columns + 5 * s, columns + 6 * s, columns + 7 * s, columns + 8 * s, columns + 9 * s, columns + 10 * s, columns + 11 * s, columns + 12 * s, columns + 13 * s, columns + 14 * s, columns + 15 * s, columns + 16 * s, columns + 17 * s, columns + 18 * s, columns + 19 * s, columns + 20 * s);
     for (int x = 0; x < 3; x++) {
         excess[axis[x]] = columns + (18 + x) * s;

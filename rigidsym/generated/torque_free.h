@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    435  20 %  follow facts of the ledger, each named on its line
-    559  26 %  follow classical formulas, each with its reference
-     72   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1056  50 %  are the runtime, written by hand
+    442  19 %  follow facts of the ledger, each named on its line
+    595  26 %  follow classical formulas, each with its reference
+     98   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1156  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,14 +40,17 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest ce81307f5cf25d9d28a37a50d34f6e4a30ce6da9c2a3656af97eec837485bb7f
+digest 674285c52cf25124d319e04c15ded1379c58df4341b6cdfead6c384ccb3da858
 
-Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
--DTORQUE_FREE_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_state_at needs 3 KB.
-C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
-machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
-a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
-x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
+Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
+-DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
+time; torque_free_state_at needs 3 KB.  C++11 and later compile it, too.  Compile with -O3
+-fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
+vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
+-fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
+AVX-512, -mprefer-vector-width=512 saves a fifth.  Without -fno-math-errno torque_free_propagate
+prepares one motion at a time, not as many as a register holds, and takes several times as long;
+below -O2 -fno-math-errno needs -DTORQUE_FREE_LANES=1.
 -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused
@@ -83,11 +86,15 @@ typedef struct {
 } torque_free_hyperbolic;
 
 typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, k, kappa_a;
-    double kappa_d, p, r, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a;
-    double kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b;
-    double apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a;
-    double d_by_c_b, d_by_c_d;
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r;
+    double share, half_over_p, reach;
+} torque_free_along;
+
+typedef struct {
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d;
+    double p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d;
+    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a;
+    double a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
 } torque_free_columns;
 
 typedef struct {
@@ -98,10 +105,11 @@ typedef struct {
 } torque_free_real;
 
 typedef struct {
-    double y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse, nome2, nome4;
-    double nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate;
-    double f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2;
-    double F_3, F_4, F_5, F_6, F_7, F_8, F_9;
+    double y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse;
+    double nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain;
+    double f_rate, f_period, p, apart, passed_gain, passed_rate, passed_period, passed_0, E_0;
+    double E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7;
+    double F_8, F_9;
 } torque_free_imaginary;
 
 typedef struct {

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    434  23 %  follow facts of the ledger, each named on its line
-    553  30 %  follow classical formulas, each with its reference
-     72   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    807  43 %  are the runtime, written by hand
+    441  23 %  follow facts of the ledger, each named on its line
+    589  30 %  follow classical formulas, each with its reference
+     98   5 %  are arithmetic: sums, products, quotients, roots, reductions
+    826  42 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest c762c3880ef43509370dfee0a2e24d50db013062cdadd37fa57bfdfd0c428744
+digest 0c1ab17964c6bec1c321eb22adc36bbab90c21edbb7d878598f7e09bf276e393
 """
 
 # ruff: noqa
@@ -902,6 +902,64 @@ def _moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, 
     return p, r, apart, lambda_, divisor, modulus, complement
 
 
+def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, reach):
+    """What both directions are made from; reach: beyond which p t^2 phases are known."""
+    epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
+    alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
+    alpha_b = -epsilon * c_ad / c_b  # fact: definition coefficients.alpha_b; (5)
+    alpha_d = epsilon * c_ab / c_d  # fact: definition coefficients.alpha_d; (5)
+    k = alpha_a * alpha_d * (Omega_b0 * Omega_b0)  # fact: definition varied_rates.k; (5)
+    kappa_a = -alpha_b * alpha_d * (Omega_a0 * Omega_a0)  # fact: definition varied_rates.kappa_a; (5)
+    kappa_d = -alpha_a * alpha_b * (Omega_d0 * Omega_d0)  # fact: definition varied_rates.kappa_d; (5)
+    p = k + kappa_a  # fact: definition varied_rates.p; (5)
+    r = k + kappa_d  # fact: definition varied_rates.r; (5)
+    alpha_b_there = _choose(_rounded(abs(alpha_b)), 0, 1, alpha_b)  # arithmetic
+    alpha_d_there = _choose(_rounded(abs(alpha_d)), 0, 1, alpha_d)  # arithmetic
+    Omega_a0_there = _choose(_rounded(abs(Omega_a0)), 0, 1, Omega_a0)  # arithmetic
+    p_there = _choose(_rounded(abs(p)), 0, 1, p)  # arithmetic
+    half_over_p = 1 / (2 * p_there)  # fact: definition passing.half_over_p; (5)
+    share = 1 / (2 * alpha_b_there * alpha_d_there * Omega_a0_there)  # fact: definition passing.share; (5)
+    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(k), _rounded(kappa_a), _rounded(kappa_d), _rounded(p), _rounded(r), _rounded(share), _rounded(half_over_p), reach
+
+
+def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r, share, half_over_p, reach):
+    """What the rates change by where p and r grow alike, and where r does."""
+    common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
+    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition passing.Omega_a_p; (5)
+    below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
+    over = 1 / below  # fact: definition varied_rates.over; (5)
+    S_k = (C_t * D_t * E_t - common_2 * S_t) / 2  # fact: definition varied_rates.S_k; (5)
+    C_k = -S_t * (S_t * C_t + p * D_t * E_t) / 2  # fact: definition varied_rates.C_k; (5)
+    D_k = -S_t * (S_t * D_t + r * C_t * E_t) / 2  # fact: definition varied_rates.D_k; (5)
+    below_k = -S_t * (S_t * below + k * C_t * D_t * E_t)  # fact: definition varied_rates.below_k; (5)
+    common_3 = alpha_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5)
+    Omega_a_k = over * (Omega_a0 * D_k + common_3 * (S_k * C_t + S_t * C_k) - Omega_a * below_k)  # fact: definition varied_rates.Omega_a_k; (5)
+    common_4 = alpha_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5)
+    common_5 = C_t * C_t  # fact: definition varied_rates.Omega_b_k; (5)
+    Omega_b_k = over * (common_4 * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * over * ((kappa_a + kappa_d) * (common_5 * common_1) + common_2 * (p * kappa_a * common_1 + r * kappa_d * common_5)) / 2)  # fact: definition varied_rates.Omega_b_k; (5)
+    common_6 = alpha_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
+    Omega_d_k = over * (Omega_d0 * C_k + common_6 * (S_k * D_t + S_t * D_k) - Omega_d * below_k)  # fact: definition varied_rates.Omega_d_k; (5)
+    S_r = -C_t * f / 2  # fact: definition varied_rates.S_r; (5)
+    C_r = p * S_t * f / 2  # fact: definition varied_rates.C_r; (5)
+    D_r = (r * S_t * C_t * f - common_2) / (2 * D_t)  # fact: definition varied_rates.D_r; (5)
+    below_r = k * S_t * C_t * f  # fact: definition varied_rates.below_r; (5)
+    any_Omega_a_r = over * (Omega_a0 * D_r + common_3 * (S_r * C_t + S_t * C_r) - Omega_a * below_r)  # fact: definition varied_rates.Omega_a_r; (5)
+    any_Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_4 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
+    any_Omega_d_r = over * (Omega_d0 * C_r + common_6 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
+    Omega_a_there = _choose(abs(Omega_a), 0, 1, Omega_a)  # arithmetic
+    since = (t + passed) * half_over_p  # fact: definition passing.since; (5)
+    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (over * (Omega_a_there * common_2 + share * D_t) - share * (Omega_a0 / Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
+    common_7 = over * S_t  # fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5)
+    Omega_b_p = alpha_b * Omega_d * Omega_a_there * since + common_7 * (Omega_b * S_t + share * alpha_b * Omega_d0)  # fact: definition passing.Omega_b_p; (5)
+    Omega_d_p = alpha_d * Omega_a_there * Omega_b * since + common_7 * (Omega_d * S_t + share * alpha_d * Omega_b0 * D_t)  # fact: definition passing.Omega_d_p; (5)
+    lobe = _choose(2, turned, 0, Omega_b * Omega_b0)  # arithmetic
+    crossed = _choose(reach, p * (t * t), lobe, 1)  # arithmetic
+    Omega_a_r = _choose(crossed, 0, Omega_a_k - Omega_a_p, any_Omega_a_r)  # arithmetic
+    Omega_b_r = _choose(crossed, 0, Omega_b_k - Omega_b_p, any_Omega_b_r)  # arithmetic
+    Omega_d_r = _choose(crossed, 0, Omega_d_k - Omega_d_p, any_Omega_d_r)  # arithmetic
+    return over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r
+
+
 def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d):
     """What sensitivities of the rates are made from, at t = 0."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
@@ -918,19 +976,14 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     alpha_d_by_c_d = -alpha_d / c_d  # fact: definition coefficients.alpha_d_by_c_d; (5)
     alpha_d_by_c_a = epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_a; (5)
     alpha_d_by_c_b = -epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_b; (5)
-    common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
+    common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
     tilt_by_c_a = epsilon * ((c_a + c_ab) * common_1) / c_a / c_d - tilt / c_a  # fact: definition coefficients.tilt_by_c_a; (5)
-    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d; (5)
+    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d; (5)
     tilt_by_c_b = -epsilon * (c_a * common_1 + c_d * common_2) / c_a / c_d  # fact: definition coefficients.tilt_by_c_b; (5)
     tilt_by_c_d = epsilon * ((c_d - c_bd) * common_2) / c_a / c_d - tilt / c_d  # fact: definition coefficients.tilt_by_c_d; (5)
-    common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5)
+    common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5)
     g_a = alpha_a * common_3 - alpha_b * common_1  # fact: definition varied_rates.g_a; (5)
     g_d = alpha_d * common_3 - alpha_b * common_2  # fact: definition varied_rates.g_d; (5)
-    k = alpha_a * alpha_d * common_3  # fact: definition varied_rates.k; (5)
-    kappa_a = -alpha_b * alpha_d * common_1  # fact: definition varied_rates.kappa_a; (5)
-    kappa_d = -alpha_a * alpha_b * common_2  # fact: definition varied_rates.kappa_d; (5)
-    p = k + kappa_a  # fact: definition varied_rates.p; (5)
-    r = k + kappa_d  # fact: definition varied_rates.r; (5)
     p_by_Omega_a = -2 * alpha_b * alpha_d * Omega_a0  # fact: definition varied_rates.p_by_Omega_a; (5)
     p_by_Omega_b = 2 * alpha_a * alpha_d * Omega_b0  # fact: definition varied_rates.p_by_Omega_b; (5)
     r_by_Omega_d = -2 * alpha_a * alpha_b * Omega_d0  # fact: definition varied_rates.r_by_Omega_d; (5)
@@ -953,57 +1006,32 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     b_by_c_d = alpha_b_by_c_d * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_d; (5)
     d_by_c_d = alpha_d_by_c_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_d; (5)
     alpha_divisor = _choose(_rounded(abs(alpha_b)), 0, 1, alpha_b)  # arithmetic
-    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(k), _rounded(kappa_a), _rounded(kappa_d), _rounded(p), _rounded(r), _rounded(g_a), _rounded(g_d), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
+    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(g_a), _rounded(g_d), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
 
 
-def _columns_state(S_t, C_t, D_t, E_t, f, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, k, kappa_a, kappa_d, p, r, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
+def _columns_state(S_t, C_t, D_t, E_t, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
     """What the rates change by, and integrals of their squares, from functions of the time."""
-    common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
-    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
-    below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
-    over = 1 / below  # fact: definition varied_rates.over; (5)
-    common_3 = C_t * D_t  # fact: definition varied_rates.S_k, definition varied_rates.Omega_b_by_Omega_b; (5)
-    S_k = (common_3 * E_t - common_2 * S_t) / 2  # fact: definition varied_rates.S_k; (5)
-    common_4 = S_t * C_t  # fact: definition varied_rates.C_k, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    C_k = -S_t * (common_4 + p * D_t * E_t) / 2  # fact: definition varied_rates.C_k; (5)
-    common_5 = S_t * D_t  # fact: definition varied_rates.D_k, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
-    D_k = -S_t * (common_5 + r * C_t * E_t) / 2  # fact: definition varied_rates.D_k; (5)
-    below_k = -S_t * (S_t * below + k * C_t * D_t * E_t)  # fact: definition varied_rates.below_k; (5)
-    common_6 = alpha_a * Omega_b0  # fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition varied_rates.Omega_a_by_Omega_d; (5)
-    common_7 = common_6 * Omega_d0  # fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5)
-    Omega_a_k = over * (Omega_a0 * D_k + common_7 * (S_k * C_t + S_t * C_k) - Omega_a * below_k)  # fact: definition varied_rates.Omega_a_k; (5)
-    common_8 = alpha_b * Omega_d0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r, definition varied_rates.Omega_b_by_Omega_a; (5)
-    common_9 = common_8 * Omega_a0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5)
-    common_10 = C_t * C_t  # fact: definition varied_rates.Omega_b_k; (5)
-    Omega_b_k = over * (common_9 * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * over * ((kappa_a + kappa_d) * (common_10 * common_1) + common_2 * (p * kappa_a * common_1 + r * kappa_d * common_10)) / 2)  # fact: definition varied_rates.Omega_b_k; (5)
-    common_11 = alpha_d * Omega_a0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r, definition varied_rates.Omega_d_by_Omega_b; (5)
-    common_12 = common_11 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
-    Omega_d_k = over * (Omega_d0 * C_k + common_12 * (S_k * D_t + S_t * D_k) - Omega_d * below_k)  # fact: definition varied_rates.Omega_d_k; (5)
-    S_r = -C_t * f / 2  # fact: definition varied_rates.S_r; (5)
-    C_r = p * S_t * f / 2  # fact: definition varied_rates.C_r; (5)
-    D_r = (r * S_t * C_t * f - common_2) / (2 * D_t)  # fact: definition varied_rates.D_r; (5)
-    below_r = k * S_t * C_t * f  # fact: definition varied_rates.below_r; (5)
-    Omega_a_r = over * (Omega_a0 * D_r + common_7 * (S_r * C_t + S_t * C_r) - Omega_a * below_r)  # fact: definition varied_rates.Omega_a_r; (5)
-    Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_9 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
-    Omega_d_r = over * (Omega_d0 * C_r + common_12 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
-    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
-    any_Omega_b_by_Omega_a = over * (common_8 * S_t - Omega_b * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
-    Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_2) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
+    common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
+    any_Omega_b_by_Omega_a = over * (alpha_b * Omega_d0 * S_t - Omega_b * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
+    Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
     Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * Omega_a_k  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
-    Omega_b_by_Omega_b = over * common_3 + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
-    Omega_d_by_Omega_b = over * (common_11 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
-    Omega_a_by_Omega_d = over * (common_6 * S_t * C_t) + r_by_Omega_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
+    Omega_b_by_Omega_b = over * (C_t * D_t) + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
+    Omega_d_by_Omega_b = over * (alpha_d * Omega_a0 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
+    Omega_a_by_Omega_d = over * (alpha_a * Omega_b0 * S_t * C_t) + r_by_Omega_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
     any_Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
     Omega_d_by_Omega_d = over * C_t + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
-    Omega_a_by_c_a = over * (a_by_c_a * common_4 - Omega_a * kappa_by_c_a * common_2) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
-    Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_2) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
-    Omega_d_by_c_a = over * (d_by_c_a * common_5 - Omega_d * kappa_by_c_a * common_2) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
-    Omega_a_by_c_b = over * (a_by_c_b * common_4 - Omega_a * kappa_by_c_b * common_2) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
-    Omega_b_by_c_b = over * (b_by_c_b * S_t - Omega_b * kappa_by_c_b * common_2) + p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_b; (5)
-    Omega_d_by_c_b = over * (d_by_c_b * common_5 - Omega_d * kappa_by_c_b * common_2) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
-    Omega_a_by_c_d = over * (a_by_c_d * common_4 - Omega_a * kappa_by_c_d * common_2) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_2) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
-    Omega_d_by_c_d = over * (d_by_c_d * common_5 - Omega_d * kappa_by_c_d * common_2) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
+    common_2 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_c_a = over * (a_by_c_a * common_2 - Omega_a * kappa_by_c_a * common_1) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
+    Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_1) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
+    common_3 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_d_by_c_a = over * (d_by_c_a * common_3 - Omega_d * kappa_by_c_a * common_1) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
+    Omega_a_by_c_b = over * (a_by_c_b * common_2 - Omega_a * kappa_by_c_b * common_1) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
+    Omega_b_by_c_b = over * (b_by_c_b * S_t - Omega_b * kappa_by_c_b * common_1) + p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_b; (5)
+    Omega_d_by_c_b = over * (d_by_c_b * common_3 - Omega_d * kappa_by_c_b * common_1) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
+    Omega_a_by_c_d = over * (a_by_c_d * common_2 - Omega_a * kappa_by_c_d * common_1) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_1) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
+    Omega_d_by_c_d = over * (d_by_c_d * common_3 - Omega_d * kappa_by_c_d * common_1) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
     excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * S_t - Omega_b0 * t)  # fact: definition varied_rates.excess_b; (5)
     b_divisor = _choose(abs(Omega_b), 0, 1, Omega_b)  # arithmetic
     d_divisor = _choose(abs(alpha_d), 0, 1, alpha_d)  # arithmetic
@@ -1126,10 +1154,13 @@ def _real_angles(t, v_rate_hi, v_rate_lo):
     v_whole = _nearest(v)  # classical: DLMF 4.16
     v_rest = v - v_whole  # arithmetic: DLMF 4.16, Sterbenz 1974
     v_turns = v_rest + v_error  # classical: DLMF 4.16
-    v_square = v_turns * v_turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    v_side = _choose(0, v_rest, 1, -1)  # classical: DLMF 4.16
+    v_left = 1 / 2 - abs(v_rest) - v_side * v_error  # classical: DLMF 4.21.10
     v_sign = _alternating(v_whole)  # classical: DLMF 4.16
-    sin_v = v_sign * (v_turns * pi_hi + v_turns * _horner(v_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
-    cos_v = v_sign * _horner(v_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
+    v_turns_square = v_turns * v_turns  # classical: DLMF 4.19.1, DLMF 4.19.2
+    sin_v = v_sign * (v_turns * pi_hi + v_turns * _horner(v_turns_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
+    v_left_square = v_left * v_left  # classical: DLMF 4.19.1, DLMF 4.19.2
+    cos_v = v_sign * (v_left * pi_hi + v_left * _horner(v_left_square, pi_lo, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7))  # classical: DLMF 4.19.1
     return sin_v, cos_v
 
 
@@ -1160,10 +1191,12 @@ def _real_state(sin_v, cos_v, t, even_0, even_1, even_2, odd_0, odd_1, sine_even
     F_far = (t - p * E_t - S_t * (C_t / D_t)) / apart  # fact: definition elapsed_F.F_t; (10)
     F_t = _choose(growth, common_2, F_near, F_far)  # classical: DLMF 22.16.30
     f = D_t * F_t  # fact: definition varied_rates.f; (5)
-    return S_t, C_t, D_t, E_t, f
+    passed = 0  # arithmetic
+    turned = 0  # arithmetic
+    return S_t, C_t, D_t, E_t, f, passed, turned
 
 
-def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
+def _imaginary_constants(p, r, apart, lambda_, modulus, complement, y0):
     """Constants of the elapsed time for m > 1/2, from `_moduli`."""
     ratio = _root_ratio(complement, modulus)  # classical: DLMF 20.9.1
     root_nome = complement / ratio  # classical: DLMF 20.9.1
@@ -1200,6 +1233,24 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     m_safe = _choose(nome_d, 0, 1, m_1)  # classical: DLMF 22.16.30
     whole = _choose(nome_d, 0, 0, 2 * g / m_safe * over_lambda / r)  # classical: DLMF 22.16.30
     f_period = whole - f_rate * period  # classical: DLMF 22.16.30
+    passed_gain = r * scale / 2  # classical: DLMF 22.16.30
+    passed_rate = r * f_rate  # classical: DLMF 22.16.30
+    passed_period = r * f_period  # classical: DLMF 22.16.30
+    z0 = 2 * y0  # classical: DLMF 20.7.12
+    start = _rounded(z0)  # arithmetic
+    start_lo = _rounded(z0 - start)  # arithmetic
+    period_rest = _rounded(_choose(nome_d, 0, 0, period - period_far))  # arithmetic
+    start_side = _choose(0, start, 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    start_depth = 2 * abs(start)  # classical: DLMF 20.2.2
+    start_more = 2 * (start_side * start_lo)  # classical: DLMF 20.2.2
+    start_w2 = _exp(-start_depth) * (1 - start_more)  # classical: DLMF 20.2.2
+    start_p2 = _exp(start_depth - period_far) * (1 + (start_more - period_rest))  # classical: DLMF 20.2.2
+    common_5 = start_w2 * start_w2  # classical: DLMF 22.16.30, DLMF 20.2.3
+    common_6 = start_p2 * start_p2  # classical: DLMF 22.16.30, DLMF 20.2.3
+    common_7 = nome12 * common_6  # classical: DLMF 22.16.30, DLMF 20.2.3
+    start_rise = (1 - common_5) / 2 + (nome4 * start_p2 - nome6 * (common_5 * start_w2)) + 3 * (common_7 - nome16 * (common_5 * common_5)) / 2  # classical: DLMF 22.16.30
+    start_theta = 1 + nome4 * common_6 + common_5 * nome8 + (start_p2 * (1 + common_7) + start_w2 * (nome2 + nome18 * common_5))  # classical: DLMF 20.2.3
+    passed_0 = passed_gain * start_side * (start_rise / (start_w2 * start_theta)) + -passed_rate * start  # classical: DLMF 22.16.30
     p_d = _rounded(p)  # arithmetic
     r_d = _rounded(r)  # arithmetic
     apart_d = _rounded(apart)  # arithmetic
@@ -1208,8 +1259,8 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     F_one = 4 * (r_d - apart_d)  # classical: DLMF 22.10
     F_two = -6 * (r_d * apart_d)  # classical: DLMF 22.10
     E_square_0 = 1  # classical: DLMF 22.10
-    common_5 = 1 / 3  # classical: DLMF 22.10
-    E_0 = common_5  # classical: DLMF 22.10
+    common_8 = 1 / 3  # classical: DLMF 22.10
+    E_0 = common_8  # classical: DLMF 22.10
     E_square_1 = E_one * E_square_0 / 12  # classical: DLMF 22.10
     E_1 = E_square_1 / 5  # classical: DLMF 22.10
     E_square_2 = (E_one * E_square_1 + E_two * (E_square_0 * E_square_0)) / 30  # classical: DLMF 22.10
@@ -1229,7 +1280,7 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     E_square_9 = (E_one * E_square_8 + E_two * (E_square_0 * E_square_7 + E_square_1 * E_square_6 + E_square_2 * E_square_5 + E_square_3 * E_square_4 + E_square_4 * E_square_3 + E_square_5 * E_square_2 + E_square_6 * E_square_1 + E_square_7 * E_square_0)) / 380  # classical: DLMF 22.10
     E_9 = E_square_9 / 21  # classical: DLMF 22.10
     F_square_0 = 1  # classical: DLMF 22.10
-    F_0 = common_5  # classical: DLMF 22.10
+    F_0 = common_8  # classical: DLMF 22.10
     F_square_1 = F_one * F_square_0 / 12  # classical: DLMF 22.10
     F_1 = F_square_1 / 5  # classical: DLMF 22.10
     F_square_2 = (F_one * F_square_1 + F_two * (F_square_0 * F_square_0)) / 30  # classical: DLMF 22.10
@@ -1248,10 +1299,10 @@ def _imaginary_constants(p, r, apart, lambda_, modulus, complement):
     F_8 = F_square_8 / 19  # classical: DLMF 22.10
     F_square_9 = (F_one * F_square_8 + F_two * (F_square_0 * F_square_7 + F_square_1 * F_square_6 + F_square_2 * F_square_5 + F_square_3 * F_square_4 + F_square_4 * F_square_3 + F_square_5 * F_square_2 + F_square_6 * F_square_1 + F_square_7 * F_square_0)) / 380  # classical: DLMF 22.10
     F_9 = F_square_9 / 21  # classical: DLMF 22.10
-    return y_rate.hi, y_rate.lo, period.hi, period.lo, period_far, period_inverse, _rounded(nome2), _rounded(nome4), _rounded(nome6), _rounded(nome8), _rounded(nome12), _rounded(nome16), _rounded(nome18), _rounded(gain_S), _rounded(gain_C), _rounded(gain_D), _rounded(f_gain), _rounded(f_rate), _rounded(f_period), _rounded(p), _rounded(apart), E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9
+    return y_rate.hi, y_rate.lo, period.hi, period.lo, z0.hi, z0.lo, period_far, period_inverse, _rounded(nome2), _rounded(nome4), _rounded(nome6), _rounded(nome8), _rounded(nome12), _rounded(nome16), _rounded(nome18), _rounded(gain_S), _rounded(gain_C), _rounded(gain_D), _rounded(f_gain), _rounded(f_rate), _rounded(f_period), _rounded(p), _rounded(apart), _rounded(passed_gain), _rounded(passed_rate), _rounded(passed_period), _rounded(passed_0), E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9
 
 
-def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse):
+def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse):
     """What changes with time where m > 1/2, at t + t_lo."""
     p_y = y_rate_hi * t  # arithmetic: Dekker 1971
     p_y_error = _product_error(y_rate_hi, t, p_y) + y_rate_lo * t  # arithmetic: Dekker 1971
@@ -1261,17 +1312,37 @@ def _imaginary_angles(t, y_rate_hi, y_rate_lo, period_hi, period_lo, period_far,
     ahead = p_y + -back  # arithmetic: Knuth 4.2.2
     ahead_other = ahead - p_y  # arithmetic: Knuth 4.2.2
     ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other)  # arithmetic: Knuth 4.2.2
-    y = ahead + (ahead_error + (p_y_error - back_error))  # classical: DLMF 20.2.7
+    y_rest = ahead_error + (p_y_error - back_error)  # classical: DLMF 20.2.7
+    y = ahead + y_rest  # classical: DLMF 20.2.7
+    y_lo = ahead - y + y_rest  # arithmetic: Knuth 4.2.2
     side = _choose(0, y, 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
     flip = _alternating(periods)  # classical: DLMF 20.2.6
     depth = abs(y)  # classical: DLMF 20.2.2
-    w = _exp(-depth)  # classical: DLMF 20.2.2
-    p2 = _exp(2 * depth - period_far)  # classical: DLMF 20.2.2
-    return w, p2, y, side, flip, periods
+    more = side * y_lo  # classical: DLMF 20.2.2
+    w = _exp(-depth) * (1 - more)  # classical: DLMF 20.2.2
+    p2 = _exp(2 * depth - period_far) * (1 + (2 * more - period_lo))  # classical: DLMF 20.2.2
+    turns = _nearest((p_y + z0_hi) * period_inverse)  # classical: DLMF 20.2.7
+    behind = period_hi * turns  # arithmetic: Dekker 1971
+    behind_error = _product_error(period_hi, turns, behind) + period_lo * turns  # arithmetic: Dekker 1971
+    beyond = p_y + -behind  # arithmetic: Knuth 4.2.2
+    beyond_other = beyond - p_y  # arithmetic: Knuth 4.2.2
+    beyond_error = p_y - (beyond - beyond_other) + (-behind - beyond_other)  # arithmetic: Knuth 4.2.2
+    z_near = beyond + z0_hi  # arithmetic: Knuth 4.2.2
+    z_near_other = z_near - beyond  # arithmetic: Knuth 4.2.2
+    z_near_error = beyond - (z_near - z_near_other) + (z0_hi - z_near_other)  # arithmetic: Knuth 4.2.2
+    z_rest = z_near_error + (beyond_error + (p_y_error + z0_lo - behind_error))  # arithmetic
+    z = z_near + z_rest  # classical: DLMF 20.2.7
+    z_lo = z_near - z + z_rest  # arithmetic: Knuth 4.2.2
+    z_side = _choose(0, z, 1, -1)  # classical: DLMF 20.2.1, DLMF 20.2.2
+    z_depth = 2 * abs(z)  # classical: DLMF 20.2.2
+    z_more = 2 * (z_side * z_lo)  # classical: DLMF 20.2.2
+    z_w2 = _exp(-z_depth) * (1 - z_more)  # classical: DLMF 20.2.2
+    z_p2 = _exp(z_depth - period_far) * (1 + (z_more - period_lo))  # classical: DLMF 20.2.2
+    return w, p2, y, side, flip, periods, z_w2, z_p2, z, z_side, turns
 
 
-def _imaginary_state(w, p2, y, side, flip, periods, t, nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
-    """S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`."""
+def _imaginary_state(w, p2, y, side, flip, periods, z_w2, z_p2, z, z_side, turns, t, nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate, f_period, p, apart, passed_gain, passed_rate, passed_period, passed_0, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7, F_8, F_9):
+    """S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`."""
     common_1 = w * w  # classical: DLMF 20.2.2, DLMF 20.2.1
     qw2 = nome2 * common_1  # classical: DLMF 20.2.2
     w2 = common_1  # classical: DLMF 20.2.1, DLMF 20.2.2
@@ -1304,7 +1375,15 @@ def _imaginary_state(w, p2, y, side, flip, periods, t, nome2, nome4, nome6, nome
     f = _choose(growth, common_5, D_t * F_near, f_far)  # classical: DLMF 22.16.30
     E_far = (t - S_t * (C_t / D_t) - apart * f / D_t) / p  # fact: definition elapsed_E.E_t; (10)
     E_t = _choose(growth, common_5, E_near, E_far)  # classical: DLMF 22.16.30
-    return S_t, C_t, D_t, E_t, f
+    common_7 = z_w2 * z_w2  # classical: DLMF 22.16.30, DLMF 20.2.3
+    common_8 = z_p2 * z_p2  # classical: DLMF 22.16.30, DLMF 20.2.3
+    common_9 = nome12 * common_8  # classical: DLMF 22.16.30, DLMF 20.2.3
+    z_rise = (1 - common_7) / 2 + (nome4 * z_p2 - nome6 * (common_7 * z_w2)) + 3 * (common_9 - nome16 * (common_7 * common_7)) / 2  # classical: DLMF 22.16.30
+    z_theta = 1 + nome4 * common_8 + common_7 * nome8 + (z_p2 * (1 + common_9) + z_w2 * (nome2 + nome18 * common_7))  # classical: DLMF 20.2.3
+    passed_z = passed_gain * z_side * (z_rise / (z_w2 * z_theta)) + (turns * passed_period - passed_rate * z)  # classical: DLMF 22.16.30
+    passed = passed_z - passed_0  # classical: DLMF 22.16.30
+    turned = abs(turns)  # classical: DLMF 20.2.7
+    return S_t, C_t, D_t, E_t, f, passed, turned
 
 
 def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
@@ -1498,13 +1577,22 @@ SENSITIVITY = {
         'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
         'names': ('p', 'r', 'apart', 'lambda_', 'divisor', 'modulus', 'complement'),
     },
+    'along': {
+        'constants': _along_constants,
+        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d', 'reach'),
+        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'share', 'half_over_p', 'reach'),
+        'state': _along_state,
+        'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 'passed', 'turned', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
+        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'share', 'half_over_p', 'reach'),
+        'results': ('over', 'Omega_a_k', 'Omega_b_k', 'Omega_d_k', 'Omega_a_r', 'Omega_b_r', 'Omega_d_r'),
+    },
     'columns': {
         'constants': _columns_constants,
         'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
-        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
         'state': _columns_state,
-        'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
-        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'over', 'Omega_a_k', 'Omega_b_k', 'Omega_d_k', 'Omega_a_r', 'Omega_b_r', 'Omega_d_r', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
+        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
         'results': ('Omega_a_by_Omega_a', 'Omega_a_by_Omega_b', 'Omega_a_by_Omega_d', 'Omega_a_by_c_a', 'Omega_a_by_c_b', 'Omega_a_by_c_d', 'Omega_b_by_Omega_a', 'Omega_b_by_Omega_b', 'Omega_b_by_Omega_d', 'Omega_b_by_c_a', 'Omega_b_by_c_b', 'Omega_b_by_c_d', 'Omega_d_by_Omega_a', 'Omega_d_by_Omega_b', 'Omega_d_by_Omega_d', 'Omega_d_by_c_a', 'Omega_d_by_c_b', 'Omega_d_by_c_d', 'excess_a', 'excess_b', 'excess_d'),
     },
     'real': {
@@ -1514,20 +1602,20 @@ SENSITIVITY = {
         'state': _real_state,
         'timed': ('sin_v', 'cos_v', 't'),
         'shape': ('even_0', 'even_1', 'even_2', 'odd_0', 'odd_1', 'sine_even_0', 'sine_even_1', 'sine_even_2', 'sine_odd_0', 'sine_odd_1', 'gain_S', 'gain_C', 'gain_D', 'E_rate', 'slope_0', 'slope_1', 'slope_2', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
-        'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f'),
+        'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 'passed', 'turned'),
         'angles': _real_angles,
         'rates': ('v_rate_hi', 'v_rate_lo'),
     },
     'imaginary': {
         'constants': _imaginary_constants,
-        'given': ('p', 'r', 'apart', 'lambda_', 'modulus', 'complement'),
-        'names': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse', 'nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'nome18', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'given': ('p', 'r', 'apart', 'lambda_', 'modulus', 'complement', 'y0'),
+        'names': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'z0_hi', 'z0_lo', 'period_far', 'period_inverse', 'nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'nome18', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'passed_gain', 'passed_rate', 'passed_period', 'passed_0', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
         'state': _imaginary_state,
-        'timed': ('w', 'p2', 'y', 'side', 'flip', 'periods', 't'),
-        'shape': ('nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'nome18', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
-        'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f'),
+        'timed': ('w', 'p2', 'y', 'side', 'flip', 'periods', 'z_w2', 'z_p2', 'z', 'z_side', 'turns', 't'),
+        'shape': ('nome2', 'nome4', 'nome6', 'nome8', 'nome12', 'nome16', 'nome18', 'gain_S', 'gain_C', 'gain_D', 'f_gain', 'f_rate', 'f_period', 'p', 'apart', 'passed_gain', 'passed_rate', 'passed_period', 'passed_0', 'E_0', 'E_1', 'E_2', 'E_3', 'E_4', 'E_5', 'E_6', 'E_7', 'E_8', 'E_9', 'F_0', 'F_1', 'F_2', 'F_3', 'F_4', 'F_5', 'F_6', 'F_7', 'F_8', 'F_9'),
+        'results': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 'passed', 'turned'),
         'angles': _imaginary_angles,
-        'rates': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'period_far', 'period_inverse'),
+        'rates': ('y_rate_hi', 'y_rate_lo', 'period_hi', 'period_lo', 'z0_hi', 'z0_lo', 'period_far', 'period_inverse'),
     },
     'turn': {
         'constants': _turn_constants,
@@ -2096,6 +2184,10 @@ def _integers(x):
     return [m << int(e) - least for m, e in zip(whole, exponent, strict=True)], least - 53
 
 
+# The changes at t = 0: of the attitude with a small turn, of the rates with those.
+_AT_ONCE = np.eye(3, 9), np.eye(3, 9, 3)
+
+
 @np.errstate(all="ignore")
 def sensitivities(prepared, t, errors="raise"):
     """States at the times t in s, and what they change by with their inputs.
@@ -2122,11 +2214,12 @@ def sensitivities(prepared, t, errors="raise"):
     ]
     if "elapsed" not in prepared:
         prepared["elapsed"] = _elapsed(prepared)
-    for group in prepared["elapsed"]:
-        _fill_sensitivities(prepared, group, given, rows)
+    # While blocks are in the cache it is seen whether any number is lost.
+    lost = [_fill_sensitivities(prepared, group, given, rows) for group in prepared["elapsed"]]
     _at_rest(prepared, given, rows)
     _unchanged(given, rows)
-    _check_held(rows, errors)
+    if any(lost):
+        _check_held(rows, errors)
     return (q, omega, *found)
 
 
@@ -2162,6 +2255,7 @@ def _elapsed(prepared):
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
+    known |= _phases(prepared)
     if len(axes) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(SENSITIVITY["moduli"], known)
@@ -2175,13 +2269,23 @@ def _elapsed(prepared):
     return groups
 
 
+def _phases(prepared):
+    """The phase at t = 0, and beyond which p t^2 it is asked for: where it is known."""
+    reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
+    for name, index, constants in prepared["groups"]:
+        if name == "hyperbolic":
+            reach[index] = 1.0
+            y0[:, index] = constants["y0_hi"], constants["y0_lo"]
+    return {"reach": reach, "y0": _DoubleDouble(*y0)}
+
+
 def _of_group(name, index, known):
     """The indices of some bodies, and their constants by what they are for: arrays, or of one
     body Python's floats."""
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
-    for part in (name, "columns", "turn"):
+    for part in (name, "along", "columns", "turn"):
         constants = _called(SENSITIVITY[part], known)
         made[part] = {
             key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
@@ -2198,9 +2302,12 @@ def _of_one(made, number):
 
 
 def _fill_sensitivities(prepared, group, t, rows):
-    """The rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Fill the rows of one group, in blocks: of times, or of bodies where times are few.
+
+    Whether any number of theirs is lost.
+    """
     name, order, index, made = group
-    size = t.shape[1]
+    size, lost = t.shape[1], False
     if index.size > 1 and size < _BLOCK // 4:
         step = max(1, _BLOCK // max(1, size))
         for first in range(0, index.size, step):
@@ -2211,8 +2318,9 @@ def _fill_sensitivities(prepared, group, t, rows):
             }
             units = [prepared[x][index[some], None] for x in ("unit", "moment_unit")]
             times = _of(t, index[some])
-            _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
-        return
+            place = (index[some],)
+            lost |= _write_sensitivities(name, order, constants, units, times, rows, place)
+        return lost
     for number, body in enumerate(index):
         constants = made if index.size == 1 else _of_one(made, number)
         units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
@@ -2222,11 +2330,16 @@ def _fill_sensitivities(prepared, group, t, rows):
             # One time as a number: operations on such arrays take ten times as long.
             where = some if size > 1 else 0
             times = t[body if len(t) > 1 else 0, where]
-            _write_sensitivities(name, order, constants, units, times, rows, (body, where))
+            place = body, where
+            lost |= _write_sensitivities(name, order, constants, units, times, rows, place)
+    return lost
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place):
-    """The sensitivities of one body at a block of times, or of some bodies at all times."""
+    """Write those of one body at a block of times, or of some bodies at all times.
+
+    Whether any of them is lost.
+    """
     unit, moment_unit = units
     known = {"t": unit * t}
     q, omega = (x[place] for x in rows[:2])
@@ -2239,6 +2352,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
     known |= dict(zip(entry["timed"], by_time, strict=False))
     known |= _stated(entry, known, constants[name])
+    known |= _stated(SENSITIVITY["along"], known, constants["along"])
     columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
     for one, i in zip("abd", order, strict=True):
         known[f"excess{i + 1}"] = columns[f"excess_{one}"]
@@ -2253,6 +2367,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
         ("Omega", "Omega"): 1.0,
         ("Omega", "c"): scale / moment_unit,
     }
+    lost = False
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
         block = found[place]
         for of, first in (("Omega", 3), ("c", 6)):
@@ -2261,12 +2376,17 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
                     np.multiply(value, factor, out=block[..., i, first + j])
+        if changed == "eta":
+            for k in range(3):
+                block[..., k, k] = 1.0
+        lost |= bool(np.isnan(np.min(block, initial=0.0)))
         # Of several bodies it is a copy.
         if isinstance(place[0], np.ndarray):
             found[place] = block
     for i in range(3):
         rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
         rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])
+    return lost
 
 
 def _stated(entry, known, constants):
@@ -2284,30 +2404,23 @@ def _at_rest(prepared, t, rows):
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
-        for found in rows[2:]:
-            found[body] = 0.0
+        for found, rest in zip(rows[2:], (*_AT_ONCE, 0.0, 0.0), strict=True):
+            found[body] = rest
         rows[2][body, :, :, 3:6] = t[body if len(t) > 1 else 0, :, None, None] * np.array(start)
-        for k in range(3):
-            rows[3][body, :, k, 3 + k] = 1.0
 
 
 def _unchanged(t, rows):
-    """At t = 0 changes are those given; a turn at t = 0 is the same at all times."""
+    """At t = 0 changes are those given."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
-        rows[2][some, time] = rows[3][some, time] = 0.0
-        for k in range(3):
-            rows[3][some, time, k, 3 + k] = 1.0
-    for k in range(3):
-        rows[2][:, :, k, k] = 1.0
+        rows[2][some, time], rows[3][some, time] = _AT_ONCE
 
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    # Where the least is a number all are, and it is found sooner.
-    if not any(np.isnan(np.min(x, initial=0.0)) for x in rows[2:]):
-        return
     lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
+    if not np.any(lost):
+        return
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"

@@ -21,6 +21,29 @@
 #define TORQUE_FREE_PI_BLOCK 64
 #endif
 
+/* How many motions are prepared side by side, or one in as many lanes: what a register holds, but
+   one where roots that report errors keep loops from being vectorised.  What these call has to be
+   in them, too, which takes seconds to compile, and is in vain where addresses are checked. */
+#ifndef TORQUE_FREE_PI_LANES
+#if !defined(__OPTIMIZE__) || !defined(__NO_MATH_ERRNO__)
+#define TORQUE_FREE_PI_LANES 1
+#elif defined(__AVX512F__)
+#define TORQUE_FREE_PI_LANES 8
+#elif defined(__AVX__)
+#define TORQUE_FREE_PI_LANES 4
+#elif defined(__aarch64__)
+#define TORQUE_FREE_PI_LANES 2
+#else
+#define TORQUE_FREE_PI_LANES 1
+#endif
+#endif
+#define LANES TORQUE_FREE_PI_LANES
+#if LANES > 1 && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#define FLAT __attribute__((flatten))
+#else
+#define FLAT
+#endif
+
 /* Extended numbers need every operation rounded to double once, and none reordered.  Not every option
    that breaks this shows in a macro: torque_free_pi_motion_init looks, too. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(_M_FP_FAST)
@@ -219,14 +242,22 @@ static inline double_double scaled(double_double x, int exponent)
     return y;
 }
 
-/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
+/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
+   2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
 {
-    int e;
-    return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
+    const uint64_t bits = bits_of(x.hi);
+    const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
+    const double e = from_bits(bits >> 52 | UINT64_C(0x4330000000000000)) - (4503599627370496.0 + 1022.0);
+    return fraction < 0.70710678118654752 ? e - 1.0 : e;
 }
 
-static inline double_double dd_mantissa(double_double x) { return scaled(x, -(int)dd_exponent(x)); }
+static inline double_double dd_mantissa(double_double x)
+{
+    const double power = power_of_two(-dd_exponent(x));
+    const double_double y = {x.hi * power, x.lo * power};
+    return y;
+}
 /* An exact number is the sum of non-overlapping doubles, smallest first (Shewchuk, Discrete and
    Computational Geometry 18, 1997).  32 parts hold any value of `discriminant`. */
 typedef struct { int size; double part[32]; } exact;
@@ -330,6 +361,168 @@ static const double exponential_7 = 2.7613836801372293e-07; /* e^r, r^10 */
 static const double exponential_8 = 2.509557770167194e-08; /* e^r, r^11 */
 static const double deepest = 100.0; /* beyond it tanh is 1 and sech is nothing */
 static const double least_c = 1e-45; /* sech where it is nothing */
+
+typedef struct {
+    double c_a_hi[LANES];
+    double c_a_lo[LANES];
+    double c_b_hi[LANES];
+    double c_b_lo[LANES];
+    double c_d_hi[LANES];
+    double c_d_lo[LANES];
+    double c_ab_hi[LANES];
+    double c_ab_lo[LANES];
+    double c_ad_hi[LANES];
+    double c_ad_lo[LANES];
+    double c_bd_hi[LANES];
+    double c_bd_lo[LANES];
+    double Omega_a_hi[LANES];
+    double Omega_a_lo[LANES];
+    double Omega_b_hi[LANES];
+    double Omega_b_lo[LANES];
+    double Omega_d_hi[LANES];
+    double Omega_d_lo[LANES];
+    double E_b_hi[LANES];
+    double E_b_lo[LANES];
+    double axis_a[LANES];
+    double axis_b[LANES];
+    double axis_d[LANES];
+    double K_hi[LANES];
+    double K_lo[LANES];
+    double A_a_hi[LANES];
+    double A_a_lo[LANES];
+    double A_b_hi[LANES];
+    double A_b_lo[LANES];
+    double A_d_hi[LANES];
+    double A_d_lo[LANES];
+    double B_a_hi[LANES];
+    double B_a_lo[LANES];
+    double B_d_hi[LANES];
+    double B_d_lo[LANES];
+    double k_c_hi[LANES];
+    double k_c_lo[LANES];
+    double k_1_hi[LANES];
+    double k_1_lo[LANES];
+    double kc_1_hi[LANES];
+    double kc_1_lo[LANES];
+    double m_c_hi[LANES];
+    double m_c_lo[LANES];
+    double mu_hi[LANES];
+    double mu_lo[LANES];
+    double psi_0_hi[LANES];
+    double psi_0_lo[LANES];
+    double n_hi[LANES];
+    double n_lo[LANES];
+    double kappa_hi[LANES];
+    double kappa_lo[LANES];
+    double H_hi[LANES];
+    double H_lo[LANES];
+    double s_hi[LANES];
+    double s_lo[LANES];
+    double c_hi[LANES];
+    double c_lo[LANES];
+    double d_hi[LANES];
+    double d_lo[LANES];
+    double epsilon[LANES];
+    double sigma[LANES];
+    double rho[LANES];
+    double chi[LANES];
+    double q_0_hi[LANES];
+    double q_0_lo[LANES];
+    double q_a_hi[LANES];
+    double q_a_lo[LANES];
+    double q_b_hi[LANES];
+    double q_b_lo[LANES];
+    double q_d_hi[LANES];
+    double q_d_lo[LANES];
+    double unit[LANES];
+} lanes;
+typedef struct {
+    double v_rate_hi[LANES];
+    double v_rate_lo[LANES];
+    double v_hi[LANES];
+    double v_lo[LANES];
+    double Lambda_rate_hi[LANES];
+    double Lambda_rate_lo[LANES];
+    double k_2[LANES];
+    double k_3[LANES];
+    double k_4[LANES];
+    double k_5[LANES];
+    double characteristic[LANES];
+    double spread[LANES];
+    double kappa[LANES];
+    double j[LANES];
+    double two_K[LANES];
+    double rest_0[LANES];
+    double c_a[LANES];
+    double c_b[LANES];
+    double c_d[LANES];
+    double A_a[LANES];
+    double A_b[LANES];
+    double A_d[LANES];
+    double K[LANES];
+    double k_1[LANES];
+    double k_c[LANES];
+    double epsilon[LANES];
+    double sigma[LANES];
+    double chi[LANES];
+    double tau[LANES];
+    double p_0[LANES];
+    double p_a[LANES];
+    double p_b[LANES];
+    double p_d[LANES];
+    double unit[LANES];
+} circular_lanes;
+typedef struct {
+    double y_rate_hi[LANES];
+    double y_rate_lo[LANES];
+    double y0_hi[LANES];
+    double y0_lo[LANES];
+    double period_hi[LANES];
+    double period_lo[LANES];
+    double Lambda_rate_hi[LANES];
+    double Lambda_rate_lo[LANES];
+    double jump_hi[LANES];
+    double jump_lo[LANES];
+    double period_far[LANES];
+    double period_inverse[LANES];
+    double l_2[LANES];
+    double l_3[LANES];
+    double l_4[LANES];
+    double l_5[LANES];
+    double gc[LANES];
+    double kc_1[LANES];
+    double m_c[LANES];
+    double rho[LANES];
+    double g_1[LANES];
+    double g_2[LANES];
+    double h_2[LANES];
+    double alpha[LANES];
+    double delta[LANES];
+    double spread[LANES];
+    double slope[LANES];
+    double z[LANES];
+    double characteristic[LANES];
+    double start_rest[LANES];
+    double c_a[LANES];
+    double c_b[LANES];
+    double c_d[LANES];
+    double A_a[LANES];
+    double A_b[LANES];
+    double A_d[LANES];
+    double K[LANES];
+    double k_1[LANES];
+    double k_c[LANES];
+    double epsilon[LANES];
+    double sigma[LANES];
+    double chi[LANES];
+    double tau[LANES];
+    double p_0[LANES];
+    double p_a[LANES];
+    double p_b[LANES];
+    double p_d[LANES];
+    double unit[LANES];
+} hyperbolic_lanes;
+
 /* e^x for x <= 0. */
 static INLINED double exponential(double x)
 {
@@ -400,90 +593,114 @@ static INLINED double circulation(double c_12, double c_13, double c_23, double 
 }
 
 /* Signs, invariants, amplitudes, functions at t = 0; E_b is of `_discriminant`. */
-static void initial_state(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
-    double_double c_ad, double_double c_bd, double_double Omega_a, double_double Omega_b,
-    double_double Omega_d, double_double E_b, double axis_a, double axis_b,
-    double axis_d, double_double *K_out, double_double *A_a_out, double_double *A_b_out,
-    double_double *A_d_out, double_double *B_a_out, double_double *B_d_out,
-    double_double *k_c_out, double_double *k_1_out, double_double *kc_1_out,
-    double_double *m_c_out, double_double *mu_out, double_double *psi_0_out,
-    double_double *n_out, double_double *kappa_out, double_double *H_out,
-    double_double *s_out, double_double *c_out, double_double *d_out,
-    double *epsilon_out, double *sigma_out, double *rho_out, double *chi_out)
+static FLAT void initial_state(lanes *lane)
 {
-    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
-    const double sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0); /* fact: choice start_signs.sigma; (12) */
-    const double rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0); /* fact: choice start_signs.rho; (12) */
-    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const double chi = choose(0.0, tau * dd_rounded(Omega_d), 1.0, -1.0); /* fact: choice start_signs.chi; (12) */
-    const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* fact: regular.H, regular.E_d; (6), (15) */
-    const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* fact: regular.H, regular.E_a, regular.E_d; (6), (15) */
-    const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* fact: regular.H, regular.E_a; (6), (15) */
-    const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: regular.H; (6), (15) */
-    const double_double common_4 = dd_mul_xx(c_b, c_ab); /* fact: regular.E_a, regular.A_b; (6), (15), (10), (13), (14) */
-    const double_double common_5 = dd_mul_xx(c_d, c_ad); /* fact: regular.E_a, regular.A_d; (6), (15), (10), (13), (14) */
-    const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* fact: regular.E_a; (6), (15) */
-    const double_double common_6 = dd_mul_xx(c_a, c_ad); /* fact: regular.E_d, regular.A_a; (6), (15), (10), (13), (14) */
-    const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* fact: regular.E_d; (6), (15) */
-    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
-    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
-    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
-    const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* fact: attitude.K; (6), (15) */
-    const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* fact: regular.A_a; (10), (13), (14) */
-    const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* fact: regular.A_b; (10), (13), (14) */
-    const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* fact: regular.A_d; (10), (13), (14) */
-    const double_double common_7 = dd_mul_xx(c_ab, E_d); /* fact: regular.lambda_, regular.m_1; (10), (13), (14) */
-    const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* fact: regular.lambda_; (10), (13), (14) */
-    const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* fact: regular.m; (10), (13), (14) */
-    const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* fact: regular.m_1; (10), (13), (14) */
-    const double_double k_c = dd_sqrt(m_1); /* fact: descended.k_c; DLMF 22.7.1 */
-    const double_double common_8 = dd_add_dx(1.0, k_c); /* fact: descended.k_1, descended.m_c, descended.mu, definition landen.kc_next; DLMF 22.7.1, DLMF 22.7.2 */
-    const double_double common_9 = dd_mul_xx(common_8, common_8); /* fact: descended.k_1, descended.m_c; DLMF 22.7.1 */
-    const double_double k_1 = dd_div_xx(m, common_9); /* fact: descended.k_1; DLMF 22.7.1 */
-    const double_double m_c = dd_div_xx(dd_mul_dx(4.0, k_c), common_9); /* fact: descended.m_c; DLMF 22.7.1 */
-    const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* fact: descended.mu; DLMF 22.7.2 */
-    const double_double common_10 = dd_mul_xx(c_d, A_d); /* fact: descended.n, theta_form.B_d; (34), (28) */
-    const double_double common_11 = dd_mul_xx(c_a, A_a); /* fact: descended.n, descended.psi_0, descended.kappa, theta_form.B_a; (34), (33), (27) */
-    const double_double common_12 = dd_add_xx(K, common_11); /* fact: descended.n, descended.psi_0, descended.kappa; (34), (33) */
-    const double_double common_13 = dd_mul_xx(common_12, common_12); /* fact: descended.n, descended.kappa; (34) */
-    const double_double n = dd_div_xx(dd_mul_xx(dd_neg(k_1), dd_mul_xx(common_10, common_10)), common_13); /* fact: descended.n; (34) */
-    const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), common_12); /* fact: descended.psi_0; (33), (34) */
-    const double_double kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(common_13, mu)); /* fact: descended.kappa; (34) */
-    const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
-    const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
-    const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
-    const double_double B_a = common_11; /* fact: theta_form.B_a; (27) */
-    const double_double B_d = common_10; /* fact: theta_form.B_d; (28) */
-    const double_double root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_14 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const double_double common_15 = dd_mul_xx(dd_add_dx(1.0, k_1), common_14); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
-    const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_15); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double v = dd_sqrt(dd_mul_xx(common_15, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
-    const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
-    const double_double d = dd_div_xx(v, common_14); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
-    *K_out = K;
-    *A_a_out = A_a;
-    *A_b_out = A_b;
-    *A_d_out = A_d;
-    *B_a_out = B_a;
-    *B_d_out = B_d;
-    *k_c_out = k_c;
-    *k_1_out = k_1;
-    *kc_1_out = kc_1;
-    *m_c_out = m_c;
-    *mu_out = mu;
-    *psi_0_out = psi_0;
-    *n_out = n;
-    *kappa_out = kappa;
-    *H_out = H;
-    *s_out = s;
-    *c_out = c;
-    *d_out = d;
-    *epsilon_out = epsilon;
-    *sigma_out = sigma;
-    *rho_out = rho;
-    *chi_out = chi;
+    for (size_t i = 0; i < LANES; i++) {
+        const double_double c_a = {lane->c_a_hi[i], lane->c_a_lo[i]};
+        const double_double c_b = {lane->c_b_hi[i], lane->c_b_lo[i]};
+        const double_double c_d = {lane->c_d_hi[i], lane->c_d_lo[i]};
+        const double_double c_ab = {lane->c_ab_hi[i], lane->c_ab_lo[i]};
+        const double_double c_ad = {lane->c_ad_hi[i], lane->c_ad_lo[i]};
+        const double_double c_bd = {lane->c_bd_hi[i], lane->c_bd_lo[i]};
+        const double_double Omega_a = {lane->Omega_a_hi[i], lane->Omega_a_lo[i]};
+        const double_double Omega_b = {lane->Omega_b_hi[i], lane->Omega_b_lo[i]};
+        const double_double Omega_d = {lane->Omega_d_hi[i], lane->Omega_d_lo[i]};
+        const double_double E_b = {lane->E_b_hi[i], lane->E_b_lo[i]};
+        const double axis_a = lane->axis_a[i];
+        const double axis_b = lane->axis_b[i];
+        const double axis_d = lane->axis_d[i];
+        const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+        const double sigma = choose(0.0, dd_rounded(Omega_a), 1.0, -1.0); /* fact: choice start_signs.sigma; (12) */
+        const double rho = choose(0.0, dd_rounded(c_ad), 1.0, -1.0); /* fact: choice start_signs.rho; (12) */
+        const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+        const double chi = choose(0.0, tau * dd_rounded(Omega_d), 1.0, -1.0); /* fact: choice start_signs.chi; (12) */
+        const double_double common_1 = dd_mul_xx(Omega_a, Omega_a); /* fact: regular.H, regular.E_d; (6), (15) */
+        const double_double common_2 = dd_mul_xx(Omega_b, Omega_b); /* fact: regular.H, regular.E_a, regular.E_d; (6), (15) */
+        const double_double common_3 = dd_mul_xx(Omega_d, Omega_d); /* fact: regular.H, regular.E_a; (6), (15) */
+        const double_double H = dd_div_xd(dd_add_xx(dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_b, common_2)), dd_mul_xx(c_d, common_3)), 2.0); /* fact: regular.H; (6), (15) */
+        const double_double common_4 = dd_mul_xx(c_b, c_ab); /* fact: regular.E_a, regular.A_b; (6), (15), (10), (13), (14) */
+        const double_double common_5 = dd_mul_xx(c_d, c_ad); /* fact: regular.E_a, regular.A_d; (6), (15), (10), (13), (14) */
+        const double_double E_a = dd_add_xx(dd_mul_xx(common_4, common_2), dd_mul_xx(common_5, common_3)); /* fact: regular.E_a; (6), (15) */
+        const double_double common_6 = dd_mul_xx(c_a, c_ad); /* fact: regular.E_d, regular.A_a; (6), (15), (10), (13), (14) */
+        const double_double E_d = dd_add_xx(dd_mul_xx(common_6, common_1), dd_mul_xx(dd_mul_xx(c_b, c_bd), common_2)); /* fact: regular.E_d; (6), (15) */
+        const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
+        const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
+        const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
+        const double_double K = dd_sqrt(dd_add_xx(dd_add_xx(dd_mul_xx(M_a, M_a), dd_mul_xx(M_b, M_b)), dd_mul_xx(M_d, M_d))); /* fact: attitude.K; (6), (15) */
+        const double_double A_a = dd_sqrt(dd_div_xx(E_d, common_6)); /* fact: regular.A_a; (10), (13), (14) */
+        const double_double A_b = dd_sqrt(dd_div_xx(E_a, common_4)); /* fact: regular.A_b; (10), (13), (14) */
+        const double_double A_d = dd_sqrt(dd_div_xx(E_a, common_5)); /* fact: regular.A_d; (10), (13), (14) */
+        const double_double common_7 = dd_mul_xx(c_ab, E_d); /* fact: regular.lambda_, regular.m_1; (10), (13), (14) */
+        const double_double lambda_ = dd_sqrt(dd_div_xx(common_7, dd_mul_xx(dd_mul_xx(c_a, c_b), c_d))); /* fact: regular.lambda_; (10), (13), (14) */
+        const double_double m = dd_div_xx(dd_mul_xx(E_a, c_bd), dd_mul_xx(E_d, c_ab)); /* fact: regular.m; (10), (13), (14) */
+        const double_double m_1 = dd_div_xx(dd_mul_xx(c_ad, E_b), common_7); /* fact: regular.m_1; (10), (13), (14) */
+        const double_double k_c = dd_sqrt(m_1); /* fact: descended.k_c; DLMF 22.7.1 */
+        const double_double common_8 = dd_add_dx(1.0, k_c); /* fact: descended.k_1, descended.m_c, descended.mu, definition landen.kc_next; DLMF 22.7.1, DLMF 22.7.2 */
+        const double_double common_9 = dd_mul_xx(common_8, common_8); /* fact: descended.k_1, descended.m_c; DLMF 22.7.1 */
+        const double_double k_1 = dd_div_xx(m, common_9); /* fact: descended.k_1; DLMF 22.7.1 */
+        const double_double m_c = dd_div_xx(dd_mul_dx(4.0, k_c), common_9); /* fact: descended.m_c; DLMF 22.7.1 */
+        const double_double mu = dd_div_xd(dd_mul_xx(lambda_, common_8), 2.0); /* fact: descended.mu; DLMF 22.7.2 */
+        const double_double common_10 = dd_mul_xx(c_d, A_d); /* fact: descended.n, theta_form.B_d; (34), (28) */
+        const double_double common_11 = dd_mul_xx(c_a, A_a); /* fact: descended.n, descended.psi_0, descended.kappa, theta_form.B_a; (34), (33), (27) */
+        const double_double common_12 = dd_add_xx(K, common_11); /* fact: descended.n, descended.psi_0, descended.kappa; (34), (33) */
+        const double_double common_13 = dd_mul_xx(common_12, common_12); /* fact: descended.n, descended.kappa; (34) */
+        const double_double n = dd_div_xx(dd_mul_xx(dd_neg(k_1), dd_mul_xx(common_10, common_10)), common_13); /* fact: descended.n; (34) */
+        const double_double psi_0 = dd_div_xx(dd_add_xx(dd_mul_dx(2.0, H), dd_mul_xx(K, A_a)), common_12); /* fact: descended.psi_0; (33), (34) */
+        const double_double kappa = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, E_a), A_a), k_1), dd_mul_xx(common_13, mu)); /* fact: descended.kappa; (34) */
+        const double_double sn = dd_div_xx(dd_mul_dx(chi, Omega_b), A_b); /* fact: regular.sn; (12) */
+        const double_double cn = dd_div_xx(dd_mul_dx(chi * tau, Omega_d), A_d); /* fact: regular.cn; (12) */
+        const double_double dn = dd_div_xx(dd_mul_dx(sigma, Omega_a), A_a); /* fact: regular.dn; (12) */
+        const double_double B_a = common_11; /* fact: theta_form.B_a; (27) */
+        const double_double B_d = common_10; /* fact: theta_form.B_d; (28) */
+        const double_double root_kc = dd_sqrt(k_c); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double kc_1 = dd_div_xx(dd_mul_dx(2.0, root_kc), common_8); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_14 = dd_add_dx(1.0, dn); /* fact: landen.s_next, landen.v, landen.d_next; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+        const double_double common_15 = dd_mul_xx(dd_add_dx(1.0, k_1), common_14); /* fact: landen.s_next, landen.v; DLMF 22.7.2 to 22.7.4, DLMF 22.7.4 */
+        const double_double s = dd_div_xx(dd_mul_dx(2.0, sn), common_15); /* fact: landen.s_next; DLMF 22.7.2 to 22.7.4 */
+        const double_double v = dd_sqrt(dd_mul_xx(common_15, dd_add_xx(dn, k_c))); /* fact: landen.v; DLMF 22.7.4 */
+        const double_double c = dd_div_xx(dd_mul_dx(2.0, cn), v); /* fact: landen.c_next; DLMF 22.7.2 to 22.7.4 */
+        const double_double d = dd_div_xx(v, common_14); /* fact: landen.d_next; DLMF 22.7.2 to 22.7.4 */
+        lane->K_hi[i] = K.hi;
+        lane->K_lo[i] = K.lo;
+        lane->A_a_hi[i] = A_a.hi;
+        lane->A_a_lo[i] = A_a.lo;
+        lane->A_b_hi[i] = A_b.hi;
+        lane->A_b_lo[i] = A_b.lo;
+        lane->A_d_hi[i] = A_d.hi;
+        lane->A_d_lo[i] = A_d.lo;
+        lane->B_a_hi[i] = B_a.hi;
+        lane->B_a_lo[i] = B_a.lo;
+        lane->B_d_hi[i] = B_d.hi;
+        lane->B_d_lo[i] = B_d.lo;
+        lane->k_c_hi[i] = k_c.hi;
+        lane->k_c_lo[i] = k_c.lo;
+        lane->k_1_hi[i] = k_1.hi;
+        lane->k_1_lo[i] = k_1.lo;
+        lane->kc_1_hi[i] = kc_1.hi;
+        lane->kc_1_lo[i] = kc_1.lo;
+        lane->m_c_hi[i] = m_c.hi;
+        lane->m_c_lo[i] = m_c.lo;
+        lane->mu_hi[i] = mu.hi;
+        lane->mu_lo[i] = mu.lo;
+        lane->psi_0_hi[i] = psi_0.hi;
+        lane->psi_0_lo[i] = psi_0.lo;
+        lane->n_hi[i] = n.hi;
+        lane->n_lo[i] = n.lo;
+        lane->kappa_hi[i] = kappa.hi;
+        lane->kappa_lo[i] = kappa.lo;
+        lane->H_hi[i] = H.hi;
+        lane->H_lo[i] = H.lo;
+        lane->s_hi[i] = s.hi;
+        lane->s_lo[i] = s.lo;
+        lane->c_hi[i] = c.hi;
+        lane->c_lo[i] = c.lo;
+        lane->d_hi[i] = d.hi;
+        lane->d_lo[i] = d.lo;
+        lane->epsilon[i] = epsilon;
+        lane->sigma[i] = sigma;
+        lane->rho[i] = rho;
+        lane->chi[i] = chi;
+    }
 }
 
 /* One step of Landen's descending transformation. */
@@ -775,100 +992,124 @@ static INLINED double third_kind(double s, double c, double d, double p_0, doubl
 }
 
 /* The constants of a motion on the circular branch, from `_initial_state`. */
-static void circular_constants(double_double K, double_double A_a, double_double A_b, double_double A_d,
-    double_double k_c, double_double k_1, double_double kc_1, double_double mu,
-    double_double psi_0, double_double n, double_double kappa, double_double s,
-    double_double c, double_double d, double_double c_a, double_double c_b,
-    double_double c_d, double_double Omega_a, double_double Omega_b,
-    double_double Omega_d, double_double q_0, double_double q_a, double_double q_b,
-    double_double q_d, double epsilon, double sigma, double rho, double chi, double unit,
-    torque_free_pi_circular *motion)
+static FLAT void circular_constants(const lanes *restrict lane, circular_lanes *restrict motion)
 {
-    const double_double common_1 = dd_add_dx(1.0, kc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_2 = dd_div_xx(k_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double k_2 = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_1 = dd_sqrt(kc_1); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double kc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_3 = dd_add_dx(1.0, kc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_4 = dd_div_xx(k_2, common_3); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double k_3 = dd_mul_xx(common_4, common_4); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_2 = dd_sqrt(kc_2); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double kc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_5 = dd_add_dx(1.0, kc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_6 = dd_div_xx(k_3, common_5); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double k_4 = dd_mul_xx(common_6, common_6); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_3 = dd_sqrt(kc_3); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double kc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_5); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_7 = dd_div_xx(k_4, dd_add_dx(1.0, kc_4)); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double k_5 = dd_mul_xx(common_7, common_7); /* fact: landen.k_next; DLMF 22.7.1 */
-    double_double K_1, sin_v, cos_v, shift;
-    ladder(k_1, kc_1, s, c, d, k_1, dd_of(0.0), &K_1, &sin_v, &cos_v, &shift); /* classical: DLMF 19.8.12 */
-    const double_double v = half_turns(sin_v, cos_v); /* classical: DLMF 4.24.3 */
-    const double_double two_K = dd_mul_dx(2.0, K_1); /* classical: DLMF 22.4(i) */
-    const double_double v_rate = dd_div_xx(mu, two_K); /* arithmetic */
-    const double_double u_start = dd_mul_xx(two_K, v); /* arithmetic */
-    const double_double common_8 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6, DLMF 19.36.1 */
-    double_double quarter, total;
-    complete(kc_1, common_8, &quarter, &total); /* classical: DLMF 19.8.6 */
-    const double_double characteristic = n; /* arithmetic */
-    const double_double j = dd_div_xx(total, dd_mul_dx(2.0, common_8)); /* classical: DLMF 19.8.6 */
-    const double_double Lambda = dd_div_xd(dd_add_xx(psi_0, dd_mul_xx(dd_mul_xx(kappa, mu), j)), 2.0); /* fact: definition pi_form.Lambda; (33), (34) */
-    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
-    const double_double spread = dd_mul_xx(dd_mul_xx(dd_neg(n), common_8), dd_sub_xx(dd_mul_xx(k_1, k_1), n)); /* classical: DLMF 19.36.1 */
-    const double path = dd_rounded(dd_sub_dx(1.0, dd_mul_xx(n, dd_mul_xx(s, s)))); /* classical: DLMF 19.25.14 */
-    const double J_0 = third_kind(dd_rounded(s), dd_rounded(c), dd_rounded(d), path, dd_rounded(spread)); /* classical: DLMF 19.25.14 */
-    const double_double rest_0 = dd_div_xd(dd_mul_xx(kappa, dd_sub_dx(J_0, dd_mul_xx(j, u_start))), 2.0); /* fact: definition pi_form.rest_0; (36) */
-    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
-    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
-    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
-    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const double_double common_9 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
-    const double_double nu = dd_sqrt(dd_mul_xx(common_9, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
-    const double_double s_0 = dd_div_xx(nu, common_9); /* fact: definition attitude.s_0; (27) */
-    const double_double s_b = dd_div_xx(dd_mul_dx(sigma * epsilon, M_d), nu); /* fact: definition attitude.s_b; (28) */
-    const double_double s_d = dd_div_xx(dd_mul_dx(-sigma * epsilon, M_b), nu); /* fact: definition attitude.s_d; (28) */
-    const double_double qbar_0 = s_0; /* fact: definition attitude.qbar_0; (18), (25) */
-    const double qbar_a = 0.0; /* fact: definition attitude.qbar_a; (18), (25) */
-    const double_double qbar_b = s_b; /* fact: definition attitude.qbar_b; (18), (25) */
-    const double_double qbar_d = s_d; /* fact: definition attitude.qbar_d; (18), (25) */
-    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xd(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
-    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xd(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
-    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xd(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
-    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xd(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
-    motion->v_rate_hi = v_rate.hi;
-    motion->v_rate_lo = v_rate.lo;
-    motion->v_hi = v.hi;
-    motion->v_lo = v.lo;
-    motion->Lambda_rate_hi = Lambda_rate.hi;
-    motion->Lambda_rate_lo = Lambda_rate.lo;
-    motion->k_2 = dd_rounded(k_2);
-    motion->k_3 = dd_rounded(k_3);
-    motion->k_4 = dd_rounded(k_4);
-    motion->k_5 = dd_rounded(k_5);
-    motion->characteristic = dd_rounded(characteristic);
-    motion->spread = dd_rounded(spread);
-    motion->kappa = dd_rounded(kappa);
-    motion->j = dd_rounded(j);
-    motion->two_K = dd_rounded(two_K);
-    motion->rest_0 = dd_rounded(rest_0);
-    motion->c_a = dd_rounded(c_a);
-    motion->c_b = dd_rounded(c_b);
-    motion->c_d = dd_rounded(c_d);
-    motion->A_a = dd_rounded(A_a);
-    motion->A_b = dd_rounded(A_b);
-    motion->A_d = dd_rounded(A_d);
-    motion->K = dd_rounded(K);
-    motion->k_1 = dd_rounded(k_1);
-    motion->k_c = dd_rounded(k_c);
-    motion->epsilon = epsilon;
-    motion->sigma = sigma;
-    motion->chi = chi;
-    motion->tau = tau;
-    motion->p_0 = dd_rounded(p_0);
-    motion->p_a = dd_rounded(p_a);
-    motion->p_b = dd_rounded(p_b);
-    motion->p_d = dd_rounded(p_d);
-    motion->unit = unit;
+    for (size_t i = 0; i < LANES; i++) {
+        const double_double K = {lane->K_hi[i], lane->K_lo[i]};
+        const double_double A_a = {lane->A_a_hi[i], lane->A_a_lo[i]};
+        const double_double A_b = {lane->A_b_hi[i], lane->A_b_lo[i]};
+        const double_double A_d = {lane->A_d_hi[i], lane->A_d_lo[i]};
+        const double_double k_c = {lane->k_c_hi[i], lane->k_c_lo[i]};
+        const double_double k_1 = {lane->k_1_hi[i], lane->k_1_lo[i]};
+        const double_double kc_1 = {lane->kc_1_hi[i], lane->kc_1_lo[i]};
+        const double_double mu = {lane->mu_hi[i], lane->mu_lo[i]};
+        const double_double psi_0 = {lane->psi_0_hi[i], lane->psi_0_lo[i]};
+        const double_double n = {lane->n_hi[i], lane->n_lo[i]};
+        const double_double kappa = {lane->kappa_hi[i], lane->kappa_lo[i]};
+        const double_double s = {lane->s_hi[i], lane->s_lo[i]};
+        const double_double c = {lane->c_hi[i], lane->c_lo[i]};
+        const double_double d = {lane->d_hi[i], lane->d_lo[i]};
+        const double_double c_a = {lane->c_a_hi[i], lane->c_a_lo[i]};
+        const double_double c_b = {lane->c_b_hi[i], lane->c_b_lo[i]};
+        const double_double c_d = {lane->c_d_hi[i], lane->c_d_lo[i]};
+        const double_double Omega_a = {lane->Omega_a_hi[i], lane->Omega_a_lo[i]};
+        const double_double Omega_b = {lane->Omega_b_hi[i], lane->Omega_b_lo[i]};
+        const double_double Omega_d = {lane->Omega_d_hi[i], lane->Omega_d_lo[i]};
+        const double_double q_0 = {lane->q_0_hi[i], lane->q_0_lo[i]};
+        const double_double q_a = {lane->q_a_hi[i], lane->q_a_lo[i]};
+        const double_double q_b = {lane->q_b_hi[i], lane->q_b_lo[i]};
+        const double_double q_d = {lane->q_d_hi[i], lane->q_d_lo[i]};
+        const double epsilon = lane->epsilon[i];
+        const double sigma = lane->sigma[i];
+        const double rho = lane->rho[i];
+        const double chi = lane->chi[i];
+        const double unit = lane->unit[i];
+        const double_double common_1 = dd_add_dx(1.0, kc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_2 = dd_div_xx(k_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double k_2 = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_1 = dd_sqrt(kc_1); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double kc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_3 = dd_add_dx(1.0, kc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_4 = dd_div_xx(k_2, common_3); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double k_3 = dd_mul_xx(common_4, common_4); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_2 = dd_sqrt(kc_2); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double kc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_5 = dd_add_dx(1.0, kc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_6 = dd_div_xx(k_3, common_5); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double k_4 = dd_mul_xx(common_6, common_6); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_3 = dd_sqrt(kc_3); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double kc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_5); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_7 = dd_div_xx(k_4, dd_add_dx(1.0, kc_4)); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double k_5 = dd_mul_xx(common_7, common_7); /* fact: landen.k_next; DLMF 22.7.1 */
+        double_double K_1, sin_v, cos_v, shift;
+        ladder(k_1, kc_1, s, c, d, k_1, dd_of(0.0), &K_1, &sin_v, &cos_v, &shift); /* classical: DLMF 19.8.12 */
+        const double_double v = half_turns(sin_v, cos_v); /* classical: DLMF 4.24.3 */
+        const double_double two_K = dd_mul_dx(2.0, K_1); /* classical: DLMF 22.4(i) */
+        const double_double v_rate = dd_div_xx(mu, two_K); /* arithmetic */
+        const double_double u_start = dd_mul_xx(two_K, v); /* arithmetic */
+        const double_double common_8 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6, DLMF 19.36.1 */
+        double_double quarter, total;
+        complete(kc_1, common_8, &quarter, &total); /* classical: DLMF 19.8.6 */
+        const double_double characteristic = n; /* arithmetic */
+        const double_double j = dd_div_xx(total, dd_mul_dx(2.0, common_8)); /* classical: DLMF 19.8.6 */
+        const double_double Lambda = dd_div_xd(dd_add_xx(psi_0, dd_mul_xx(dd_mul_xx(kappa, mu), j)), 2.0); /* fact: definition pi_form.Lambda; (33), (34) */
+        const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
+        const double_double spread = dd_mul_xx(dd_mul_xx(dd_neg(n), common_8), dd_sub_xx(dd_mul_xx(k_1, k_1), n)); /* classical: DLMF 19.36.1 */
+        const double path = dd_rounded(dd_sub_dx(1.0, dd_mul_xx(n, dd_mul_xx(s, s)))); /* classical: DLMF 19.25.14 */
+        const double J_0 = third_kind(dd_rounded(s), dd_rounded(c), dd_rounded(d), path, dd_rounded(spread)); /* classical: DLMF 19.25.14 */
+        const double_double rest_0 = dd_div_xd(dd_mul_xx(kappa, dd_sub_dx(J_0, dd_mul_xx(j, u_start))), 2.0); /* fact: definition pi_form.rest_0; (36) */
+        const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
+        const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
+        const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
+        const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+        const double_double common_9 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
+        const double_double nu = dd_sqrt(dd_mul_xx(common_9, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
+        const double_double s_0 = dd_div_xx(nu, common_9); /* fact: definition attitude.s_0; (27) */
+        const double_double s_b = dd_div_xx(dd_mul_dx(sigma * epsilon, M_d), nu); /* fact: definition attitude.s_b; (28) */
+        const double_double s_d = dd_div_xx(dd_mul_dx(-sigma * epsilon, M_b), nu); /* fact: definition attitude.s_d; (28) */
+        const double_double qbar_0 = s_0; /* fact: definition attitude.qbar_0; (18), (25) */
+        const double qbar_a = 0.0; /* fact: definition attitude.qbar_a; (18), (25) */
+        const double_double qbar_b = s_b; /* fact: definition attitude.qbar_b; (18), (25) */
+        const double_double qbar_d = s_d; /* fact: definition attitude.qbar_d; (18), (25) */
+        const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xd(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
+        const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xd(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
+        const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xd(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
+        const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xd(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
+        motion->v_rate_hi[i] = v_rate.hi;
+        motion->v_rate_lo[i] = v_rate.lo;
+        motion->v_hi[i] = v.hi;
+        motion->v_lo[i] = v.lo;
+        motion->Lambda_rate_hi[i] = Lambda_rate.hi;
+        motion->Lambda_rate_lo[i] = Lambda_rate.lo;
+        motion->k_2[i] = dd_rounded(k_2);
+        motion->k_3[i] = dd_rounded(k_3);
+        motion->k_4[i] = dd_rounded(k_4);
+        motion->k_5[i] = dd_rounded(k_5);
+        motion->characteristic[i] = dd_rounded(characteristic);
+        motion->spread[i] = dd_rounded(spread);
+        motion->kappa[i] = dd_rounded(kappa);
+        motion->j[i] = dd_rounded(j);
+        motion->two_K[i] = dd_rounded(two_K);
+        motion->rest_0[i] = dd_rounded(rest_0);
+        motion->c_a[i] = dd_rounded(c_a);
+        motion->c_b[i] = dd_rounded(c_b);
+        motion->c_d[i] = dd_rounded(c_d);
+        motion->A_a[i] = dd_rounded(A_a);
+        motion->A_b[i] = dd_rounded(A_b);
+        motion->A_d[i] = dd_rounded(A_d);
+        motion->K[i] = dd_rounded(K);
+        motion->k_1[i] = dd_rounded(k_1);
+        motion->k_c[i] = dd_rounded(k_c);
+        motion->epsilon[i] = epsilon;
+        motion->sigma[i] = sigma;
+        motion->chi[i] = chi;
+        motion->tau[i] = tau;
+        motion->p_0[i] = dd_rounded(p_0);
+        motion->p_a[i] = dd_rounded(p_a);
+        motion->p_b[i] = dd_rounded(p_b);
+        motion->p_d[i] = dd_rounded(p_d);
+        motion->unit[i] = unit;
+    }
 }
 
 /* What changes with time on the circular branch, at t + t_lo. */
@@ -1025,166 +1266,192 @@ static void circular_state(const torque_free_pi_circular *motion, size_t n, cons
 }
 
 /* The constants of a motion on the hyperbolic branch, from `_initial_state`. */
-static void hyperbolic_constants(double_double K, double_double A_a, double_double A_b, double_double A_d,
-    double_double B_a, double_double B_d, double_double k_c, double_double k_1,
-    double_double kc_1, double_double m_c, double_double mu, double_double n,
-    double_double H, double_double s, double_double c, double_double d,
-    double_double c_a, double_double c_b, double_double c_d, double_double Omega_a,
-    double_double Omega_b, double_double Omega_d, double_double q_0, double_double q_a,
-    double_double q_b, double_double q_d, double epsilon, double sigma, double rho,
-    double chi, double unit, torque_free_pi_hyperbolic *motion)
+static FLAT void hyperbolic_constants(const lanes *restrict lane, hyperbolic_lanes *restrict motion)
 {
-    const double_double l_1 = kc_1; /* classical: DLMF 22.7.1 */
-    const double_double lc_1 = k_1; /* classical: DLMF 22.7.1 */
-    const double_double common_1 = dd_add_dx(1.0, lc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_2 = dd_div_xx(l_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double l_2 = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_1 = dd_sqrt(lc_1); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double lc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_3 = dd_add_dx(1.0, lc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_4 = dd_div_xx(l_2, common_3); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double l_3 = dd_mul_xx(common_4, common_4); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_2 = dd_sqrt(lc_2); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double lc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_5 = dd_add_dx(1.0, lc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_6 = dd_div_xx(l_3, common_5); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double l_4 = dd_mul_xx(common_6, common_6); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_3 = dd_sqrt(lc_3); /* fact: landen.root_kc; DLMF 22.7.1 */
-    const double_double lc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_5); /* fact: definition landen.kc_next; DLMF 22.7.1 */
-    const double_double common_7 = dd_div_xx(l_4, dd_add_dx(1.0, lc_4)); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double l_5 = dd_mul_xx(common_7, common_7); /* fact: landen.k_next; DLMF 22.7.1 */
-    const double_double root_k = dd_sqrt(k_1); /* fact: theta_form.root_k; (27) */
-    const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* fact: definition theta_form.x; (28) */
-    const double_double common_8 = dd_mul_xx(x, x); /* fact: theta_form.y, definition pi_near.g; DLMF 22.6.1, (36) */
-    const double_double y = dd_sqrt(dd_add_dx(1.0, common_8)); /* fact: theta_form.y; DLMF 22.6.1 */
-    const double_double common_9 = dd_mul_xx(k_1, x); /* fact: theta_form.z, definition pi_near.g; DLMF 22.6.1, (36) */
-    const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_9, common_9))); /* fact: theta_form.z; DLMF 22.6.1 */
-    const double_double size_s = dd_size(s); /* classical: DLMF 22.4.3 */
-    const double_double common_10 = dd_mul_xx(c, c); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
-    const double near = dd_rounded(common_10); /* classical: DLMF 22.4.3 */
-    const double_double common_11 = dd_mul_xx(s, s); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
-    const double far = dd_rounded(dd_mul_xx(kc_1, common_11)); /* classical: DLMF 22.4.3 */
-    const double_double above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
-    const double_double common_12 = dd_mul_xx(kc_1, size_s); /* classical: DLMF 22.4.3, DLMF 22.4(iii) */
-    const double_double below = dd_choose(far, near, c, common_12); /* classical: DLMF 22.4.3 */
-    const double_double xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
-    double_double K_c, sin_b, cos_b, Y_b;
-    ladder(kc_1, k_1, dd_of(0.0), dd_of(1.0), dd_of(1.0), kc_1, xi, &K_c, &sin_b, &cos_b, &Y_b); /* classical: DLMF 19.8.12 */
-    const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* arithmetic */
-    const double_double common_13 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6 */
-    double_double K_1, total;
-    complete(kc_1, common_13, &K_1, &total); /* classical: DLMF 19.8.6 */
-    const double_double characteristic = n; /* arithmetic */
-    const double_double j = dd_div_xx(total, dd_mul_dx(2.0, common_13)); /* classical: DLMF 19.8.6 */
-    const double_double common_14 = dd_mul_xx(z, z); /* fact: definition pi_near.delta, definition pi_near.g_1, definition pi_near.g_2, pi_near.T_size; (36) */
-    const double_double delta = dd_div_xx(m_c, common_14); /* fact: definition pi_near.delta; (36) */
-    const double_double n_2 = dd_sub_dx(1.0, delta); /* fact: definition pi_near.n_2; (36) */
-    const double_double Lambda = dd_div_xx(H, K); /* fact: definition pi_near.Lambda; (36) */
-    const double_double g = dd_div_xx(dd_mul_xx(dd_mul_xx(common_9, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_8))); /* fact: definition pi_near.g; (36) */
-    const double_double g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(dd_add_dx(1.0, k_1), common_14)); /* fact: definition pi_near.g_1; (36) */
-    const double_double common_15 = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
-    const double_double g_2 = dd_div_xx(dd_mul_xx(common_15, m_c), dd_mul_xx(common_14, z)); /* fact: definition pi_near.g_2; (36) */
-    const double_double h_2 = dd_mul_xx(g_1, dd_add_xx(k_1, n_2)); /* fact: definition pi_near.h_2; (36) */
-    const double_double slope = common_15; /* fact: definition pi_near.slope; (36) */
-    const double_double alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(dd_sub_xx(k_1, n), j))); /* fact: definition pi_near.alpha; (36) */
-    const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
-    const double_double common_16 = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
-    const double_double spread = dd_mul_xx(n_2, dd_mul_xx(common_16, common_16)); /* classical: DLMF 19.36.1 */
-    const double kc_d = dd_rounded(kc_1); /* classical: DLMF 22.4(i) */
-    const double_double period = dd_choose(kc_d, 0.0, dd_of(0.0), dd_mul_xx(dd_mul_dx(2.0, K_1), gc)); /* classical: DLMF 22.4(i) */
-    const double period_far = choose(kc_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 22.4(i) */
-    const double period_d = dd_rounded(dd_choose(kc_d, 0.0, dd_of(1.0), period)); /* classical: DLMF 22.4(i) */
-    const double period_inverse = choose(kc_d, 0.0, 0.0, 1.0 / period_d); /* classical: DLMF 22.4(i) */
-    const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* classical: DLMF 4.35.11 */
-    const double_double y_b = logarithm(dd_add_xx(Y_b, cosh_y)); /* classical: DLMF 4.37.16 */
-    const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* classical: DLMF 22.4.3 */
-    const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* classical: DLMF 22.4(i) */
-    const double_double y0 = dd_mul_dx(side, y_size); /* arithmetic */
-    const double_double y_rate = dd_mul_xx(mu, gc); /* arithmetic */
-    const double_double jump = dd_div_xx(dd_mul_dx(-2.0 * rho, alpha), pi); /* classical: DLMF 19.2.7 */
-    const double near_s = dd_rounded(dd_choose(far, near, size_s, dd_div_xx(c, d))); /* classical: DLMF 22.4(iii) */
-    const double near_c = dd_rounded(dd_choose(far, near, c, dd_div_xx(common_12, d))); /* classical: DLMF 22.4(iii) */
-    const double near_d = dd_rounded(dd_choose(far, near, d, dd_div_xx(kc_1, d))); /* classical: DLMF 22.4(iii) */
-    const double cosine = choose(near_c, least_c, least_c, near_c); /* classical: DLMF 22.4(iii) */
-    const double path = fused(cosine, cosine, dd_rounded(delta) * (near_s * near_s)); /* classical: DLMF 19.25.14 */
-    const double third = third_kind(near_s, cosine, near_d, path, dd_rounded(spread)); /* classical: DLMF 19.25.14 */
-    const double_double w = dd_div_xx(y_b, gc); /* arithmetic */
-    const double_double common_17 = dd_mul_xx(g_1, w); /* arithmetic */
-    const double_double from_crossing = dd_add_xx(common_17, dd_mul_xd(g_2, third)); /* arithmetic */
-    const double_double from_saddle = dd_sub_xx(alpha, dd_add_xx(common_17, dd_mul_xd(h_2, third))); /* arithmetic */
-    const double_double rest = dd_choose(far, near, from_crossing, from_saddle); /* arithmetic */
-    const double_double start_rest = dd_mul_dx(side, rest); /* arithmetic */
-    const double_double T_size = dd_sqrt(dd_mul_xx(dd_mul_xx(common_14, dd_sub_dx(1.0, dd_mul_xx(n, common_11))), dd_add_xx(common_10, dd_mul_xx(delta, common_11)))); /* fact: pi_near.T_size; (36) */
-    const double_double T_re = dd_div_xx(dd_mul_xx(z, d), T_size); /* fact: definition arctangent.T_re; (36) */
-    const double_double T_im = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(-rho, slope), s), c), T_size); /* fact: definition arctangent.T_im; (36) */
-    const double_double start_re = dd_choose(far, near, T_re, dd_of(1.0)); /* arithmetic */
-    const double_double start_im = dd_choose(far, near, T_im, dd_of(0.0)); /* arithmetic */
-    const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
-    const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
-    const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
-    const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
-    const double_double common_18 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
-    const double_double nu = dd_sqrt(dd_mul_xx(common_18, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
-    const double_double s_0 = dd_div_xx(nu, common_18); /* fact: definition attitude.s_0; (27) */
-    const double_double s_b = dd_div_xx(dd_mul_dx(sigma * epsilon, M_d), nu); /* fact: definition attitude.s_b; (28) */
-    const double_double s_d = dd_div_xx(dd_mul_dx(-sigma * epsilon, M_b), nu); /* fact: definition attitude.s_d; (28) */
-    const double_double qbar_0 = dd_mul_xx(start_re, s_0); /* fact: definition attitude.qbar_0; (18), (25) */
-    const double_double qbar_a = dd_mul_xx(dd_mul_dx(sigma, start_im), s_0); /* fact: definition attitude.qbar_a; (18), (25) */
-    const double_double common_19 = dd_mul_dx(epsilon * sigma, start_im); /* fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25) */
-    const double_double qbar_b = dd_sub_xx(dd_mul_xx(start_re, s_b), dd_mul_xx(common_19, s_d)); /* fact: definition attitude.qbar_b; (18), (25) */
-    const double_double qbar_d = dd_add_xx(dd_mul_xx(start_re, s_d), dd_mul_xx(common_19, s_b)); /* fact: definition attitude.qbar_d; (18), (25) */
-    const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
-    const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
-    const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
-    const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
-    motion->y_rate_hi = y_rate.hi;
-    motion->y_rate_lo = y_rate.lo;
-    motion->y0_hi = y0.hi;
-    motion->y0_lo = y0.lo;
-    motion->period_hi = period.hi;
-    motion->period_lo = period.lo;
-    motion->Lambda_rate_hi = Lambda_rate.hi;
-    motion->Lambda_rate_lo = Lambda_rate.lo;
-    motion->jump_hi = jump.hi;
-    motion->jump_lo = jump.lo;
-    motion->period_far = period_far;
-    motion->period_inverse = period_inverse;
-    motion->l_2 = dd_rounded(l_2);
-    motion->l_3 = dd_rounded(l_3);
-    motion->l_4 = dd_rounded(l_4);
-    motion->l_5 = dd_rounded(l_5);
-    motion->gc = dd_rounded(gc);
-    motion->kc_1 = dd_rounded(kc_1);
-    motion->m_c = dd_rounded(m_c);
-    motion->rho = rho;
-    motion->g_1 = dd_rounded(g_1);
-    motion->g_2 = dd_rounded(g_2);
-    motion->h_2 = dd_rounded(h_2);
-    motion->alpha = dd_rounded(alpha);
-    motion->delta = dd_rounded(delta);
-    motion->spread = dd_rounded(spread);
-    motion->slope = dd_rounded(slope);
-    motion->z = dd_rounded(z);
-    motion->characteristic = dd_rounded(characteristic);
-    motion->start_rest = dd_rounded(start_rest);
-    motion->c_a = dd_rounded(c_a);
-    motion->c_b = dd_rounded(c_b);
-    motion->c_d = dd_rounded(c_d);
-    motion->A_a = dd_rounded(A_a);
-    motion->A_b = dd_rounded(A_b);
-    motion->A_d = dd_rounded(A_d);
-    motion->K = dd_rounded(K);
-    motion->k_1 = dd_rounded(k_1);
-    motion->k_c = dd_rounded(k_c);
-    motion->epsilon = epsilon;
-    motion->sigma = sigma;
-    motion->chi = chi;
-    motion->tau = tau;
-    motion->p_0 = dd_rounded(p_0);
-    motion->p_a = dd_rounded(p_a);
-    motion->p_b = dd_rounded(p_b);
-    motion->p_d = dd_rounded(p_d);
-    motion->unit = unit;
+    for (size_t i = 0; i < LANES; i++) {
+        const double_double K = {lane->K_hi[i], lane->K_lo[i]};
+        const double_double A_a = {lane->A_a_hi[i], lane->A_a_lo[i]};
+        const double_double A_b = {lane->A_b_hi[i], lane->A_b_lo[i]};
+        const double_double A_d = {lane->A_d_hi[i], lane->A_d_lo[i]};
+        const double_double B_a = {lane->B_a_hi[i], lane->B_a_lo[i]};
+        const double_double B_d = {lane->B_d_hi[i], lane->B_d_lo[i]};
+        const double_double k_c = {lane->k_c_hi[i], lane->k_c_lo[i]};
+        const double_double k_1 = {lane->k_1_hi[i], lane->k_1_lo[i]};
+        const double_double kc_1 = {lane->kc_1_hi[i], lane->kc_1_lo[i]};
+        const double_double m_c = {lane->m_c_hi[i], lane->m_c_lo[i]};
+        const double_double mu = {lane->mu_hi[i], lane->mu_lo[i]};
+        const double_double n = {lane->n_hi[i], lane->n_lo[i]};
+        const double_double H = {lane->H_hi[i], lane->H_lo[i]};
+        const double_double s = {lane->s_hi[i], lane->s_lo[i]};
+        const double_double c = {lane->c_hi[i], lane->c_lo[i]};
+        const double_double d = {lane->d_hi[i], lane->d_lo[i]};
+        const double_double c_a = {lane->c_a_hi[i], lane->c_a_lo[i]};
+        const double_double c_b = {lane->c_b_hi[i], lane->c_b_lo[i]};
+        const double_double c_d = {lane->c_d_hi[i], lane->c_d_lo[i]};
+        const double_double Omega_a = {lane->Omega_a_hi[i], lane->Omega_a_lo[i]};
+        const double_double Omega_b = {lane->Omega_b_hi[i], lane->Omega_b_lo[i]};
+        const double_double Omega_d = {lane->Omega_d_hi[i], lane->Omega_d_lo[i]};
+        const double_double q_0 = {lane->q_0_hi[i], lane->q_0_lo[i]};
+        const double_double q_a = {lane->q_a_hi[i], lane->q_a_lo[i]};
+        const double_double q_b = {lane->q_b_hi[i], lane->q_b_lo[i]};
+        const double_double q_d = {lane->q_d_hi[i], lane->q_d_lo[i]};
+        const double epsilon = lane->epsilon[i];
+        const double sigma = lane->sigma[i];
+        const double rho = lane->rho[i];
+        const double chi = lane->chi[i];
+        const double unit = lane->unit[i];
+        const double_double l_1 = kc_1; /* classical: DLMF 22.7.1 */
+        const double_double lc_1 = k_1; /* classical: DLMF 22.7.1 */
+        const double_double common_1 = dd_add_dx(1.0, lc_1); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_2 = dd_div_xx(l_1, common_1); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double l_2 = dd_mul_xx(common_2, common_2); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_1 = dd_sqrt(lc_1); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double lc_2 = dd_div_xx(dd_mul_dx(2.0, root_1), common_1); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_3 = dd_add_dx(1.0, lc_2); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_4 = dd_div_xx(l_2, common_3); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double l_3 = dd_mul_xx(common_4, common_4); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_2 = dd_sqrt(lc_2); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double lc_3 = dd_div_xx(dd_mul_dx(2.0, root_2), common_3); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_5 = dd_add_dx(1.0, lc_3); /* fact: landen.k_next, definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_6 = dd_div_xx(l_3, common_5); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double l_4 = dd_mul_xx(common_6, common_6); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_3 = dd_sqrt(lc_3); /* fact: landen.root_kc; DLMF 22.7.1 */
+        const double_double lc_4 = dd_div_xx(dd_mul_dx(2.0, root_3), common_5); /* fact: definition landen.kc_next; DLMF 22.7.1 */
+        const double_double common_7 = dd_div_xx(l_4, dd_add_dx(1.0, lc_4)); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double l_5 = dd_mul_xx(common_7, common_7); /* fact: landen.k_next; DLMF 22.7.1 */
+        const double_double root_k = dd_sqrt(k_1); /* fact: theta_form.root_k; (27) */
+        const double_double x = dd_div_xx(B_d, dd_mul_xx(root_k, dd_add_xx(K, B_a))); /* fact: definition theta_form.x; (28) */
+        const double_double common_8 = dd_mul_xx(x, x); /* fact: theta_form.y, definition pi_near.g; DLMF 22.6.1, (36) */
+        const double_double y = dd_sqrt(dd_add_dx(1.0, common_8)); /* fact: theta_form.y; DLMF 22.6.1 */
+        const double_double common_9 = dd_mul_xx(k_1, x); /* fact: theta_form.z, definition pi_near.g; DLMF 22.6.1, (36) */
+        const double_double z = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(common_9, common_9))); /* fact: theta_form.z; DLMF 22.6.1 */
+        const double_double size_s = dd_size(s); /* classical: DLMF 22.4.3 */
+        const double_double common_10 = dd_mul_xx(c, c); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
+        const double near = dd_rounded(common_10); /* classical: DLMF 22.4.3 */
+        const double_double common_11 = dd_mul_xx(s, s); /* fact: pi_near.T_size; DLMF 22.4.3, (36) */
+        const double far = dd_rounded(dd_mul_xx(kc_1, common_11)); /* classical: DLMF 22.4.3 */
+        const double_double above = dd_choose(far, near, size_s, c); /* classical: DLMF 22.4.3 */
+        const double_double common_12 = dd_mul_xx(kc_1, size_s); /* classical: DLMF 22.4.3, DLMF 22.4(iii) */
+        const double_double below = dd_choose(far, near, c, common_12); /* classical: DLMF 22.4.3 */
+        const double_double xi = dd_div_xx(above, below); /* classical: DLMF 22.6.7 */
+        double_double K_c, sin_b, cos_b, Y_b;
+        ladder(kc_1, k_1, dd_of(0.0), dd_of(1.0), dd_of(1.0), kc_1, xi, &K_c, &sin_b, &cos_b, &Y_b); /* classical: DLMF 19.8.12 */
+        const double_double gc = dd_div_xx(pi, dd_mul_dx(2.0, K_c)); /* arithmetic */
+        const double_double common_13 = dd_sub_dx(1.0, n); /* classical: DLMF 19.8.6 */
+        double_double K_1, total;
+        complete(kc_1, common_13, &K_1, &total); /* classical: DLMF 19.8.6 */
+        const double_double characteristic = n; /* arithmetic */
+        const double_double j = dd_div_xx(total, dd_mul_dx(2.0, common_13)); /* classical: DLMF 19.8.6 */
+        const double_double common_14 = dd_mul_xx(z, z); /* fact: definition pi_near.delta, definition pi_near.g_1, definition pi_near.g_2, pi_near.T_size; (36) */
+        const double_double delta = dd_div_xx(m_c, common_14); /* fact: definition pi_near.delta; (36) */
+        const double_double n_2 = dd_sub_dx(1.0, delta); /* fact: definition pi_near.n_2; (36) */
+        const double_double Lambda = dd_div_xx(H, K); /* fact: definition pi_near.Lambda; (36) */
+        const double_double g = dd_div_xx(dd_mul_xx(dd_mul_xx(common_9, y), z), dd_add_dx(1.0, dd_mul_xx(k_1, common_8))); /* fact: definition pi_near.g; (36) */
+        const double_double g_1 = dd_div_xx(dd_mul_xx(g, m_c), dd_mul_xx(dd_add_dx(1.0, k_1), common_14)); /* fact: definition pi_near.g_1; (36) */
+        const double_double common_15 = dd_mul_xx(dd_mul_xx(dd_mul_xx(k_1, k_1), x), y); /* fact: definition pi_near.g_2, definition pi_near.slope; (36) */
+        const double_double g_2 = dd_div_xx(dd_mul_xx(common_15, m_c), dd_mul_xx(common_14, z)); /* fact: definition pi_near.g_2; (36) */
+        const double_double h_2 = dd_mul_xx(g_1, dd_add_xx(k_1, n_2)); /* fact: definition pi_near.h_2; (36) */
+        const double_double slope = common_15; /* fact: definition pi_near.slope; (36) */
+        const double_double alpha = dd_mul_xx(dd_mul_xx(g, K_1), dd_sub_dx(1.0, dd_mul_xx(dd_sub_xx(k_1, n), j))); /* fact: definition pi_near.alpha; (36) */
+        const double_double Lambda_rate = dd_div_xx(Lambda, pi); /* arithmetic */
+        const double_double common_16 = dd_mul_xx(dd_mul_xx(delta, k_1), x); /* classical: DLMF 19.36.1 */
+        const double_double spread = dd_mul_xx(n_2, dd_mul_xx(common_16, common_16)); /* classical: DLMF 19.36.1 */
+        const double kc_d = dd_rounded(kc_1); /* classical: DLMF 22.4(i) */
+        const double_double period = dd_choose(kc_d, 0.0, dd_of(0.0), dd_mul_xx(dd_mul_dx(2.0, K_1), gc)); /* classical: DLMF 22.4(i) */
+        const double period_far = choose(kc_d, 0.0, never, dd_rounded(period)); /* classical: DLMF 22.4(i) */
+        const double period_d = dd_rounded(dd_choose(kc_d, 0.0, dd_of(1.0), period)); /* classical: DLMF 22.4(i) */
+        const double period_inverse = choose(kc_d, 0.0, 0.0, 1.0 / period_d); /* classical: DLMF 22.4(i) */
+        const double_double cosh_y = dd_sqrt(dd_add_dx(1.0, dd_mul_xx(Y_b, Y_b))); /* classical: DLMF 4.35.11 */
+        const double_double y_b = logarithm(dd_add_xx(Y_b, cosh_y)); /* classical: DLMF 4.37.16 */
+        const double_double y_size = dd_choose(far, near, y_b, dd_sub_xx(dd_div_xd(period, 2.0), y_b)); /* classical: DLMF 22.4.3 */
+        const double side = choose(0.0, dd_rounded(s), 1.0, -1.0); /* classical: DLMF 22.4(i) */
+        const double_double y0 = dd_mul_dx(side, y_size); /* arithmetic */
+        const double_double y_rate = dd_mul_xx(mu, gc); /* arithmetic */
+        const double_double jump = dd_div_xx(dd_mul_dx(-2.0 * rho, alpha), pi); /* classical: DLMF 19.2.7 */
+        const double near_s = dd_rounded(dd_choose(far, near, size_s, dd_div_xx(c, d))); /* classical: DLMF 22.4(iii) */
+        const double near_c = dd_rounded(dd_choose(far, near, c, dd_div_xx(common_12, d))); /* classical: DLMF 22.4(iii) */
+        const double near_d = dd_rounded(dd_choose(far, near, d, dd_div_xx(kc_1, d))); /* classical: DLMF 22.4(iii) */
+        const double cosine = choose(near_c, least_c, least_c, near_c); /* classical: DLMF 22.4(iii) */
+        const double path = fused(cosine, cosine, dd_rounded(delta) * (near_s * near_s)); /* classical: DLMF 19.25.14 */
+        const double third = third_kind(near_s, cosine, near_d, path, dd_rounded(spread)); /* classical: DLMF 19.25.14 */
+        const double_double w = dd_div_xx(y_b, gc); /* arithmetic */
+        const double_double common_17 = dd_mul_xx(g_1, w); /* arithmetic */
+        const double_double from_crossing = dd_add_xx(common_17, dd_mul_xd(g_2, third)); /* arithmetic */
+        const double_double from_saddle = dd_sub_xx(alpha, dd_add_xx(common_17, dd_mul_xd(h_2, third))); /* arithmetic */
+        const double_double rest = dd_choose(far, near, from_crossing, from_saddle); /* arithmetic */
+        const double_double start_rest = dd_mul_dx(side, rest); /* arithmetic */
+        const double_double T_size = dd_sqrt(dd_mul_xx(dd_mul_xx(common_14, dd_sub_dx(1.0, dd_mul_xx(n, common_11))), dd_add_xx(common_10, dd_mul_xx(delta, common_11)))); /* fact: pi_near.T_size; (36) */
+        const double_double T_re = dd_div_xx(dd_mul_xx(z, d), T_size); /* fact: definition arctangent.T_re; (36) */
+        const double_double T_im = dd_div_xx(dd_mul_xx(dd_mul_xx(dd_mul_dx(-rho, slope), s), c), T_size); /* fact: definition arctangent.T_im; (36) */
+        const double_double start_re = dd_choose(far, near, T_re, dd_of(1.0)); /* arithmetic */
+        const double_double start_im = dd_choose(far, near, T_im, dd_of(0.0)); /* arithmetic */
+        const double_double M_a = dd_mul_xx(c_a, Omega_a); /* fact: definition attitude.M_a; (8) */
+        const double_double M_b = dd_mul_xx(c_b, Omega_b); /* fact: definition attitude.M_b; (8) */
+        const double_double M_d = dd_mul_xx(c_d, Omega_d); /* fact: definition attitude.M_d; (8) */
+        const double tau = -rho * epsilon * sigma; /* fact: definition regular.tau; (16), (17) */
+        const double_double common_18 = dd_mul_dx(2.0, K); /* fact: attitude.nu, definition attitude.s_0; (27) */
+        const double_double nu = dd_sqrt(dd_mul_xx(common_18, dd_add_xx(K, dd_mul_dx(sigma, M_a)))); /* fact: attitude.nu; (27) */
+        const double_double s_0 = dd_div_xx(nu, common_18); /* fact: definition attitude.s_0; (27) */
+        const double_double s_b = dd_div_xx(dd_mul_dx(sigma * epsilon, M_d), nu); /* fact: definition attitude.s_b; (28) */
+        const double_double s_d = dd_div_xx(dd_mul_dx(-sigma * epsilon, M_b), nu); /* fact: definition attitude.s_d; (28) */
+        const double_double qbar_0 = dd_mul_xx(start_re, s_0); /* fact: definition attitude.qbar_0; (18), (25) */
+        const double_double qbar_a = dd_mul_xx(dd_mul_dx(sigma, start_im), s_0); /* fact: definition attitude.qbar_a; (18), (25) */
+        const double_double common_19 = dd_mul_dx(epsilon * sigma, start_im); /* fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25) */
+        const double_double qbar_b = dd_sub_xx(dd_mul_xx(start_re, s_b), dd_mul_xx(common_19, s_d)); /* fact: definition attitude.qbar_b; (18), (25) */
+        const double_double qbar_d = dd_add_xx(dd_mul_xx(start_re, s_d), dd_mul_xx(common_19, s_b)); /* fact: definition attitude.qbar_d; (18), (25) */
+        const double_double p_0 = dd_add_xx(dd_add_xx(dd_add_xx(dd_mul_xx(q_0, qbar_0), dd_mul_xx(q_a, qbar_a)), dd_mul_xx(q_b, qbar_b)), dd_mul_xx(q_d, qbar_d)); /* fact: attitude.p_0; (37) */
+        const double_double p_a = dd_add_xx(dd_sub_xx(dd_mul_xx(q_a, qbar_0), dd_mul_xx(q_0, qbar_a)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_d, qbar_b), dd_mul_xx(q_b, qbar_d)))); /* fact: attitude.p_a; (37) */
+        const double_double p_b = dd_add_xx(dd_sub_xx(dd_mul_xx(q_b, qbar_0), dd_mul_xx(q_0, qbar_b)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_a, qbar_d), dd_mul_xx(q_d, qbar_a)))); /* fact: attitude.p_b; (37) */
+        const double_double p_d = dd_add_xx(dd_sub_xx(dd_mul_xx(q_d, qbar_0), dd_mul_xx(q_0, qbar_d)), dd_mul_dx(epsilon, dd_sub_xx(dd_mul_xx(q_b, qbar_a), dd_mul_xx(q_a, qbar_b)))); /* fact: attitude.p_d; (37) */
+        motion->y_rate_hi[i] = y_rate.hi;
+        motion->y_rate_lo[i] = y_rate.lo;
+        motion->y0_hi[i] = y0.hi;
+        motion->y0_lo[i] = y0.lo;
+        motion->period_hi[i] = period.hi;
+        motion->period_lo[i] = period.lo;
+        motion->Lambda_rate_hi[i] = Lambda_rate.hi;
+        motion->Lambda_rate_lo[i] = Lambda_rate.lo;
+        motion->jump_hi[i] = jump.hi;
+        motion->jump_lo[i] = jump.lo;
+        motion->period_far[i] = period_far;
+        motion->period_inverse[i] = period_inverse;
+        motion->l_2[i] = dd_rounded(l_2);
+        motion->l_3[i] = dd_rounded(l_3);
+        motion->l_4[i] = dd_rounded(l_4);
+        motion->l_5[i] = dd_rounded(l_5);
+        motion->gc[i] = dd_rounded(gc);
+        motion->kc_1[i] = dd_rounded(kc_1);
+        motion->m_c[i] = dd_rounded(m_c);
+        motion->rho[i] = rho;
+        motion->g_1[i] = dd_rounded(g_1);
+        motion->g_2[i] = dd_rounded(g_2);
+        motion->h_2[i] = dd_rounded(h_2);
+        motion->alpha[i] = dd_rounded(alpha);
+        motion->delta[i] = dd_rounded(delta);
+        motion->spread[i] = dd_rounded(spread);
+        motion->slope[i] = dd_rounded(slope);
+        motion->z[i] = dd_rounded(z);
+        motion->characteristic[i] = dd_rounded(characteristic);
+        motion->start_rest[i] = dd_rounded(start_rest);
+        motion->c_a[i] = dd_rounded(c_a);
+        motion->c_b[i] = dd_rounded(c_b);
+        motion->c_d[i] = dd_rounded(c_d);
+        motion->A_a[i] = dd_rounded(A_a);
+        motion->A_b[i] = dd_rounded(A_b);
+        motion->A_d[i] = dd_rounded(A_d);
+        motion->K[i] = dd_rounded(K);
+        motion->k_1[i] = dd_rounded(k_1);
+        motion->k_c[i] = dd_rounded(k_c);
+        motion->epsilon[i] = epsilon;
+        motion->sigma[i] = sigma;
+        motion->chi[i] = chi;
+        motion->tau[i] = tau;
+        motion->p_0[i] = dd_rounded(p_0);
+        motion->p_a[i] = dd_rounded(p_a);
+        motion->p_b[i] = dd_rounded(p_b);
+        motion->p_d[i] = dd_rounded(p_d);
+        motion->unit[i] = unit;
+    }
 }
 
 /* What changes with time on the hyperbolic branch, at t + t_lo. */
@@ -1569,6 +1836,12 @@ static int exponent_of(size_t n, const double *x)
     return e - 1;
 }
 
+/* x 2^n, which `ldexp` says where the power is no double. */
+static double scaled_by(double x, int n)
+{
+    return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
+}
+
 static int all_finite(size_t n, const double *x)
 {
     for (size_t k = 0; k < n; k++)
@@ -1660,36 +1933,93 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_pi_motion *motion, const double_double inertia[3], const double_double apart[3],
-                       const double_double omega[3], const double_double q[4], double_double E_b)
+/* Lane i of the given constants of a branch as those of a motion, and the code of that. */
+static int take(torque_free_pi_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
 {
-    const int *axis = motion->axis;
-    const double_double c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
-    const double_double c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
-    const double_double c_bd = difference(apart, axis[1], axis[2]);
-    const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
-    const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    const double unit = motion->unit, *constants;
-    size_t held;
-    double_double K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, psi_0, n, kappa, H, s, c, d;
-    double epsilon, sigma, rho, chi;
-    initial_state(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a, Omega_b, Omega_d, E_b, axis_a, axis_b, axis_d, &K, &A_a, &A_b, &A_d, &B_a, &B_d, &k_c, &k_1, &kc_1, &m_c, &mu, &psi_0, &n, &kappa, &H, &s, &c, &d, &epsilon, &sigma, &rho, &chi);
-    if (k_1.hi * k_1.hi <= max_circular) {
-        motion->branch = 1;
-        circular_constants(K, A_a, A_b, A_d, k_c, k_1, kc_1, mu, psi_0, n, kappa, s, c, d, c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.circular);
+    const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
+    double *constants = (double *)&motion->of;
+    for (size_t k = 0; k < held; k++)
+        constants[k] = rows[k * LANES + i];
+    if (motion->branch == 1)
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
-        constants = (const double *)&motion->of.circular;
-        held = sizeof motion->of.circular / sizeof *constants;
-    } else {
-        motion->branch = 2;
-        hyperbolic_constants(K, A_a, A_b, A_d, B_a, B_d, k_c, k_1, kc_1, m_c, mu, n, H, s, c, d, c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, q_0, q_a, q_b, q_d, epsilon, sigma, rho, chi, unit, &motion->of.hyperbolic);
+    else
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
-        constants = (const double *)&motion->of.hyperbolic;
-        held = sizeof motion->of.hyperbolic / sizeof *constants;
+    return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_PI_OK : TORQUE_FREE_PI_RATES;
+}
+
+/* What is put in lane i: what a motion's constants come from. */
+#define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
+
+static void put(lanes *lane, size_t i, const torque_free_pi_motion *motion, const double_double c[3],
+                const double_double apart[3], const double_double omega[3], const double_double q[4], double_double E_b)
+{
+    const int a = motion->axis[0], b = motion->axis[1], d = motion->axis[2];
+    PUT(c_a, c[a]), PUT(c_b, c[b]), PUT(c_d, c[d]);
+    PUT(c_ab, difference(apart, a, b)), PUT(c_ad, difference(apart, a, d)), PUT(c_bd, difference(apart, b, d));
+    PUT(Omega_a, omega[a]), PUT(Omega_b, omega[b]), PUT(Omega_d, omega[d]), PUT(E_b, E_b);
+    PUT(q_0, q[0]), PUT(q_a, q[1 + a]), PUT(q_b, q[1 + b]), PUT(q_d, q[1 + d]);
+    lane->axis_a[i] = a, lane->axis_b[i] = b, lane->axis_d[i] = d;
+    lane->unit[i] = motion->unit;
+}
+
+/* Every lane that is not one's own repeats one that is, so that nothing is computed that no motion has. */
+static void repeat(lanes *lane, const int own[LANES])
+{
+    double *row = (double *)lane;
+    size_t from = 0;
+    while (!own[from])
+        from++;
+    for (size_t k = 0; k < sizeof *lane / sizeof *row; k += LANES)
+        for (size_t i = 0; i < LANES; i++)
+            row[k + i] = own[i] ? row[k + i] : row[k + from];
+}
+
+/* The constants of those of n motions in lanes that are on one branch, from what `initial_state` left. */
+static void branch_init(const lanes *lane, int branch, size_t n, torque_free_pi_motion *motion, int *code)
+{
+    lanes alike = *lane;
+    union {
+        circular_lanes circular;
+        hyperbolic_lanes hyperbolic;
+    } of;
+    int own[LANES], count = 0, others = 0;
+    for (size_t i = 0; i < LANES; i++) {
+        own[i] = i < n && motion[i].branch == branch;
+        count += own[i];
+        others += i < n && motion[i].branch && !own[i];
     }
-    const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_PI_OK : TORQUE_FREE_PI_RATES;
+    if (!count)
+        return;
+    if (others)
+        repeat(&alike, own);
+    if (branch == 1)
+        circular_constants(&alike, &of.circular);
+    else
+        hyperbolic_constants(&alike, &of.hyperbolic);
+    const size_t held = branch == 1 ? sizeof(torque_free_pi_circular) : sizeof(torque_free_pi_hyperbolic);
+    for (size_t i = 0; i < n; i++)
+        if (own[i])
+            code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
+}
+
+/* The constants of n motions that `begin` put in lanes, and their codes; steady ones have theirs. */
+static void moving_init(lanes *lane, size_t n, torque_free_pi_motion *motion, int *code)
+{
+    int own[LANES], count = 0;
+    for (size_t i = 0; i < LANES; i++) {
+        own[i] = i < n && motion[i].branch;
+        count += own[i];
+    }
+    if (!count)
+        return;
+    if (count < LANES)
+        repeat(lane, own);
+    initial_state(lane);
+    for (size_t i = 0; i < n; i++)
+        if (own[i])
+            motion[i].branch = lane->k_1_hi[i] * lane->k_1_hi[i] <= max_circular ? 1 : 2;
+    branch_init(lane, 1, n, motion, code);
+    branch_init(lane, 2, n, motion, code);
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -1757,61 +2087,59 @@ static void keep(torque_free_pi_motion *motion, const double_double c[3], const 
     }
 }
 
-/* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
-   before faint ones were taken for zero. */
-static int init(torque_free_pi_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
-                const double_double q[4], const double_double *known, double unit)
+/* A motion but for what lanes give, which its branch, not zero, says that it needs, and lane i with what
+   that comes from.  c, what each of it is above the next in turn, omega and q in inner units; `given` are
+   the rates before faint ones were taken for zero. */
+static void begin(torque_free_pi_motion *motion, lanes *lane, size_t i, const double_double c[3],
+                  const double_double apart[3], const double_double given[3], const double_double q[4],
+                  const double_double *known, double unit)
 {
-    torque_free_pi_motion made;
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
-    memset(&made, 0, sizeof made);
+    memset(motion, 0, sizeof *motion);
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
         length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
     }
     length = dd_sqrt(length);
-    made.unit = unit;
-    made.max_angle = max_angle;
+    motion->unit = unit;
+    motion->max_angle = max_angle;
     for (int k = 0; k < 4; k++) {
         unit_q[k] = dd_div_xx(q[k], length);
-        made.q0[k] = dd_rounded(unit_q[k]);
+        motion->q0[k] = dd_rounded(unit_q[k]);
     }
     for (int k = 0; k < 3; k++)
-        made.omega0[k] = given[k].hi * unit;
-    sorted(apart, made.axis);
-    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, made.axis);
+        motion->omega0[k] = given[k].hi * unit;
+    sorted(apart, motion->axis);
+    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, motion->axis);
     const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
     const int faint = !is_zero(discriminant) && fabs(discriminant.hi) < min_discriminant;
     int lost = 0;
     for (int k = 0; k < 3; k += 2)
-        lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
+        lost |= is_zero(omega[motion->axis[k]]) && !is_zero(given[motion->axis[k]]);
     if (distinct && (lost || faint))
-        follow(&made, c, apart, omega, given, &discriminant, faint);
-    made.moment_unit = 1.0;
-    keep(&made, c, apart, omega, discriminant);
-    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+        follow(motion, c, apart, omega, given, &discriminant, faint);
+    motion->moment_unit = 1.0;
+    keep(motion, c, apart, omega, discriminant);
+    const double side = side_of(apart, omega, motion->axis, discriminant.hi);
     if (side < 0.0) {
-        const int first = made.axis[0];
-        made.axis[0] = made.axis[2];
-        made.axis[2] = first;
+        const int first = motion->axis[0];
+        motion->axis[0] = motion->axis[2];
+        motion->axis[2] = first;
     }
-    int code = TORQUE_FREE_PI_OK;
-    if (!is_rounded_once())
-        return TORQUE_FREE_PI_ARITHMETIC;
-    if (side < 0.0 || side > 0.0)
-        code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    motion->branch = side < 0.0 || side > 0.0;
+    if (motion->branch)
+        put(lane, i, motion, c, apart, omega, unit_q, discriminant);
     else
-        steady_init(&made, omega, unit_q);
-    if (code == TORQUE_FREE_PI_OK)
-        *motion = made;
-    return code;
+        steady_init(motion, omega, unit_q);
 }
 
-int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3], const double omega0[3],
-                          const double attitude0[4])
+/* The same from doubles, or a code. */
+static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, const double inertia[3],
+                         const double omega0[3], const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
+    motion->branch = 0;
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_PI_NOT_FINITE;
     for (int k = 1; k < 3; k++)
@@ -1822,16 +2150,16 @@ int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inert
     const int q_scale = exponent_of(4, attitude0);
     int is_zero_attitude = 1;
     for (int k = 0; k < 3; k++) {
-        c[k] = dd_of(ldexp(inertia[k], -c_scale));
-        omega[k] = dd_of(ldexp(omega0[k], -scale));
+        c[k] = dd_of(scaled_by(inertia[k], -c_scale));
+        omega[k] = dd_of(scaled_by(omega0[k], -scale));
         /* What is not zero stays so. */
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (ldexp(least, -c_scale) < min_moment_ratio)
+    if (scaled_by(least, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_PI_THIN;
     for (int k = 0; k < 4; k++) {
-        q[k] = dd_of(ldexp(attitude0[k], -q_scale));
+        q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
         is_zero_attitude = is_zero_attitude && is_zero(q[k]);
     }
     if (is_zero_attitude)
@@ -1839,12 +2167,33 @@ int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inert
     /* Differences of doubles are pairs exactly. */
     for (int k = 0; k < 3; k++)
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
-    const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
-    for (int k = 0; k < 3 && code == TORQUE_FREE_PI_OK; k++)
+    begin(motion, lane, i, c, apart, omega, q, NULL, scaled_by(1.0, scale));
+    for (int k = 0; k < 3; k++)
         motion->omega0[k] = omega0[k];
+    motion->moment_unit = scaled_by(1.0, c_scale);
+    return TORQUE_FREE_PI_OK;
+}
+
+/* One motion that was begun, where it has a code of its own. */
+static int end(torque_free_pi_motion *motion, torque_free_pi_motion *made, lanes *lane)
+{
+    int code = TORQUE_FREE_PI_OK;
+    if (!is_rounded_once())
+        return TORQUE_FREE_PI_ARITHMETIC;
+    moving_init(lane, 1, made, &code);
     if (code == TORQUE_FREE_PI_OK)
-        motion->moment_unit = ldexp(1.0, c_scale);
+        *motion = *made;
     return code;
+}
+
+int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3], const double omega0[3],
+                          const double attitude0[4])
+{
+    torque_free_pi_motion made;
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int code = begin_doubles(&made, &lane, 0, inertia, omega0, attitude0);
+    return code == TORQUE_FREE_PI_OK ? end(motion, &made, &lane) : code;
 }
 
 int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, const double inertia[3][2],
@@ -1878,7 +2227,11 @@ int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, con
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_PI_ATTITUDE;
     const double_double known = {discriminant[0], discriminant[1]};
-    return init(motion, c, apart, omega, q, &known, unit);
+    torque_free_pi_motion made;
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    begin(&made, &lane, 0, c, apart, omega, q, &known, unit);
+    return end(motion, &made, &lane);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
@@ -2158,19 +2511,33 @@ int torque_free_pi_propagate(size_t bodies, const double *inertia, const double 
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
 {
-    torque_free_pi_motion motion;
-    for (size_t k = 0; k < bodies; k++) {
-        double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-        int code = torque_free_pi_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-        if (code == TORQUE_FREE_PI_OK)
-            code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
-        else if (codes)
-            no_states(n, q_k, omega_k);
-        if (codes) {
-            codes[k] = code;
-        } else if (code != TORQUE_FREE_PI_OK) {
-            *failed = k;
-            return code;
+    torque_free_pi_motion motion[LANES];
+    int code[LANES];
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int rounded = is_rounded_once();
+    for (size_t first = 0; first < bodies; first += LANES) {
+        const size_t count = bodies - first < LANES ? bodies - first : LANES;
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            code[i] = begin_doubles(&motion[i], &lane, i, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+            if (code[i] == TORQUE_FREE_PI_OK && !rounded)
+                code[i] = TORQUE_FREE_PI_ARITHMETIC;
+        }
+        moving_init(&lane, count, motion, code);
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
+            if (code[i] == TORQUE_FREE_PI_OK)
+                code[i] = states_at(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
+            else if (codes)
+                no_states(n, q_k, omega_k);
+            if (codes) {
+                codes[k] = code[i];
+            } else if (code[i] != TORQUE_FREE_PI_OK) {
+                *failed = k;
+                return code[i];
+            }
         }
     }
     return TORQUE_FREE_PI_OK;
@@ -2183,7 +2550,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "d7ff4a81888bf7d2d2ec37145fa5853465ff881a3da6b36623f44b66e2d14cd4"; }
+const char *torque_free_pi_digest(void) { return "fd9710e432ee68a467d8a229bb6e0fec5f903583c098dae447502eb44c2802a3"; }
 
 const char *torque_free_pi_message(int code)
 {

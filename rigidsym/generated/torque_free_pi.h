@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    299  20 %  follow facts of the ledger, each named on its line
-    317  21 %  follow classical formulas, each with its reference
-     69   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    843  55 %  are the runtime, written by hand
+    299  18 %  follow facts of the ledger, each named on its line
+    317  20 %  follow classical formulas, each with its reference
+     69   4 %  are arithmetic: sums, products, quotients, roots, reductions
+    933  58 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -38,54 +38,20 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c-pi --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  7.0e-16  8.7e-16
-  published              8.3e-16  1.2e-15
-  axis orders and signs  8.7e-16  9.3e-16
-  uniform                9.9e-16  1.1e-15
-  near separatrix        1.4e-15  1.1e-15
-  beside separatrix      1.2e-15  5.2e-16
-  nearest separatrix     1.1e-15  6.0e-16
-  separatrix             1.1e-15  5.5e-16
-  symmetric              6.8e-16  4.2e-16
-  near prolate           2.1e-15  1.0e-15
-  near oblate            1.3e-15  1.1e-15
-  nearest symmetric      8.2e-16  9.2e-16
-  sphere                 5.9e-16  1.9e-40
-  near sphere            1.0e-15  1.6e-15
-  nearest sphere         7.7e-16  7.3e-16
-  spin                   5.2e-16  1.2e-51
-  near spin, largest     8.6e-16  7.3e-16
-  near spin, middle      1.1e-15  4.0e-16
-  near spin, smallest    7.2e-16  5.3e-16
-  rest                   1.6e-16  4.8e-52
-  flat                   1.1e-15  1.0e-15
-  rod                    1.2e-15  1.0e-15
-  needle                 1.9e-15  1.2e-15
-  special values         1.3e-15  1.0e-15
-  special attitudes      9.8e-16  1.0e-15
-  scales                 1.3e-15  1.0e-15
-  small scales           1.0e-15  1.1e-15
-  large scales           9.1e-16  1.1e-15
-  extreme scales         9.1e-16  9.9e-16
-  decimals               1.1e-15  1.1e-15
-  long times             9.8e-16  1.0e-15
-  longest times          9.3e-16  1.0e-15
-  near separatrix, long  1.1e-15  8.6e-16
-  branch switch          1.3e-15  1.5e-15
-  zeros of the rates     1.4e-15  8.1e-16
-  quarter periods        1.2e-15  9.1e-16
+Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest d7ff4a81888bf7d2d2ec37145fa5853465ff881a3da6b36623f44b66e2d14cd4
+digest fd9710e432ee68a467d8a229bb6e0fec5f903583c098dae447502eb44c2802a3
 
-Re-entrant, without allocation or global variables.  A call needs about 20 KB of stack, which
--DTORQUE_FREE_PI_BLOCK=8, blocks of 8 times instead of 64, halves; torque_free_pi_state_at needs 3 KB.
-C++11 and later compile it, too.  Compile with -O3 -fno-math-errno -fno-trapping-math for the
-machine it runs on (-march=native): gcc and clang vectorise the loops then; gcc's -O2 does not, and
-a state takes four times as long, and without -fno-trapping-math gcc takes a fifth longer, for
-x86-64-v3 near the separatrix three times.  With AVX-512, -mprefer-vector-width=512 saves a fifth.
+Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
+-DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a
+time; torque_free_pi_state_at needs 3 KB.  C++11 and later compile it, too.  Compile with -O3
+-fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): gcc and clang
+vectorise the loops then; gcc's -O2 does not, and a state takes four times as long, and without
+-fno-trapping-math gcc takes a fifth longer, for x86-64-v3 near the separatrix three times.  With
+AVX-512, -mprefer-vector-width=512 saves a fifth.  Without -fno-math-errno torque_free_pi_propagate
+prepares one motion at a time, not as many as a register holds, and takes several times as long;
+below -O2 -fno-math-errno needs -DTORQUE_FREE_PI_LANES=1.
 -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused when it is compiled; other
 options that reorder sums or approximate quotients (-fassociative-math,
 -funsafe-math-optimizations), and directed rounding, by every motion_init.  Without hardware fused

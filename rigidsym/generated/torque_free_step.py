@@ -18,16 +18,17 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    124  25 %  follow facts of the ledger, each named on its line
-     77  16 %  follow classical formulas, each with its reference
+    144  27 %  follow facts of the ledger, each named on its line
+     77  15 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    283  58 %  are the runtime, written by hand
+    297  57 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
-cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
-mpmath:
-  X and Y, 8 terms of series   relative, 1.0e-17 measured
-  J, 12 terms of series         in psi/2 after all doublings, 1.0e-17 measured
+cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
+proves the bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them
+against mpmath:
+  X and Y, 8 terms of series    relative, below 4.4e-17 up to 8 rad
+  J, 12 terms of series         in psi/2 after all doublings, below 2.5e-17 up to 8 rad
   arctangent and logarithm       relative, below 2.1e-36
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
@@ -35,7 +36,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 4c0ed7b61b018e41e703c29b41e4124ee16efcb5679314b07afd3c5158a6dec1
+digest 746ad5d247ce614260c5ede24bae0d44038cea8a3ad2d6643ea19937670f36ec
 """
 
 # ruff: noqa
@@ -243,8 +244,11 @@ def _step_body(c_a, c_b, c_d, c_ab, c_ad, c_bd, epsilon):
     return alpha_a.hi, alpha_a.lo, alpha_b.hi, alpha_b.lo, alpha_d.hi, alpha_d.lo, l_a.hi, l_a.lo, l_b.hi, l_b.lo, l_d.hi, l_d.lo
 
 
-def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, sigma):
-    """Momentum, frequencies and rate of psi; X and Y at the shortest of times."""
+def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, epsilon, sigma):
+    """Momentum, its projection, frequencies, rate of psi; X and Y at the shortest of times."""
+    c_ab = c_a - c_b  # fact: definition step.c_ab; (10)
+    c_ad = c_a - c_d  # fact: definition step.c_ad; (10)
+    c_bd = c_b - c_d  # fact: definition step.c_bd; (10)
     M_a0 = c_a * Omega_a0  # fact: step.M_a0; (8)
     M_b0 = c_b * Omega_b0  # fact: step.M_b0; (8)
     M_d0 = c_d * Omega_d0  # fact: step.M_d0; (8)
@@ -258,57 +262,54 @@ def _step_start(c_a, c_b, c_d, l_a, l_b, l_d, Omega_a0, Omega_b0, Omega_d0, t, s
     e_1 = l_a * common_5 + (common_2 - common_4) / 2  # fact: step.e_1; (10)
     e_2 = h * h  # fact: definition step.e_2; (10)
     H_0 = (c_a * common_5 + c_b * common_1 + c_d * common_3) / 2  # fact: definition step.H_0; (6)
-    psi_0 = (2 * H_0 + K * sigma * Omega_a0) / (K + sigma * M_a0)  # fact: definition step.psi_0; (33), (34)
+    common_6 = K + sigma * M_a0  # fact: definition step.psi_0, definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (33), (34), (27)
+    psi_0 = (2 * H_0 + K * sigma * Omega_a0) / common_6  # fact: definition step.psi_0; (33), (34)
+    z_re = M_d0 / common_6  # fact: definition step.z_re; (27)
+    z_im = sigma * epsilon * M_b0 / common_6  # fact: definition step.z_im; (27)
+    zr_re = epsilon * Omega_b0 * (c_ab * Omega_a0 - sigma * c_bd * Omega_d0 * z_re) / common_6  # fact: step.zr_re; (27)
+    zr_im = -sigma * Omega_d0 * (c_ad * Omega_a0 + epsilon * c_bd * Omega_b0 * z_im) / common_6  # fact: step.zr_im; (27)
     Lambda_rate = psi_0 / (2 * pi)  # arithmetic
     first_t = t * (1 / 32)  # arithmetic
-    common_6 = first_t * first_t  # classical: DLMF 22.10.1
-    a_1 = _rounded(e_1) * common_6  # classical: DLMF 22.10.1
-    a_2 = _rounded(e_2) * (common_6 * common_6)  # classical: DLMF 22.10.1
-    common_7 = 1 / 120  # classical: DLMF 22.10.1
-    common_8 = a_1 * -1  # classical: DLMF 22.10.1
-    common_9 = a_1 * -24911  # classical: DLMF 22.10.1
-    common_10 = a_1 * -258821  # classical: DLMF 22.10.1
-    common_11 = a_1 * -13511  # classical: DLMF 22.10.1
-    more_X = _horner(a_2, _horner(a_1, 0, -1 / 6, common_7, -1 / 5040, 1 / 362880, -1 / 39916800, 1 / 6227020800 + common_8 / 1307674368000), _horner(a_1, 1 / 10, -11 / 420, 17 / 5040, -461 / 1663200, 8303 / 518918400 + common_9 / 36324288000), _horner(a_1, common_7, -307 / 92400, 9481 / 14414400 + common_10 / 3027024000), 11 / 15600 + common_11 / 36036000)  # classical: DLMF 22.10.1
-    more_Y = _horner(a_2, _horner(a_1, 0, -1 / 2, 1 / 24, -1 / 720, 1 / 40320, -1 / 3628800, 1 / 479001600 + common_8 / 87178291200), _horner(a_1, 1 / 2, -11 / 60, 17 / 560, -461 / 151200, 8303 / 39916800 + common_9 / 2421619200), _horner(a_1, 3 / 40, -307 / 8400, 9481 / 1108800 + common_10 / 201801600), 11 / 1200 + common_11 / 2402400)  # classical: DLMF 22.10.1
+    common_7 = first_t * first_t  # classical: DLMF 22.10.1
+    a_1 = _rounded(e_1) * common_7  # classical: DLMF 22.10.1
+    a_2 = _rounded(e_2) * (common_7 * common_7)  # classical: DLMF 22.10.1
+    common_8 = 1 / 120  # classical: DLMF 22.10.1
+    common_9 = a_1 * -1  # classical: DLMF 22.10.1
+    common_10 = a_1 * -24911  # classical: DLMF 22.10.1
+    common_11 = a_1 * -258821  # classical: DLMF 22.10.1
+    common_12 = a_1 * -13511  # classical: DLMF 22.10.1
+    more_X = _horner(a_2, _horner(a_1, 0, -1 / 6, common_8, -1 / 5040, 1 / 362880, -1 / 39916800, 1 / 6227020800 + common_9 / 1307674368000), _horner(a_1, 1 / 10, -11 / 420, 17 / 5040, -461 / 1663200, 8303 / 518918400 + common_10 / 36324288000), _horner(a_1, common_8, -307 / 92400, 9481 / 14414400 + common_11 / 3027024000), 11 / 15600 + common_12 / 36036000)  # classical: DLMF 22.10.1
+    more_Y = _horner(a_2, _horner(a_1, 0, -1 / 2, 1 / 24, -1 / 720, 1 / 40320, -1 / 3628800, 1 / 479001600 + common_9 / 87178291200), _horner(a_1, 1 / 2, -11 / 60, 17 / 560, -461 / 151200, 8303 / 39916800 + common_10 / 2421619200), _horner(a_1, 3 / 40, -307 / 8400, 9481 / 1108800 + common_11 / 201801600), 11 / 1200 + common_12 / 2402400)  # classical: DLMF 22.10.1
     X = first_t * (unity + more_X)  # classical: DLMF 22.10.1
     Y = unity + more_Y  # classical: DLMF 22.10.1
-    return h.hi, h.lo, e_1.hi, e_1.lo, e_2.hi, e_2.lo, K.hi, K.lo, Lambda_rate.hi, Lambda_rate.lo, X.hi, X.lo, Y.hi, Y.lo
+    return h.hi, h.lo, e_1.hi, e_1.lo, e_2.hi, e_2.lo, K.hi, K.lo, Lambda_rate.hi, Lambda_rate.lo, X.hi, X.lo, Y.hi, Y.lo, z_re.hi, z_re.lo, z_im.hi, z_im.lo, zr_re.hi, zr_re.lo, zr_im.hi, zr_im.lo
 
 
-def _step_first(K, h, e_1, e_2, X, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, epsilon, sigma):
-    """The momentum's projection; psi/2 at the shortest time less what grows with it."""
-    M_a0 = c_a * Omega_a0  # fact: step.M_a0; (8)
-    M_b0 = c_b * Omega_b0  # fact: step.M_b0; (8)
-    M_d0 = c_d * Omega_d0  # fact: step.M_d0; (8)
-    common_1 = K + sigma * M_a0  # fact: definition step.z_re, definition step.z_im, step.zr_re, step.zr_im; (27)
-    z_re = M_d0 / common_1  # fact: definition step.z_re; (27)
-    z_im = sigma * epsilon * M_b0 / common_1  # fact: definition step.z_im; (27)
-    zr_re = epsilon * Omega_b0 * (c_ab * Omega_a0 - sigma * c_bd * Omega_d0 * z_re) / common_1  # fact: step.zr_re; (27)
-    zr_im = -sigma * Omega_d0 * (c_ad * Omega_a0 + epsilon * c_bd * Omega_b0 * z_im) / common_1  # fact: step.zr_im; (27)
+def _step_first(h, e_1, e_2, X, z_re, z_im, zr_re, zr_im):
+    """psi/2 at the shortest time less what grows with it."""
     nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
     nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
     rate_re = h * (z_im * zr_im - z_re * zr_re)  # fact: definition turn.rate_re; (27), (36)
     rate_im = -h * (z_re * zr_im + z_im * zr_re)  # fact: definition turn.rate_im; (27), (36)
-    common_2 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11
-    G_re = 1 - nu_re * common_2  # fact: definition turn.G_re; (27), (36)
-    G_im = -nu_im * common_2  # fact: definition turn.G_im; (27), (36)
-    square_X = common_2  # classical: DLMF 18.12.11
+    common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36), DLMF 18.12.11
+    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
+    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    square_X = common_1  # classical: DLMF 18.12.11
     d_0 = 1  # classical: DLMF 18.12.11
     d_1 = e_1 / 2  # classical: DLMF 18.12.11
-    common_3 = 3 / 4  # classical: DLMF 18.12.11
-    d_2 = common_3 * (e_1 * d_1) - 1 / 2 * (e_2 * d_0)  # classical: DLMF 18.12.11
-    common_4 = 5 / 6  # classical: DLMF 18.12.11
-    d_3 = common_4 * (e_1 * d_2) - 2 / 3 * (e_2 * d_1)  # classical: DLMF 18.12.11
-    common_5 = 7 / 8  # classical: DLMF 18.12.11
-    d_4 = common_5 * (e_1 * d_3) - common_3 * (e_2 * d_2)  # classical: DLMF 18.12.11
-    common_6 = 9 / 10  # classical: DLMF 18.12.11
-    d_5 = common_6 * (e_1 * d_4) - 4 / 5 * (e_2 * d_3)  # classical: DLMF 18.12.11
-    d_6 = 11 / 12 * (e_1 * d_5) - common_4 * (e_2 * d_4)  # classical: DLMF 18.12.11
+    common_2 = 3 / 4  # classical: DLMF 18.12.11
+    d_2 = common_2 * (e_1 * d_1) - 1 / 2 * (e_2 * d_0)  # classical: DLMF 18.12.11
+    common_3 = 5 / 6  # classical: DLMF 18.12.11
+    d_3 = common_3 * (e_1 * d_2) - 2 / 3 * (e_2 * d_1)  # classical: DLMF 18.12.11
+    common_4 = 7 / 8  # classical: DLMF 18.12.11
+    d_4 = common_4 * (e_1 * d_3) - common_2 * (e_2 * d_2)  # classical: DLMF 18.12.11
+    common_5 = 9 / 10  # classical: DLMF 18.12.11
+    d_5 = common_5 * (e_1 * d_4) - 4 / 5 * (e_2 * d_3)  # classical: DLMF 18.12.11
+    d_6 = 11 / 12 * (e_1 * d_5) - common_3 * (e_2 * d_4)  # classical: DLMF 18.12.11
     d_7 = 13 / 14 * (e_1 * d_6) - 6 / 7 * (e_2 * d_5)  # classical: DLMF 18.12.11
-    d_8 = 15 / 16 * (e_1 * d_7) - common_5 * (e_2 * d_6)  # classical: DLMF 18.12.11
+    d_8 = 15 / 16 * (e_1 * d_7) - common_4 * (e_2 * d_6)  # classical: DLMF 18.12.11
     d_9 = 17 / 18 * (e_1 * d_8) - 8 / 9 * (e_2 * d_7)  # classical: DLMF 18.12.11
-    d_10 = 19 / 20 * (e_1 * d_9) - common_6 * (e_2 * d_8)  # classical: DLMF 18.12.11
+    d_10 = 19 / 20 * (e_1 * d_9) - common_5 * (e_2 * d_8)  # classical: DLMF 18.12.11
     d_11 = 21 / 22 * (e_1 * d_10) - 10 / 11 * (e_2 * d_9)  # classical: DLMF 18.12.11
     c_0_re = 1  # classical: DLMF 18.12.11
     c_0_im = 0  # classical: DLMF 18.12.11
@@ -334,35 +335,35 @@ def _step_first(K, h, e_1, e_2, X, c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Om
     c_10_im = nu_re * c_9_im + nu_im * c_9_re  # classical: DLMF 18.12.11
     c_11_re = d_11 + (nu_re * c_10_re - nu_im * c_10_im)  # classical: DLMF 18.12.11
     c_11_im = nu_re * c_10_im + nu_im * c_10_re  # classical: DLMF 18.12.11
-    common_7 = X * square_X  # classical: DLMF 18.12.11
-    common_8 = 1 / 3  # classical: DLMF 18.12.11
-    common_9 = 1 / 5  # classical: DLMF 18.12.11
-    common_10 = 1 / 7  # classical: DLMF 18.12.11
-    common_11 = 1 / 9  # classical: DLMF 18.12.11
-    common_12 = 1 / 11  # classical: DLMF 18.12.11
-    common_13 = 1 / 13  # classical: DLMF 18.12.11
-    common_14 = 1 / 15  # classical: DLMF 18.12.11
-    common_15 = 1 / 17  # classical: DLMF 18.12.11
-    common_16 = 1 / 19  # classical: DLMF 18.12.11
-    common_17 = 1 / 21  # classical: DLMF 18.12.11
-    common_18 = 1 / 23  # classical: DLMF 18.12.11
-    common_19 = square_X * (1 / 25)  # classical: DLMF 18.12.11
-    J_re = common_7 * _horner(square_X, common_8 * c_0_re, common_9 * c_1_re, common_10 * c_2_re, common_11 * c_3_re, common_12 * c_4_re, common_13 * c_5_re, common_14 * c_6_re, common_15 * c_7_re, common_16 * c_8_re, common_17 * c_9_re, common_18 * c_10_re + common_19 * c_11_re)  # classical: DLMF 18.12.11
-    J_im = common_7 * _horner(square_X, common_8 * c_0_im, common_9 * c_1_im, common_10 * c_2_im, common_11 * c_3_im, common_12 * c_4_im, common_13 * c_5_im, common_14 * c_6_im, common_15 * c_7_im, common_16 * c_8_im, common_17 * c_9_im, common_18 * c_10_im + common_19 * c_11_im)  # classical: DLMF 18.12.11
+    common_6 = X * square_X  # classical: DLMF 18.12.11
+    common_7 = 1 / 3  # classical: DLMF 18.12.11
+    common_8 = 1 / 5  # classical: DLMF 18.12.11
+    common_9 = 1 / 7  # classical: DLMF 18.12.11
+    common_10 = 1 / 9  # classical: DLMF 18.12.11
+    common_11 = 1 / 11  # classical: DLMF 18.12.11
+    common_12 = 1 / 13  # classical: DLMF 18.12.11
+    common_13 = 1 / 15  # classical: DLMF 18.12.11
+    common_14 = 1 / 17  # classical: DLMF 18.12.11
+    common_15 = 1 / 19  # classical: DLMF 18.12.11
+    common_16 = 1 / 21  # classical: DLMF 18.12.11
+    common_17 = 1 / 23  # classical: DLMF 18.12.11
+    common_18 = square_X * (1 / 25)  # classical: DLMF 18.12.11
+    J_re = common_6 * _horner(square_X, common_7 * c_0_re, common_8 * c_1_re, common_9 * c_2_re, common_10 * c_3_re, common_11 * c_4_re, common_12 * c_5_re, common_13 * c_6_re, common_14 * c_7_re, common_15 * c_8_re, common_16 * c_9_re, common_17 * c_10_re + common_18 * c_11_re)  # classical: DLMF 18.12.11
+    J_im = common_6 * _horner(square_X, common_7 * c_0_im, common_8 * c_1_im, common_9 * c_2_im, common_10 * c_3_im, common_11 * c_4_im, common_12 * c_5_im, common_13 * c_6_im, common_14 * c_7_im, common_15 * c_8_im, common_16 * c_9_im, common_17 * c_10_im + common_18 * c_11_im)  # classical: DLMF 18.12.11
     chi = rate_re * J_im + rate_im * J_re  # arithmetic
-    common_20 = chi * chi  # classical: DLMF 4.19.2, DLMF 4.19.1
-    E_re = 1 - common_20 / 2  # classical: DLMF 4.19.2
-    E_im = chi * (1 - common_20 / 6)  # classical: DLMF 4.19.1
+    common_19 = chi * chi  # classical: DLMF 4.19.2, DLMF 4.19.1
+    E_re = 1 - common_19 / 2 * (1 - common_19 / 12)  # classical: DLMF 4.19.2
+    E_im = chi * (1 - common_19 / 6 * (1 - common_19 / 20))  # classical: DLMF 4.19.1
     R = _sqrt(G_re * G_re + G_im * G_im)  # fact: thirds.R; (36)
-    common_21 = R + G_re  # fact: thirds.N, definition thirds.U_re; (36), (33), (34)
-    N = _sqrt(2 * R * common_21)  # fact: thirds.N; (36)
-    U_re = common_21 / N  # fact: definition thirds.U_re; (33), (34)
+    common_20 = R + G_re  # fact: thirds.N, definition thirds.U_re; (36), (33), (34)
+    N = _sqrt(2 * R * common_20)  # fact: thirds.N; (36)
+    U_re = common_20 / N  # fact: definition thirds.U_re; (33), (34)
     U_im = -G_im / N  # fact: definition thirds.U_im; (33), (34)
     P_re = E_re  # fact: definition thirds.P_re; (33), (34)
     P_im = E_im  # fact: definition thirds.P_im; (33), (34)
     W_re = P_re * U_re - P_im * U_im  # fact: definition thirds.cos_half_psi; (33), (34)
     W_im = P_re * U_im + P_im * U_re  # fact: definition thirds.sin_half_psi; (33), (34)
-    return z_re, z_im, zr_re, zr_im, W_re, W_im
+    return W_re, W_im
 
 
 def _step_doubled(X, Y, e_1, e_2):
@@ -405,6 +406,36 @@ def _step_second_half(h, X, w_re, w_im, W_re, W_im):
     return W_next_re, W_next_im
 
 
+def _step_last_projected(h, z_re, z_im, zr_re, zr_im, X, Y):
+    """The same in the last doublings."""
+    nu_re = h * (z_im * z_im - z_re * z_re)  # fact: definition turn.nu_re; (27), (36)
+    nu_im = -2 * h * z_re * z_im  # fact: definition turn.nu_im; (27), (36)
+    common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
+    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
+    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    square = G_re * G_re + G_im * G_im  # fact: definition turn.square; (27), (36)
+    F_re = z_re * Y + zr_re * X  # fact: definition turn.F_re; (27), (36)
+    F_im = z_im * Y + zr_im * X  # fact: definition turn.F_im; (27), (36)
+    v_re = (F_re * G_re + F_im * G_im) / square  # fact: definition turn.w_re; (27), (36)
+    v_im = (F_im * G_re - F_re * G_im) / square  # fact: definition turn.w_im; (27), (36)
+    return v_re.hi, v_re.lo, v_im.hi, v_im.lo
+
+
+def _step_last_second_half(h, X, v_re, v_im, W_re, W_im):
+    """The same in the last doublings."""
+    nu_re = h * (v_im * v_im - v_re * v_re)  # fact: definition turn.nu_re; (27), (36)
+    nu_im = -2 * h * v_re * v_im  # fact: definition turn.nu_im; (27), (36)
+    common_1 = X * X  # fact: definition turn.G_re, definition turn.G_im; (27), (36)
+    G_re = 1 - nu_re * common_1  # fact: definition turn.G_re; (27), (36)
+    G_im = -nu_im * common_1  # fact: definition turn.G_im; (27), (36)
+    R = _sqrt(G_re * G_re + G_im * G_im)  # fact: second_half.R; (36)
+    V_re = (W_re * G_re + W_im * G_im) / R  # fact: definition second_half.V_re; (33), (34)
+    V_im = (W_im * G_re - W_re * G_im) / R  # fact: definition second_half.V_im; (33), (34)
+    W_next_re = W_re * V_re - W_im * V_im  # fact: definition thirds.P_re; (33), (34)
+    W_next_im = W_re * V_im + W_im * V_re  # fact: definition thirds.P_im; (33), (34)
+    return _rounded(W_next_re), _rounded(W_next_im)
+
+
 def _step_rates(X, Y, h, alpha_a, alpha_b, alpha_d, l_d, Omega_a0, Omega_b0, Omega_d0):
     """The rates after the step."""
     common_1 = X * X  # fact: definition step.f, definition step.g, step.room; (10)
@@ -415,11 +446,11 @@ def _step_rates(X, Y, h, alpha_a, alpha_b, alpha_d, l_d, Omega_a0, Omega_b0, Ome
     Omega_a = (Omega_a0 * f * g + alpha_a * Omega_b0 * Omega_d0 * X * Y) / room  # fact: step.Omega_a; (5), (10)
     Omega_b = (Omega_b0 * g * Y + alpha_b * Omega_d0 * Omega_a0 * f * X) / room  # fact: step.Omega_b; (5), (10)
     Omega_d = (Omega_d0 * f * Y + alpha_d * Omega_a0 * Omega_b0 * g * X) / room  # fact: step.Omega_d; (5), (10)
-    return _rounded(Omega_a), _rounded(Omega_b), _rounded(Omega_d)
+    return Omega_a.hi, Omega_a.lo, Omega_b.hi, Omega_b.lo, Omega_d.hi, Omega_d.lo
 
 
-def _step_front(K, c_a, c_b, c_d, Omega_a0, Omega_b0, Omega_d0, q_0, q_a, q_b, q_d, epsilon, sigma):
-    """The quaternion in front of the attitude by psi and the shortest rotation."""
+def _step_shortest_before(K, Omega_a0, Omega_b0, Omega_d0, c_a, c_b, c_d, epsilon, sigma):
+    """The shortest rotation that takes the momentum at the start to its axis."""
     M_a = c_a * Omega_a0  # fact: definition attitude.M_a; (8)
     M_b = c_b * Omega_b0  # fact: definition attitude.M_b; (8)
     M_d = c_d * Omega_d0  # fact: definition attitude.M_d; (8)
@@ -428,6 +459,11 @@ def _step_front(K, c_a, c_b, c_d, Omega_a0, Omega_b0, Omega_d0, q_0, q_a, q_b, q
     s_0 = nu / common_1  # fact: definition attitude.s_0; (27)
     s_b = sigma * epsilon * M_d / nu  # fact: definition attitude.s_b; (28)
     s_d = -sigma * epsilon * M_b / nu  # fact: definition attitude.s_d; (28)
+    return _rounded(s_0), _rounded(s_b), _rounded(s_d)
+
+
+def _step_front(s_0, s_b, s_d, q_0, q_a, q_b, q_d, epsilon):
+    """The quaternion in front of the attitude by psi and the shortest rotation."""
     qbar_0 = s_0  # fact: definition attitude.qbar_0; (18), (25)
     qbar_a = 0  # fact: definition attitude.qbar_a; (18), (25)
     qbar_b = s_b  # fact: definition attitude.qbar_b; (18), (25)
@@ -439,7 +475,20 @@ def _step_front(K, c_a, c_b, c_d, Omega_a0, Omega_b0, Omega_d0, q_0, q_a, q_b, q
     return p_0, p_a, p_b, p_d
 
 
-def _step_attitude(t, Lambda_rate_hi, Lambda_rate_lo, W_re, W_im, K, c_a, c_b, c_d, Omega_a, Omega_b, Omega_d, p_0, p_a, p_b, p_d, epsilon, sigma):
+def _step_shortest(K, Omega_a, Omega_b, Omega_d, c_a, c_b, c_d, epsilon, sigma):
+    """The shortest rotation that takes the momentum after the step to its axis."""
+    M_a = c_a * Omega_a  # fact: definition attitude.M_a; (8)
+    M_b = c_b * Omega_b  # fact: definition attitude.M_b; (8)
+    M_d = c_d * Omega_d  # fact: definition attitude.M_d; (8)
+    common_1 = 2 * K  # fact: attitude.nu, definition attitude.s_0; (27)
+    nu = _sqrt(common_1 * (K + sigma * M_a))  # fact: attitude.nu; (27)
+    s_0 = nu / common_1  # fact: definition attitude.s_0; (27)
+    s_b = sigma * epsilon * M_d / nu  # fact: definition attitude.s_b; (28)
+    s_d = -sigma * epsilon * M_b / nu  # fact: definition attitude.s_d; (28)
+    return _rounded(s_0), _rounded(s_b), _rounded(s_d)
+
+
+def _step_attitude(t, Lambda_rate_hi, Lambda_rate_lo, W_re, W_im, s_0, s_b, s_d, p_0, p_a, p_b, p_d, epsilon, sigma):
     """The attitude after the step."""
     L = Lambda_rate_hi * t  # arithmetic: Dekker 1971
     L_error = _product_error(Lambda_rate_hi, t, L) + Lambda_rate_lo * t  # arithmetic: Dekker 1971
@@ -452,19 +501,11 @@ def _step_attitude(t, Lambda_rate_hi, Lambda_rate_lo, W_re, W_im, K, c_a, c_b, c
     X_re = L_sign * _horner(L_square, 1, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7)  # classical: DLMF 4.19.2
     turn_re = X_re * W_re - X_im * W_im  # fact: definition thirds.P_re; (33), (34)
     turn_im = X_re * W_im + X_im * W_re  # fact: definition thirds.P_im; (33), (34)
-    M_a = c_a * Omega_a  # fact: definition attitude.M_a; (8)
-    M_b = c_b * Omega_b  # fact: definition attitude.M_b; (8)
-    M_d = c_d * Omega_d  # fact: definition attitude.M_d; (8)
-    common_1 = 2 * K  # fact: attitude.nu, definition attitude.s_0; (27)
-    nu = _sqrt(common_1 * (K + sigma * M_a))  # fact: attitude.nu; (27)
-    s_0 = nu / common_1  # fact: definition attitude.s_0; (27)
-    s_b = sigma * epsilon * M_d / nu  # fact: definition attitude.s_b; (28)
-    s_d = -sigma * epsilon * M_b / nu  # fact: definition attitude.s_d; (28)
     qbar_0 = turn_re * s_0  # fact: definition attitude.qbar_0; (18), (25)
     qbar_a = sigma * turn_im * s_0  # fact: definition attitude.qbar_a; (18), (25)
-    common_2 = epsilon * sigma * turn_im  # fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25)
-    qbar_b = turn_re * s_b - common_2 * s_d  # fact: definition attitude.qbar_b; (18), (25)
-    qbar_d = turn_re * s_d + common_2 * s_b  # fact: definition attitude.qbar_d; (18), (25)
+    common_1 = epsilon * sigma * turn_im  # fact: definition attitude.qbar_b, definition attitude.qbar_d; (18), (25)
+    qbar_b = turn_re * s_b - common_1 * s_d  # fact: definition attitude.qbar_b; (18), (25)
+    qbar_d = turn_re * s_d + common_1 * s_b  # fact: definition attitude.qbar_d; (18), (25)
     q_0 = p_0 * qbar_0 - p_a * qbar_a - p_b * qbar_b - p_d * qbar_d  # fact: definition attitude.q_0; (37)
     q_a = p_0 * qbar_a + p_a * qbar_0 + epsilon * (p_b * qbar_d - p_d * qbar_b)  # fact: definition attitude.q_a; (37)
     q_b = p_0 * qbar_b + p_b * qbar_0 + epsilon * (p_d * qbar_a - p_a * qbar_d)  # fact: definition attitude.q_b; (37)
@@ -492,6 +533,7 @@ def _step_kick(q0, q1, q2, q3, u1, u2, u3, b1, b2, b3, k, m1, m2, m3, Q11, Q22, 
 MIN_MOMENT_RATIO = 2.0**-200  # of one principal moment over another
 MAX_STEP = 2.0**3  # of |omega dt|, rad
 STEPS = 5  # doublings of the time
+LAST = 2  # of them extended
 # Bodies at a time: what is computed of them fits the cache.
 _BLOCK = 4096
 _INERTIA, _BODY = (
@@ -584,12 +626,22 @@ def _some(bodies, q, omega, dt, out):
     # What does not turn keeps its attitude to the last bit, once that is of length one.
     still = (t == 0) | ~np.any(omega != 0, axis=-1)
     found = [np.where(still, *both) for both in zip(parts, found, strict=True)]
-    length = np.sqrt(sum(x * x for x in found))
-    out[0][:, 0] = found[0] / length
+    found = _unit(found)
+    out[0][:, 0] = found[0]
     for k in range(3):
-        np.put_along_axis(out[0][:, 1:], axes[:, k, None], (found[1 + k] / length)[:, None], -1)
+        np.put_along_axis(out[0][:, 1:], axes[:, k, None], found[1 + k][:, None], -1)
         after = np.where(still, np.ldexp(start[k], exponent), np.ldexp(rates[k], exponent))
         np.put_along_axis(out[1], axes[:, k, None], after[:, None], -1)
+
+
+def _unit(parts):
+    """A quaternion over its length, each number as good as rounded once."""
+    squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
+    square = sum(squares, _DoubleDouble(0.0))
+    over = 1 / np.sqrt(square.hi)
+    rest = 1 - square * over * over
+    more = over * (rest.hi + rest.lo) / 2
+    return [x * over + (_product_error(x, over, x * over) + x * more) for x in parts]
 
 
 def _circulating(bodies, rates, axes):
@@ -600,9 +652,6 @@ def _circulating(bodies, rates, axes):
     swapped = dict(zip("abd", "dba", strict=True))
     for name in ("c_a", "c_b", "c_d", *_BODY):
         known[name] = _either(turned, bodies[name[:-1] + swapped[name[-1]]], bodies[name])
-    for x, y in ("ab", "ad", "bd"):
-        other = f"c_{swapped[y]}{swapped[x]}"
-        known[f"c_{x}{y}"] = np.where(turned, -bodies[other].hi, bodies[f"c_{x}{y}"].hi)
     known["Omega_a0"] = np.where(turned, rates[2], rates[0])
     known["Omega_b0"] = rates[1]
     known["Omega_d0"] = np.where(turned, rates[0], rates[2])
@@ -625,23 +674,26 @@ def _moved(body, q, t):
     start[0] = _DoubleDouble(np.where(still, 1.0, start[0].hi), 0.0)
     t = np.where(still, 0.0, t)
     squares = [body[name] for name in ("l_a", "l_b", "l_d")]
-    values = _step_start(*inertia, *squares, *start, t, body["sigma"])
-    h, e_1, e_2, K, rate, X, Y = _paired(values)
-    moments, doubles = [x.hi for x in inertia], [x.hi for x in start]
-    apart = [body[name] for name in ("c_ab", "c_ad", "c_bd")]
     signs = body["epsilon"], body["sigma"]
-    first = (K.hi, h.hi, e_1.hi, e_2.hi, X.hi, *moments, *apart, *doubles, *signs)
-    *projected, re, im = _step_first(*first)
-    for _ in range(STEPS):
-        w = _step_projected(h.hi, *projected, X.hi, Y.hi)
-        re, im = _step_second_half(h.hi, X.hi, *w, re, im)
+    values = _step_start(*inertia, *squares, *start, t, *signs)
+    h, e_1, e_2, K, rate, X, Y, *z = _paired(values)
+    re, im = _step_first(h.hi, e_1.hi, e_2.hi, X.hi, *(x.hi for x in z))
+    for k in range(STEPS):
+        if k < STEPS - LAST:
+            w = _step_projected(h.hi, *(x.hi for x in z), X.hi, Y.hi)
+            re, im = _step_second_half(h.hi, X.hi, *w, re, im)
+        else:
+            w = _paired(_step_last_projected(h, *z, X, Y))
+            re, im = _step_last_second_half(h, X, *w, re, im)
         X, Y = _paired(_step_doubled(X, Y, e_1, e_2))
     alphas = [body[name] for name in ("alpha_a", "alpha_b", "alpha_d")]
-    rates = _step_rates(X, Y, h, *alphas, body["l_d"], *start)
-    front = _step_front(K.hi, *moments, *doubles, *q, *signs)
-    turned = (t, rate.hi, rate.lo, re, im, K.hi, *moments, *rates, *front, *signs)
-    attitude = _step_attitude(*turned)
-    return attitude, rates
+    rates = _paired(_step_rates(X, Y, h, *alphas, body["l_d"], *start))
+    moments = [x.hi for x in inertia]
+    before = _step_shortest_before(K, *start, *moments, *signs)
+    after = _step_shortest(K, *rates, *moments, *signs)
+    front = _step_front(*before, *q, body["epsilon"])
+    attitude = _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs)
+    return attitude, [x.hi for x in rates]
 
 
 def torque(q, direction, coefficients):

@@ -1,5 +1,8 @@
 """All natural motions from start to target up to a given momentum."""
 
+from collections.abc import Sequence
+from functools import lru_cache
+
 import numpy as np
 
 from rigidsym.manoeuvre.directions import is_symmetry
@@ -13,6 +16,8 @@ _SAME = 1e-6
 _ROUNDING = 1e-9
 # As many as a plan may ask for: there may be no other motions.
 _MOST_SPINS = 1000
+# Either way round.
+_LESS_THAN_ONE = (-1, 0)
 
 
 def least(problem: Problem) -> float:
@@ -24,7 +29,7 @@ def least(problem: Problem) -> float:
     sorted_body.most_momentum).
     """
     shortest = problem.angle * np.sqrt(problem.axis @ (problem.inertia * problem.axis))
-    arrive = _distinct(problem, *refine(problem, _spins(problem, 0.0)))
+    arrive = _distinct(problem, *_shortest(problem))
     return float(min([shortest, *problem.momenta(arrive)]))
 
 
@@ -34,20 +39,36 @@ def families(problem: Problem, bound: float) -> np.ndarray:
     Of a one-parameter family, which a turn that is a symmetry of the body has, it is one motion.
     Raises TooManyError where there are more than can be looked at.
     """
-    near = np.concatenate([_spins(problem, bound), starts(problem, bound)])
-    found = _distinct(problem, *refine(problem, near))
+    near = np.concatenate([_spins(problem, _more_turns(problem, bound)), starts(problem, bound)])
+    refined = zip(_shortest(problem), refine(problem, near), strict=True)
+    found = _distinct(problem, *map(np.concatenate, refined))
     return found[problem.momenta(found) <= bound * (1 + _ROUNDING)]
 
 
-def _spins(problem: Problem, bound: float) -> np.ndarray:
-    """Turns (N, 3) about the axis of the turn, either way and with whole turns more.
+@lru_cache(1)
+def _shortest(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
+    """Spins of less than a turn, refined; kept, since the bound needs them and then the search."""
+    return refine(problem, _spins(problem, _LESS_THAN_ONE))
+
+
+def _more_turns(problem: Problem, bound: float) -> list[int]:
+    """By how many whole turns other spins with a momentum up to `bound` are longer."""
+    turn = 2 * np.pi * problem.momenta(_axes(problem)).min()
+    most = int(min(bound // turn, _MOST_SPINS))
+    return [*range(-1 - most, -1), *range(1, 1 + most)]
+
+
+def _spins(problem: Problem, whole: Sequence[int]) -> np.ndarray:
+    """Turns (N, 3) about the axis of the turn, with whole turns more.
 
     Exact where that is a principal axis, close where the body is nearly a sphere.
     """
-    axes = np.eye(3) if problem.angle == 0 else problem.axis[None]
-    most = min(bound // (2 * np.pi * problem.momenta(axes).min()), _MOST_SPINS)
-    turns = problem.angle + 2 * np.pi * np.arange(-1 - most, 1 + most)
-    return (turns[:, None, None] * axes).reshape(-1, 3)
+    turns = problem.angle + 2 * np.pi * np.array(whole, float)
+    return (turns[:, None, None] * _axes(problem)).reshape(-1, 3)
+
+
+def _axes(problem: Problem) -> np.ndarray:
+    return np.eye(3) if problem.angle == 0 else problem.axis[None]
 
 
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:

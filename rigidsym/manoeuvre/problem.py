@@ -20,7 +20,7 @@ from rigidsym.quaternions import inverse_left_jacobian, rotation_vectors
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Problem:
     """Which rates turn a body of given moments by a given turn, either sign, in time 1?
 

@@ -11,7 +11,9 @@ near a branch point: with n' = (m - n)/(1 - n),
 """
 
 from abc import ABC, abstractmethod
+from collections import deque
 from collections.abc import Callable
+from operator import is_
 from typing import Any, TypeVar
 
 from flint import acb, arb
@@ -48,6 +50,10 @@ def argument(sn: arb, cn: arb, dn: arb) -> arb:
     return size if sn > 0 else -size
 
 
+# Of each function: J is asked for with two parameters n in turn.
+KEPT = 2
+
+
 class Functions(ABC):
     """The functions of formulas, by one method; what was evaluated last is kept."""
 
@@ -56,7 +62,7 @@ class Functions(ABC):
 
     def __init__(self) -> None:
         # Of each function: arguments, and its value, of whatever type that is.
-        self._last: dict[Callable[..., object], tuple[tuple[arb | acb, ...], Any]] = {}
+        self._last: dict[Callable[..., object], deque[tuple[tuple[arb | acb, ...], Any]]] = {}
 
     def table(self) -> Table:
         """The functions by the names that formulas use."""
@@ -65,19 +71,22 @@ class Functions(ABC):
             "sqrt": lambda x: x.sqrt(),
             "cos": lambda x: x.cos(),
             "sin": lambda x: x.sin(),
-            "jacobi_sn": lambda u, mc: self._kept(self.jacobi, u, mc)[0],
-            "jacobi_cn": lambda u, mc: self._kept(self.jacobi, u, mc)[1],
-            "jacobi_dn": lambda u, mc: self._kept(self.jacobi, u, mc)[2],
+            "jacobi_sn": lambda u, mc: self.kept(self.jacobi, u, mc)[0],
+            "jacobi_cn": lambda u, mc: self.kept(self.jacobi, u, mc)[1],
+            "jacobi_dn": lambda u, mc: self.kept(self.jacobi, u, mc)[2],
             "jacobi_argument": argument,
             "elliptic_j": self.elliptic_j,
         }
 
-    def _kept(self, function: Callable[..., Value], *arguments: arb | acb) -> Value:
+    def kept(self, function: Callable[..., Value], *arguments: arb | acb) -> Value:
         """The value of a function, the same object where the arguments are the same objects."""
-        kept = self._last.get(function)
-        if kept is None or any(x is not y for x, y in zip(kept[0], arguments, strict=True)):
-            self._last[function] = kept = (arguments, function(*arguments))
-        return kept[1]
+        last = self._last.setdefault(function, deque(maxlen=KEPT))
+        for known, value in last:
+            if all(map(is_, known, arguments)):
+                return value
+        value = function(*arguments)
+        last.append((arguments, value))
+        return value
 
     def jacobi(self, u: arb, mc: arb) -> Triple:
         """sn, cn, dn of (u | 1 - mc); hyperbolic at mc = 0 and circular at mc = 1 exactly."""
@@ -89,7 +98,7 @@ class Functions(ABC):
 
     def between(self, u: arb, mc: arb) -> Triple:
         """sn, cn, dn where 0 < mc < 1."""
-        turns, sign, size, is_reflected = _folded(u, mc)
+        turns, sign, size, is_reflected = _folded(u, self.kept(quarter_period, mc))
         s, c, d = self.first_half(size, mc)
         if is_reflected:
             s, c, d = _reflected((s, c, d), mc)
@@ -103,8 +112,8 @@ class Functions(ABC):
             return (u - (root * u.tanh()).atan() / root) / (1 - n)
         if mc == 1:
             return (u - u.sin() * u.cos()) / 2  # n = 0
-        turns, sign, size, is_reflected = _folded(u, mc)
-        whole = self.complete_j(n, mc)
+        turns, sign, size, is_reflected = _folded(u, self.kept(quarter_period, mc))
+        whole = self.kept(self.complete_j, n, mc)
         if not is_reflected:
             return 2 * turns * whole + sign * self.first_half_j(size, n, mc)
         share = mc / (1 - n)
@@ -124,12 +133,11 @@ class Functions(ABC):
         """J(K)."""
 
 
-def _folded(u: arb, mc: arb) -> tuple[int, int, arb, bool]:
+def _folded(u: arb, quarter: arb) -> tuple[int, int, arb, bool]:
     """turns, sign, size and whether it is reflected: u = 2 K turns + sign (size or K - size).
 
     Any turns, sign and reflection would do, as long as |size| < K for sure; else it is no number.
     """
-    quarter = quarter_period(mc)
     turns = int((u / (2 * quarter)).mid().floor().unique_fmpz() or 0)
     rest = u - 2 * turns * quarter
     if rest.mid() > quarter.mid():

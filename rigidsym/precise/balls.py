@@ -8,6 +8,7 @@ import os
 from collections.abc import Generator
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import lru_cache
 from math import ceil, log2
 from threading import RLock
 
@@ -93,7 +94,14 @@ def power(x: arb, exponent: int) -> arb:
 
 def is_within(value: arb, digits: int) -> bool:
     """Whether the radius is at most 10^-digits of max(1, |value|)."""
-    return bool(value.rad() * arb(10) ** digits <= value.abs_lower().max(1))
+    over = value.rad() * _power_of_ten(digits)
+    return bool(over <= 1) or bool(over <= value.abs_lower())
+
+
+@lru_cache
+def _power_of_ten(digits: int) -> arb:
+    """Exactly, at any working precision."""
+    return arb(10**digits)
 
 
 def has_digits(value: arb, digits: int) -> bool:

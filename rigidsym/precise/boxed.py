@@ -11,7 +11,7 @@ from flint import arb
 
 from rigidsym.errors import InputError, PrecisionError, written
 from rigidsym.inputs import Number
-from rigidsym.precise.adaptive import SAYS_NOTHING, AdaptivePrecision, TooUncertainError
+from rigidsym.precise.adaptive import AdaptivePrecision, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.flowing import Flowing, bits_for
@@ -66,7 +66,7 @@ class BoxedMotion:
                 precision.check()
             found = self._by_mean_values(digits).state(time)
             if found is None:
-                raise TooUncertainError(f"t = {written(time)}: {SAYS_NOTHING}")
+                raise self._too_uncertain(time, digits)
             yield found[0]
 
     def sensitivities(
@@ -80,7 +80,7 @@ class BoxedMotion:
         for time, (q, omega) in zip(times, states, strict=True):
             found = self._by_mean_values(digits).sensitivities(time)
             if found is None:
-                raise TooUncertainError(f"t = {written(time)}: {SAYS_NOTHING}")
+                raise self._too_uncertain(time, digits)
             yield [*q, *omega, *found]
 
     def flows(
@@ -101,6 +101,10 @@ class BoxedMotion:
             self._means.clear()
             self._means[bits] = MeanStates(self.inertia, self.omega0, self.attitude0, bits)
         return self._means[bits]
+
+    def _too_uncertain(self, time: Fraction, digits: int) -> TooUncertainError:
+        reason = self._by_mean_values(digits).reason
+        return TooUncertainError(f"t = {written(time)}: {reason}")
 
     def _by_formulas(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
         """None where they do not hold for all of the box, or say nothing."""

@@ -31,7 +31,7 @@ class Carlson(Functions):
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
         """s^3 R_J(c^2, d^2, 1, 1 - n s^2)/3 (DLMF 19.25.14)."""
-        s, c, d = self._kept(self.first_half, u, mc)
+        s, c, d = self.kept(self.first_half, u, mc)
         return s * s * s * acb.elliptic_rj(c * c, d * d, arb(1), 1 - n * s * s).real / 3
 
     def complete_j(self, n: arb, mc: arb) -> arb:

@@ -12,7 +12,7 @@ class Quadrature(Carlson):
 
     def first_half_j(self, u: arb, n: arb, mc: arb) -> arb:
         """The integral of sin^2/((1 - n sin^2) Delta) from 0 to am(u)."""
-        s, c, _ = self._kept(self.first_half, u, mc)
+        s, c, _ = self.kept(self.first_half, u, mc)
         return _integral(arb.atan2(s, c), n, mc)
 
     def complete_j(self, n: arb, mc: arb) -> arb:

@@ -23,13 +23,13 @@ class Theta(Carlson):
             "elliptic_pi": lambda n, mc: quarter_period(mc) + n * self.complete_j(n, mc),
             "nome": _nome,
             "arcsc": _arcsc,
-            "theta4": lambda z, q: self._kept(self._theta4, z, q),
-            "dtheta4": lambda z, q: _thetas(z, self._kept(_tau, q), 1)[3] / arb.pi(),
+            "theta4": lambda z, q: self.kept(self._theta4, z, q),
+            "dtheta4": lambda z, q: _thetas(z, self.kept(_tau, q), 1)[3] / arb.pi(),
         }
 
     def between(self, u: arb, mc: arb) -> Triple:
         """Quotients of thetas (DLMF 22.2.4 to 22.2.6)."""
-        scale, tau, two, three, four = self._kept(_constants, mc)
+        scale, tau, two, three, four = self.kept(_constants, mc)
         one_u, two_u, three_u, four_u = (z.real for z in _thetas(acb(scale * u), tau))
         s = three * one_u / (two * four_u)
         return s, four * two_u / (two * four_u), four * three_u / (three * four_u)
@@ -39,7 +39,7 @@ class Theta(Carlson):
         return self.between(u, mc)
 
     def _theta4(self, z: acb, q: arb) -> acb:
-        return _thetas(z, self._kept(_tau, q))[3]
+        return _thetas(z, self.kept(_tau, q))[3]
 
 
 def _thetas(z: acb, tau: acb, derivative: int = 0) -> tuple[acb, ...]:

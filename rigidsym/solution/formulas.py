@@ -108,6 +108,10 @@ INPUTS = {
         *("alpha_a", "alpha_b", "alpha_d", "Omega_a", "Omega_b", "Omega_d"),
         *("Omega_d_by_Omega_a", "Omega_a_by_Omega_d"),
     ),
+    "passing": (
+        *(*_ALPHA[:3], "p", "r", "over", "S_t", "D_t", "F_t", "t"),
+        *(f"Omega_{x}{start}" for x in AXES for start in ("", "0")),
+    ),
     "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),
     "elapsed_F": ("p", "r", "S_t", "C_t", "D_t", "E_t", "t"),
     "elapsed_E": ("p", "r", "S_t", "C_t", "D_t", "F_t", "t"),

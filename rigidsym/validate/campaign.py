@@ -19,7 +19,7 @@ from rigidsym.validate.tally import Cell, Tally
 from rigidsym.view import report_data
 
 CASES, DIGITS, SEED = 15, 40, 1
-# Oracles have to be finer than doubles by far, and their perturbations too.
+# Oracles have to be finer than doubles by far.
 LEAST_DIGITS, MOST_DIGITS = 20, 1000
 # Cases in a chunk: enough to be worth sending, few enough to be lost.
 CHUNK = 50

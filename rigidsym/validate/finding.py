@@ -15,7 +15,7 @@ from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.user_integrator import Integrator, UserIntegrator
 from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import Sample, stepped
-from rigidsym.view.report_data import Numbers
+from rigidsym.view.report_data import Figure, Numbers
 
 SCHEMA = "rigidsym.case/2"
 # Names of implementations, or implementations and functions by whatever name.
@@ -30,7 +30,7 @@ class FindingData(Numbers):
     regime: str
     distance: float
     turned: list[float]
-    condition: dict[str, list[float]]
+    condition: dict[str, list[Figure]]
     errors: dict[str, dict[str, list[str]]]
 
 
@@ -57,7 +57,7 @@ class Finding:
             "distance": reference.distance,
             **hexadecimal(self.sample),
             "turned": reference.turned.tolist(),
-            "condition": {name: x.tolist() for name, x in reference.condition.items()},
+            "condition": {name: _figures(x) for name, x in reference.condition.items()},
             "errors": {
                 name: {measure: list(map(str, x.units)) for measure, x in errors.items()}
                 for name, errors in self.errors.items()
@@ -89,6 +89,11 @@ def measure_case(sample: Sample, digits: int, implementations: Asked) -> Finding
         if within.sample.times:
             errors[name] = measure(within, engine, bounds_of(name))
     return Finding(reference, errors)
+
+
+def _figures(values: np.ndarray) -> list[Figure]:
+    """Numbers without loss; "inf" for what JSON has no number for."""
+    return [x if math.isfinite(x) else str(x) for x in values.tolist()]
 
 
 def _entered(implementations: Asked) -> dict[str, Implementation]:

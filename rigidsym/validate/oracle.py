@@ -1,24 +1,19 @@
 """What is true of a sample: enclosures of its states, and how much they depend on the inputs."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from random import Random
 
 import numpy as np
 from flint import arb
 
 from rigidsym.precise import PreciseMotion
 from rigidsym.precise.adaptive import GUARD_BITS
-from rigidsym.precise.balls import bits_of, working
+from rigidsym.precise.balls import working
 from rigidsym.solution.polhode import Regime, discriminant
+from rigidsym.validate.condition import condition
 from rigidsym.validate.strata.sample import Numbers, Sample
-
-# Normal deviates are rounded to parts of this, so that exact arithmetic with them stays quick.
-GRAIN = 1024
-# The least relative change is 2^-FINEST: doubles have to hold what is over it.
-FINEST = 1000
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +23,7 @@ class Reference:
     radius: within which every true q, and omega over |omega|, lies, but for what the second of the
     doubles leaves out (2^-105, more only where omega is near the least double).
     distance: from the separatrix, 0 on it and 1 where nothing cancels in K^2 - 2 H c_b.
-    rate: |omega0|, rad/s.  condition: of angle and of omega, (N,) each; a number that is beyond
-    10^(digits/2) is not told from one that is larger still.
+    rate: |omega0|, rad/s.  condition: of angle and of omega, (N,) each, as `condition` has it.
     """
 
     sample: Sample
@@ -39,7 +33,7 @@ class Reference:
     q: np.ndarray
     omega: np.ndarray
     radius: float
-    condition: dict[str, np.ndarray]
+    condition: Mapping[str, np.ndarray]
 
     @property
     def turned(self) -> np.ndarray:
@@ -61,23 +55,24 @@ class Reference:
         )
 
 
-def enclose(sample: Sample, digits: int) -> Reference:
-    """The states of a sample in balls of radius 10^-digits, and the condition of each."""
+def enclose(sample: Sample, digits: int, with_condition: bool = True) -> Reference:
+    """The states of a sample in balls of radius 10^-digits, and the condition of each; without it
+    there are no numbers, in half the time."""
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
-    # Balls are small in rad/s, and have to be so beside |omega|.
-    more = digits + decades_below_one(sample.omega0)
-    step = Fraction(1, 2 ** min(bits_of(digits // 2), FINEST))
-    moved = _perturbed(motion, step, Random(repr(sample)))
-    states = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
-    others = [[*q, *omega] for q, omega in moved.enclosures(times, more)]
-    with working(bits_of(more) + GUARD_BITS):
-        changes = np.array(_table(lambda x, y: float(x - y), states, others)).reshape(-1, 7)
+    if with_condition:
+        rows = list(motion.sensitivities(times, column_digits(sample, digits)))
+    else:
+        # Balls are small in rad/s, and have to be so beside |omega|.
+        more = digits + decades_below_one(sample.omega0)
+        rows = [[*q, *omega] for q, omega in motion.enclosures(times, more)]
+    states = [row[:7] for row in rows]
+    with working(max((x.bits() for state in states for x in state), default=0) + GUARD_BITS):
         high = np.array(_table(float, states)).reshape(-1, 7)
         low = np.array(_table(lambda x, y: float(x - y), states, high.tolist())).reshape(-1, 7)
         radii = np.array(_table(lambda x: float(x.rad()), states)).reshape(-1, 7)
-    size = lengths(high[:, 4:])[:, None]
-    radii[:, 4:] /= size
-    changes[:, 4:] /= size
+    radii[:, 4:] /= lengths(high[:, 4:])[:, None]
+    unknown = dict.fromkeys(("angle", "omega"), np.full(len(times), np.nan))
+    omega, columns = [row[4:7] for row in rows], [row[7:] for row in rows]
     return Reference(
         sample,
         motion.polhode.regime,
@@ -86,8 +81,14 @@ def enclose(sample: Sample, digits: int) -> Reference:
         np.stack([high[:, :4], low[:, :4]]),
         np.stack([high[:, 4:], low[:, 4:]]),
         float(np.max(radii, initial=0.0)) * 2,
-        _condition(motion, np.array(sample.times), high[:, 4:], changes / float(step)),
+        condition(sample, omega, columns) if with_condition else unknown,
     )
+
+
+def column_digits(sample: Sample, digits: int) -> int:
+    """Digits of balls in kg m^2 and rad/s that make sensitivities so small in the inputs' own."""
+    heavy = len(str(int(max(sample.inertia))))
+    return digits + heavy + 2 * decades_below_one(sample.omega0)
 
 
 def precise_motion(sample: Sample) -> PreciseMotion:
@@ -114,47 +115,6 @@ def lengths(vectors: np.ndarray, of_zero: float = 1.0) -> np.ndarray:
     scale = np.where(largest == 0, 1.0, largest)
     length = scale * np.linalg.norm(vectors / scale[:, None], axis=-1)
     return np.where(largest == 0, of_zero, length)
-
-
-def _perturbed(motion: PreciseMotion, step: Fraction, random: Random) -> PreciseMotion:
-    """Moments and rates changed by about step of themselves, by normal deviates.
-
-    The mean square of the change this causes, over step, is the squared Frobenius norm of the
-    derivatives; one draw is within a factor of ten of that nine times of ten and more: least often
-    where one derivative outweighs all others, as near the separatrix (Gudmundsson, Kenney and Laub,
-    SIAM J. Matrix Anal. Appl. 16, 1995).  Where changes of the inputs grow beyond 1/step, the
-    states are as far apart as they can be, and the quotient stays there.
-    """
-
-    def changed(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
-        deviates = (Fraction(round(random.gauss(0, GRAIN)), GRAIN) for _ in values)
-        return tuple(x * (1 + dx * step) for x, dx in zip(values, deviates, strict=True))
-
-    inertia, omega0, attitude0 = motion.exact
-    return PreciseMotion(changed(inertia), changed(omega0), attitude0)
-
-
-def _condition(
-    motion: PreciseMotion, times: np.ndarray, omega: np.ndarray, slopes: np.ndarray
-) -> dict[str, np.ndarray]:
-    """What relative changes make of angle and rates, by derivatives (N, 7) of the states, those of
-    rates over |omega|.
-
-    Those by time are added here: |omega t|, and |omega' t| / |omega|.
-    """
-    size = lengths(omega)[:, None]
-    turned = lengths(omega, 0.0) * np.abs(times)
-    bend = _bend(motion.exact[0], omega / size)
-    return {
-        "angle": np.hypot(turned, 2 * lengths(slopes[:, :4], 0.0)),
-        "omega": np.hypot(turned * bend, lengths(slopes[:, 4:], 0.0)),
-    }
-
-
-def _bend(inertia: Sequence[Fraction], unit: np.ndarray) -> np.ndarray:
-    """|omega'| / |omega|^2 by Euler's equations, for rates over their size (N, 3)."""
-    factors = [float((inertia[k - 2] - inertia[k - 1]) / inertia[k]) for k in range(3)]
-    return lengths(np.array(factors) * np.roll(unit, -1, axis=1) * np.roll(unit, -2, axis=1), 0.0)
 
 
 def _table(

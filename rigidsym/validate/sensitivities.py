@@ -17,7 +17,7 @@ from flint import arb
 from rigidsym.engines import Engine
 from rigidsym.engines.sensitivities import by_exact_moments, sensitive
 from rigidsym.validate.measure import prepare
-from rigidsym.validate.oracle import decades_below_one, precise_motion
+from rigidsym.validate.oracle import column_digits, precise_motion
 from rigidsym.validate.strata import Sample, samples
 
 DIGITS, CASES, SEED = 25, 15, 1
@@ -137,10 +137,8 @@ def _is_asked(size: np.ndarray) -> np.ndarray:
 def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
     """The true columns (N, 6, 10), in these units."""
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
-    # Balls are small in units of kg m^2 and rad/s, and have to be so in the inputs' own.
-    heavy = len(str(int(max(sample.inertia))))
-    more = digits + heavy + 2 * decades_below_one(sample.omega0)
-    rows = np.array([_floats(row[7:]) for row in motion.sensitivities(times, more)])
+    found = motion.sensitivities(times, column_digits(sample, digits))
+    rows = np.array([_floats(row[7:]) for row in found])
     blocks = np.split(rows, [27, 54, 57], axis=-1)
     turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
     return columns(sample, turns, rates, *blocks[2:])

@@ -18,6 +18,8 @@ from rigidsym.validate.oracle import Reference
 Key = tuple[str, str, str, str]
 # Stratum, index and time of a state.
 Place = tuple[str, int, float]
+# Decades of the condition end here: beyond it are exponentials of times.
+MOST_CONDITION = 1e40
 # What has views by distance, time and condition, and histograms.
 DRAWN = ("angle", "omega")
 
@@ -82,7 +84,8 @@ class Tally:
             cell = _cell(sample.stratum, sample.index, found, k)
             self.put((target, measure, "distance", away), cell)
             self.put((target, measure, "turned", decade(abs(cell.place[2]) * reference.rate)), cell)
-            self.put((target, measure, "condition", decade(cell.condition)), cell)
+            part = decade(cell.condition if cell.condition < MOST_CONDITION else math.inf)
+            self.put((target, measure, "condition", part), cell)
             self.put((target, measure, f"sizes: {sample.stratum}", half_octave(cell.worst)), cell)
 
     def put(self, key: Key, cell: Cell) -> None:

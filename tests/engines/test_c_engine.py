@@ -11,6 +11,7 @@ from rigidsym.engines import EngineError, build, threads
 from rigidsym.engines.c_engine import CEngine
 from rigidsym.engines.compiler import CompilerError, find
 from rigidsym.engines.numpy_engine import NumpyEngine
+from rigidsym.validate import strata
 
 NUMPY = NumpyEngine()
 TIMES = np.array([0.0, 1e-3, 0.1, -2.5, 17.0, 180.0, -1234.5, 9e4])
@@ -170,6 +171,26 @@ def test_grids_are_states_at_their_times(c, body, count):
     prepared = c.prepare(*given)
     t = -3.0 + 0.25 * np.arange(count)
     assert_near(c.grid(prepared, -3.0, 0.25, count), c.states(prepared, t), given[1], 2)
+
+
+def test_many_bodies_have_the_bits_of_each_alone(c):
+    """Of every stratum, in an order that puts all branches side by side."""
+    drawn = [sample for sample in strata.samples(12, 11) if sample.in_doubles]
+    order = np.random.default_rng(0).permutation(len(drawn))
+    given = [
+        np.array([getattr(drawn[k], name) for k in order], float)
+        for name in ("inertia", "omega0", "attitude0")
+    ]
+    t = np.array([drawn[k].times[-1] for k in order], float)[:, None]
+    q, omega = c.propagate(*given, t, errors="nan")
+    for k in range(len(t)):
+        try:
+            alone = c.states(c.prepare(*(x[k] for x in given)), t[k])
+        except EngineError:
+            assert np.isnan((*q[k, 0], *omega[k, 0])).all()
+            continue
+        np.testing.assert_array_equal((*q[k, 0], *omega[k, 0]), (*alone[0][0], *alone[1][0]))
+    assert np.isfinite(q).all(axis=(1, 2)).mean() > 0.9
 
 
 @pytest.mark.parametrize("body", BODIES)

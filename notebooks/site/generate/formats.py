@@ -394,7 +394,7 @@ FORMATS = (
             "implementations[].distance": "by measure and decade of the distance from the "
             "separatrix",
             "implementations[].turned": "by measure and decade of |omega0 t|",
-            "implementations[].condition": "by measure and decade of the condition",
+            "implementations[].condition": "by measure and decade of the condition, up to 1e40",
             "worst": _CASE_DATA,
             "failures": "the worst broken bound of each target in each stratum, `simplest` a case",
             "run": "how and where: all that differs from run to run",

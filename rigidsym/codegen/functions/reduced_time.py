@@ -4,7 +4,7 @@ v is u_1 in half turns of 2 K_1; near the separatrix y is u_1 in units of 2 K_c/
 quarter period of the complementary modulus, and a half period of it is what grows without end.
 """
 
-from rigidsym.codegen.ir import Let, let
+from rigidsym.codegen.ir import EXACT_SUM, Let, let
 from rigidsym.codegen.special_functions import reduction
 
 
@@ -31,13 +31,28 @@ def hyperbolic_time(half_period: str) -> list[Let]:
 
 
 def elapsed_time(half_period: str) -> list[Let]:
-    """The same from y = 0 at t = 0."""
+    """The same from y = 0 at t = 0, as y + y_lo."""
     return [
         *reduction.product("p_y", "y_rate"),
         let("periods = nearest(p_y*period_inverse)", half_period),
         *reduction.product("back", "period", "periods", later=False),
         *reduction.total("ahead", "p_y", "-back"),
-        let("y = ahead + (ahead_error + (p_y_error - back_error))", half_period),
+        let("y_rest = ahead_error + (p_y_error - back_error)", half_period),
+        let("y = ahead + y_rest", half_period),
+        let("y_lo = (ahead - y) + y_rest", EXACT_SUM),
+    ]
+
+
+def elapsed_phase(half_period: str) -> list[Let]:
+    """The same from the phase that there was, as z + z_lo, after `elapsed_time`."""
+    return [
+        let("turns = nearest((p_y + z0_hi)*period_inverse)", half_period),
+        *reduction.product("behind", "period", "turns", later=False),
+        *reduction.total("beyond", "p_y", "-behind"),
+        *reduction.total("z_near", "beyond", "z0_hi"),
+        let("z_rest = z_near_error + (beyond_error + ((p_y_error + z0_lo) - behind_error))"),
+        let("z = z_near + z_rest", half_period),
+        let("z_lo = (z_near - z) + z_rest", EXACT_SUM),
     ]
 
 

@@ -1,7 +1,9 @@
 """One step from any state: what the body alone decides, the start, doublings, and the end; kicks.
 
 Times begin at t/2^STEPS, where series are short, and are doubled.  What angles and rates grow from
-is extended; what only corrects them is not.
+is extended; what only corrects them is not, but for the last doublings: for thin bodies what is
+taken from psi there is ten times as wrong as what it is made from.  The shortest rotations are
+extended until they are whole.
 """
 
 from rigidsym.codegen.functions.attitude import phase
@@ -23,6 +25,9 @@ KICK = (
 TORQUE = ("T1", "T2", "T3")
 _FRONT = ("p_0", "p_a", "p_b", "p_d")
 _PROJECTED = ("z_re", "z_im", "zr_re", "zr_im")
+_SHORTEST = ("s_0", "s_b", "s_d")
+# The projection in the last doublings, which is extended.
+_LAST = {"w_re": "v_re", "w_im": "v_im"}
 _HALF = {"cos_half_psi": "turn_re", "sin_half_psi": "turn_im"}
 
 
@@ -35,8 +40,12 @@ def step(solution: Solution) -> tuple[Function, ...]:
         _doubled(solution),
         _projected(solution),
         _second_half(solution),
+        _last_projected(solution),
+        _last_second_half(solution),
         _rates(solution),
+        _shortest_before(solution),
         _front(solution),
+        _shortest(solution),
         _attitude(solution),
         _kick(solution),
     )
@@ -69,9 +78,9 @@ def _body(solution: Solution) -> Function:
 
 
 def _start(solution: Solution) -> Function:
-    """Momentum, frequencies, the rate of psi, X and Y at the shortest time."""
-    given = (*INERTIA, *SQUARES, *STARTS, "sigma")
-    names = ("h", "e_1", "e_2", "K", "psi_0")
+    """Momentum and its projection, frequencies, the rate of psi, X and Y at the shortest time."""
+    given = (*INERTIA, *SQUARES, *STARTS, "epsilon", "sigma")
+    names = ("h", "e_1", "e_2", "K", "psi_0", *_PROJECTED)
     lets = [
         *select(solution.sequences["step"], names, given),
         let("Lambda_rate = psi_0/(2*pi)"),
@@ -79,21 +88,21 @@ def _start(solution: Solution) -> Function:
         *short_time.elapsed(),
     ]
     extended = " ".join((*INERTIA, *SQUARES, *STARTS))
-    split = "h e_1 e_2 K Lambda_rate X Y"
-    summary = "Momentum, frequencies and rate of psi; X and Y at the shortest of times."
-    return _function("start", summary, "t sigma", extended, lets, split.split(), split)
+    split = " ".join(("h e_1 e_2 K Lambda_rate X Y", *_PROJECTED))
+    summary = (
+        "Momentum, its projection, frequencies, rate of psi; X and Y at the shortest of times."
+    )
+    return _function("start", summary, "t epsilon sigma", extended, lets, split.split(), split)
 
 
 def _first(solution: Solution) -> Function:
-    """The projection of the momentum, and psi at the shortest time, but for its own rate."""
-    given = ("K", *INERTIA, *DIFFERENCES, *STARTS, "epsilon", "sigma")
+    """psi at the shortest time, but for its own rate."""
     turned = select(
         solution.sequences["thirds"],
         ("R", "N", "cos_half_psi", "sin_half_psi"),
         ("G_re", "G_im", "T_re", "T_im", "E_re", "E_im"),
     )
     lets = [
-        *select(solution.sequences["step"], _PROJECTED, given),
         *select(
             solution.sequences["projection"],
             ("nu_re", "nu_im", "rate_re", "rate_im", "G_re", "G_im"),
@@ -105,10 +114,9 @@ def _first(solution: Solution) -> Function:
             {"cos_half_psi": "W_re", "sin_half_psi": "W_im"},
         ),
     ]
-    names = " ".join(("K", "h", "e_1", "e_2", "X", *INERTIA, *DIFFERENCES, *STARTS))
-    results = (*_PROJECTED, "W_re", "W_im")
-    summary = "The momentum's projection; psi/2 at the shortest time less what grows with it."
-    return _function("first", summary, f"{names} epsilon sigma", "", lets, results)
+    names = " ".join(("h", "e_1", "e_2", "X", *_PROJECTED))
+    summary = "psi/2 at the shortest time less what grows with it."
+    return _function("first", summary, names, "", lets, ("W_re", "W_im"))
 
 
 def _doubled(solution: Solution) -> Function:
@@ -125,15 +133,38 @@ def _projected(solution: Solution) -> Function:
     return _function("projected", summary, " ".join(given), "", lets, ("w_re", "w_im"))
 
 
+def _last_projected(solution: Solution) -> Function:
+    given = ("h", *_PROJECTED, "X", "Y")
+    lets = select(solution.sequences["projection"], tuple(_LAST), given)
+    summary = "The same in the last doublings."
+    results = tuple(_LAST.values())
+    names = " ".join(given), renamed(lets, _LAST)
+    return _function("last_projected", summary, "", *names, results, " ".join(results))
+
+
 def _second_half(solution: Solution) -> Function:
-    """Angles of both halves add up."""
+    lets, results = _both_halves(solution, ("w_re", "w_im"))
+    summary = "Half of psi at twice the time, but for what grows with it."
+    return _function("second_half", summary, "h X w_re w_im W_re W_im", "", lets, results)
+
+
+def _last_second_half(solution: Solution) -> Function:
+    lets, results = _both_halves(solution, tuple(_LAST.values()))
+    summary = "The same in the last doublings."
+    return _function("last_second_half", summary, "W_re W_im", "h X v_re v_im", lets, results)
+
+
+def _both_halves(
+    solution: Solution, projected: tuple[str, ...]
+) -> tuple[list[Let], tuple[str, ...]]:
+    """Angles of both halves add up: the lets, and what the sum is called."""
     factor = select(solution.sequences["projection"], ("G_re", "G_im"), ("h", "z_re", "z_im", "X"))
     sum_of_angles = select(
         solution.sequences["thirds"], ("P_re", "P_im"), ("T_re", "T_im", "E_re", "E_im")
     )
     both = {"T_re": "W_re", "T_im": "W_im", "E_re": "V_re", "E_im": "V_im"}
     lets = [
-        *renamed(factor, {"z_re": "w_re", "z_im": "w_im"}),
+        *renamed(factor, dict(zip(("z_re", "z_im"), projected, strict=True))),
         *select(
             solution.sequences["second_half"],
             ("R", "V_re", "V_im"),
@@ -141,33 +172,52 @@ def _second_half(solution: Solution) -> Function:
         ),
         *renamed(sum_of_angles, both | {"P_re": "W_next_re", "P_im": "W_next_im"}),
     ]
-    results = ("W_next_re", "W_next_im")
-    summary = "Half of psi at twice the time, but for what grows with it."
-    return _function("second_half", summary, "h X w_re w_im W_re W_im", "", lets, results)
+    return lets, ("W_next_re", "W_next_im")
 
 
 def _rates(solution: Solution) -> Function:
     given = ("X", "Y", "h", *ALPHAS, "l_d", *STARTS)
     lets = select(solution.sequences["step_rates"], RATES, given)
-    return _function("rates", "The rates after the step.", "", " ".join(given), lets, RATES)
+    after, split = "The rates after the step.", " ".join(RATES)
+    return _function("rates", after, "", " ".join(given), lets, RATES, split)
+
+
+def _shortest_before(solution: Solution) -> Function:
+    summary = "The shortest rotation that takes the momentum at the start to its axis."
+    lets = renamed(_shortest_lets(solution), dict(zip(RATES, STARTS, strict=True)))
+    return _shortest_of("shortest_before", summary, STARTS, lets)
+
+
+def _shortest(solution: Solution) -> Function:
+    summary = "The shortest rotation that takes the momentum after the step to its axis."
+    return _shortest_of("shortest", summary, RATES, _shortest_lets(solution))
+
+
+def _shortest_lets(solution: Solution) -> tuple[Let, ...]:
+    given = ("K", "epsilon", "sigma", *INERTIA, *RATES)
+    return select(solution.sequences["state"], _SHORTEST, given)
+
+
+def _shortest_of(name: str, summary: str, rates: tuple[str, ...], lets) -> Function:
+    given = " ".join((*INERTIA, "epsilon", "sigma"))
+    return _function(name, summary, given, " ".join(("K", *rates)), lets, _SHORTEST)
 
 
 def _front(solution: Solution) -> Function:
     """The unit quaternion in front, from the attitude where psi is 0."""
-    given = ("K", "epsilon", "sigma", *_HALF, *INERTIA, *RATES, *ATTITUDE)
+    given = ("epsilon", "sigma", *_HALF, *_SHORTEST, *ATTITUDE)
     lets = specialise(
         select(solution.sequences["constants"], _FRONT, given),
         dict(zip(_HALF, (1, 0), strict=True)),
     )
-    starts = dict(zip(RATES, STARTS, strict=True))
-    names = " ".join(("K", *INERTIA, *STARTS, *ATTITUDE))
+    names = " ".join((*_SHORTEST, *ATTITUDE, "epsilon"))
     summary = "The quaternion in front of the attitude by psi and the shortest rotation."
-    return _function("front", summary, f"{names} epsilon sigma", "", renamed(lets, starts), _FRONT)
+    return _function("front", summary, names, "", lets, _FRONT)
 
 
 def _attitude(solution: Solution) -> Function:
     """psi/2 by its start's rate and the rest, and the attitude."""
-    given = ("K", "epsilon", "sigma", *_HALF, *INERTIA, *RATES, *_FRONT)
+    given = ("epsilon", "sigma", *_HALF, *_SHORTEST, *_FRONT)
     sum_of_angles = select(
         solution.sequences["thirds"], ("P_re", "P_im"), ("T_re", "T_im", "E_re", "E_im")
     )
@@ -178,7 +228,7 @@ def _attitude(solution: Solution) -> Function:
         *renamed(sum_of_angles, both),
         *renamed(select(solution.sequences["state"], ATTITUDE, given), _HALF),
     ]
-    names = " ".join(("K", *INERTIA, *RATES, *_FRONT))
+    names = " ".join((*_SHORTEST, *_FRONT))
     timed = "t Lambda_rate_hi Lambda_rate_lo W_re W_im"
     summary = "The attitude after the step."
     return _function("attitude", summary, f"{timed} {names} epsilon sigma", "", lets, ATTITUDE)

@@ -53,22 +53,25 @@ _MOMENTS, _APART, _BEGUN = "c_a c_b c_d", "c_ab c_ad c_bd", "Omega_a0 Omega_b0 O
 _PROJECTED = "z_re z_im zr_re zr_im"
 _STEPS = {
     "_step_body": (f"{_MOMENTS} {_APART} epsilon", "alpha_a alpha_b alpha_d l_a l_b l_d"),
-    "_step_start": (f"{_MOMENTS} l_a l_b l_d {_BEGUN} t sigma", "h e_1 e_2 K Lambda_rate X Y"),
-    "_step_first": (
-        f"K h e_1 e_2 X {_MOMENTS} {_APART} {_BEGUN} epsilon sigma",
-        f"{_PROJECTED} W_re W_im",
+    "_step_start": (
+        f"{_MOMENTS} l_a l_b l_d {_BEGUN} t epsilon sigma",
+        f"h e_1 e_2 K Lambda_rate X Y {_PROJECTED}",
     ),
+    "_step_first": (f"h e_1 e_2 X {_PROJECTED}", "W_re W_im"),
     "_step_doubled": ("X Y e_1 e_2", "X_next Y_next"),
     "_step_projected": (f"h {_PROJECTED} X Y", "w_re w_im"),
     "_step_second_half": ("h X w_re w_im W_re W_im", "W_next_re W_next_im"),
+    "_step_last_projected": (f"h {_PROJECTED} X Y", "v_re v_im"),
+    "_step_last_second_half": ("h X v_re v_im W_re W_im", "W_next_re W_next_im"),
     "_step_rates": (
         f"X Y h alpha_a alpha_b alpha_d l_d {_BEGUN}",
         "Omega_a Omega_b Omega_d",
     ),
-    "_step_front": (f"K {_MOMENTS} {_BEGUN} q_0 q_a q_b q_d epsilon sigma", "p_0 p_a p_b p_d"),
+    "_step_shortest_before": (f"K {_BEGUN} {_MOMENTS} epsilon sigma", "s_0 s_b s_d"),
+    "_step_front": ("s_0 s_b s_d q_0 q_a q_b q_d epsilon", "p_0 p_a p_b p_d"),
+    "_step_shortest": (f"K Omega_a Omega_b Omega_d {_MOMENTS} epsilon sigma", "s_0 s_b s_d"),
     "_step_attitude": (
-        f"t Lambda_rate_hi Lambda_rate_lo W_re W_im K {_MOMENTS} Omega_a Omega_b Omega_d"
-        " p_0 p_a p_b p_d epsilon sigma",
+        "t Lambda_rate_hi Lambda_rate_lo W_re W_im s_0 s_b s_d p_0 p_a p_b p_d epsilon sigma",
         "q_0 q_a q_b q_d",
     ),
     "_step_kick": (

@@ -65,6 +65,11 @@ _THETA = Meanings(
         ("_columns_state", "varied_rates"): {
             f"Omega_b_by_Omega_{x}": f"any_Omega_b_by_Omega_{x}" for x in "ad"
         },
+        ("_along_state", "varied_rates"): {f"Omega_{x}_r": f"any_Omega_{x}_r" for x in "abd"},
+        ("_along_state", "passing"): {"Omega_a": "Omega_a_there"},
+        ("_along_constants", "passing"): {
+            name: f"{name}_there" for name in ("alpha_b", "alpha_d", "Omega_a0", "p")
+        },
         ("_columns_state", "middle_columns"): {
             **{f"alpha_{x}": f"{x}_divisor" for x in "ad"},
             "Omega_b": "b_divisor",
@@ -87,6 +92,8 @@ _THETA = Meanings(
         "_hyperbolic_state": ("hyperbolic_state", "rates"),
         "_moduli": ("moments", "columns"),
         "_columns_constants": ("moments", "columns"),
+        "_along_constants": ("moments", "columns", "passing"),
+        "_along_state": ("sensitivity", "passing"),
         "_columns_state": ("sensitivity", "middle", "excesses"),
         "_real_state": ("elapsed_F",),
         "_imaginary_state": ("elapsed_E",),
@@ -150,7 +157,10 @@ _PI = Meanings(
         ("_hyperbolic_angles", "landen"): ("l", "lc"),
     },
 )
-_SUM = {"T_re": "W_re", "T_im": "W_im", "E_re": "V_re", "E_im": "V_im"}
+_SUM = {
+    **{"T_re": "W_re", "T_im": "W_im", "E_re": "V_re", "E_im": "V_im"},
+    **{"P_re": "W_next_re", "P_im": "W_next_im"},
+}
 _STEP = Meanings(
     by_context={
         # At the shortest time, without what grows with it.
@@ -159,14 +169,12 @@ _STEP = Meanings(
             **{"cos_half_psi": "W_re", "sin_half_psi": "W_im"},
         },
         ("_step_second_half", "turn"): {"z_re": "w_re", "z_im": "w_im"},
-        ("_step_second_half", "thirds"): {
-            **_SUM,
-            **{"P_re": "W_next_re", "P_im": "W_next_im"},
-        },
-        ("_step_front", "attitude"): {
-            **{f"Omega_{x}": f"Omega_{x}0" for x in "abd"},
-            **{"cos_half_psi": "1", "sin_half_psi": "0"},
-        },
+        ("_step_second_half", "thirds"): _SUM,
+        ("_step_last_projected", "turn"): {"w_re": "v_re", "w_im": "v_im"},
+        ("_step_last_second_half", "turn"): {"z_re": "v_re", "z_im": "v_im"},
+        ("_step_last_second_half", "thirds"): _SUM,
+        ("_step_shortest_before", "attitude"): {f"Omega_{x}": f"Omega_{x}0" for x in "abd"},
+        ("_step_front", "attitude"): {"cos_half_psi": "1", "sin_half_psi": "0"},
         ("_step_attitude", "thirds"): {
             **{"T_re": "X_re", "T_im": "X_im", "E_re": "W_re", "E_im": "W_im"},
             **{"P_re": "turn_re", "P_im": "turn_im"},
@@ -177,12 +185,16 @@ _STEP = Meanings(
     made_from={
         "_step_body": ("step",),
         "_step_start": ("step",),
-        "_step_first": ("step", "projection", "thirds"),
+        "_step_first": ("projection", "thirds"),
         "_step_doubled": ("doubling",),
         "_step_projected": ("projection",),
         "_step_second_half": ("projection", "second_half", "thirds"),
+        "_step_last_projected": ("projection",),
+        "_step_last_second_half": ("projection", "second_half", "thirds"),
         "_step_rates": ("step_rates",),
+        "_step_shortest_before": ("state",),
         "_step_front": ("constants",),
+        "_step_shortest": ("state",),
         "_step_attitude": ("thirds", "state"),
         "_step_kick": ("kick",),
     },

@@ -63,16 +63,30 @@ def whole(name: str, value: str) -> list[Let]:
     ]
 
 
+def sine(half_turns: str, sign: str, sine: str) -> list[Let]:
+    """Sine of pi times half_turns, with a sign."""
+    square = f"{half_turns}_square"
+    return [_square(square, half_turns), _sine(square, half_turns, sign, sine)]
+
+
 def sine_and_cosine(angle: str, half_turns: str, whole: str, sine: str, cosine: str) -> list[Let]:
     """Sine and cosine of pi times half_turns, whose whole part is given apart."""
     square, sign = f"{angle}_square", f"{angle}_sign"
     return [
-        let(f"{square} = {half_turns}*{half_turns}", "DLMF 4.19.1", "DLMF 4.19.2"),
+        _square(square, half_turns),
         let(f"{sign} = alternating({whole})", TURNS),
-        let(
-            f"{sine} = {sign}*({half_turns}*pi_hi"
-            f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",
-            "DLMF 4.19.1",
-        ),
+        _sine(square, half_turns, sign, sine),
         let(f"{cosine} = {sign}*(1 + {square}*({horner(square, _COSINE)}))", "DLMF 4.19.2"),
     ]
+
+
+def _square(square: str, half_turns: str) -> Let:
+    return let(f"{square} = {half_turns}*{half_turns}", "DLMF 4.19.1", "DLMF 4.19.2")
+
+
+def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
+    return let(
+        f"{sine} = {sign}*({half_turns}*pi_hi"
+        f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",
+        "DLMF 4.19.1",
+    )

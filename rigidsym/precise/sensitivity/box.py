@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 
 from flint import arb, arb_mat
 
@@ -41,7 +41,11 @@ class Box:
     @property
     def is_sphere(self) -> bool:
         """Whether all moments are one exact number."""
-        return len({*self.inertia}) == 1 and not is_uncertain(*self.inertia)
+        return self._is_sphere_amid and not is_uncertain(*self.inertia)
+
+    @property
+    def _is_sphere_amid(self) -> bool:
+        return len({*self._middles[0]}) == 1
 
     @cached_property
     def parameters(self) -> list[Fraction]:
@@ -53,14 +57,23 @@ class Box:
         """The formulas for the middle."""
         inertia, omega0 = (list(map(ball, values)) for values in self._middles)
         functions = {"power": balls.power}
-        return Columns(inertia, omega0, STILL, self._axes, functions, self.is_sphere)
+        return Columns(inertia, omega0, STILL, self._axes, functions, self._is_sphere_amid)
 
     @cached_property
     def whole(self) -> Columns:
         """The formulas for all of the box."""
         omega0, inertia = (list(map(self._sloped, places)) for places in (range(3), range(3, 6)))
         functions = {"power": power}
-        return Columns(inertia, omega0, STILL, self._axes, functions, self.is_sphere)
+        product = self._product() if self._is_sphere_amid else None
+        return Columns(inertia, omega0, STILL, self._axes, functions, self.is_sphere, product)
+
+    def _product(self) -> arb:
+        """Of all rates at any time, whose squares are at most |omega|^2/3 in the mean, and that
+        the energy over the least moment."""
+        omega, moments = (list(map(ball, x)) for x in (self.omega0, self.inertia))
+        least = reduce(arb.min, moments)
+        energy = sum((c * balls.power(w, 2) for c, w in zip(moments, omega, strict=True)), arb(0))
+        return arb(0, ((energy / least / 3).sqrt() ** 3).upper())
 
     def _sloped(self, k: int) -> Sloped:
         slopes = arb_mat([[int(j == k) for j in self.open]])

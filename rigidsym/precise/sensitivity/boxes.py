@@ -4,19 +4,20 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import combinations
 
 from flint import arb, arb_mat
 
 from rigidsym.inputs import Number, middle, radius
 from rigidsym.precise import balls
-from rigidsym.precise.adaptive import AdaptivePrecision
+from rigidsym.precise.adaptive import SAYS_NOTHING, AdaptivePrecision
 from rigidsym.precise.balls import BITS_PER_DIGIT, ball, is_within, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.motion import PreciseMotion
-from rigidsym.precise.sensitivity.box import Box
+from rigidsym.precise.sensitivity.box import STILL, Box
 from rigidsym.precise.sensitivity.columns import INPUTS, NUMBERS, Columns, Named
 from rigidsym.precise.sensitivity.mean_value import ONE, MeanValue
-from rigidsym.precise.sensitivity.point import NAMES, STAYS, listed
+from rigidsym.precise.sensitivity.point import NAMES, STAYS, Point, listed
 from rigidsym.precise.sensitivity.sloped import Sloped, power
 from rigidsym.solution.formulas import AXES, sequence
 
@@ -61,6 +62,9 @@ class MeanStates:
     def sensitivities(self, time: Fraction) -> list[arb] | None:
         """What `point.listed` lists, of all motions of the box; None where nothing is found."""
         bits = self._bits(time)
+        if not any(self.omega0):
+            with working(bits):
+                return Point(*self._middles, STILL).at(time, self._attitude())
         turn, _ = self._middle_state(time, bits)
         with working(bits):
             mean = self._at(bits)
@@ -73,11 +77,25 @@ class MeanStates:
             numbers = listed(self._in_space(mean.box.point, found))
             return numbers if all(x.is_finite() for x in numbers) else None
 
-    def _in_space(self, columns: Columns, found: Named) -> Named:
-        """Small turns seen from where the body was at t = 0, by the attitude that it had."""
+    @property
+    def reason(self) -> str:
+        """Why nothing is found."""
+        if all(ball(w).contains(0) for w in self.omega0):
+            return "the box holds a body at rest, whose momentum has no direction"
+        moments = list(map(ball, self.inertia))
+        if all(x.overlaps(y) for x, y in combinations(moments, 2)) and len({*self._middles[0]}) > 1:
+            return "the box holds a sphere, and its middle is none"
+        return SAYS_NOTHING
+
+    def _attitude(self) -> list[arb]:
+        """At t = 0, of length one."""
         given = list(map(ball, self.attitude0))
         length = sum((balls.power(x, 2) for x in given), arb(0)).sqrt()
-        rotation = columns.rotation([(x / length).intersection(ONE) for x in given])
+        return [(x / length).intersection(ONE) for x in given]
+
+    def _in_space(self, columns: Columns, found: Named) -> Named:
+        """Small turns seen from where the body was at t = 0, by the attitude that it had."""
+        rotation = columns.rotation(self._attitude())
         turned = {
             f"eta{i}_by_{y}": sum(
                 (rotation[f"R{i}{k}"] * found[f"eta{k}_by_{y}"] for k in NUMBERS), arb(0)
@@ -94,8 +112,11 @@ class MeanStates:
 
     @cached_property
     def _middle(self) -> PreciseMotion:
-        moments, rates = (tuple(map(middle, values)) for values in (self.inertia, self.omega0))
-        return PreciseMotion(moments, rates, tuple(map(Fraction, (1, 0, 0, 0))))
+        return PreciseMotion(*self._middles, tuple(map(Fraction, (1, 0, 0, 0))))
+
+    @property
+    def _middles(self) -> tuple[tuple[Fraction, ...], tuple[Fraction, ...]]:
+        return tuple(map(middle, self.inertia)), tuple(map(middle, self.omega0))
 
     def _bits(self, time: Fraction) -> int:
         """As many more as the angle has, twice over: sensitivities grow with it."""

@@ -28,8 +28,11 @@ _PARAMETERS = ("p", "r", "apart")
 
 @dataclass(frozen=True)
 class Columns:
-    """A motion: moments (3), rates (3) and unit attitude (4) at t = 0, and which axes are a, b, d;
-    of a sphere the rates stay as they are."""
+    """A motion: moments (3), rates (3) and unit attitude (4) at t = 0, and which axes are a, b, d.
+
+    Of a sphere the rates stay as they are.  product: where moments may be equal, what the product
+    of all rates is at any time.
+    """
 
     inertia: Sequence[Any]
     omega0: Sequence[Any]
@@ -37,6 +40,7 @@ class Columns:
     axes: Sequence[int]
     functions: Functions
     is_sphere: bool = False
+    product: Any = None
 
     @cached_property
     def constants(self) -> Mapping[str, Any]:
@@ -48,13 +52,21 @@ class Columns:
         """Rates and their columns, by the numbers of the axes, with the functions of elapsed time;
         and by what the integrals of their squares exceed those of the rates at t = 0."""
         found = self._of("sensitivity", {**self.constants, **elapsed, "t": t})
-        found |= dict.fromkeys(EXCESSES, 0) if self.is_sphere else self._of("excesses", found)
+        found |= self._excesses(t, found)
         known: Named = {}
         for x, k in self._numbered:
             known |= {f"Omega{k}": found[f"Omega_{x}"], f"excess{k}": found[f"excess_{x}"]}
             for y, j in self._numbered:
                 known |= {f"Omega{k}_by_{z}{j}": found[f"Omega_{x}_by_{z}_{y}"] for z in KINDS}
         return known
+
+    def _excesses(self, t: Any, found: Named) -> Named:
+        """Half of a square's slope is alpha times the product of all rates: Euler's equations."""
+        if self.is_sphere:
+            return dict.fromkeys(EXCESSES, 0)
+        if self.product is None:
+            return self._of("excesses", found)
+        return {f"excess_{x}": self.constants[f"alpha_{x}"] * (t * t * self.product) for x in AXES}
 
     def turned(self, t: Any, rates: Mapping[str, Any], attitude: Sequence[Any]) -> Named:
         """With the attitude then, columns of small turns in space; its matrix R, and the column of

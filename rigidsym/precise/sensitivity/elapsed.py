@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from flint import arb
 
-from rigidsym.precise.amplitude import Functions
+from rigidsym.precise.amplitude import Functions, quarter_period
 
 
 class Elapsed(NamedTuple):
@@ -30,16 +30,30 @@ def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
     if p.is_zero():
         cube = t * t * t / 3
         return Elapsed(t, arb(1), arb(1), cube, cube)
-    rate = p.sqrt()
-    u, mc = rate * t, arb(1) if r.is_zero() else gap / p
+    rate, zero, m, mc = functions.kept(_modulus, p, r, gap)
+    u = rate * t
     s, c, d = functions.jacobi(u, mc)
-    return Elapsed(s / rate, c, d, *(x / (rate * p) for x in _integrals(u, mc, functions)))
+    integrals = _integrals(u, (zero, m), mc, functions)
+    return Elapsed(s / rate, c, d, *(x / (rate * p) for x in integrals))
 
 
-def _integrals(u: arb, mc: arb, functions: Functions) -> tuple[arb, arb]:
-    """Of sn^2 and of sd^2."""
+def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:
+    """Whether a time is within the first quarter of a period, where cn and dn have no zero."""
+    if p.is_zero() or (gap.is_zero() and not r.is_zero()):
+        return True
+    return bool(abs(t) * p.sqrt() < quarter_period(gap / p))
+
+
+def _modulus(p: arb, r: arb, gap: arb) -> tuple[arb, arb, arb, arb]:
+    """lambda, zero, m and 1 - m: the same objects at all times, so that what is theirs is kept."""
+    mc = arb(1) if r.is_zero() else gap / p
+    return p.sqrt(), arb(0), 1 - mc, mc
+
+
+def _integrals(u: arb, n: tuple[arb, arb], mc: arb, functions: Functions) -> tuple[arb, arb]:
+    """Of sn^2 and of sd^2, by J with n = 0 and n = m."""
     if mc.is_zero():
         return u - u.tanh(), ((2 * u).sinh() / 2 - u) / 2
     if mc == 1:
-        return (value := functions.elliptic_j(u, arb(0), mc)), value
-    return functions.elliptic_j(u, arb(0), mc), functions.elliptic_j(u, 1 - mc, mc)
+        return (value := functions.elliptic_j(u, n[0], mc)), value
+    return functions.elliptic_j(u, n[0], mc), functions.elliptic_j(u, n[1], mc)

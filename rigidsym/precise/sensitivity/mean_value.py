@@ -16,7 +16,7 @@ from flint import arb, arb_mat
 from rigidsym.precise.balls import ball, meeting
 from rigidsym.precise.sensitivity.box import Box
 from rigidsym.precise.sensitivity.columns import NUMBERS
-from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed
+from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed, until_quarter
 from rigidsym.precise.sensitivity.over_box import REFINED, TRIES, Range, wider
 from rigidsym.precise.sensitivity.sloped import Sloped
 from rigidsym.precise.sensitivity.turning import changes
@@ -108,10 +108,9 @@ class MeanValue:
         if self.box.is_sphere:
             return self._sloped(middles, arb_mat(len(middles), len(self.box.open)), middles)
         p, r, gap = (self.box.whole.constants[name] for name in ("p", "r", "apart"))
-        if not p.whole > 0:
-            return None
         apart = arb_mat([[x.apart()] for x in (p, gap)])
-        found = Range(t, p.whole, r.whole, gap.whole).over(middles, apart)
+        grows = until_quarter(t, *map(ball, self.box.parameters))
+        found = Range(t, p.whole, r.whole, gap.whole, grows).over(middles, apart)
         if found is None:
             return None
         wholes, slopes = found

@@ -1,4 +1,5 @@
-"""The functions of elapsed time over all of a box, by the theorem of the mean.
+"""The functions of elapsed time over all of a box, by the theorem of the mean, whatever the signs
+of p, r and p - r in it.
 
 Slopes need the values that they are to give.  So these are guessed, and a guess that slopes send
 into its own interior is right: along the straight line from the middle to a point of the box the
@@ -23,12 +24,16 @@ POWER = {"power": power}
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """A time, and balls of p, r and p - r of all motions of a box; p is positive."""
+    """A time, and balls of p, r and p - r of all motions of a box.
+
+    grows: whether cn and dn of the middle are known to have no zero on the way there.
+    """
 
     t: arb
     p: arb
     r: arb
     gap: arb
+    grows: bool = False
 
     def over(self, middle: Elapsed, apart: arb_mat) -> tuple[Elapsed, arb_mat] | None:
         """The functions, and slopes (5, 2) by p and p - r; `apart` (2, 1) is these less their
@@ -83,20 +88,28 @@ class Range:
         return {name: meeting(found[name], arb(0).union(x)) for name, x in limits.items()}
 
     def _largest(self, values: Elapsed) -> tuple[arb, arb]:
-        """Upper bounds of S^2 and (S/D)^2 so far: the last ones within a quarter of a period, where
-        both grow; else 1/p and 1/(p - r)."""
-        parameter = (self.gap / self.p).upper()
-        grows = not parameter > 0 or (
-            abs(self.t) * self.p.upper().sqrt() < quarter_period(parameter)
-        )
+        """Upper bounds of S^2 and (S/D)^2 so far: the last ones where neither C nor D has come to
+        zero, since both grow till then; else 1/p and 1/(p - r)."""
         s, d = values.S_t, values.D_t
-        squares = (power(s, 2), power(s / d, 2)) if grows else (1 / self.p, 1 / self.gap)
-        first, second = squares
+        squares = power(s, 2), power(s / d, 2)
+        first, second = squares if self._grow(values) else (1 / self.p, 1 / self.gap)
         return first.upper(), second.upper()
+
+    def _grow(self, values: Elapsed) -> bool:
+        """Whether C and D have no zero so far: zeros come in from the end as parameters move away
+        from the middle; or the quarter of a period is longer."""
+        if self.grows and values.C_t > 0 and values.D_t > 0:
+            return True
+        if not (self.p > 0 and self.gap >= 0):
+            return False
+        quarter = quarter_period((self.gap / self.p).upper())
+        return bool(abs(self.t) * self.p.upper().sqrt() < quarter)
 
     @property
     def limits(self) -> Sequence[arb]:
         """What the functions never leave, whatever the time is; no number where nothing is said."""
+        if not self.p > 0:
+            return [arb.nan()] * 5
         most = (1 - self.r / self.p).upper().max(1).sqrt()
         least = (self.gap / self.p).lower().sqrt()
         size = (1 / self.p).sqrt().upper()

@@ -40,7 +40,10 @@ class Detection:
 
 def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
     """The truth about the states of a stratum's cases."""
-    return [enclose(draw(stratum, index, seed), digits) for index in range(count(stratum, cases))]
+    return [
+        enclose(draw(stratum, index, seed), digits, with_condition=False)
+        for index in range(count(stratum, cases))
+    ]
 
 
 def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:

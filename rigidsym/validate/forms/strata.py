@@ -52,7 +52,8 @@ def by_stratum(cases: int, progress: Callable[[int, int], None]) -> list[Stratum
 def _of_stratum(
     stratum: str, forms: Mapping[str, engines.Engine | Solver], cases: int
 ) -> list[StratumError]:
-    references = [enclose(draw(stratum, index, _SEED), _DIGITS) for index in range(cases)]
+    drawn = [draw(stratum, index, _SEED) for index in range(cases)]
+    references = [enclose(sample, _DIGITS, with_condition=False) for sample in drawn]
     found = []
     for name, form in forms.items():
         measured = [measure(reference, form) for reference in references]

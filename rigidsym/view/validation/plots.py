@@ -1,20 +1,25 @@
 """The figures of the page."""
 
+import math
+
+from rigidsym.validate.tally import MOST_CONDITION
 from rigidsym.view.html.markup import Markup, join, lines, tag
 from rigidsym.view.report_data import ByMeasure, Report
+from rigidsym.view.validation import figures
 from rigidsym.view.validation.histogram import common, histogram
 from rigidsym.view.validation.marks import legend
 from rigidsym.view.validation.scatter import Labels, scatter
 
 Y_LABELS = {"angle": "angle error (rad)", "omega": "rate error (relative)"}
 NAMES = {"angle": "Angle error (rad)", "omega": "Rate error (relative to |ω|)"}
-# View, heading, abscissa, the name of its zero, and what to look for.
-VIEWS: tuple[tuple[ByMeasure, str, str, str, str], ...] = (
+# View, heading, abscissa, the names of its zero and of what is beyond all decades, and what to look
+# for.
+VIEWS: tuple[tuple[ByMeasure, str, str, tuple[str, str], str], ...] = (
     (
         "distance",
         "Error and distance from the separatrix",
         "distance from the separatrix (1: nothing cancels, 0: on it)",
-        "on it",
+        ("on it", "∞"),
         "On the separatrix itself (left) and ever nearer to it, where solutions fly apart: "
         "a sound module shows no rise to the left.",
     ),
@@ -22,7 +27,7 @@ VIEWS: tuple[tuple[ByMeasure, str, str, str, str], ...] = (
         "turned",
         "Error and time",
         "angle turned, |ω₀t| (rad)",
-        "t = 0",
+        ("t = 0", "∞"),
         "Times from the start on (left), as the angle that the body has turned by: "
         "errors that accumulate rise to the right.",
     ),
@@ -30,10 +35,11 @@ VIEWS: tuple[tuple[ByMeasure, str, str, str, str], ...] = (
         "condition",
         "Error and condition number",
         "condition number κ",
-        "0",
-        "κ is how far a relative change of the inputs moves the true state. A module that is no "
-        "better than its inputs rises with κ; one that solves the given problem stays below the "
-        "bound: what is ill-conditioned is told apart from what is computed badly.",
+        ("0", f"> {figures.power(10, math.log10(MOST_CONDITION))}"),
+        "κ is how far a relative change of the inputs moves the true state, by its derivatives. "
+        "A module that is no better than its inputs rises with κ; one that solves the given "
+        "problem stays below the bound: what is ill-conditioned is told apart from what is "
+        "computed badly.",
     ),
 )
 
@@ -71,14 +77,16 @@ def sizes(data: Report) -> Markup:
     )
 
 
-def _view(data: Report, view: ByMeasure, heading: str, x: str, zero: str, remark: str) -> Markup:
+def _view(
+    data: Report, view: ByMeasure, heading: str, x: str, ends: tuple[str, str], remark: str
+) -> Markup:
     pictures = [
         scatter(
             data["implementations"],
             view,
             measure,
             data["bounds"][measure],
-            Labels(x, y_label, zero),
+            Labels(x, y_label, *ends),
         )
         for measure, y_label in Y_LABELS.items()
     ]

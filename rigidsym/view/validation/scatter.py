@@ -35,11 +35,12 @@ class Point:
 
 @dataclass(frozen=True, slots=True)
 class Labels:
-    """What the axes show, and what zero is called on the first."""
+    """What the axes show, and what zero is called on the first, and what is beyond its decades."""
 
     x: str
     y: str
     zero: str = "0"
+    beyond: str = "∞"
 
 
 def scatter(
@@ -123,7 +124,7 @@ def _x_labels(x: Axis, labels: Labels) -> Markup:
     if x.under:
         written.append(write(x.at(-math.inf), below, labels.zero))
     if x.over:
-        written.append(write(x.at(math.inf), below, "∞"))
+        written.append(write(x.at(math.inf), below, labels.beyond))
     title = write((x.first + x.last) / 2, HEIGHT - 8, labels.x, class_="label")
     return join(*written, title)
 

@@ -1,5 +1,6 @@
 /* Motions and times from arbitrary bits: each is refused by a code, or its states are finite, with
-   |q| = 1 to 1e-15 and no exception but inexact and underflow on the way.  Prints how often each
+   |q| = 1 to 1e-15 and no exception but inexact and underflow on the way; and many at once have the
+   bits and codes of each alone.  Prints how often each
    code came back; the exit status is 1 where something broke the rule.  Arguments: how many, seed. */
 #include "torque_free.h"
 
@@ -10,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CODES = 8, TIMES = 6 };
+enum { CODES = 8, TIMES = 6, BODIES = 11 };
 typedef double source(void);
 
 static uint64_t state;
@@ -121,6 +122,35 @@ static void try_motion(source *inertia, source *one)
         counts[code]++;
 }
 
+/* Bodies of which some are refused, on all branches. */
+static void try_batch(source *one)
+{
+    double inertia[BODIES][3], omega0[BODIES][3], attitude0[BODIES][4], t[BODIES], q[BODIES][4], omega[BODIES][3];
+    int codes[BODIES];
+    size_t failed;
+    for (int k = 0; k < BODIES; k++) {
+        inertia_from(one, inertia[k]);
+        for (int j = 0; j < 3; j++)
+            omega0[k][j] = next() % 8 ? one() : 0.0;
+        for (int j = 0; j < 4; j++)
+            attitude0[k][j] = one();
+        t[k] = within(3) / fabs(omega0[k][0]);
+    }
+    torque_free_propagate(BODIES, *inertia, *omega0, *attitude0, 1, t, 1, *q, *omega, codes, &failed);
+    for (int k = 0; k < BODIES; k++) {
+        torque_free_motion motion;
+        double own_q[4], own_omega[3];
+        int code = torque_free_motion_init(&motion, inertia[k], omega0[k], attitude0[k]);
+        if (code == TORQUE_FREE_OK)
+            code = torque_free_state_at(&motion, t[k], own_q, own_omega);
+        const int same = code || (!memcmp(own_q, q[k], sizeof own_q) && !memcmp(own_omega, omega[k], sizeof own_omega));
+        if (code != codes[k] || !same) {
+            printf("body %d has code %d of %d, or other bits: %a\n", k, codes[k], code, t[k]);
+            broken++;
+        }
+    }
+}
+
 int main(int count, char **arguments)
 {
     source *const sources[] = {of_bits, of_any_size, of_wide_size, of_usual_size, special};
@@ -129,6 +159,8 @@ int main(int count, char **arguments)
     for (long k = 0; k < motions; k++) {
         source *const one = sources[next() % 5];
         try_motion(next() % 4 ? one : of_usual_size, one);
+        if (k % 64 == 0)
+            try_batch(one);
     }
     for (int k = 0; k < CODES; k++)
         printf("%ld ", counts[k]);

@@ -18,8 +18,10 @@ MOTIONS = {
     "larger axis": (BODY, ("0.05", "0.03", "-0.2")),
     "symmetric": (("2", "2", "3"), ("0.5", "-0.2", "0.7")),
     "sphere, of exact moments": (("2", "2", "2"), ("0.3", "0.4", "-0.1")),
+    "sphere": (("2", "2", "2"), ("0.3", "0.4", "-0.1")),
     "spin": (BODY, ("0.4", "0", "0")),
     "near the separatrix": (("4", "5", "9"), ("3.001", "1", "1")),
+    "across the separatrix": (("4", "5", "9"), ("3", "1", "1")),
     "axes not in order": (("0.853", "0.532", "0.611"), ("-0.23", "0.6", "0.8")),
 }
 
@@ -180,7 +182,7 @@ def test_attitudes_of_late_times_are_certain_where_a_spin_is_tilted():
     assert holds(motion, "1e12", Random(4), 6)
 
 
-@pytest.mark.parametrize("kind", ["paper", "symmetric", "sphere, of exact moments"])
+@pytest.mark.parametrize("kind", ["paper", "symmetric", "sphere, of exact moments", "sphere"])
 def test_sensitivities_of_a_box_hold_those_of_its_motions(kind):
     random, motion = Random(6), boxed(kind, Fraction(1, 10**5), attitude=Fraction(1, 10**4))
     S = motion.enclose([3, -200], 15, sensitivity=True)[2]
@@ -191,6 +193,36 @@ def test_sensitivities_of_a_box_hold_those_of_its_motions(kind):
         for name in ("attitude", "rates", "attitude_t", "rates_t"):
             pairs = zip(getattr(S, name).flat, getattr(exact[2], name).flat, strict=True)
             assert all(x.contains(y) for x, y in pairs)
+
+
+def test_a_box_of_bodies_at_rest_has_what_each_of_them_has():
+    rest = TorqueFreeMotion(("1 +/- 0.1", 2, 3), (0, 0, 0), ("1 +/- 1e-3", 2, 3, 4))
+    found, exact = (
+        motion.enclose(5, 15, sensitivity=True)[2]
+        for motion in (rest, TorqueFreeMotion((1, 2, 3), (0, 0, 0), (1, 2, 3, 4)))
+    )
+    for name in ("attitude", "rates", "attitude_t", "rates_t"):
+        pairs = zip(getattr(found, name).flat, getattr(exact, name).flat, strict=True)
+        assert all(x.overlaps(y) and x.rad() < 0.01 for x, y in pairs)
+
+
+@pytest.mark.parametrize(
+    ("inertia", "omega", "reason"),
+    [
+        ((1, 2, "2.5"), ("0 +/- 1e-3", 0, 0), "holds a body at rest, whose momentum has no direc"),
+        (("2 +/- 1e-3", 2, "2.0005"), (1, 2, 3), None),
+        (("2 +/- 1e-3", 2, "2.0005 +/- 1e-3"), (1, 2, 3), "holds a sphere, and its middle is none"),
+    ],
+)
+def test_boxes_that_have_no_sensitivities_say_why(inertia, omega, reason):
+    motion = TorqueFreeMotion(inertia, omega)
+    if reason is None:
+        motion.enclose(1, 15, sensitivity=True)
+        return
+    for arguments in ({"sensitivity": True}, {"method": "mean"}):
+        with pytest.raises(PrecisionError, match=f"t = 1: the box {reason}"):
+            motion.enclose(1, 15, **arguments)
+    motion.enclose(1, 15)
 
 
 def test_what_cannot_be_said_is_refused():

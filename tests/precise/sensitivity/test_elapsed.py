@@ -8,7 +8,7 @@ from flint import arb, arb_mat
 
 from rigidsym.precise.balls import ball, working
 from rigidsym.precise.quadrature import Quadrature
-from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed
+from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed, until_quarter
 from rigidsym.precise.sensitivity.over_box import Range
 from rigidsym.precise.theta import Theta
 
@@ -42,6 +42,7 @@ BOXES = {
     "symmetric inside": ("1", "1e-5", "1e-3", "1e-4"),
     "separatrix inside": ("1", "1", "1e-4", "1e-4"),
     "near it": ("1", "0.9999", "1e-5", "1e-6"),
+    "about zero": ("0", "0", "1e-4", "5e-5"),
 }
 
 
@@ -52,8 +53,9 @@ def test_functions_over_a_box_hold_those_of_its_points(box, t):
     with working(150):
         time, middle = ball(Fraction(t)), found(t, p, r, Theta())
         apart = [arb(0, ball(x).upper()) for x in (wide_p, wide_p + wide_r)]
-        whole = Range(time, *(ball(x) + arb(0, ball(y)) for x, y in (
-            (p, wide_p), (r, wide_r), (p - r, wide_p + wide_r))))  # fmt: skip
+        balls = [ball(x) + arb(0, ball(y)) for x, y in (
+            (p, wide_p), (r, wide_r), (p - r, wide_p + wide_r))]  # fmt: skip
+        whole = Range(time, *balls, until_quarter(time, *map(ball, (p, r, p - r))))
         over = whole.over(middle, arb_mat([[x] for x in apart]))
         if over is None:
             # Where D may be zero, or functions may be anything.

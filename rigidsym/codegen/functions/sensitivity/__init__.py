@@ -5,6 +5,7 @@ The functions of the elapsed time ask for no phase and no regime, but for which 
 of m up to 1/2 (`_real_*`, thetas of real time), the complementary one above (`_imaginary_*`).
 """
 
+from rigidsym.codegen.functions.sensitivity.along import along
 from rigidsym.codegen.functions.sensitivity.columns import columns
 from rigidsym.codegen.functions.sensitivity.imaginary import imaginary
 from rigidsym.codegen.functions.sensitivity.moduli import moduli
@@ -18,6 +19,7 @@ def sensitivity(solution: Solution) -> tuple[Function, ...]:
     """All of them, in an order in which each calls those before it."""
     return (
         moduli(solution),
+        *along(solution),
         *columns(solution),
         *real(solution),
         *imaginary(),

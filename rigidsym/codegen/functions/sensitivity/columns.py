@@ -1,7 +1,7 @@
 """What the rates change by with each rate at t = 0 and each moment of inertia."""
 
+from rigidsym.codegen.functions.sensitivity.along import RESULTS as ALONG
 from rigidsym.codegen.functions.sensitivity.given import EXTENDED, GIVEN, START, coefficients
-from rigidsym.codegen.functions.sensitivity.real import ELAPSED
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.names import RATES
 from rigidsym.codegen.passes import renamed, select
@@ -20,7 +20,7 @@ _ALPHAS = (
 )
 KEPT = (
     *START,
-    *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor", "k", "kappa_a", "kappa_d", "p", "r"),
+    *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor"),
     *("g_a", "g_d", "p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
     *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
 )
@@ -31,7 +31,7 @@ _MIDDLE = {"Omega_b_by_Omega_a": ("d", "a"), "Omega_b_by_Omega_d": ("a", "d")}
 
 
 # What changes with time.
-TIMED = (*ELAPSED, "t", *RATES)
+TIMED = ("S_t", "C_t", "D_t", "E_t", *ALONG, "t", *RATES)
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
@@ -67,11 +67,10 @@ def _constants(solution: Solution) -> list[Let]:
 
 def _state(solution: Solution) -> list[Let]:
     given = (*TIMED, *KEPT)
-    wanted = (*RESULTS, "over")
     excesses = select(
         solution.sequences["excesses"], ("excess_a", "excess_d"), (*given, "excess_b")
     )
-    columns = select(solution.sequences["sensitivity"], wanted, given)
+    columns = select(solution.sequences["sensitivity"], RESULTS, given)
     return [
         *renamed(columns, {name: f"any_{name}" for name in _MIDDLE}),
         *_middle(solution, given),

@@ -7,21 +7,23 @@ integral of sd^2 times m is
 
 theta_3 being over e^|y|/2, 2 N = w^2 (sinh 2|y| + 2 q^3 sinh 4|y| + 3 q^8 sinh 6|y|), which is by
 the slope of log theta_3, and A_0 = 1 + 4 q^3 + 9 q^8 (DLMF 22.16.30 with 20.7(viii)).
-On the separatrix q = 0, and nothing here divides by it.
+On the separatrix q = 0, and nothing here divides by it.  The same of the phase z, less what it was
+at t = 0, is the integral over the phase, which `along` takes.
 """
 
 from rigidsym.codegen.functions.attitude import flat
-from rigidsym.codegen.functions.reduced_time import elapsed_time, period_bounds
+from rigidsym.codegen.functions.reduced_time import elapsed_phase, elapsed_time, period_bounds
 from rigidsym.codegen.functions.sensitivity import near, thetas
 from rigidsym.codegen.functions.sensitivity.moduli import RESULTS
-from rigidsym.codegen.functions.sensitivity.real import ELAPSED
+from rigidsym.codegen.functions.sensitivity.real import ELAPSED, PASSED
 from rigidsym.codegen.ir import Function, Let, let
 
-_GIVEN = tuple(name for name in RESULTS if name != "divisor")
-_SPLIT = ("y_rate", "period")
+_GIVEN = (*(name for name in RESULTS if name != "divisor"), "y0")
+_SPLIT = ("y_rate", "period", "z0")
 _BEYOND = ("period_far", "period_inverse")
+_PHASE = ("z_w2", "z_p2", "z", "z_side", "turns")
 _NOMES = ("nome2", "nome4", "nome6", "nome8", "nome12", "nome16", "nome18")
-_PERIOD, _ZETA = "DLMF 20.2.7", "DLMF 22.16.30"
+_PERIOD, _SQUARE, _ZETA = "DLMF 20.2.7", "DLMF 20.2.2", "DLMF 22.16.30"
 
 
 def imaginary() -> tuple[Function, ...]:
@@ -29,6 +31,7 @@ def imaginary() -> tuple[Function, ...]:
     kept = [
         *_NOMES,
         *("gain_S", "gain_C", "gain_D", "f_gain", "f_rate", "f_period", "p", "apart"),
+        *("passed_gain", "passed_rate", "passed_period", "passed_0"),
         *near.COEFFICIENTS,
     ]
     constants = Function(
@@ -41,7 +44,7 @@ def imaginary() -> tuple[Function, ...]:
         frozenset(_SPLIT),
         rounds=True,
     )
-    timed = ("w", "p2", "y", "side", "flip", "periods")
+    timed = ("w", "p2", "y", "side", "flip", "periods", *_PHASE)
     angles = Function(
         "_imaginary_angles",
         "What changes with time where m > 1/2, at t + t_lo.",
@@ -51,16 +54,15 @@ def imaginary() -> tuple[Function, ...]:
     )
     state = Function(
         "_imaginary_state",
-        "S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`.",
+        "S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`.",
         (*timed, "t", *kept),
         tuple(_state()),
-        ELAPSED,
+        (*ELAPSED, *PASSED),
     )
     return constants, angles, state
 
 
 def _constants() -> list[Let]:
-    square = "DLMF 20.2.2"
     return [
         let("ratio = _root_ratio(complement, modulus)", "DLMF 20.9.1"),
         let("root_nome = complement/ratio", "DLMF 20.9.1"),
@@ -70,8 +72,8 @@ def _constants() -> list[Let]:
         let("g = 1/(three*three)", "DLMF 20.9.2"),
         let("y_rate = lambda_*g"),
         # On the separatrix the nome is zero and nothing ever returns.
-        let("nome_d = rounded(nome2)", square),
-        let("period = -_logarithm(choose(nome_d, 0, 1, nome2))", square),
+        let("nome_d = rounded(nome2)", _SQUARE),
+        let("period = -_logarithm(choose(nome_d, 0, 1, nome2))", _SQUARE),
         *period_bounds("nome_d", _PERIOD),
         let("over_lambda = 1/lambda_", "DLMF 22.2.4"),
         let("gain_S = three/four*over_lambda", "DLMF 22.2.4"),
@@ -84,25 +86,66 @@ def _constants() -> list[Let]:
         let("m_safe = choose(nome_d, 0, 1, m_1)", _ZETA),
         let("whole = choose(nome_d, 0, 0, 2*g/m_safe*over_lambda/r)", _ZETA),
         let("f_period = whole - f_rate*period", _ZETA),
+        let("passed_gain = r*scale/2", _ZETA),
+        let("passed_rate = r*f_rate", _ZETA),
+        let("passed_period = r*f_period", _ZETA),
+        # A state's nome is the square of this one, and its y a half of z.
+        let("z0 = 2*y0", "DLMF 20.7.12"),
+        let("start = rounded(z0)"),
+        let("start_lo = rounded(z0 - start)"),
+        let("period_rest = rounded(choose(nome_d, 0, 0, period - period_far))"),
+        *_exponentials("start", "period_rest"),
+        *_over_phase("start", "passed_0"),
         *near.coefficients(),
     ]
 
 
+def _exponentials(z: str, period_lo: str) -> list[Let]:
+    """The sign, e^(-2 |z|) and that from the other end of the period, to all digits of z + z_lo."""
+    return [
+        let(f"{z}_side = choose(0, {z}, 1, -1)", "DLMF 20.2.1", _SQUARE),
+        let(f"{z}_depth = 2*size({z})", _SQUARE),
+        let(f"{z}_more = 2*({z}_side*{z}_lo)", _SQUARE),
+        let(f"{z}_w2 = exp(-{z}_depth)*(1 - {z}_more)", _SQUARE),
+        let(f"{z}_p2 = exp({z}_depth - period_far)*(1 + ({z}_more - {period_lo}))", _SQUARE),
+    ]
+
+
+def _over_phase(z: str, integral: str, whole: str = "") -> list[Let]:
+    """r times the integral of sd^2/lambda^2 from 0 to z, by `_exponentials`."""
+    w2, p2 = f"{z}_w2", f"{z}_p2"
+    linear = f"{whole}*passed_period - passed_rate*{z}" if whole else f"-passed_rate*{z}"
+    return [
+        let(f"{z}_rise = {_rise(w2, p2)}", _ZETA),
+        let(f"{z}_theta = {thetas.third(w2, p2)}", "DLMF 20.2.3"),
+        let(f"{integral} = passed_gain*{z}_side*({z}_rise/({w2}*{z}_theta)) + ({linear})", _ZETA),
+    ]
+
+
+def _rise(w2: str, p2: str) -> str:
+    return (
+        f"(1 - {w2}*{w2})/2 + (nome4*{p2} - nome6*({w2}*{w2}*{w2}))"
+        f" + 3*(nome12*({p2}*{p2}) - nome16*(({w2}*{w2})*({w2}*{w2})))/2"
+    )
+
+
 def _angles() -> list[Let]:
-    square = "DLMF 20.2.2"
     return [
         *elapsed_time(_PERIOD),
-        let("side = choose(0, y, 1, -1)", "DLMF 20.2.1", square),
+        let("side = choose(0, y, 1, -1)", "DLMF 20.2.1", _SQUARE),
         let("flip = alternating(periods)", "DLMF 20.2.6"),
-        let("depth = size(y)", square),
-        let("w = exp(-depth)", square),
-        let("p2 = exp(2*depth - period_far)", square),
+        let("depth = size(y)", _SQUARE),
+        let("more = side*y_lo", _SQUARE),
+        let("w = exp(-depth)*(1 - more)", _SQUARE),
+        let("p2 = exp(2*depth - period_far)*(1 + (2*more - period_lo))", _SQUARE),
+        *elapsed_phase(_PERIOD),
+        *_exponentials("z", "period_lo"),
     ]
 
 
 def _state() -> list[Let]:
     return [
-        let("qw2 = nome2*(w*w)", "DLMF 20.2.2"),
+        let("qw2 = nome2*(w*w)", _SQUARE),
         *thetas.values(),
         let("over = 1/theta2_y"),
         *near.growth(),
@@ -113,14 +156,13 @@ def _state() -> list[Let]:
         ),
         let("C_t = gain_C*(flip*theta4_y*over)", "DLMF 22.2.5"),
         let("D_t = gain_D*(theta3_y*over)", "DLMF 22.2.6"),
-        let(
-            "rise = (1 - w2*w2)/2 + (nome4*p2 - nome6*(w2*w2*w2))"
-            " + 3*(nome12*(p2*p2) - nome16*((w2*w2)*(w2*w2)))/2",
-            _ZETA,
-        ),
+        let(f"rise = {_rise('w2', 'p2')}", _ZETA),
         let("f_far = f_gain*side*(rise/w)*over + D_t*(periods*f_period - f_rate*y)", _ZETA),
         *near.values(),
         let(f"f = choose(growth, {near.NEAR}, D_t*F_near, f_far)", _ZETA),
         let("E_far = (t - S_t*(C_t/D_t) - apart*f/D_t)/p", facts=("definition elapsed_E.E_t",)),
         let(f"E_t = choose(growth, {near.NEAR}, E_near, E_far)", _ZETA),
+        *_over_phase("z", "passed_z", "turns"),
+        let("passed = passed_z - passed_0", _ZETA),
+        let("turned = size(turns)", _PERIOD),
     ]

@@ -22,6 +22,8 @@ _SPLIT = ("v_rate",)
 _FORMS = ("even", "odd", "sine_even", "sine_odd")
 _ZETA, _SLOPE = "DLMF 22.16.30", "DLMF 20.2.4"
 ELAPSED = ("S_t", "C_t", "D_t", "E_t", "f")
+# r times the integral of S_t^2/D_t^2 over the phase, and how many half periods of it there were.
+PASSED = ("passed", "turned")
 
 
 def real(solution: Solution) -> tuple[Function, ...]:
@@ -54,7 +56,7 @@ def real(solution: Solution) -> tuple[Function, ...]:
         "S_t, C_t, D_t, E_t and D_t F_t where m <= 1/2, from `_real_angles`.",
         (*timed, "t", *kept),
         tuple(_state(solution)),
-        ELAPSED,
+        (*ELAPSED, *PASSED),
     )
     return constants, angles, state
 
@@ -89,7 +91,13 @@ def _angles() -> list[Let]:
         *reduction.product("v", "v_rate"),
         *reduction.whole("v", "v"),
         let("v_turns = v_rest + v_error", reduction.TURNS),
-        *reduction.sine_and_cosine("v", "v_turns", "v_whole", "sin_v", "cos_v"),
+        let("v_side = choose(0, v_rest, 1, -1)", reduction.TURNS),
+        # The cosine as the sine of what is left: to all digits next to its zero, too, where columns
+        # of bodies that are nearly symmetric are small.
+        let("v_left = (1/2 - size(v_rest)) - v_side*v_error", "DLMF 4.21.10"),
+        let("v_sign = alternating(v_whole)", reduction.TURNS),
+        *reduction.sine("v_turns", "v_sign", "sin_v"),
+        *reduction.sine("v_left", "v_sign", "cos_v"),
     ]
 
 
@@ -109,4 +117,6 @@ def _state(solution: Solution) -> list[Let]:
         let("F_far = (t - p*E_t - S_t*(C_t/D_t))/apart", facts=("definition elapsed_F.F_t",)),
         let(f"F_t = choose(growth, {near.NEAR}, F_near, F_far)", _ZETA),
         *select(solution.sequences["sensitivity"], ("f",), ("D_t", "F_t")),
+        # No phase is known, and what has passed is not asked for.
+        *(let(f"{name} = 0") for name in PASSED),
     ]

@@ -36,11 +36,21 @@ def values() -> list[Let]:
         let(f"tall_1 = {horner('p2', turning)}", "DLMF 20.2.1"),
         let(f"deep_1 = w2*({horner('qw2', turning)})", "DLMF 20.2.1"),
         let("theta1_y = side*(tall_1 - deep_1)", "DLMF 20.2.1"),
-        let(
-            "ends = p2*(1 + nome12*(p2*p2)) + w2*(nome2 + nome18*(w2*w2))",
-            "DLMF 20.2.3",
-        ),
-        let("middle = 1 + nome4*(p2*p2) + w2*w2*nome8", "DLMF 20.2.3"),
+        let(f"ends = {_ends('w2', 'p2')}", "DLMF 20.2.3"),
+        let(f"middle = {_middle('w2', 'p2')}", "DLMF 20.2.3"),
         let("theta3_y = 2*(w*(middle + ends))", "DLMF 20.2.3"),
         let("theta4_y = 2*(w*(middle - ends))", "DLMF 20.2.4"),
     ]
+
+
+def third(w2: str, p2: str) -> str:
+    """theta_3 of i z over 2 q^(1/4), from e^(-2 |z|) and that from the other end of the period."""
+    return f"({_middle(w2, p2)}) + ({_ends(w2, p2)})"
+
+
+def _ends(w2: str, p2: str) -> str:
+    return f"{p2}*(1 + nome12*({p2}*{p2})) + {w2}*(nome2 + nome18*({w2}*{w2}))"
+
+
+def _middle(w2: str, p2: str) -> str:
+    return f"1 + nome4*({p2}*{p2}) + {w2}*{w2}*nome8"

@@ -196,11 +196,19 @@ static inline double_double scaled(double_double x, int exponent)
     return y;
 }
 
-/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x > 0. */
+/* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
+   2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
 {
-    int e;
-    return frexp(x.hi, &e) < 0.70710678118654752 ? (double)(e - 1) : (double)e;
+    const uint64_t bits = bits_of(x.hi);
+    const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
+    const double e = from_bits(bits >> 52 | UINT64_C(0x4330000000000000)) - (4503599627370496.0 + 1022.0);
+    return fraction < 0.70710678118654752 ? e - 1.0 : e;
 }
 
-static inline double_double dd_mantissa(double_double x) { return scaled(x, -(int)dd_exponent(x)); }
+static inline double_double dd_mantissa(double_double x)
+{
+    const double power = power_of_two(-dd_exponent(x));
+    const double_double y = {x.hi * power, x.lo * power};
+    return y;
+}

@@ -101,13 +101,17 @@ def _literal(value: float) -> str:
 def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> list[Lines]:
     """All functions in order, over double-doubles; `_discriminant` for exact numbers too."""
     used = {name for function in functions for name in function.used()}
-    head = tuple(constant_text(c) for c in constants if c.name in used)
-    if lanes.has_lanes(functions):
-        extended = lanes.pairs(functions)
-        loops = (lanes.lines(f, extended, _let_lines(f)) for f in functions)
-        return [Lines((*head, "", *lanes.struct_text(functions), ""), {}), *loops]
-    still = kept(functions)
-    return [Lines(head, {}), *(part for f in functions for part in pieces(f, still))]
+    head = [constant_text(c) for c in constants if c.name in used]
+    head += ["", *lanes.struct_text(functions), ""]
+    still, extended = kept(functions), lanes.pairs(functions)
+    beside = {*(f.name for f in lanes.side_by_side(functions))}
+    text = [Lines(tuple(head), {})]
+    for f in functions:
+        if f.name in beside:
+            text.append(lanes.lines(f, extended, _let_lines(f)))
+        else:
+            text += pieces(f, still)
+    return text
 
 
 def kept(functions: Iterable[Function]) -> frozenset[tuple[str, str]]:

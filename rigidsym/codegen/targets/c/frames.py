@@ -13,14 +13,14 @@ _LOOP = "for (size_t i = 0; i < n; i++) {"
 
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
     """All functions in order; `_discriminant` is there for two kinds of numbers."""
-    if lanes.has_lanes(functions):
-        extended = lanes.pairs(functions)
-        yield from (lanes.frame(function, extended) for function in functions)
-        return
+    beside = {*(f.name for f in lanes.side_by_side(functions))}
+    extended = lanes.pairs(functions)
     members = {f.name: {*flat_results(f)} for f in functions if f.name.endswith("_constants")}
     for function in functions:
         name = function.name[1:]
-        if name == "discriminant":
+        if function.name in beside:
+            yield lanes.frame(function, extended)
+        elif name == "discriminant":
             every = replace(function, extended=frozenset(function.parameters))
             yield _valued(f"{name}_dd", every, "double_double", "dd")
             yield _valued(f"{name}_exact", every, "exact", "exact")
@@ -28,7 +28,7 @@ def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
             yield _valued(name, function, "double", "dd", "static INLINED")
         elif name.endswith("_constants"):
             yield _constants(name, function)
-        elif name.endswith(("_angles", "_state")) and name != "initial_state":
+        elif name.endswith(("_angles", "_state")):
             yield _loop(name, function, members[f"_{name.split('_')[0]}_constants"])
         elif len(function.results) == 1:
             yield _valued(name, function, "double_double", "dd")

@@ -12,12 +12,11 @@ from rigidsym.codegen.forms import STEP, THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import comment
-from rigidsym.codegen.names import SIGNS
 from rigidsym.codegen.passes import fuse, unfused
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
-from rigidsym.codegen.special_functions.short_time import STEPS
+from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.c import lanes, module
 from rigidsym.codegen.targets.c.expressions import Reader
 from rigidsym.codegen.targets.c.frame import Frame
@@ -44,7 +43,7 @@ def check(
     given = statements(source, derived)
     for number in _numbers(functions, constants):
         _expect(source, given, number)
-    for statement in lanes.struct(functions) if form == STEP else ():
+    for statement in lanes.structs(functions):
         _expect(source, given, statement)
     known: dict[str, Function] = {}
     decided = 0
@@ -106,7 +105,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
 
 def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
     """The text written by hand with what functions take and give, and limits, at its marks."""
-    marks = {"steps": str(STEPS)} if form == STEP else _marks(functions)
+    marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions)
     marks["limits"] = "\n".join(
         f"static const double {name} = {2.0**exponent!r}; /* 2^{exponent}, {meaning} */"
         for name, exponent, meaning in map(astuple, limits(form))
@@ -120,14 +119,7 @@ def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
 def _marks(functions: tuple[Function, ...]) -> dict[str, str]:
     """What functions of motions take and give."""
     by_name = {function.name: function for function in functions}
-    start = by_name["_initial_state"]
     marks = {
-        "initial": ", ".join(x for x in start.results if x not in SIGNS),
-        "signs": ", ".join(SIGNS),
-        "initial given": ", ".join(start.parameters),
-        "initial out": ", ".join(f"&{name}" for name in start.results),
-        "circular given": ", ".join(by_name["_circular_constants"].parameters),
-        "hyperbolic given": ", ".join(by_name["_hyperbolic_constants"].parameters),
         "branches": "\n".join(
             f"        torque_free_{name} {name};" for name in ("circular", "hyperbolic", "steady")
         ),
@@ -148,12 +140,12 @@ def _of_sensitivities(by_name: Mapping[str, Function]) -> dict[str, str]:
         "moduli": ", ".join(by_name["_moduli"].results),
         "moduli out": ", ".join(f"&{name}" for name in by_name["_moduli"].results),
         "moduli given": ", ".join(by_name["_moduli"].parameters),
-        "columns given": ", ".join(by_name["_columns_constants"].parameters),
         "turn columns": ", ".join(f"by[{k}]" for k in range(18)),
     }
-    for name in ("real", "imaginary"):
+    for name in ("along", "columns", "real", "imaginary"):
         marks[f"{name} given"] = ", ".join(by_name[f"_{name}_constants"].parameters)
-    arrays = {"columns": ("state", "columns", "s"), "turn": ("state", "turned_by", "s")}
+    arrays = {name: ("state", name, "s") for name in ("along", "columns")}
+    arrays["turn"] = ("state", "turned_by", "s")
     arrays |= dict.fromkeys(("real", "imaginary"), ("angles", "in", "SENSITIVE"))
     for name, (part, array, apart) in arrays.items():
         rows = [f"{array} + {k} * {apart}" for k in range(len(by_name[f"_{name}_{part}"].results))]

@@ -12,6 +12,12 @@ static int exponent_of(size_t n, const double *x)
     return e - 1;
 }
 
+/* x 2^n, which `ldexp` says where the power is no double. */
+static double scaled_by(double x, int n)
+{
+    return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
+}
+
 static int all_finite(size_t n, const double *x)
 {
     for (size_t k = 0; k < n; k++)
@@ -103,36 +109,93 @@ static int is_held(double unit, const double *amplitude, size_t n, const double 
     return all_finite(n, constants);
 }
 
-static int moving_init(torque_free_motion *motion, const double_double inertia[3], const double_double apart[3],
-                       const double_double omega[3], const double_double q[4], double_double E_b)
+/* Lane i of the given constants of a branch as those of a motion, and the code of that. */
+static int take(torque_free_motion *motion, const lanes *lane, size_t i, const double *rows, size_t held)
 {
-    const int *axis = motion->axis;
-    const double_double c_a = inertia[axis[0]], c_b = inertia[axis[1]], c_d = inertia[axis[2]];
-    const double_double c_ab = difference(apart, axis[0], axis[1]), c_ad = difference(apart, axis[0], axis[2]);
-    const double_double c_bd = difference(apart, axis[1], axis[2]);
-    const double_double Omega_a = omega[axis[0]], Omega_b = omega[axis[1]], Omega_d = omega[axis[2]];
-    const double_double q_0 = q[0], q_a = q[1 + axis[0]], q_b = q[1 + axis[1]], q_d = q[1 + axis[2]];
-    const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
-    const double unit = motion->unit, *constants;
-    size_t held;
-    double_double @initial@;
-    double @signs@;
-    initial_state(@initial given@, @initial out@);
-    if (k_1.hi * k_1.hi <= max_circular) {
-        motion->branch = 1;
-        circular_constants(@circular given@, &motion->of.circular);
+    const double amplitude[3] = {lane->A_a_hi[i], lane->A_b_hi[i], lane->A_d_hi[i]};
+    double *constants = (double *)&motion->of;
+    for (size_t k = 0; k < held; k++)
+        constants[k] = rows[k * LANES + i];
+    if (motion->branch == 1)
         limit(motion, motion->of.circular.v_rate_hi, motion->of.circular.Lambda_rate_hi);
-        constants = (const double *)&motion->of.circular;
-        held = sizeof motion->of.circular / sizeof *constants;
-    } else {
-        motion->branch = 2;
-        hyperbolic_constants(@hyperbolic given@, &motion->of.hyperbolic);
+    else
         limit(motion, motion->of.hyperbolic.y_rate_hi, motion->of.hyperbolic.Lambda_rate_hi);
-        constants = (const double *)&motion->of.hyperbolic;
-        held = sizeof motion->of.hyperbolic / sizeof *constants;
+    return is_held(motion->unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+}
+
+/* What is put in lane i: what a motion's constants come from. */
+#define PUT(name, value) (lane->name##_hi[i] = (value).hi, lane->name##_lo[i] = (value).lo)
+
+static void put(lanes *lane, size_t i, const torque_free_motion *motion, const double_double c[3],
+                const double_double apart[3], const double_double omega[3], const double_double q[4], double_double E_b)
+{
+    const int a = motion->axis[0], b = motion->axis[1], d = motion->axis[2];
+    PUT(c_a, c[a]), PUT(c_b, c[b]), PUT(c_d, c[d]);
+    PUT(c_ab, difference(apart, a, b)), PUT(c_ad, difference(apart, a, d)), PUT(c_bd, difference(apart, b, d));
+    PUT(Omega_a, omega[a]), PUT(Omega_b, omega[b]), PUT(Omega_d, omega[d]), PUT(E_b, E_b);
+    PUT(q_0, q[0]), PUT(q_a, q[1 + a]), PUT(q_b, q[1 + b]), PUT(q_d, q[1 + d]);
+    lane->axis_a[i] = a, lane->axis_b[i] = b, lane->axis_d[i] = d;
+    lane->unit[i] = motion->unit;
+}
+
+/* Every lane that is not one's own repeats one that is, so that nothing is computed that no motion has. */
+static void repeat(lanes *lane, const int own[LANES])
+{
+    double *row = (double *)lane;
+    size_t from = 0;
+    while (!own[from])
+        from++;
+    for (size_t k = 0; k < sizeof *lane / sizeof *row; k += LANES)
+        for (size_t i = 0; i < LANES; i++)
+            row[k + i] = own[i] ? row[k + i] : row[k + from];
+}
+
+/* The constants of those of n motions in lanes that are on one branch, from what `initial_state` left. */
+static void branch_init(const lanes *lane, int branch, size_t n, torque_free_motion *motion, int *code)
+{
+    lanes alike = *lane;
+    union {
+        circular_lanes circular;
+        hyperbolic_lanes hyperbolic;
+    } of;
+    int own[LANES], count = 0, others = 0;
+    for (size_t i = 0; i < LANES; i++) {
+        own[i] = i < n && motion[i].branch == branch;
+        count += own[i];
+        others += i < n && motion[i].branch && !own[i];
     }
-    const double amplitude[3] = {A_a.hi, A_b.hi, A_d.hi};
-    return is_held(unit, amplitude, held, constants) ? TORQUE_FREE_OK : TORQUE_FREE_RATES;
+    if (!count)
+        return;
+    if (others)
+        repeat(&alike, own);
+    if (branch == 1)
+        circular_constants(&alike, &of.circular);
+    else
+        hyperbolic_constants(&alike, &of.hyperbolic);
+    const size_t held = branch == 1 ? sizeof(torque_free_circular) : sizeof(torque_free_hyperbolic);
+    for (size_t i = 0; i < n; i++)
+        if (own[i])
+            code[i] = take(&motion[i], lane, i, (const double *)&of, held / sizeof(double));
+}
+
+/* The constants of n motions that `begin` put in lanes, and their codes; steady ones have theirs. */
+static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *code)
+{
+    int own[LANES], count = 0;
+    for (size_t i = 0; i < LANES; i++) {
+        own[i] = i < n && motion[i].branch;
+        count += own[i];
+    }
+    if (!count)
+        return;
+    if (count < LANES)
+        repeat(lane, own);
+    initial_state(lane);
+    for (size_t i = 0; i < n; i++)
+        if (own[i])
+            motion[i].branch = lane->k_1_hi[i] * lane->k_1_hi[i] <= max_circular ? 1 : 2;
+    branch_init(lane, 1, n, motion, code);
+    branch_init(lane, 2, n, motion, code);
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
@@ -200,61 +263,59 @@ static void keep(torque_free_motion *motion, const double_double c[3], const dou
     }
 }
 
-/* c, what each of it is above the next in turn, omega and q in inner units; `given` are the rates
-   before faint ones were taken for zero. */
-static int init(torque_free_motion *motion, const double_double c[3], const double_double apart[3], const double_double given[3],
-                const double_double q[4], const double_double *known, double unit)
+/* A motion but for what lanes give, which its branch, not zero, says that it needs, and lane i with what
+   that comes from.  c, what each of it is above the next in turn, omega and q in inner units; `given` are
+   the rates before faint ones were taken for zero. */
+static void begin(torque_free_motion *motion, lanes *lane, size_t i, const double_double c[3],
+                  const double_double apart[3], const double_double given[3], const double_double q[4],
+                  const double_double *known, double unit)
 {
-    torque_free_motion made;
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
-    memset(&made, 0, sizeof made);
+    memset(motion, 0, sizeof *motion);
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
         length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
     }
     length = dd_sqrt(length);
-    made.unit = unit;
-    made.max_angle = max_angle;
+    motion->unit = unit;
+    motion->max_angle = max_angle;
     for (int k = 0; k < 4; k++) {
         unit_q[k] = dd_div_xx(q[k], length);
-        made.q0[k] = dd_rounded(unit_q[k]);
+        motion->q0[k] = dd_rounded(unit_q[k]);
     }
     for (int k = 0; k < 3; k++)
-        made.omega0[k] = given[k].hi * unit;
-    sorted(apart, made.axis);
-    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, made.axis);
+        motion->omega0[k] = given[k].hi * unit;
+    sorted(apart, motion->axis);
+    double_double discriminant = known ? *known : discriminant_of(c, apart, omega, motion->axis);
     const int distinct = !is_zero(apart[0]) && !is_zero(apart[1]) && !is_zero(apart[2]);
     const int faint = !is_zero(discriminant) && fabs(discriminant.hi) < min_discriminant;
     int lost = 0;
     for (int k = 0; k < 3; k += 2)
-        lost |= is_zero(omega[made.axis[k]]) && !is_zero(given[made.axis[k]]);
+        lost |= is_zero(omega[motion->axis[k]]) && !is_zero(given[motion->axis[k]]);
     if (distinct && (lost || faint))
-        follow(&made, c, apart, omega, given, &discriminant, faint);
-    made.moment_unit = 1.0;
-    keep(&made, c, apart, omega, discriminant);
-    const double side = side_of(apart, omega, made.axis, discriminant.hi);
+        follow(motion, c, apart, omega, given, &discriminant, faint);
+    motion->moment_unit = 1.0;
+    keep(motion, c, apart, omega, discriminant);
+    const double side = side_of(apart, omega, motion->axis, discriminant.hi);
     if (side < 0.0) {
-        const int first = made.axis[0];
-        made.axis[0] = made.axis[2];
-        made.axis[2] = first;
+        const int first = motion->axis[0];
+        motion->axis[0] = motion->axis[2];
+        motion->axis[2] = first;
     }
-    int code = TORQUE_FREE_OK;
-    if (!is_rounded_once())
-        return TORQUE_FREE_ARITHMETIC;
-    if (side < 0.0 || side > 0.0)
-        code = moving_init(&made, c, apart, omega, unit_q, discriminant);
+    motion->branch = side < 0.0 || side > 0.0;
+    if (motion->branch)
+        put(lane, i, motion, c, apart, omega, unit_q, discriminant);
     else
-        steady_init(&made, omega, unit_q);
-    if (code == TORQUE_FREE_OK)
-        *motion = made;
-    return code;
+        steady_init(motion, omega, unit_q);
 }
 
-int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
-                          const double attitude0[4])
+/* The same from doubles, or a code. */
+static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, const double inertia[3],
+                         const double omega0[3], const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
     double least = inertia[0];
+    motion->branch = 0;
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
     for (int k = 1; k < 3; k++)
@@ -265,16 +326,16 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
     const int q_scale = exponent_of(4, attitude0);
     int is_zero_attitude = 1;
     for (int k = 0; k < 3; k++) {
-        c[k] = dd_of(ldexp(inertia[k], -c_scale));
-        omega[k] = dd_of(ldexp(omega0[k], -scale));
+        c[k] = dd_of(scaled_by(inertia[k], -c_scale));
+        omega[k] = dd_of(scaled_by(omega0[k], -scale));
         /* What is not zero stays so. */
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (ldexp(least, -c_scale) < min_moment_ratio)
+    if (scaled_by(least, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_THIN;
     for (int k = 0; k < 4; k++) {
-        q[k] = dd_of(ldexp(attitude0[k], -q_scale));
+        q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
         is_zero_attitude = is_zero_attitude && is_zero(q[k]);
     }
     if (is_zero_attitude)
@@ -282,12 +343,33 @@ int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
     /* Differences of doubles are pairs exactly. */
     for (int k = 0; k < 3; k++)
         apart[k] = two_sum(c[k].hi, -c[(k + 1) % 3].hi);
-    const int code = init(motion, c, apart, omega, q, NULL, ldexp(1.0, scale));
-    for (int k = 0; k < 3 && code == TORQUE_FREE_OK; k++)
+    begin(motion, lane, i, c, apart, omega, q, NULL, scaled_by(1.0, scale));
+    for (int k = 0; k < 3; k++)
         motion->omega0[k] = omega0[k];
+    motion->moment_unit = scaled_by(1.0, c_scale);
+    return TORQUE_FREE_OK;
+}
+
+/* One motion that was begun, where it has a code of its own. */
+static int end(torque_free_motion *motion, torque_free_motion *made, lanes *lane)
+{
+    int code = TORQUE_FREE_OK;
+    if (!is_rounded_once())
+        return TORQUE_FREE_ARITHMETIC;
+    moving_init(lane, 1, made, &code);
     if (code == TORQUE_FREE_OK)
-        motion->moment_unit = ldexp(1.0, c_scale);
+        *motion = *made;
     return code;
+}
+
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
+                          const double attitude0[4])
+{
+    torque_free_motion made;
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int code = begin_doubles(&made, &lane, 0, inertia, omega0, attitude0);
+    return code == TORQUE_FREE_OK ? end(motion, &made, &lane) : code;
 }
 
 int torque_free_motion_init_double_doubles(torque_free_motion *motion, const double inertia[3][2],
@@ -321,7 +403,11 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
     if (is_zero(q[0]) && is_zero(q[1]) && is_zero(q[2]) && is_zero(q[3]))
         return TORQUE_FREE_ATTITUDE;
     const double_double known = {discriminant[0], discriminant[1]};
-    return init(motion, c, apart, omega, q, &known, unit);
+    torque_free_motion made;
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    begin(&made, &lane, 0, c, apart, omega, q, &known, unit);
+    return end(motion, &made, &lane);
 }
 
 /* Times in inner units, and whether all of them are near enough and whether one is zero. */
@@ -601,19 +687,33 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
 {
-    torque_free_motion motion;
-    for (size_t k = 0; k < bodies; k++) {
-        double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
-        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-        if (code == TORQUE_FREE_OK)
-            code = states_at(&motion, n, t + stride * k, q_k, omega_k, codes != NULL);
-        else if (codes)
-            no_states(n, q_k, omega_k);
-        if (codes) {
-            codes[k] = code;
-        } else if (code != TORQUE_FREE_OK) {
-            *failed = k;
-            return code;
+    torque_free_motion motion[LANES];
+    int code[LANES];
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int rounded = is_rounded_once();
+    for (size_t first = 0; first < bodies; first += LANES) {
+        const size_t count = bodies - first < LANES ? bodies - first : LANES;
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            code[i] = begin_doubles(&motion[i], &lane, i, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
+            if (code[i] == TORQUE_FREE_OK && !rounded)
+                code[i] = TORQUE_FREE_ARITHMETIC;
+        }
+        moving_init(&lane, count, motion, code);
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
+            if (code[i] == TORQUE_FREE_OK)
+                code[i] = states_at(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
+            else if (codes)
+                no_states(n, q_k, omega_k);
+            if (codes) {
+                codes[k] = code[i];
+            } else if (code[i] != TORQUE_FREE_OK) {
+                *failed = k;
+                return code[i];
+            }
         }
     }
     return TORQUE_FREE_OK;

@@ -1,8 +1,9 @@
-/* How many sensitivities are computed side by side: each takes some eighty doubles of stack. */
+/* How many sensitivities are computed side by side: each takes some ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
 typedef struct {
+    torque_free_along along;
     torque_free_columns columns;
     torque_free_turn turn;
     torque_free_real real;
@@ -39,8 +40,14 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
+    /* Where it is not known when a motion turns over, it hardly does. */
+    const int turns_over = motion->branch == 2;
+    const double reach = turns_over ? 1.0 : never;
+    const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
+                              turns_over ? motion->of.hyperbolic.y0_lo : 0.0};
     double_double @moduli@;
     moduli(@moduli given@, @moduli out@);
+    along_constants(@along given@, &made->along);
     columns_constants(@columns given@, &made->columns);
     made->is_real = modulus.hi * modulus.hi <= max_real;
     if (made->is_real)
@@ -54,19 +61,20 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
                        &made->turn);
 }
 
-/* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */
+/* S_t, C_t, D_t, E_t, D_t F_t, what has passed and the turns at n inner times, in rows s apart. */
 static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
 {
-    double in[6 * SENSITIVE], rest[SENSITIVE];
+    double in[11 * SENSITIVE], rest[SENSITIVE];
     for (size_t i = 0; i < n; i++)
         rest[i] = 0.0;
     if (made->is_real) {
         real_angles(&made->real, n, t, rest, @real rows of in@);
-        real_state(&made->real, n, @real rows of in@, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s);
+        real_state(&made->real, n, @real rows of in@, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s,
+                   to + 5 * s, to + 6 * s);
     } else {
         imaginary_angles(&made->imaginary, n, t, rest, @imaginary rows of in@);
         imaginary_state(&made->imaginary, n, @imaginary rows of in@, t, to, to + s, to + 2 * s, to + 3 * s,
-                        to + 4 * s);
+                        to + 4 * s, to + 5 * s, to + 6 * s);
     }
 }
 
@@ -90,7 +98,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     enum { s = SENSITIVE };
     static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     static const double zeros[3] = {0.0, 0.0, 0.0};
-    double functions[5 * s], state[7 * s], columns[21 * s], turned_by[24 * s];
+    double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
     const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
     const double *by[18], *excess[3], *eta[18];
     const int *axis = made->axis;
@@ -101,8 +109,11 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
             state[(4 + k) * s + i] = omega[3 * i + k] * over;
     }
     elapsed(made, n, s, t, functions);
+    along_state(&made->along, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
+                functions + 4 * s, functions + 5 * s, functions + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                state + (4 + axis[2]) * s, @along rows of along@);
     columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                  functions + 4 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  @along rows of along@, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                   state + (4 + axis[2]) * s, @columns rows of columns@);
     for (int x = 0; x < 3; x++) {
         excess[axis[x]] = columns + (18 + x) * s;

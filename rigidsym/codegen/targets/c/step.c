@@ -1,8 +1,8 @@
-/* Numbers from 2^-100 to 2^100 need no scaling: fourth powers of theirs are held. */
+/* Numbers from 2^-40 to 2^40 need no scaling: 22nd powers of rates, the last in a series, are held. */
 static double scale(double largest)
 {
     int exponent;
-    if (largest >= 7.888609052210118e-31 && largest <= 1.2676506002282294e+30)
+    if (largest >= 9.094947017729282e-13 && largest <= 1099511627776.0)
         return 0.0;
     frexp(largest, &exponent);
     return (double)exponent;
@@ -39,12 +39,10 @@ static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
 static void get_body(const lanes *x, torque_free_body *body)
 {
     const double moments[] = {x->c_a_hi[0], x->c_b_hi[0], x->c_d_hi[0]};
-    const double apart[] = {x->c_ab_hi[0], x->c_ad_hi[0], x->c_bd_hi[0]};
     const double alphas[] = {x->alpha_a_hi[0], x->alpha_a_lo[0], x->alpha_b_hi[0],
                              x->alpha_b_lo[0], x->alpha_d_hi[0], x->alpha_d_lo[0]};
     const double squares[] = {x->l_a_hi[0], x->l_a_lo[0], x->l_b_hi[0], x->l_b_lo[0], x->l_d_hi[0], x->l_d_lo[0]};
     memcpy(body->moments, moments, sizeof moments);
-    memcpy(body->apart, apart, sizeof apart);
     memcpy(body->alphas, alphas, sizeof alphas);
     memcpy(body->squares, squares, sizeof squares);
     body->epsilon = x->epsilon[0];
@@ -55,7 +53,6 @@ static void put_body(lanes *x, size_t i, const torque_free_body *body)
     const double *alphas = body->alphas, *squares = body->squares;
     x->c_a_hi[i] = body->moments[0], x->c_b_hi[i] = body->moments[1], x->c_d_hi[i] = body->moments[2];
     x->c_a_lo[i] = x->c_b_lo[i] = x->c_d_lo[i] = 0.0;
-    x->c_ab_hi[i] = body->apart[0], x->c_ad_hi[i] = body->apart[1], x->c_bd_hi[i] = body->apart[2];
     x->alpha_a_hi[i] = alphas[0], x->alpha_a_lo[i] = alphas[1], x->alpha_b_hi[i] = alphas[2];
     x->alpha_b_lo[i] = alphas[3], x->alpha_d_hi[i] = alphas[4], x->alpha_d_lo[i] = alphas[5];
     x->l_a_hi[i] = squares[0], x->l_a_lo[i] = squares[1], x->l_b_hi[i] = squares[2];
@@ -123,15 +120,11 @@ static void circulating(size_t n, lanes *x)
         const double sign = turned ? -1.0 : 1.0;
         SWAP_IF(turned, x->Omega_a0_hi[i], x->Omega_d0_hi[i]);
         SWAP_IF(turned, x->c_a_hi[i], x->c_d_hi[i]);
-        SWAP_IF(turned, x->c_ab_hi[i], x->c_bd_hi[i]);
         SWAP_IF(turned, x->alpha_a_hi[i], x->alpha_d_hi[i]);
         SWAP_IF(turned, x->alpha_a_lo[i], x->alpha_d_lo[i]);
         SWAP_IF(turned, x->l_a_hi[i], x->l_d_hi[i]);
         SWAP_IF(turned, x->l_a_lo[i], x->l_d_lo[i]);
         SWAP_IF(turned, x->q_a[i], x->q_d[i]);
-        x->c_ab_hi[i] *= sign;
-        x->c_ad_hi[i] *= sign;
-        x->c_bd_hi[i] *= sign;
         x->epsilon[i] *= sign;
         x->turned[i] = sign;
         x->sigma[i] = x->Omega_a0_hi[i] < 0.0 ? -1.0 : 1.0;
@@ -151,16 +144,31 @@ static void advance(size_t n, lanes *x)
     }
 }
 
+/* x over the root of a square, as good as rounded once. */
+static INLINED double divided(double x, double over, double more)
+{
+    const double y = x * over;
+    return y + (product_error(x, over, y) + x * more);
+}
+
+/* A quaternion over its length. */
+static INLINED void divide(double *q_0, double *q_a, double *q_b, double *q_d)
+{
+    const double_double first = dd_add_xx(two_product(*q_0, *q_0), two_product(*q_a, *q_a));
+    const double_double square = dd_add_xx(first, dd_add_xx(two_product(*q_b, *q_b), two_product(*q_d, *q_d)));
+    const double over = 1.0 / sqrt(square.hi);
+    const double_double rest = dd_sub_dx(1.0, dd_mul_xx(square, two_product(over, over)));
+    const double more = over * (rest.hi + rest.lo) / 2.0;
+    *q_0 = divided(*q_0, over, more);
+    *q_a = divided(*q_a, over, more);
+    *q_b = divided(*q_b, over, more);
+    *q_d = divided(*q_d, over, more);
+}
+
 static void normalised(size_t n, lanes *x)
 {
-    for (size_t i = 0; i < n; i++) {
-        const double q_0 = x->q_0[i], q_a = x->q_a[i], q_b = x->q_b[i], q_d = x->q_d[i];
-        const double over = 1.0 / sqrt(q_0 * q_0 + q_a * q_a + (q_b * q_b + q_d * q_d));
-        x->q_0[i] = q_0 * over;
-        x->q_a[i] = q_a * over;
-        x->q_b[i] = q_b * over;
-        x->q_d[i] = q_d * over;
-    }
+    for (size_t i = 0; i < n; i++)
+        divide(&x->q_0[i], &x->q_a[i], &x->q_b[i], &x->q_d[i]);
 }
 
 static void move(size_t n, lanes *x)
@@ -169,13 +177,20 @@ static void move(size_t n, lanes *x)
     step_start(n, x);
     step_first(n, x);
     for (int k = 0; k < @steps@; k++) {
-        step_projected(n, x);
-        step_second_half(n, x);
+        if (k < @steps@ - @last@) {
+            step_projected(n, x);
+            step_second_half(n, x);
+        } else {
+            step_last_projected(n, x);
+            step_last_second_half(n, x);
+        }
         step_doubled(n, x);
         advance(n, x);
     }
     step_rates(n, x);
+    step_shortest_before(n, x);
     step_front(n, x);
+    step_shortest(n, x);
     step_attitude(n, x);
     normalised(n, x);
 }
@@ -184,21 +199,19 @@ static void move(size_t n, lanes *x)
 static int is_held(const lanes *x, size_t i)
 {
     const double sum = x->q_0[i] + x->q_a[i] + x->q_b[i] + x->q_d[i];
-    return fabs(sum + x->Omega_a[i] + x->Omega_b[i] + x->Omega_d[i]) <= DBL_MAX;
+    return fabs(sum + x->Omega_a_hi[i] + x->Omega_b_hi[i] + x->Omega_d_hi[i]) <= DBL_MAX;
 }
 
 static void get_state(const lanes *x, size_t i, const scaling *of, double *q, double *omega)
 {
     if (of->still) {
-        const double *p = of->q;
-        const double size = sqrt(p[0] * p[0] + p[1] * p[1] + (p[2] * p[2] + p[3] * p[3]));
-        for (int k = 0; k < 4; k++)
-            q[k] = p[k] / size;
+        memcpy(q, of->q, sizeof of->q);
+        divide(q, q + 1, q + 2, q + 3);
         memcpy(omega, of->omega, sizeof of->omega);
         return;
     }
     const int a = x->turned[i] < 0.0 ? 2 : 0, d = 2 - a;
-    const double rates[3] = {x->Omega_a[i], x->Omega_b[i], x->Omega_d[i]};
+    const double rates[3] = {x->Omega_a_hi[i], x->Omega_b_hi[i], x->Omega_d_hi[i]};
     const double parts[3] = {x->q_a[i], x->q_b[i], x->q_d[i]};
     const int axis[3] = {of->axis[a], of->axis[1], of->axis[d]};
     q[0] = x->q_0[i];
@@ -208,6 +221,8 @@ static void get_state(const lanes *x, size_t i, const scaling *of, double *q, do
     }
 }
 
+@step_arithmetic.c@
+
 int torque_free_body_init(torque_free_body *body, const double inertia[3])
 {
     lanes x;
@@ -215,6 +230,8 @@ int torque_free_body_init(torque_free_body *body, const double inertia[3])
     const int code = set_body(&x, 0, inertia, axis);
     if (code != TORQUE_FREE_STEP_OK)
         return code;
+    if (!is_rounded_once())
+        return TORQUE_FREE_STEP_ARITHMETIC;
     step_body(1, &x);
     get_body(&x, body);
     memcpy(body->axis, axis, sizeof axis);
@@ -244,10 +261,11 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
     lanes x;
     scaling of[LANES];
     int axis[LANES][3], code;
-    if (n && !inertia_stride && (code = torque_free_body_init(&body, inertia)) != TORQUE_FREE_STEP_OK) {
-        *failed = 0;
+    *failed = 0;
+    if (n && inertia_stride && !is_rounded_once())
+        return TORQUE_FREE_STEP_ARITHMETIC;
+    if (n && !inertia_stride && (code = torque_free_body_init(&body, inertia)) != TORQUE_FREE_STEP_OK)
         return code;
-    }
     for (size_t begin = 0; begin < n; begin += LANES) {
         const size_t count = n - begin < LANES ? n - begin : LANES;
         for (size_t i = 0; i < LANES; i++) {
@@ -293,6 +311,7 @@ const char *torque_free_step_message(int code)
     case TORQUE_FREE_STEP_THIN: return "inertia: principal moments differ by more than binary64 can follow";
     case TORQUE_FREE_STEP_ATTITUDE: return "q: a zero quaternion is no attitude";
     case TORQUE_FREE_STEP_ANGLE: return "dt: |omega dt| must be at most 8 rad";
+    case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     default: return "no such code";
     }
 }

@@ -5,13 +5,14 @@ enum {
     TORQUE_FREE_STEP_INERTIA = 2,    /* a principal moment of inertia is not positive */
     TORQUE_FREE_STEP_THIN = 3,       /* a principal moment is below 2^@min_moment_ratio@ of another */
     TORQUE_FREE_STEP_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_STEP_ANGLE = 5       /* |omega dt| beyond 2^@max_step@ rad, or a body that turns faster still */
+    TORQUE_FREE_STEP_ANGLE = 5,      /* |omega dt| beyond 2^@max_step@ rad, or a body that turns faster still */
+    TORQUE_FREE_STEP_ARITHMETIC = 6  /* it was compiled by options that reorder sums, see above */
 };
 
 /* What is of a body alone; written by torque_free_body_init, read by torque_free_step. */
 typedef struct {
     int axis[3]; /* by moments of inertia, the largest first */
-    double epsilon, moments[3], apart[3], alphas[6], squares[6];
+    double epsilon, moments[3], alphas[6], squares[6];
 } torque_free_body;
 
 /* The constants of a body.  inertia: principal moments about the body axes, kg m^2, positive.

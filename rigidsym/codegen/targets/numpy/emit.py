@@ -128,7 +128,7 @@ def _branches(functions: tuple[Function, ...]) -> list[str]:
 def _sensitivity(functions: dict[str, Function]) -> list[str]:
     """What the frame needs to know to find sensitivities."""
     lines = ["SENSITIVITY = {", *_part("moduli", functions["_moduli"], [])]
-    for name in ("columns", "real", "imaginary", "turn"):
+    for name in ("along", "columns", "real", "imaginary", "turn"):
         first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
         kept = set(flat_results(first))
         more = [

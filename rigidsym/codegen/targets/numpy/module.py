@@ -8,7 +8,7 @@ from rigidsym.codegen.ir import Constant, Function
 from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import Lines, Module, joined
 from rigidsym.codegen.shares import shares, text
-from rigidsym.codegen.special_functions.short_time import STEPS
+from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.numpy import emit
 
 FILES = {THETA: "torque_free.py", PI: "torque_free_pi.py", STEP: "torque_free_step.py"}
@@ -63,7 +63,8 @@ def last(form: str) -> str:
 
 
 def _limits(form: str) -> list[str]:
-    steps = [f"STEPS = {STEPS}  # doublings of the time"] if form == STEP else []
+    steps = [f"STEPS = {STEPS}  # doublings of the time", f"LAST = {LAST}  # of them extended"]
+    steps = steps if form == STEP else []
     return [*(f"{x.name.upper()} = 2.0**{x.exponent}  # {x.meaning}" for x in limits(form)), *steps]
 
 

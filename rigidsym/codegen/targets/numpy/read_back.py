@@ -13,7 +13,7 @@ from rigidsym.codegen.passes import specialise
 from rigidsym.codegen.seal.by_hand import Between, between
 from rigidsym.codegen.seal.claims import DIFFERS
 from rigidsym.codegen.seal.equality import is_equal
-from rigidsym.codegen.special_functions.short_time import STEPS
+from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.numpy import emit, module
 from rigidsym.codegen.targets.numpy.expressions import read
 from rigidsym.errors import InputError
@@ -124,7 +124,8 @@ def _tables(functions: tuple[Function, ...]) -> Iterator[str]:
     branches = {name: _branch(name, by_name) for name in _BRANCHES}
     yield f"BRANCHES = {branches}"
     if "_moduli" in by_name:
-        parts = {name: _part(name, by_name) for name in ("columns", "real", "imaginary", "turn")}
+        names = ("along", "columns", "real", "imaginary", "turn")
+        parts = {name: _part(name, by_name) for name in names}
         yield f"SENSITIVITY = { ({'moduli': _step(by_name['_moduli'])} | parts) }"
 
 
@@ -165,7 +166,7 @@ def _part(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
 def _limits(form: str) -> Iterator[str]:
     yield from (f"{limit.name.upper()} = 2.0**{limit.exponent}" for limit in limits(form))
     if form == STEP:
-        yield f"STEPS = {STEPS}"
+        yield from (f"STEPS = {STEPS}", f"LAST = {LAST}")
 
 
 def _check_function(

@@ -11,14 +11,17 @@ from rigidsym.codegen.targets.numpy.runtime import (
     _BLOCK,
     _called,
     _differences,
+    _DoubleDouble,
     _of,
     _plain,
     _RefusedError,
     states,
 )
-from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY
+from rigidsym.codegen.targets.numpy.stubs import MAX_REAL, SENSITIVITY, never
 
 # --- runtime ---
+# The changes at t = 0: of the attitude with a small turn, of the rates with those.
+_AT_ONCE = np.eye(3, 9), np.eye(3, 9, 3)
 
 
 @np.errstate(all="ignore")
@@ -47,11 +50,12 @@ def sensitivities(prepared, t, errors="raise"):
     ]
     if "elapsed" not in prepared:
         prepared["elapsed"] = _elapsed(prepared)
-    for group in prepared["elapsed"]:
-        _fill_sensitivities(prepared, group, given, rows)
+    # While blocks are in the cache it is seen whether any number is lost.
+    lost = [_fill_sensitivities(prepared, group, given, rows) for group in prepared["elapsed"]]
     _at_rest(prepared, given, rows)
     _unchanged(given, rows)
-    _check_held(rows, errors)
+    if any(lost):
+        _check_held(rows, errors)
     return (q, omega, *found)
 
 
@@ -87,6 +91,7 @@ def _elapsed(prepared):
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])
     known |= {f"p{k}": prepared["q0"][:, k] for k in range(4)}
+    known |= _phases(prepared)
     if len(axes) == 1:
         known = {name: _plain(value) for name, value in known.items()}
     known |= _called(SENSITIVITY["moduli"], known)
@@ -100,13 +105,23 @@ def _elapsed(prepared):
     return groups
 
 
+def _phases(prepared):
+    """The phase at t = 0, and beyond which p t^2 it is asked for: where it is known."""
+    reach, y0 = np.full(len(prepared["axes"]), never), np.zeros((2, len(prepared["axes"])))
+    for name, index, constants in prepared["groups"]:
+        if name == "hyperbolic":
+            reach[index] = 1.0
+            y0[:, index] = constants["y0_hi"], constants["y0_lo"]
+    return {"reach": reach, "y0": _DoubleDouble(*y0)}
+
+
 def _of_group(name, index, known):
     """The indices of some bodies, and their constants by what they are for: arrays, or of one
     body Python's floats."""
     if len(np.shape(known["c1"])):
         known = {key: value[index] for key, value in known.items()}
     made = {}
-    for part in (name, "columns", "turn"):
+    for part in (name, "along", "columns", "turn"):
         constants = _called(SENSITIVITY[part], known)
         made[part] = {
             key: np.full(index.size, value, float) if np.ndim(value) == 0 else value
@@ -123,9 +138,12 @@ def _of_one(made, number):
 
 
 def _fill_sensitivities(prepared, group, t, rows):
-    """The rows of one group, in blocks: of times, or of bodies where times are few."""
+    """Fill the rows of one group, in blocks: of times, or of bodies where times are few.
+
+    Whether any number of theirs is lost.
+    """
     name, order, index, made = group
-    size = t.shape[1]
+    size, lost = t.shape[1], False
     if index.size > 1 and size < _BLOCK // 4:
         step = max(1, _BLOCK // max(1, size))
         for first in range(0, index.size, step):
@@ -136,8 +154,9 @@ def _fill_sensitivities(prepared, group, t, rows):
             }
             units = [prepared[x][index[some], None] for x in ("unit", "moment_unit")]
             times = _of(t, index[some])
-            _write_sensitivities(name, order, constants, units, times, rows, (index[some],))
-        return
+            place = (index[some],)
+            lost |= _write_sensitivities(name, order, constants, units, times, rows, place)
+        return lost
     for number, body in enumerate(index):
         constants = made if index.size == 1 else _of_one(made, number)
         units = [float(prepared[x][body]) for x in ("unit", "moment_unit")]
@@ -147,11 +166,16 @@ def _fill_sensitivities(prepared, group, t, rows):
             # One time as a number: operations on such arrays take ten times as long.
             where = some if size > 1 else 0
             times = t[body if len(t) > 1 else 0, where]
-            _write_sensitivities(name, order, constants, units, times, rows, (body, where))
+            place = body, where
+            lost |= _write_sensitivities(name, order, constants, units, times, rows, place)
+    return lost
 
 
 def _write_sensitivities(name, order, constants, units, t, rows, place):
-    """The sensitivities of one body at a block of times, or of some bodies at all times."""
+    """Write those of one body at a block of times, or of some bodies at all times.
+
+    Whether any of them is lost.
+    """
     unit, moment_unit = units
     known = {"t": unit * t}
     q, omega = (x[place] for x in rows[:2])
@@ -164,6 +188,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     by_time = entry["angles"](known["t"], *(constants[name][n] for n in entry["rates"]))
     known |= dict(zip(entry["timed"], by_time, strict=False))
     known |= _stated(entry, known, constants[name])
+    known |= _stated(SENSITIVITY["along"], known, constants["along"])
     columns = _stated(SENSITIVITY["columns"], known, constants["columns"])
     for one, i in zip("abd", order, strict=True):
         known[f"excess{i + 1}"] = columns[f"excess_{one}"]
@@ -178,6 +203,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
         ("Omega", "Omega"): 1.0,
         ("Omega", "c"): scale / moment_unit,
     }
+    lost = False
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
         block = found[place]
         for of, first in (("Omega", 3), ("c", 6)):
@@ -186,12 +212,17 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
                     np.multiply(value, factor, out=block[..., i, first + j])
+        if changed == "eta":
+            for k in range(3):
+                block[..., k, k] = 1.0
+        lost |= bool(np.isnan(np.min(block, initial=0.0)))
         # Of several bodies it is a copy.
         if isinstance(place[0], np.ndarray):
             found[place] = block
     for i in range(3):
         rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
         rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])
+    return lost
 
 
 def _stated(entry, known, constants):
@@ -209,30 +240,23 @@ def _at_rest(prepared, t, rows):
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
-        for found in rows[2:]:
-            found[body] = 0.0
+        for found, rest in zip(rows[2:], (*_AT_ONCE, 0.0, 0.0), strict=True):
+            found[body] = rest
         rows[2][body, :, :, 3:6] = t[body if len(t) > 1 else 0, :, None, None] * np.array(start)
-        for k in range(3):
-            rows[3][body, :, k, 3 + k] = 1.0
 
 
 def _unchanged(t, rows):
-    """At t = 0 changes are those given; a turn at t = 0 is the same at all times."""
+    """At t = 0 changes are those given."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
-        rows[2][some, time] = rows[3][some, time] = 0.0
-        for k in range(3):
-            rows[3][some, time, k, 3 + k] = 1.0
-    for k in range(3):
-        rows[2][:, :, k, k] = 1.0
+        rows[2][some, time], rows[3][some, time] = _AT_ONCE
 
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    # Where the least is a number all are, and it is found sooner.
-    if not any(np.isnan(np.min(x, initial=0.0)) for x in rows[2:]):
-        return
     lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
+    if not np.any(lost):
+        return
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"

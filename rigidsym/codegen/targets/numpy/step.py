@@ -9,19 +9,25 @@ from typing import Any
 import numpy as np
 
 from rigidsym.codegen.targets.numpy.stubs import (
+    LAST,
     MAX_STEP,
     MIN_MOMENT_RATIO,
     STEPS,
     _DoubleDouble,
+    _product_error,
     _step_attitude,
     _step_body,
     _step_doubled,
     _step_first,
     _step_front,
     _step_kick,
+    _step_last_projected,
+    _step_last_second_half,
     _step_projected,
     _step_rates,
     _step_second_half,
+    _step_shortest,
+    _step_shortest_before,
     _step_start,
     _two_sum,
 )
@@ -119,12 +125,22 @@ def _some(bodies, q, omega, dt, out):
     # What does not turn keeps its attitude to the last bit, once that is of length one.
     still = (t == 0) | ~np.any(omega != 0, axis=-1)
     found = [np.where(still, *both) for both in zip(parts, found, strict=True)]
-    length = np.sqrt(sum(x * x for x in found))
-    out[0][:, 0] = found[0] / length
+    found = _unit(found)
+    out[0][:, 0] = found[0]
     for k in range(3):
-        np.put_along_axis(out[0][:, 1:], axes[:, k, None], (found[1 + k] / length)[:, None], -1)
+        np.put_along_axis(out[0][:, 1:], axes[:, k, None], found[1 + k][:, None], -1)
         after = np.where(still, np.ldexp(start[k], exponent), np.ldexp(rates[k], exponent))
         np.put_along_axis(out[1], axes[:, k, None], after[:, None], -1)
+
+
+def _unit(parts):
+    """A quaternion over its length, each number as good as rounded once."""
+    squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
+    square = sum(squares, _DoubleDouble(0.0))
+    over = 1 / np.sqrt(square.hi)
+    rest = 1 - square * over * over
+    more = over * (rest.hi + rest.lo) / 2
+    return [x * over + (_product_error(x, over, x * over) + x * more) for x in parts]
 
 
 def _circulating(bodies, rates, axes):
@@ -135,9 +151,6 @@ def _circulating(bodies, rates, axes):
     swapped = dict(zip("abd", "dba", strict=True))
     for name in ("c_a", "c_b", "c_d", *_BODY):
         known[name] = _either(turned, bodies[name[:-1] + swapped[name[-1]]], bodies[name])
-    for x, y in ("ab", "ad", "bd"):
-        other = f"c_{swapped[y]}{swapped[x]}"
-        known[f"c_{x}{y}"] = np.where(turned, -bodies[other].hi, bodies[f"c_{x}{y}"].hi)
     known["Omega_a0"] = np.where(turned, rates[2], rates[0])
     known["Omega_b0"] = rates[1]
     known["Omega_d0"] = np.where(turned, rates[0], rates[2])
@@ -160,23 +173,26 @@ def _moved(body, q, t):
     start[0] = _DoubleDouble(np.where(still, 1.0, start[0].hi), 0.0)
     t = np.where(still, 0.0, t)
     squares = [body[name] for name in ("l_a", "l_b", "l_d")]
-    values = _step_start(*inertia, *squares, *start, t, body["sigma"])
-    h, e_1, e_2, K, rate, X, Y = _paired(values)
-    moments, doubles = [x.hi for x in inertia], [x.hi for x in start]
-    apart = [body[name] for name in ("c_ab", "c_ad", "c_bd")]
     signs = body["epsilon"], body["sigma"]
-    first = (K.hi, h.hi, e_1.hi, e_2.hi, X.hi, *moments, *apart, *doubles, *signs)
-    *projected, re, im = _step_first(*first)
-    for _ in range(STEPS):
-        w = _step_projected(h.hi, *projected, X.hi, Y.hi)
-        re, im = _step_second_half(h.hi, X.hi, *w, re, im)
+    values = _step_start(*inertia, *squares, *start, t, *signs)
+    h, e_1, e_2, K, rate, X, Y, *z = _paired(values)
+    re, im = _step_first(h.hi, e_1.hi, e_2.hi, X.hi, *(x.hi for x in z))
+    for k in range(STEPS):
+        if k < STEPS - LAST:
+            w = _step_projected(h.hi, *(x.hi for x in z), X.hi, Y.hi)
+            re, im = _step_second_half(h.hi, X.hi, *w, re, im)
+        else:
+            w = _paired(_step_last_projected(h, *z, X, Y))
+            re, im = _step_last_second_half(h, X, *w, re, im)
         X, Y = _paired(_step_doubled(X, Y, e_1, e_2))
     alphas = [body[name] for name in ("alpha_a", "alpha_b", "alpha_d")]
-    rates = _step_rates(X, Y, h, *alphas, body["l_d"], *start)
-    front = _step_front(K.hi, *moments, *doubles, *q, *signs)
-    turned = (t, rate.hi, rate.lo, re, im, K.hi, *moments, *rates, *front, *signs)
-    attitude = _step_attitude(*turned)
-    return attitude, rates
+    rates = _paired(_step_rates(X, Y, h, *alphas, body["l_d"], *start))
+    moments = [x.hi for x in inertia]
+    before = _step_shortest_before(K, *start, *moments, *signs)
+    after = _step_shortest(K, *rates, *moments, *signs)
+    front = _step_front(*before, *q, body["epsilon"])
+    attitude = _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs)
+    return attitude, [x.hi for x in rates]
 
 
 def torque(q, direction, coefficients):

@@ -5,7 +5,7 @@ from typing import TypedDict, TypeVar
 
 import numpy as np
 
-from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble, _two_sum
+from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble, _product_error, _two_sum
 
 __all__ = [
     "BRANCHES",
@@ -23,8 +23,10 @@ __all__ = [
     "_DoubleDouble",
     "_circulation",
     "_discriminant",
+    "_product_error",
     "_steady_constants",
     "_two_sum",
+    "never",
 ]
 
 Value = TypeVar("Value")
@@ -54,7 +56,8 @@ class Branch(Step):
 INITIAL_STATE: Step = {"constants": lambda: (), "given": (), "names": ()}
 NEGLIGIBLE = DECISIVE = MIN_DISCRIMINANT = MIN_MOMENT_RATIO = TOLERATED = 1.0
 MAX_CIRCULAR = MAX_ANGLE = MAX_RATE = MAX_REAL = MAX_STEP = 1.0
-STEPS = 1
+STEPS = LAST = 1
+never = 1.0
 BRANCHES: dict[str, Branch] = {}
 
 
@@ -90,4 +93,5 @@ def _derived(*values: _DoubleDouble | np.ndarray) -> tuple[np.ndarray, ...]:
 
 
 _step_body = _step_start = _step_first = _step_doubled = _step_projected = _derived
-_step_second_half = _step_rates = _step_front = _step_attitude = _step_kick = _derived
+_step_second_half = _step_last_projected = _step_last_second_half = _step_rates = _derived
+_step_shortest_before = _step_front = _step_shortest = _step_attitude = _step_kick = _derived

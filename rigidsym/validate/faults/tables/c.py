@@ -7,18 +7,19 @@ from rigidsym.validate.faults.fault import Fault
 _fault = partial(Fault, "c")
 _NUMBERS = "static const double_double pi = {"
 _LADDER = "static void ladder("
-_CIRCULAR_PLAN = "static void circular_constants("
+_CIRCULAR_PLAN = "static FLAT void circular_constants("
 _CIRCULAR_STATE = "static void circular_state("
-_HYPERBOLIC_PLAN = "static void hyperbolic_constants("
+_HYPERBOLIC_PLAN = "static FLAT void hyperbolic_constants("
 _HYPERBOLIC_ANGLES = "static void hyperbolic_angles("
 _HYPERBOLIC_STATE = "static void hyperbolic_state("
 _STEADY_PLAN = "static void steady_constants("
 _STEADY_STATE = "static void steady_state("
 _DISCRIMINANT = "static double_double discriminant_of("
-_MOVING = "static int moving_init("
-_START = "static void initial_state("
+_MOVING = "static void moving_init("
+_START = "static FLAT void initial_state("
 _CIRCULATION = "static INLINED double circulation("
-_INIT = "static int init("
+_INIT = "static void begin("
+_END = "static int end("
 _UNTOLD = "-U__ASSOCIATIVE_MATH__"
 
 _CONSTANTS = (
@@ -26,8 +27,8 @@ _CONSTANTS = (
         "precision",
         "the gain of a rate in single precision, circular",
         _CIRCULAR_PLAN,
-        "motion->gain_b = dd_rounded(gain_b);",
-        "motion->gain_b = (float)dd_rounded(gain_b);",
+        "motion->gain_b[i] = dd_rounded(gain_b);",
+        "motion->gain_b[i] = (float)dd_rounded(gain_b);",
     ),
 )
 
@@ -133,15 +134,15 @@ _DECISIONS = (
         "branch",
         "the circular branch taken up to k_1^2 = 0.9",
         _MOVING,
-        "k_1.hi * k_1.hi <= max_circular",
-        "k_1.hi * k_1.hi <= 0.9",
+        "lane->k_1_hi[i] * lane->k_1_hi[i] <= max_circular",
+        "lane->k_1_hi[i] * lane->k_1_hi[i] <= 0.9",
     ),
     _fault(
         "branch",
         "the hyperbolic branch taken from k_1^2 = 0.1",
         _MOVING,
-        "k_1.hi * k_1.hi <= max_circular",
-        "k_1.hi * k_1.hi <= 0.1",
+        "lane->k_1_hi[i] * lane->k_1_hi[i] <= max_circular",
+        "lane->k_1_hi[i] * lane->k_1_hi[i] <= 0.1",
     ),
     _fault(
         "branch",
@@ -214,15 +215,15 @@ _DIGITS = (
         "pair",
         "the low part of the rate of Lambda lost, circular",
         _CIRCULAR_PLAN,
-        "motion->Lambda_rate_lo = Lambda_rate.lo;",
-        "motion->Lambda_rate_lo = 0.0;",
+        "motion->Lambda_rate_lo[i] = Lambda_rate.lo;",
+        "motion->Lambda_rate_lo[i] = 0.0;",
     ),
     _fault(
         "pair",
         "the low part of the rate of y lost, hyperbolic",
         _HYPERBOLIC_PLAN,
-        "motion->y_rate_lo = y_rate.lo;",
-        "motion->y_rate_lo = 0.0;",
+        "motion->y_rate_lo[i] = y_rate.lo;",
+        "motion->y_rate_lo[i] = 0.0;",
     ),
     _fault(
         "pair",
@@ -367,7 +368,7 @@ _DIGITS = (
     _fault(
         "build",
         "sums reordered by the compiler, and not asked for",
-        _INIT,
+        _END,
         "if (!is_rounded_once())",
         "if (0)",
         # Some compilers have a macro for it, which is not asked, either.
