@@ -113,6 +113,7 @@ def test_energy_and_momentum_drift_no_faster_than_a_random_walk(kind, steps):
         ({"omega": [RATES, (1, math.nan, 0)]}, r"^omega\[1, 1\] = nan: must be finite"),
         ({"dt": [0.1, math.inf]}, r"^dt\[1\] = inf: must be finite"),
         ({"dt": [0.1, 300.0]}, r"^dt\[1\] = 300.0: \|omega dt\| must be at most 8 rad"),
+        ({"omega": [RATES, (0, 90, 0)]}, r"^dt = 0.1: \|omega dt\| .* 8 rad \(body 1\)"),
         ({"dt": [0.1, 0.2, 0.3]}, r"^dt = an array of shape \(3,\): leading shape \(3,\)"),
         ({"q": np.zeros((2, 3))}, r"^q = an array of shape \(2, 3\): the last axis"),
         ({"engine": "fortran"}, r"^engine = 'fortran': must be one of: numpy, c"),
