@@ -214,12 +214,6 @@ static inline double_double dd_choose(double x, double y, double_double one, dou
     return x <= y ? one : other;
 }
 
-static inline double_double scaled(double_double x, int exponent)
-{
-    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
-    return y;
-}
-
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
@@ -1071,31 +1065,6 @@ static void normalised(size_t n, lanes *x)
         divide(&x->q_0[i], &x->q_a[i], &x->q_b[i], &x->q_d[i]);
 }
 
-/* x rounded up or down, each as often as it is near: chance is between -1/2 and 1/2. */
-static INLINED double dithered(double hi, double lo, double chance)
-{
-    const double size = fabs(hi), next = size + size * 1.1102230246251568e-16;
-    return hi + (lo + chance * (next - size));
-}
-
-/* What rates are rounded by, for a motion so slow that rounding to nearest would err one way for long:
-   its attitude's last digits are as good as chance. */
-static void rounded(size_t n, lanes *x)
-{
-    for (size_t i = 0; i < n; i++) {
-        const uint64_t one = bits_of(x->q_0[i]), two = bits_of(x->q_a[i]), three = bits_of(x->q_b[i]);
-        uint64_t mixed = (one ^ (two << 21 | two >> 43) ^ (three << 42 | three >> 22)) * UINT64_C(0x9e3779b97f4a7c15);
-        mixed = (mixed ^ mixed >> 32) * UINT64_C(0xd6e8feb86659fd93);
-        mixed ^= mixed >> 32;
-        const double a = from_bits(UINT64_C(0x3ff0000000000000) | mixed >> 44 << 32) - 1.5;
-        const double b = from_bits(UINT64_C(0x3ff0000000000000) | mixed << 20 >> 44 << 32) - 1.5;
-        const double d = from_bits(UINT64_C(0x3ff0000000000000) | mixed << 40 >> 44 << 32) - 1.5;
-        x->Omega_a_hi[i] = dithered(x->Omega_a_hi[i], x->Omega_a_lo[i], a);
-        x->Omega_b_hi[i] = dithered(x->Omega_b_hi[i], x->Omega_b_lo[i], b);
-        x->Omega_d_hi[i] = dithered(x->Omega_d_hi[i], x->Omega_d_lo[i], d);
-    }
-}
-
 static void move(size_t n, lanes *x)
 {
     circulating(n, x);
@@ -1118,7 +1087,6 @@ static void move(size_t n, lanes *x)
     step_shortest(n, x);
     step_attitude(n, x);
     normalised(n, x);
-    rounded(n, x);
 }
 
 /* Bodies that cannot exist can turn much faster than at the start: then there are no numbers. */
@@ -1301,7 +1269,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "68705d8fe3f8bb1b5f966460a6bd4f00bb2e5d582782ad247a40fd9870e7ed30"; }
+const char *torque_free_step_digest(void) { return "6065a40acd9d3f1ef53d779c7bc78253371b9fe043d94ec479d20d1e8ee75911"; }
 
 const char *torque_free_step_message(int code)
 {
@@ -1409,17 +1377,28 @@ static int drifted(lanes *x, pushed *of, double dt, size_t *failed)
     return TORQUE_FREE_STEP_OK;
 }
 
-static void kicked(lanes *x, pushed *of, const torque_free_orbit *orbit, double t, double dt)
+static void add_more(lanes *x, const pushed *of, const torque_free_torque *torque, double t)
 {
-    if (orbit) {
+    for (size_t i = 0; i < of->count; i++) {
+        double sum[3] = {x->T1[i], x->T2[i], x->T3[i]};
+        torque->more(t, of->q[i], sum, torque->data);
+        x->T1[i] = sum[0], x->T2[i] = sum[1], x->T3[i] = sum[2];
+    }
+}
+
+static void kicked(lanes *x, pushed *of, const torque_free_torque *torque, double t, double dt)
+{
+    if (torque->orbit) {
         double u[3];
-        seen_from(orbit, t, u);
+        seen_from(torque->orbit, t, u);
         for (size_t i = 0; i < of->count; i++)
             set_vector(x, i, u);
     }
     for (size_t i = 0; i < of->count; i++)
         x->q0[i] = of->q[i][0], x->q1[i] = of->q[i][1], x->q2[i] = of->q[i][2], x->q3[i] = of->q[i][3];
     step_kick(of->count, x);
+    if (torque->more)
+        add_more(x, of, torque, t);
     for (size_t i = 0; i < of->count; i++) {
         of->omega[i][0] += dt * (x->T1[i] / of->inertia[i][0]);
         of->omega[i][1] += dt * (x->T2[i] / of->inertia[i][1]);
@@ -1429,8 +1408,8 @@ static void kicked(lanes *x, pushed *of, const torque_free_orbit *orbit, double 
 
 /* All steps of some bodies. */
 static int advanced(lanes *x, pushed *of, const torque_free_splitting *method,
-                    const torque_free_orbit *orbit, double begin, double step, size_t first, size_t last,
-                    size_t *failed)
+                    const torque_free_torque *torque, double begin, double step, size_t first,
+                    size_t last, size_t *failed)
 {
     double pending = 0.0;
     for (size_t k = first; k < last; k++) {
@@ -1441,7 +1420,7 @@ static int advanced(lanes *x, pushed *of, const torque_free_splitting *method,
                 return code;
             pending = 0.0;
             into += method->drifts[part];
-            kicked(x, of, orbit, begin + ((double)k + into) * step, method->kicks[part] * step);
+            kicked(x, of, torque, begin + ((double)k + into) * step, method->kicks[part] * step);
         }
         pending = method->drifts[method->count];
     }
@@ -1473,7 +1452,7 @@ int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride
             if (!torque->orbit)
                 set_vector(&x, i, torque->vector + k * torque->vector_stride);
         }
-        const int code = advanced(&x, &of, method, torque->orbit, begin, step, first, last, failed);
+        const int code = advanced(&x, &of, method, torque, begin, step, first, last, failed);
         if (code != TORQUE_FREE_STEP_OK) {
             *failed = start + (*failed < count ? *failed : count - 1);
             return code;
