@@ -10,6 +10,7 @@ from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
     from rigidsym.validate.campaign import Campaign, Progress
+    from rigidsym.validate.sensitivities import Sensitive
     from rigidsym.validate.session import Choices
 
 # Options of a campaign that mean nothing elsewhere.
@@ -210,14 +211,14 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
 
 
 def _validate_sensitivity(campaign: "Campaign") -> int:
-    from rigidsym import engines
-    from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum, of_engine
+    from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum
 
     drawn = campaign.cases, campaign.seed, campaign.strata
+    modules = {target: _sensitive(target) for target in campaign.targets}
     worst = [
         (target, found)
-        for target in campaign.targets
-        for found in by_stratum(of_engine(engines.engine(target)), *drawn)
+        for target, module in modules.items()
+        for found in by_stratum(module, *drawn)
     ]
     broken = [(target, found) for target, found in worst if not found.is_within]
     for target, found in broken:
@@ -229,6 +230,17 @@ def _validate_sensitivity(campaign: "Campaign") -> int:
             if stratum in WIDER:
                 print(f"{stratum}: {WIDER[stratum].why}")
     return 1 if broken else 0
+
+
+def _sensitive(target: str) -> "Sensitive":
+    from rigidsym.engines import EngineError
+    from rigidsym.validate.implementations import implementation
+    from rigidsym.validate.sensitivities import of_engine
+
+    try:
+        return of_engine(implementation(target))
+    except EngineError as error:
+        raise InputError("target", target, error.rule) from None
 
 
 def _validate_faults(campaign: "Campaign", options: Namespace) -> int:

@@ -18,6 +18,7 @@ from rigidsym.engines import Engine
 from rigidsym.engines.sensitivities import by_exact_moments, sensitive
 from rigidsym.validate.measure import prepare
 from rigidsym.validate.oracle import column_digits, precise_motion
+from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.strata import Sample, samples
 
 DIGITS, CASES, SEED = 25, 15, 1
@@ -206,12 +207,16 @@ def columns(
         return np.concatenate(rows, axis=-2) * units
 
 
-def of_engine(engine: Engine) -> Sensitive:
-    """Sensitivities by the module of an engine; NaN where it refuses."""
+def of_engine(engine: Engine | Solver) -> Sensitive:
+    """Sensitivities by the module of an engine; NaN where it refuses.
+
+    Raises EngineError for a module that has none.
+    """
+    module = sensitive(engine)
 
     def found(sample: Sample) -> np.ndarray:
         prepared, _ = prepare(sample, engine)
-        numbers = sensitive(engine).sensitivities(prepared, np.array(sample.times), errors="nan")
+        numbers = module.sensitivities(prepared, np.array(sample.times), errors="nan")
         if not sample.in_doubles:
             by_exact_moments(numbers, sample.exact[0])
         return columns(sample, *numbers[2:])

@@ -171,3 +171,8 @@ def test_a_broken_bound_is_named(monkeypatch, capsys):
 def test_options_of_campaigns_are_refused(capsys):
     assert main(["validate", "--sensitivity", "--json"]) == 2
     assert "json = given: is not for --sensitivity" in capsys.readouterr().err
+
+
+def test_modules_without_sensitivities_are_refused(capsys):
+    assert main(["validate", "numpy-pi", "--sensitivity"]) == 2
+    assert "target = numpy-pi: its module has no sensitivities" in capsys.readouterr().err

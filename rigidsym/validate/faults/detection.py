@@ -3,7 +3,7 @@
 Faults in states are looked for in states, those in sensitivities in their columns.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import cast
 
@@ -18,7 +18,8 @@ from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.sensitivities import ColumnsReference
-from rigidsym.validate.strata import count, draw
+from rigidsym.validate.steps import Steps
+from rigidsym.validate.strata import Sample, count, draw, stepped
 
 # What is noticed without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
@@ -40,10 +41,17 @@ class Detection:
 
 def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
     """The truth about the states of a stratum's cases."""
-    return [
-        enclose(draw(stratum, index, seed), digits, with_condition=False)
-        for index in range(count(stratum, cases))
-    ]
+    return [enclose(x, digits, with_condition=False) for x in _samples(stratum, cases, seed)]
+
+
+def steps_references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
+    """The truth about what `stepped` makes of a stratum's cases."""
+    samples = map(stepped, _samples(stratum, cases, seed))
+    return [enclose(sample, digits, with_condition=False) for sample in samples]
+
+
+def _samples(stratum: str, cases: int, seed: int) -> Iterator[Sample]:
+    return (draw(stratum, index, seed) for index in range(count(stratum, cases)))
 
 
 def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
@@ -60,7 +68,9 @@ def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[D
 
 
 def first(
-    engine: Engine | Solver, stratum: Sequence[AnyReference], bounds: Mapping[str, float] = BOUNDS
+    engine: Engine | Solver | Steps,
+    stratum: Sequence[AnyReference],
+    bounds: Mapping[str, float] = BOUNDS,
 ) -> Detection | None:
     """The first case in which an engine breaks a bound, or cannot do what it should."""
     for reference in stratum:
@@ -70,7 +80,7 @@ def first(
 
 
 def broken(
-    engine: Engine | Solver, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
+    engine: Engine | Solver | Steps, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
 ) -> tuple[str, ...]:
     """The measures by which an engine breaks its bounds in a case."""
     try:

@@ -3,6 +3,8 @@
 import re
 from dataclasses import dataclass
 
+from rigidsym.codegen.forms import STEP, split
+
 KINDS = {
     "constant": "a constant off by one part in 1e12, or by its last digits",
     "precision": "a number rounded to single precision",
@@ -29,6 +31,8 @@ FILES = {
     "c": "torque_free.c",
     "numpy-pi": "torque_free_pi.py",
     "c-pi": "torque_free_pi.c",
+    "numpy-step": "torque_free_step.py",
+    "c-step": "torque_free_step.c",
 }
 # A fault in the head of a loop, or one that makes a loop, might never end.
 _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
@@ -54,6 +58,12 @@ class Fault:
     new: str
     options: tuple[str, ...] = ()
     in_sensitivities: bool = False
+
+    @property
+    def shown_in(self) -> str:
+        """What shows it: states, sensitivities, or steps."""
+        of_states = "steps" if split(self.target)[1] == STEP else "states"
+        return "sensitivities" if self.in_sensitivities else of_states
 
     def __post_init__(self) -> None:
         if self.target not in FILES or self.kind not in KINDS:

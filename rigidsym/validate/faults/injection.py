@@ -14,6 +14,7 @@ from rigidsym.validate.faults.detection import (
     columns_references,
     detections,
     references,
+    steps_references,
 )
 from rigidsym.validate.faults.fault import Fault
 from rigidsym.validate.faults.mutated_build import faulty
@@ -22,9 +23,13 @@ from rigidsym.validate.faults.tables import all_faults
 from rigidsym.validate.implementations import check_target
 from rigidsym.validate.strata import STRATA
 
-# By whether it is that of sensitivities.
-Truth = Mapping[bool, Sequence[Sequence[AnyReference]]]
-_REFERENCES = {False: references, True: columns_references}
+# By what it is the truth about.
+Truth = Mapping[str, Sequence[Sequence[AnyReference]]]
+_REFERENCES = {
+    "states": references,
+    "sensitivities": columns_references,
+    "steps": steps_references,
+}
 Progress = Callable[[int, int], None]
 
 
@@ -50,7 +55,7 @@ def inject(
     ]
     for fault in chosen:
         faulty(fault)
-    of = sorted({fault.in_sensitivities for fault in chosen})
+    of = sorted({fault.shown_in for fault in chosen})
     enclosed = len(strata) * len(of)
     told = partial(_tell, progress, enclosed + len(chosen))
     truth = _truth(of, strata, (cases, digits, seed), told)
@@ -64,13 +69,13 @@ def _tell(progress: Progress, total: int, before: int, done: int = 0) -> None:
 
 
 def _truth(
-    of: Sequence[bool],
+    of: Sequence[str],
     strata: Sequence[str],
     drawn: tuple[int, int, int],
     told: Callable[[int], None],
 ) -> Truth:
-    """What is true of all cases, which all faults share: of states, and of sensitivities."""
-    enclosed: dict[bool, list[Sequence[AnyReference]]] = {kind: [] for kind in of}
+    """What is true of all cases, which all faults share: of states, sensitivities and steps."""
+    enclosed: dict[str, list[Sequence[AnyReference]]] = {kind: [] for kind in of}
     with processes(processors()) as pool:
         with undisturbed():
             jobs = [
@@ -109,7 +114,7 @@ def _until_a_crash(
                 while waiting and len(running) < processors() and not lost:
                     fault = waiting[0]
                     with undisturbed():
-                        job = pool.submit(detections, fault, truth[fault.in_sensitivities])
+                        job = pool.submit(detections, fault, truth[fault.shown_in])
                     running[job] = waiting.pop(0)
             except BrokenProcessPool:
                 lost = True
@@ -122,7 +127,7 @@ def _until_a_crash(
 def _alone(fault: Fault, truth: Truth) -> list[Detection]:
     """The detections of a fault that may end a process: each stratum has its own."""
     found = []
-    for stratum in truth[fault.in_sensitivities]:
+    for stratum in truth[fault.shown_in]:
         try:
             with processes(1) as pool:
                 found += pool.submit(detections, fault, [stratum]).result()

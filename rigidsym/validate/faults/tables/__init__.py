@@ -8,9 +8,9 @@ from functools import cache
 
 from rigidsym.validate.faults.drawn import drawn
 from rigidsym.validate.faults.fault import FILES, Fault
-from rigidsym.validate.faults.tables import c, numpy
+from rigidsym.validate.faults.tables import c, numpy, steps
 
-BY_HAND: tuple[Fault, ...] = (*numpy.FAULTS, *c.FAULTS)
+BY_HAND: tuple[Fault, ...] = (*numpy.FAULTS, *c.FAULTS, *steps.FAULTS)
 
 
 @cache

@@ -20,7 +20,11 @@ _START = "static FLAT void initial_state("
 _CIRCULATION = "static INLINED double circulation("
 _INIT = "static void begin("
 _END = "static int end("
-_UNTOLD = "-U__ASSOCIATIVE_MATH__"
+# Options that reorder sums; some compilers have a macro for it, which is not asked, either.
+REORDERED = (
+    *("-O1", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
+    "-U__ASSOCIATIVE_MATH__",
+)
 
 _CONSTANTS = (
     _fault(
@@ -263,15 +267,15 @@ _DIGITS = (
     _fault(
         "scale",
         "moments not scaled",
-        "int torque_free_motion_init(torque_free_motion",
-        "ldexp(inertia[k], -c_scale)",
+        "static int begin_doubles(",
+        "scaled_by(inertia[k], -c_scale)",
         "inertia[k]",
     ),
     _fault(
         "scale",
         "attitude0 not scaled",
-        "int torque_free_motion_init(torque_free_motion",
-        "ldexp(attitude0[k], -q_scale)",
+        "static int begin_doubles(",
+        "scaled_by(attitude0[k], -q_scale)",
         "attitude0[k]",
     ),
     _fault(
@@ -371,8 +375,7 @@ _DIGITS = (
         _END,
         "if (!is_rounded_once())",
         "if (0)",
-        # Some compilers have a macro for it, which is not asked, either.
-        ("-O1", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math", _UNTOLD),
+        REORDERED,
     ),
 )
 
