@@ -30,13 +30,13 @@ def at_epoch(fit, truth):
 
 def told(fit, truth):
     """How far a fit is from the truth in each direction it tells, in units of its error: (k,)."""
-    there = at_epoch(fit, truth)
+    there, here = at_epoch(fit, truth), fit.observability.here
     apart = np.empty(fit.problem.parameters.count)
     apart[:3] = rotation_vectors(product(fit.point.attitude, conjugate(there.attitude)))
     apart[3:6] = fit.point.omega - there.omega
     across = fit.problem.parameters.linear(fit.point)[6:9, 6:8]
     scaled = fit.moments - there.moments * (fit.moments.max() / there.moments.max())
     apart[6:8] = np.linalg.lstsq(np.column_stack([across, fit.moments]), scaled, rcond=None)[0][:2]
-    return np.linalg.lstsq(
-        np.hstack([fit.observability.told, fit.observability.blind]), apart, rcond=None
-    )[0][: fit.observability.told.shape[1]]
+    return np.linalg.lstsq(np.hstack([here.told, here.blind]), apart, rcond=None)[0][
+        : here.told.shape[1]
+    ]

@@ -96,6 +96,40 @@ def test_a_batch_is_its_bodies(engine):
 
 
 @pytest.mark.parametrize("engine", ENGINES)
+def test_one_time_and_many_have_the_same_bits(engine):
+    one = TorqueFreeMotion(*PAPER, engine=engine)
+    times = np.linspace(-50.0, 300.0, 40_001)
+    whole = _parts(one.sensitivity(times))
+    for some in (slice(0, 1), slice(7, 9), slice(20_000, 20_100), slice(40_000, None)):
+        for part, found in zip(whole, _parts(one.sensitivity(times[some])), strict=True):
+            assert np.array_equal(part[some], found)
+    for part, found in zip(whole, _parts(one.sensitivity(float(times[9]))), strict=True):
+        assert np.array_equal(part[9], found)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_a_batch_goes_on_past_what_is_refused(engine):
+    inertia = np.array([(3.0, 2.0, 1.0)] * 4)
+    omega0 = np.array([(1.0, 0.5, 2.0), (np.nan, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 1e300)])
+    times = np.array([0.0, 2.0, 1e4])
+    q, _, found = propagate(inertia, omega0, times, engine=engine, errors="nan", sensitivity=True)
+    lost = np.array([[0, 0, 0], [1, 1, 1], [0, 0, 1], [0, 1, 1]], bool)
+    for changes in (found.attitude, found.rates, found.attitude_t, found.rates_t):
+        assert np.array_equal(np.isnan(changes.reshape(4, 3, -1)).all(axis=-1), lost)
+        assert np.isfinite(changes[:3][~lost[:3]]).all()
+    # Where changes alone grow beyond binary64 there are states.
+    lost[2] = False
+    assert np.array_equal(np.isnan(q).all(axis=-1), lost)
+    with pytest.raises(InputError, match=r"t\[2\] = 10000\.0: .*squares.*body 1"):
+        propagate(inertia[::2], omega0[::2], times, engine=engine, sensitivity=True)
+
+
+def _parts(found):
+    q, omega, S = found
+    return q, omega, S.attitude, S.rates, S.attitude_t, S.rates_t
+
+
+@pytest.mark.parametrize("engine", ENGINES)
 def test_what_grows_beyond_binary64_is_refused(engine):
     spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0), engine=engine)
     assert np.isfinite(spin.sensitivity(500.0)[2].rates).all()

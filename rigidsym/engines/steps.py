@@ -31,6 +31,8 @@ class _Torque(ctypes.Structure):
         ("vector", ctypes.c_void_p),
         ("vector_stride", ctypes.c_size_t),
         ("orbit", ctypes.c_void_p),
+        ("more", ctypes.c_void_p),
+        ("data", ctypes.c_void_p),
     )
 
 
@@ -49,7 +51,8 @@ class Kicks:
     """Bodies and what pushes them, in steps of a splitting method; float64, each in one piece.
 
     inertia (B, 3), coefficients (B, 13) and vector (B, 3), or one row for all; orbit (11,), which
-    takes the vector's place: as in torque_free_step.h.  drifts (S + 1,), kicks (S,).
+    takes the vector's place: as in torque_free_step.h.  drifts (S + 1,), kicks (S,).  more: the
+    addresses of a function that adds to the torque, and of what it is handed.
     """
 
     inertia: np.ndarray
@@ -58,6 +61,7 @@ class Kicks:
     orbit: np.ndarray | None
     drifts: np.ndarray
     kicks: np.ndarray
+    more: tuple[int | None, int | None] = (None, None)
 
     def torque(self, first: int) -> _Torque:
         """For torque_free_integrate, of bodies from one on."""
@@ -65,7 +69,7 @@ class Kicks:
         if self.orbit is None and self.vector is not None:
             vector = _from(self.vector, first)
         orbit = None if self.orbit is None else self.orbit.ctypes.data
-        return _Torque(*coefficients, *vector, orbit)
+        return _Torque(*coefficients, *vector, orbit, *self.more)
 
     def splitting(self) -> _Splitting:
         """For torque_free_integrate."""

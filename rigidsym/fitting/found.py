@@ -10,12 +10,13 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.fitting.observability import Observability, observability
+from rigidsym.fitting.observability import Observability, lose, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.states import sensitivities
+from rigidsym.fitting.states import sensitivities, states
 from rigidsym.fitting.tumbling import Periods, periods
+from rigidsym.fitting.turned import is_bent
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import matrices
 
@@ -101,19 +102,19 @@ class Found(Alternative):
         """What the observations tell, and what they do not."""
         return observability(self.problem, self.point)
 
-    @cached_property
-    def _own(self) -> np.ndarray:
-        """How the quantities of `names` go with the parameters, (12, p), the unit of moments kept
-        at the largest where nothing tells their scale."""
-        found = self.problem.parameters.linear(self.point)
+    def _own(self, point: Point) -> np.ndarray:
+        """How the quantities of `names` go with the parameters at a point, (9, p) or (12, p), the
+        unit of moments kept at what is the largest of the best, where nothing tells their scale."""
+        found = self.problem.parameters.linear(point)
         zero = np.array([-self.problem.epoch])
-        _, _, since = sensitivities(self.point, zero, self.problem.engine)
+        _, _, since = sensitivities(point, zero, self.problem.engine)
         found[:6] = since[0] @ found[:9]
         if self.problem.prior is None:
-            share = self.moments / self.moments.max()
             largest = int(np.argmax(self.moments))
-            found[6:9] -= np.outer(share, found[6 + largest])
-        return found
+            unit = self.moments[largest] / point.moments[largest]
+            share = point.moments / point.moments[largest]
+            found[6:9] = unit * (found[6:9] - np.outer(share, found[6 + largest]))
+        return found[: len(self.names)]
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -127,7 +128,11 @@ class Found(Alternative):
 
         The variance of what the observations do not tell is infinite, and its covariances are NaN.
         """
-        return self.observability.covariance(self._own[: len(self.names)])
+        found = self.observability.covariance(self._own)
+        if self.problem.parameters.axes:
+            bent = is_bent(np.sqrt(np.diag(found)), self.point.omega)
+            lose(found, bent)
+        return found
 
     @property
     def sigma(self) -> np.ndarray:
@@ -189,14 +194,16 @@ class Found(Alternative):
             raise InputError("t", f"an array of shape {times.shape}", "must be one-dimensional")
         self.motion(times)
         every = np.atleast_1d(times)
-        q, omega, sensitivity = sensitivities(
-            self.point, every - self.problem.epoch, self.problem.engine
-        )
-        seen = self.point.seen(q, omega)
-        own = self.problem.parameters.linear(self.point)
-        rows = observed(self.point, *seen, sensitivity, own)
-        found = *seen, self.observability.widest(rows)
+        since = every - self.problem.epoch
+        seen = self.point.seen(*states(self.point, since, self.problem.engine))
+        found = *seen, self.observability.widest(lambda point: self._rows(point, since))
         return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
+
+    def _rows(self, point: Point, since: np.ndarray) -> np.ndarray:
+        """How states of the axes observed go with the parameters at a point: (N, 6, p)."""
+        q, omega, sensitivity = sensitivities(point, since, self.problem.engine)
+        own = self.problem.parameters.linear(point)
+        return observed(point, *point.seen(q, omega), sensitivity, own)
 
     @property
     def axes(self) -> np.ndarray:

@@ -11,9 +11,9 @@ from rigidsym.fitting.parameters import Point
 from rigidsym.fitting.problem import Problem
 
 LOSSES = ("linear", "soft_l1", "huber", "cauchy", "arctan")
-_MOST_STEPS = 1000
+_MOST_STEPS = 300
 _TOLERANCES = {"xtol": 1e-10, "ftol": 1e-10, "gtol": 1e-10}
-# Of chi2: near the separatrix doubles move it by more than SciPy's tolerances.
+# Of chi2: what makes no difference, where steps get shorter and shorter in a bent valley.
 _FALL = 0.1
 # MINPACK's, in scales of the parameters.
 _FIRST_STEP = 100.0
@@ -60,7 +60,8 @@ def local(
     if found is None:
         return Local(start, np.inf, False, _NOT_FINITE)
     point = problem.parameters.moved(start, basis @ found.x)
-    still = found.status > 0 or _left(found.fun, found.jac) < _FALL
+    natural = problem.parameters.natural(point, problem.span) @ basis
+    still = found.status > 0 or _left(found.fun, found.jac * natural) < _FALL
     return Local(point, 2 * float(found.cost), still, "a minimum" if still else _NO_MINIMUM)
 
 
@@ -128,6 +129,10 @@ class _NotFiniteError(ArithmeticError):
 
 
 def _left(residuals: np.ndarray, slopes: np.ndarray) -> float:
-    """What chi2 would fall by in one more step of Gauss and Newton."""
-    step = np.linalg.lstsq(slopes, -residuals, rcond=None)[0]
-    return float(np.sum((slopes @ step) ** 2))
+    """What chi2 would fall by in one more step of Gauss and Newton, in directions that are told.
+
+    slopes (M, k): by parameters in their natural sizes.  Beyond those sizes errors have all there
+    is within them, and valleys of chi2 bend.
+    """
+    left, sizes, _ = np.linalg.svd(slopes, full_matrices=False)
+    return float(np.sum((residuals @ left[:, sizes > 1]) ** 2))

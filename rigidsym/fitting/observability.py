@@ -1,47 +1,48 @@
 """What the observations tell and what they do not: covariance, and directions nothing tells.
 
-Errors are linear ones, of the derivatives at the minimum, in natural sizes: 1 rad, the rates as
-they are, the moments as they are.  They are looked at once more where they lead: one and two of
-them to both sides along each of their principal axes, and half the natural size along what is not
-told.  Where they are more than twice as large there, in any direction, the larger ones count: what
-the observations tell is what they tell wherever the motion may be.  Directions in which errors
-reach their natural size are null directions, and a parameter that has a part in them is
-unobservable.
+A change of the parameters by their natural size, 1 rad, the rates as they are, the moments as they
+are, is told where it moves the residuals by more than their errors together.  Directions in which
+it does not, by the singular values of the derivatives, are null directions: the linear errors say
+nothing there, and a parameter that has a part in them is unobservable.
+
+Linear errors are looked at once more where they lead: one and two of them to both sides along each
+of their principal axes, where derivatives change their sign between these, and half the natural
+size along null directions.  Where the error of a quantity is more than twice as large there, that
+is its error; where it is as large as can be there, the quantity is unobservable.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
 from rigidsym.fitting.parameters import Point
 from rigidsym.fitting.problem import Problem
 
+_TOLD = 1.0
 # Where errors are looked at again: in units of those told, and of natural sizes.
-_REACH, _HALF = (-2.0, -1.0, 1.0, 2.0), (-0.5, 0.5)
+_REACH, _HALF = (1.0, 2.0), 0.5
 # By how much they have to be larger there.
 _LARGER = 2.0
-# Of natural sizes: errors as large as that, but for rounding.
-_NATURAL = 0.999
+# Of a unit direction: what of it is null somewhere.
+_MOSTLY = 0.5
+
+Rows = Callable[[Point], np.ndarray]
 
 
 @dataclass(frozen=True, slots=True)
-class Observability:
-    """Of p parameters: errors are combinations of `told` (p, a), independent and of size one, and
-    of `blind` (p, b), which nothing tells, at their natural size; null (b, p): the unit directions
-    of these, in units of the natural sizes; bent (c, p): those in which errors are larger than
-    linear ones.
+class Errors:
+    """At a point, of p parameters: errors are combinations of `told` (p, a), independent and of
+    size one, and of `blind` (p, b), which nothing tells, at their natural size; null (b, p): the
+    unit directions, in units of the natural sizes."""
 
-    At the minimum: residuals (M,), and an orthonormal basis `moved` (M, k) of what the parameters
-    move them by more than errors do.
-    """
-
+    point: Point
+    natural: np.ndarray
     told: np.ndarray
     blind: np.ndarray
     null: np.ndarray
-    bent: np.ndarray
-    residuals: np.ndarray
-    moved: np.ndarray
 
     def covariance(self, rows: np.ndarray) -> np.ndarray:
         """Of quantities that go with the parameters as `rows` (k, p): (k, k).
@@ -51,11 +52,15 @@ class Observability:
         """
         told, blind = rows @ self.told, rows @ self.blind
         found = told @ told.T
-        lost = ~(np.sum(blind**2, axis=1) <= np.diag(found))
-        found[lost] = np.nan
-        found[:, lost] = np.nan
-        found[lost, lost] = np.inf
+        lose(found, np.sum(blind**2, axis=1) > np.diag(found))
         return found
+
+    def variance(self, rows: np.ndarray) -> np.ndarray:
+        """Of rows (k, p), (k,): infinite where null directions are most of what there can be."""
+        blind = np.sum((rows @ self.blind) ** 2, axis=-1)
+        told = np.sum((rows @ self.told) ** 2, axis=-1)
+        most = np.sum((rows * self.natural) ** 2, axis=-1)
+        return np.where(blind > np.maximum(told, _MOSTLY**2 * most), np.inf, told + blind)
 
     def widest(self, rows: np.ndarray) -> np.ndarray:
         """Of rows (..., k, p), (..., k, k), null directions at their natural size."""
@@ -63,61 +68,117 @@ class Observability:
         return both @ np.swapaxes(both, -2, -1)
 
 
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where errors lead: derivatives there, and the volume, with its sign, of what one error each
+    way makes of the residuals along what it makes at the minimum."""
+
+    point: Point
+    slopes: np.ndarray
+    volume: float
+
+
+@dataclass(frozen=True)
+class Observability:
+    """At a minimum: errors, residuals (M,) and their derivatives (M, p)."""
+
+    problem: Problem
+    here: Errors
+    residuals: np.ndarray
+    slopes: np.ndarray
+
+    @cached_property
+    def moved(self) -> np.ndarray:
+        """An orthonormal basis (M, a) of what the parameters move the residuals by."""
+        return self.slopes @ self.here.told
+
+    @cached_property
+    def ends(self) -> tuple[Errors, ...]:
+        """Errors where those at the minimum lead, as far as there are motions."""
+        found = [x for side in (1, -1) for one in self.here.told.T for x in self._along(side * one)]
+        found += [self._at(side * one) for side in (_HALF, -_HALF) for one in self.here.blind.T]
+        return tuple(_errors(self.problem, x.point, x.slopes) for x in found if x)
+
+    def _along(self, column: np.ndarray) -> "Iterator[_Place | None]":
+        """Where a column leads, and where derivatives change their sign before that."""
+        places = [self._at(reach * column) for reach in (0.0, *_REACH)]
+        yield from places[1:]
+        for (a, one), (b, other) in pairwise(zip((0.0, *_REACH), places, strict=True)):
+            if one and other and one.volume * other.volume < 0:
+                share = one.volume / (one.volume - other.volume)
+                yield self._at((a + share * (b - a)) * column)
+
+    def _at(self, step: np.ndarray) -> "_Place | None":
+        """None where there are no states."""
+        point = self.problem.parameters.stepped(self.here.point, step)
+        _, slopes = self.problem.linearised(point, self.problem.parameters.linear(point))
+        if not np.isfinite(slopes).all():
+            return None
+        turned = self.moved.T @ slopes @ self.here.told
+        return _Place(point, slopes, float(np.linalg.det(turned)))
+
+    @cached_property
+    def null(self) -> np.ndarray:
+        """Unit directions (k, p), orthonormal, that are null at the minimum or where errors lead.
+
+        In units of the natural sizes.
+        """
+        every = np.vstack([self.here.null, *(one.null for one in self.ends)])
+        _, sizes, right = np.linalg.svd(every, full_matrices=False)
+        return right[sizes > _MOSTLY]
+
+    def covariance(self, rows: Rows) -> np.ndarray:
+        """Of quantities that go with the parameters at a point as its rows (k, p): (k, k)."""
+        found = self.here.covariance(rows(self.here.point))
+        there = (one.variance(rows(one.point)) for one in self.ends)
+        return _widened(found, there)
+
+    def widest(self, rows: Rows) -> np.ndarray:
+        """The same of rows (..., k, p), null directions at their natural size."""
+        found = self.here.widest(rows(self.here.point))
+        there = (one.widest(rows(one.point)) for one in self.ends)
+        return _widened(found, (np.einsum("...ii->...i", x) for x in there))
+
+
 def observability(problem: Problem, point: Point) -> Observability:
     """At a minimum; nothing is told where the motion has no states."""
-    natural = problem.parameters.natural(point, problem.span)
     residuals, slopes = problem.linearised(point, problem.parameters.linear(point))
     if not np.isfinite(residuals).all() or not np.isfinite(slopes).all():
         slopes = np.zeros_like(slopes)
-    here = _errors(slopes * natural)
-    wide, bent = here, []
-    for x in _ends(here):
-        there = _slopes(problem, problem.parameters.stepped(point, natural * x))
-        if there is not None:
-            wide, more = _within(wide, _errors(there * natural))
-            bent.append(more)
-    directions, sizes, _ = np.linalg.svd(wide)
-    told = sizes < _NATURAL
-    moved = slopes * natural @ here
-    return Observability(
-        natural[:, None] * directions[:, told] * sizes[told],
-        natural[:, None] * directions[:, ~told],
-        directions[:, ~told].T,
-        np.concatenate(bent) if bent else np.empty((0, len(natural))),
-        residuals,
-        moved[:, np.linalg.norm(here, axis=0) < 1],
+    return Observability(problem, _errors(problem, point, slopes), residuals, slopes)
+
+
+def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
+    natural = problem.parameters.natural(point, problem.span)
+    rows = np.vstack([slopes * natural, np.zeros((len(natural), len(natural)))])
+    _, sizes, right = np.linalg.svd(np.linalg.qr(rows, "r"))
+    told = sizes > _TOLD
+    return Errors(
+        point,
+        natural,
+        natural[:, None] * right[told].T / sizes[told],
+        natural[:, None] * right[~told].T,
+        right[~told],
     )
 
 
-def _errors(slopes: np.ndarray) -> np.ndarray:
-    """E (p, p) with the covariance E E^T, in natural sizes; its columns are principal axes, and
-    those that nothing tells are of length one."""
-    _, sizes, right = np.linalg.svd(np.linalg.qr(slopes, "r"), full_matrices=True)
-    every = np.zeros(len(right))
-    every[: len(sizes)] = sizes
-    return right.T / np.maximum(every, 1.0)
+def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
+    """A covariance (..., k, k) with the same correlations and variances (..., k) as large as any
+    of those that are larger by the square of a factor that counts."""
+    own = np.einsum("...ii->...i", covariance)
+    most = own.copy()
+    for found in variances:
+        np.fmax(most, found, out=most)
+    larger = (most > _LARGER**2 * own) & (own > 0)
+    factors = np.sqrt(np.where(larger & np.isfinite(most), most / np.where(larger, own, 1.0), 1.0))
+    found = covariance * factors[..., :, None] * factors[..., None, :]
+    if found.ndim == 2:
+        lose(found, np.isinf(most))
+    return found
 
 
-def _ends(errors: np.ndarray) -> Iterator[np.ndarray]:
-    """Where errors lead, in natural sizes."""
-    for column in errors.T:
-        for reach in _REACH if np.linalg.norm(column) < 1 else _HALF:
-            yield reach * column
-
-
-def _slopes(problem: Problem, point: Point) -> np.ndarray | None:
-    """Of the residuals; None where the motion has no states."""
-    _, found = problem.linearised(point, problem.parameters.linear(point))
-    return found if np.isfinite(found).all() else None
-
-
-def _within(errors: np.ndarray, others: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The least errors with both of them within, and unit directions (c, p) of what is new.
-
-    E^-1 E' = U S V^T: in axes in which E is the unit sphere, E' is an ellipsoid of half axes S.
-    """
-    axes, sizes, _ = np.linalg.svd(np.linalg.solve(errors, others))
-    larger = sizes > _LARGER
-    wide = errors @ (axes * np.where(larger, sizes, 1.0))
-    new = wide[:, larger]
-    return wide, (new / np.linalg.norm(new, axis=0)).T
+def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
+    """Make variances infinite, and their covariances no numbers."""
+    covariance[lost] = np.nan
+    covariance[:, lost] = np.nan
+    covariance[lost, lost] = np.inf

@@ -25,7 +25,7 @@ IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 # What two of three logarithms move: an orthonormal basis across (1, 1, 1).
 _SHAPES = np.array([[1.0, 1.0], [-1.0, 1.0], [0.0, -2.0]]) / np.sqrt([2.0, 6.0])
 # Of the sum of the second moments: flatter bodies are not told from flat ones.
-_THINNEST = 1e-12
+_THINNEST = 1e-9
 # What a start has to have of them: logarithms hardly leave flat bodies.
 _INNER = 1e-6
 

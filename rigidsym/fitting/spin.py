@@ -11,8 +11,9 @@ from scipy.stats import chi2
 
 from rigidsym.fitting.alignment import aligned
 from rigidsym.fitting.local import Local, local
-from rigidsym.fitting.parameters import Point
+from rigidsym.fitting.parameters import IDENTITY, Point
 from rigidsym.fitting.problem import Problem
+from rigidsym.quaternions import product
 
 # That errors alone look like more than a spin.
 _CHANCE = 1e-3
@@ -31,12 +32,25 @@ def spin(problem: Problem, best: Local, loss: str) -> Local | None:
     axis = int(np.argmax(np.abs(best.point.omega)))
     across = [3 + k for k in range(3) if k != axis]
     kept = [k for k, x in enumerate(names) if not x.startswith("shape") and k not in across]
-    omega = np.where(np.arange(3) == axis, best.point.omega, 0.0)
-    one = Point(*(x[None] for x in (best.point.attitude, omega, best.point.moments,
-                                    best.point.mount)))  # fmt: skip
-    start = replace(aligned(problem, one)[0])
+    start = _about(axis, best.point, problem.parameters.axes)
+    one = Point(*(x[None] for x in (start.attitude, start.omega, start.moments, start.mount)))
+    start = aligned(problem, one)[0]
     found = local(problem, start, loss, np.eye(len(names))[:, kept])
     free = len(names) - len(kept) - (2 if problem.parameters.axes else 0)
-    trials = max(1.0, float(np.linalg.norm(omega)) * problem.span / np.pi)
+    trials = max(1.0, float(np.linalg.norm(start.omega)) * problem.span / np.pi)
     gain = float(chi2.isf(_CHANCE / trials, max(free, 1)))
     return found if found.converged and found.cost <= best.cost + gain else None
+
+
+def _about(axis: int, point: Point, anywhere: bool) -> Point:
+    """The spin about one of the principal axes; which lies where the rates are if it may."""
+    omega = np.where(np.arange(3) == axis, point.omega, 0.0)
+    if not anywhere:
+        return replace(point, omega=omega)
+    size = np.linalg.norm(point.omega)
+    omega *= size / max(np.linalg.norm(omega), 1e-300)
+    # The shortest rotation from one to the other, whose cosine is at least 1/sqrt(3).
+    across = np.concatenate([[size**2 + omega @ point.omega], np.cross(omega, point.omega)])
+    turn = across / max(np.linalg.norm(across), 1e-300)
+    mount = product(point.mount, turn if size else IDENTITY)
+    return replace(point, omega=omega, mount=mount)

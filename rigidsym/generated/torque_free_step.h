@@ -21,7 +21,7 @@ Lines of code:
     144  16 %  follow facts of the ledger, each named on its line
      77   8 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    683  75 %  are the runtime, written by hand
+    688  75 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 68705d8fe3f8bb1b5f966460a6bd4f00bb2e5d582782ad247a40fd9870e7ed30
+digest 70e6cbb21391e6545b3b0c7ec55271a409f975ab929294d499960d53d5add9e6
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
@@ -110,13 +110,16 @@ typedef struct {
    is there.  vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
    that is not null, u is that from the mass point times sqrt(3 mu/r^5).  coefficients: three b, k,
    three m, and Q11, Q22, Q33, Q23, Q13, Q12 of body k at coefficients + k coefficients_stride.
-   Strides are 3 and 13, or 0 where all have the same. */
+   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds what else
+   pushes a body of attitude q at a time, in body axes, and is handed data. */
 typedef struct {
     const double *coefficients;
     size_t coefficients_stride;
     const double *vector;
     size_t vector_stride;
     const torque_free_orbit *orbit;
+    void (*more)(double t, const double q[4], double torque[3], void *data);
+    void *data;
 } torque_free_torque;
 
 /* A splitting method: drift, kick, drift ... kick, drift, as shares of a step; a drift more than

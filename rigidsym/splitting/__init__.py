@@ -1,5 +1,6 @@
 """Bodies that something pushes: splitting methods on the exact free motion (`integrate`)."""
 
+from rigidsym.splitting.in_c import TorqueInC
 from rigidsym.splitting.integration import integrate
 from rigidsym.splitting.methods import METHODS, Method
 from rigidsym.splitting.orbits import KeplerOrbit
@@ -25,6 +26,7 @@ __all__ = [
     "Potential",
     "Tide",
     "Torque",
+    "TorqueInC",
     "Trajectory",
     "integrate",
 ]

@@ -25,6 +25,7 @@ def kicks(
         orbit=None if orbit is None else orbit.numbers,
         drifts=np.array(method.drifts),
         kicks=np.array(method.kicks),
+        more=torque.more,
     )
 
 

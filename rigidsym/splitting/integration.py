@@ -38,7 +38,8 @@ def integrate(
     inertia (..., 3), q0 (..., 4), omega0 (..., 3): leading shapes broadcast; units, conventions
     and engines are those of `TorqueFreeMotion`.  torque: a function of t (s), q (..., 4) and omega
     (..., 3) that returns N m in body axes, (..., 3); those in `rigidsym.splitting` are ready made.
-    One that depends on omega needs `rate_dependent=True`, and four evaluations a kick.
+    One that depends on omega needs `rate_dependent=True`, and four evaluations a kick.  With
+    engine="c" runs under the ready-made ones, but for `Potential`, go without Python in between.
 
     method: "strang", "saba2", "aba84", "bm4" or "bm6" (`rigidsym.splitting.METHODS` has their
     coefficients, orders and sources): free motions, which are exact, and kicks by the torque in

@@ -29,6 +29,9 @@ class DirectionTorque:
     without Python in between.
     """
 
+    more: tuple[int | None, int | None] = (None, None)
+    "Addresses of a function of C that adds to the torque, and of what it is handed."
+
     def __init__(self, source: np.ndarray | KeplerOrbit, coefficients: np.ndarray) -> None:
         self.source, self.coefficients = source, coefficients
 

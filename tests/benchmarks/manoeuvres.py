@@ -1,6 +1,6 @@
 """How long plans take, whether they are the cheapest there are, and what shooting costs instead.
 
-    python tests/benchmarks/manoeuvres.py [PROBLEMS] [--brute] [--shooting]
+    python tests/benchmarks/manoeuvres.py [PROBLEMS] [--brute] [--shooting N] [--differences N]
 
 Random bodies (any, nearly symmetric, flat, rods, nearly spheres) and turns (any, by 180 degrees,
 about the middle axis nearly, small, nearly symmetries), from rest to rest, by the C engine.
@@ -8,12 +8,13 @@ about the middle axis nearly, small, nearly symmetries), from rest to rest, by t
 of which the best 1000 are refined, must find none cheaper.  --shooting N: N of the problems also by
 SciPy's DOP853 at 1e-13, side by side: the same search with its motions integrated, all at once, and
 plain shooting by least squares from a turn about the axis of the whole turn: it finds some motion.
+--differences N: N of the searches also refined by central differences instead of sensitivities.
 """
 
 import argparse
 import sys
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -25,9 +26,12 @@ from random_manoeuvres import brute, manoeuvre, posed
 from rigidsym import engines
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.families import families, least
+from rigidsym.manoeuvre.problem import Problem
 from rigidsym.validate.peers.equations import rates
 
 TOLERANCE = 1e-13
+# Of central differences: their error and that of rounding are about the same.
+STEP = 1e-5
 GOAL_MS, RESIDUAL, DEARER = 20.0, 1e-12, 1e-9
 
 
@@ -53,6 +57,8 @@ def main(arguments) -> int:
     failed = _report(milliseconds, residuals, dearer)
     if options.shooting:
         _shooting(problems[: options.shooting])
+    if options.differences:
+        _differences(problems[: options.differences])
     return int(failed)
 
 
@@ -61,6 +67,7 @@ def _options(arguments):
     parser.add_argument("problems", nargs="?", type=int, default=1000)
     parser.add_argument("--brute", action="store_true")
     parser.add_argument("--shooting", type=int, default=0, metavar="N")
+    parser.add_argument("--differences", type=int, default=0, metavar="N")
     return parser.parse_args(arguments)
 
 
@@ -91,6 +98,29 @@ class Integrated:
         )
         end = found.y[:, -1].reshape(7, *shape[:-1], 1)
         return np.moveaxis(end[:4], 0, -1), np.moveaxis(end[4:], 0, -1)
+
+
+class Differenced(Problem):
+    """Slopes by central differences, all of them in one batch."""
+
+    def slopes(self, rates):
+        moved = STEP * np.concatenate([np.zeros((1, 3)), np.eye(3), -np.eye(3)])
+        found = self.misses(rates[:, None] + moved)
+        return found[:, 0], np.swapaxes(found[:, 1:4] - found[:, 4:], 1, 2) / (2 * STEP)
+
+
+def _differences(problems) -> None:
+    """What a search takes by differences, over what it takes by sensitivities; they take turns."""
+    spent = np.zeros((len(problems), 2))
+    for k, asked in enumerate(problems):
+        exact = posed(asked, engines.engine("c"))
+        ways = exact, Differenced(exact.inertia, exact.turn, exact.engine)
+        for way, one in enumerate(ways):
+            begin = process_time()
+            families(one, least(one))
+            spent[k, way] = process_time() - begin
+    ratio = spent[:, 1].sum() / spent[:, 0].sum()
+    print(f"{len(problems)} searches refined by differences: {ratio:.2f} times as long")
 
 
 def _shooting(problems) -> None:

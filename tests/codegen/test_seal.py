@@ -330,7 +330,7 @@ def blurred(constant_text, constant):
 
 def moved(function_lines, function, number, signature, ends):
     """The two results of a function change places."""
-    ends = [line.replace("= s;", "= c;") for line in ends]
+    ends = [line.replace("= s5;", "= c5;") for line in ends]
     return function_lines(function, number, signature, ends)
 
 

@@ -1,9 +1,12 @@
 """C's loop takes bodies where steps and kicks from Python do."""
 
+import ctypes
+
 import numpy as np
 import pytest
 
 import rigidsym
+from rigidsym.engines.compiler import compile_library, find
 from rigidsym.errors import InputError
 from rigidsym.splitting import (
     METHODS,
@@ -12,6 +15,7 @@ from rigidsym.splitting import (
     FieldPotential,
     GravityGradient,
     KeplerOrbit,
+    TorqueInC,
     compiled,
 )
 
@@ -94,6 +98,63 @@ def test_how_many_steps_go_into_a_call_changes_nothing(monkeypatch):
     whole = rigidsym.integrate(*start, step=0.1, engine="c")
     monkeypatch.setattr(compiled, "_AT_ONCE", 12)
     assert apart(whole, rigidsym.integrate(*start, step=0.1, engine="c")) < 1e-13
+
+
+LEVER = """
+void lever(double t, const double q[4], double torque[3], void *data)
+{
+    const double *m = data, a = q[0], b = q[1], c = q[2], d = q[3];
+    const double x = 2.0 * (b * d - a * c), y = 2.0 * (c * d + a * b);
+    const double z = a * a - b * b - c * c + d * d;
+    torque[0] += m[1] * z - m[2] * y;
+    torque[1] += m[2] * x - m[0] * z;
+    torque[2] += m[0] * y - m[1] * x;
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def lever(tmp_path_factory):
+    """A dipole in a field along z as a function of C."""
+    place = tmp_path_factory.mktemp("lever")
+    return ctypes.CDLL(str(compile_library(find(), {"lever.c": LEVER}, place))).lever
+
+
+@pytest.mark.parametrize("engine", ["c", "numpy"])
+def test_a_function_of_c_is_a_torque(lever, engine):
+    moment = np.array([0.1, 0.2, 0.3])
+    torque = TorqueInC(lever, moment.ctypes.data)
+    field = FieldPotential((0.0, 0.0, 1.0), linear=moment)
+    rates = np.array(RATES) * np.linspace(1.0, 2.0, 3)[:, None]
+    found, expected = (
+        rigidsym.integrate(BODY, START, rates, x, TIMES, step=0.5, engine=engine)
+        for x in (torque, field)
+    )
+    assert apart(found, expected) < 1e-13
+
+
+def test_it_may_be_an_address(lever):
+    moment = np.array([0.1, 0.2, 0.3])
+    address = ctypes.cast(lever, ctypes.c_void_p).value
+    q, omega = np.array([[0.1, -0.7, 0.5, 0.5]]), np.zeros((1, 3))
+    found = [TorqueInC(x, moment.ctypes.data)(0.0, q, omega) for x in (lever, address)]
+    assert np.array_equal(*found)
+    assert np.all(found[0] != 0)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (("lever",), "^function = 'lever': must be a function of ctypes"),
+        ((0,), "^function = 0: must be a function of ctypes"),
+        ((None,), "^function = None: must be a function of ctypes"),
+        ((4096, 1.5), "^data = 1.5: must be an address"),
+        ((4096, True), "^data = True: must be an address"),
+    ],
+)
+def test_what_is_no_function_of_c_is_refused(arguments, line):
+    with pytest.raises(InputError, match=line):
+        TorqueInC(*arguments)
 
 
 def test_threads_change_no_bit(monkeypatch):

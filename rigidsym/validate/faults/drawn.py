@@ -78,6 +78,9 @@ HARMLESS = {
             ("real", "F_square_5", "doubled (16)"),
         )
     },
+    "behind_error of imaginary_angles: product_error forgotten (4)": (
+        "1e-16 of what whole turns have added by then"
+    ),
     "sum_even of real_state: a sign turned (5)": "is times the nome to the 16th, below 2e-22",
     **{
         f"c_{k} of circulation: a term dropped ({n})": "what is not zero still is not"
@@ -152,10 +155,9 @@ def _printer(target: str) -> _Printer:
     language, form = split(target)
     if language == "numpy":
         return _Printer(numpy.function_lines, _definition, numpy.constant_text, "  #")
-    kept = c.kept(_functions(form))
 
     def lines(function: Function) -> Lines:
-        printed = c.pieces(function, kept)[0]
+        printed = c.pieces(function, _functions(form))[0]
         return replace(printed, text=tuple(module.named(line, form) for line in printed.text))
 
     def first_line(function: Function) -> str:

@@ -53,7 +53,7 @@ STRATA_CHOSEN = {
 
 
 # And of faults in sensitivities.
-COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "scales"
+COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "beside separatrix"
 # And of those in steps.
 STEPS_CHOSEN = {"uniform": 2, "rod": 9, "scales": 9, "rest": 1, "special values": 4, "spin": 3}
 

@@ -103,15 +103,7 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     used = {name for function in functions for name in function.used()}
     head = [constant_text(c) for c in constants if c.name in used]
     head += ["", *lanes.struct_text(functions), ""]
-    still, extended = kept(functions), lanes.pairs(functions)
-    beside = {*(f.name for f in lanes.side_by_side(functions))}
-    text = [Lines(tuple(head), {})]
-    for f in functions:
-        if f.name in beside:
-            text.append(lanes.lines(f, extended, _let_lines(f)))
-        else:
-            text += pieces(f, still)
-    return text
+    return [Lines(tuple(head), {}), *(part for f in functions for part in pieces(f, functions))]
 
 
 def kept(functions: Iterable[Function]) -> frozenset[tuple[str, str]]:
@@ -120,8 +112,10 @@ def kept(functions: Iterable[Function]) -> frozenset[tuple[str, str]]:
     return frozenset((branch(f), name) for f in made for name in flat_results(f))
 
 
-def pieces(function: Function, constants: frozenset[tuple[str, str]]) -> list[Lines]:
-    """A function as it is printed, `_discriminant` twice; what is not `kept` changes with time."""
+def pieces(function: Function, among: tuple[Function, ...]) -> list[Lines]:
+    """A function among all of its module as it is printed, `_discriminant` twice."""
+    if lanes.takes_several(function):
+        return [lanes.lines(function, lanes.pairs(among), _let_lines(function))]
     if function.name == "_discriminant":
         every = replace(function, extended=frozenset(function.parameters))
         return [_valued(every, number, f"discriminant_{number}") for number in ("dd", "exact")]
@@ -131,7 +125,8 @@ def pieces(function: Function, constants: frozenset[tuple[str, str]]) -> list[Li
         return [_valued(function, "double", function.name[1:], "INLINED double")]
     if function.extended:
         return [_extended_function(function)]
-    return [_loop(function, constants)]
+    # What is not kept changes with time.
+    return [_loop(function, kept(among))]
 
 
 def branch_struct(function: Function) -> str:

@@ -13,12 +13,11 @@ _LOOP = "for (size_t i = 0; i < n; i++) {"
 
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
     """All functions in order; `_discriminant` is there for two kinds of numbers."""
-    beside = {*(f.name for f in lanes.side_by_side(functions))}
     extended = lanes.pairs(functions)
     members = {f.name: {*flat_results(f)} for f in functions if f.name.endswith("_constants")}
     for function in functions:
         name = function.name[1:]
-        if function.name in beside:
+        if lanes.takes_several(function):
             yield lanes.frame(function, extended)
         elif name == "discriminant":
             every = replace(function, extended=frozenset(function.parameters))

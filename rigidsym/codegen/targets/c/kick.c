@@ -90,17 +90,28 @@ static int drifted(lanes *x, pushed *of, double dt, size_t *failed)
     return TORQUE_FREE_STEP_OK;
 }
 
-static void kicked(lanes *x, pushed *of, const torque_free_orbit *orbit, double t, double dt)
+static void add_more(lanes *x, const pushed *of, const torque_free_torque *torque, double t)
 {
-    if (orbit) {
+    for (size_t i = 0; i < of->count; i++) {
+        double sum[3] = {x->T1[i], x->T2[i], x->T3[i]};
+        torque->more(t, of->q[i], sum, torque->data);
+        x->T1[i] = sum[0], x->T2[i] = sum[1], x->T3[i] = sum[2];
+    }
+}
+
+static void kicked(lanes *x, pushed *of, const torque_free_torque *torque, double t, double dt)
+{
+    if (torque->orbit) {
         double u[3];
-        seen_from(orbit, t, u);
+        seen_from(torque->orbit, t, u);
         for (size_t i = 0; i < of->count; i++)
             set_vector(x, i, u);
     }
     for (size_t i = 0; i < of->count; i++)
         x->q0[i] = of->q[i][0], x->q1[i] = of->q[i][1], x->q2[i] = of->q[i][2], x->q3[i] = of->q[i][3];
     step_kick(of->count, x);
+    if (torque->more)
+        add_more(x, of, torque, t);
     for (size_t i = 0; i < of->count; i++) {
         of->omega[i][0] += dt * (x->T1[i] / of->inertia[i][0]);
         of->omega[i][1] += dt * (x->T2[i] / of->inertia[i][1]);
@@ -110,8 +121,8 @@ static void kicked(lanes *x, pushed *of, const torque_free_orbit *orbit, double 
 
 /* All steps of some bodies. */
 static int advanced(lanes *x, pushed *of, const torque_free_splitting *method,
-                    const torque_free_orbit *orbit, double begin, double step, size_t first, size_t last,
-                    size_t *failed)
+                    const torque_free_torque *torque, double begin, double step, size_t first,
+                    size_t last, size_t *failed)
 {
     double pending = 0.0;
     for (size_t k = first; k < last; k++) {
@@ -122,7 +133,7 @@ static int advanced(lanes *x, pushed *of, const torque_free_splitting *method,
                 return code;
             pending = 0.0;
             into += method->drifts[part];
-            kicked(x, of, orbit, begin + ((double)k + into) * step, method->kicks[part] * step);
+            kicked(x, of, torque, begin + ((double)k + into) * step, method->kicks[part] * step);
         }
         pending = method->drifts[method->count];
     }
@@ -154,7 +165,7 @@ int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride
             if (!torque->orbit)
                 set_vector(&x, i, torque->vector + k * torque->vector_stride);
         }
-        const int code = advanced(&x, &of, method, torque->orbit, begin, step, first, last, failed);
+        const int code = advanced(&x, &of, method, torque, begin, step, first, last, failed);
         if (code != TORQUE_FREE_STEP_OK) {
             *failed = start + (*failed < count ? *failed : count - 1);
             return code;

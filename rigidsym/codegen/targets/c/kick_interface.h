@@ -9,13 +9,16 @@ typedef struct {
    is there.  vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
    that is not null, u is that from the mass point times sqrt(3 mu/r^5).  coefficients: three b, k,
    three m, and Q11, Q22, Q33, Q23, Q13, Q12 of body k at coefficients + k coefficients_stride.
-   Strides are 3 and 13, or 0 where all have the same. */
+   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds what else
+   pushes a body of attitude q at a time, in body axes, and is handed data. */
 typedef struct {
     const double *coefficients;
     size_t coefficients_stride;
     const double *vector;
     size_t vector_stride;
     const torque_free_orbit *orbit;
+    void (*more)(double t, const double q[4], double torque[3], void *data);
+    void *data;
 } torque_free_torque;
 
 /* A splitting method: drift, kick, drift ... kick, drift, as shares of a step; a drift more than

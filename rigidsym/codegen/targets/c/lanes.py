@@ -18,7 +18,12 @@ _MOTIONS = ("_initial_state", "_circular_constants", "_hyperbolic_constants")
 
 def side_by_side(functions: Iterable[Function]) -> tuple[Function, ...]:
     """Those of the functions that take several bodies at once."""
-    return tuple(f for f in functions if _is_step(f) or f.name in _MOTIONS)
+    return tuple(filter(takes_several, functions))
+
+
+def takes_several(function: Function) -> bool:
+    """Whether a function takes several bodies at once."""
+    return _is_step(function) or function.name in _MOTIONS
 
 
 def _is_step(function: Function) -> bool:

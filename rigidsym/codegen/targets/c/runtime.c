@@ -18,6 +18,12 @@ static double scaled_by(double x, int n)
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
 }
 
+static double_double scaled(double_double x, int n)
+{
+    const double_double y = {scaled_by(x.hi, n), scaled_by(x.lo, n)};
+    return y;
+}
+
 static int all_finite(size_t n, const double *x)
 {
     for (size_t k = 0; k < n; k++)
@@ -683,6 +689,18 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     return TORQUE_FREE_OK;
 }
 
+/* The states of one of many bodies; times that are too late have none where `lenient`. */
+static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
+                     int lenient)
+{
+    if (n != 1)
+        return states_at(motion, n, t, q, omega, lenient);
+    const int code = torque_free_state_at(motion, *t, q, omega);
+    if (code != TORQUE_FREE_OK && lenient)
+        no_states(1, q, omega);
+    return code;
+}
+
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
@@ -705,7 +723,7 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
             const size_t k = first + i;
             double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
             if (code[i] == TORQUE_FREE_OK)
-                code[i] = states_at(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
+                code[i] = states_of(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
             else if (codes)
                 no_states(n, q_k, omega_k);
             if (codes) {

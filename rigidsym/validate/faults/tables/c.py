@@ -267,15 +267,15 @@ _DIGITS = (
     _fault(
         "scale",
         "moments not scaled",
-        "int torque_free_motion_init(torque_free_motion",
-        "ldexp(inertia[k], -c_scale)",
+        "static int begin_doubles(",
+        "scaled_by(inertia[k], -c_scale)",
         "inertia[k]",
     ),
     _fault(
         "scale",
         "attitude0 not scaled",
-        "int torque_free_motion_init(torque_free_motion",
-        "ldexp(attitude0[k], -q_scale)",
+        "static int begin_doubles(",
+        "scaled_by(attitude0[k], -q_scale)",
         "attitude0[k]",
     ),
     _fault(
