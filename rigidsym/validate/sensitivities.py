@@ -117,7 +117,7 @@ def share(engine: Engine, reference: ColumnsReference) -> float:
     asked = _is_asked(_sizes(reference.columns)).all(axis=1, keepdims=True)
     if np.any(asked & np.isnan(wrong)):
         return math.inf
-    return float(np.nanmax(wrong, initial=0.0)) / BOUND
+    return float(np.nanmax(wrong, initial=0.0)) / bound_of(reference.sample.stratum)
 
 
 def by_stratum(

@@ -58,14 +58,15 @@ def fall(truth, fit):
 
 def agree(squares, least, most):
     """Whether a sum of squares is chi2 of so many degrees of freedom, at 1 %, on both sides."""
+    least = max(least, 1)
     return chi2.sf(squares, most) > CHANCE / 2 and chi2.cdf(squares, least) > CHANCE / 2
 
 
-def free(fit):
+def free(stratum, fit):
     """How many parameters chi2 falls by, at least and at most: those that are told, less one at
-    the edge of what bodies can be, and all."""
+    the edge of what bodies can be, and all.  A wobble that a spin does not have makes it less."""
     if fit.spinning:
-        return 4, 4
+        return 4 if stratum == "spin" else 0, 4
     slack = np.sum(fit.moments) - 2 * np.max(fit.moments)
     return fit.observability.here.told.shape[1] - bool(slack < EDGE * np.max(fit.moments)), 8
 
@@ -88,7 +89,7 @@ def examine(stratum, count):
             without += 1
             continue
         falls += fall(truth, fit)
-        bounds = free(fit)
+        bounds = free(stratum, fit)
         least, most = least + bounds[0], most + bounds[1]
         far += apart(truth, fit) > FAR
         own = told(fit, truth)

@@ -352,8 +352,8 @@ _DIGITS = (
         "callers",
         "one refused body ends a batch that goes on",
         "int torque_free_propagate(",
-        "codes[k] = code;",
-        "if ((codes[k] = code) != 0) return 0;",
+        "codes[k] = code[i];",
+        "if ((codes[k] = code[i]) != 0) return 0;",
     ),
     _fault(
         "ulps",
