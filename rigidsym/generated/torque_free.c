@@ -1570,8 +1570,8 @@ static void moduli(double_double c_a, double_double c_b, double_double c_d, doub
 /* What both directions are made from; reach: beyond which p t^2 phases are known. */
 static void along_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
-    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
-    double axis_b, double axis_d, double reach, torque_free_along *motion)
+    double_double Omega_b0, double_double Omega_d0, double axis_a, double axis_b,
+    double axis_d, double reach, torque_free_along *motion)
 {
     const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
     const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
@@ -3637,7 +3637,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "13912e719790f0558db80d586485ced7887c5fdcf6ad74382481179ae1d32e46"; }
+const char *torque_free_digest(void) { return "b5b275758892d328abb5843af171e13180acfa5c81288e0532e9bd8246255063"; }
 
 const char *torque_free_message(int code)
 {
@@ -3705,7 +3705,7 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
                               turns_over ? motion->of.hyperbolic.y0_lo : 0.0};
     double_double p, r, apart, lambda_, divisor, modulus, complement;
     moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &p, &r, &apart, &lambda_, &divisor, &modulus, &complement);
-    along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, reach, &made->along);
+    along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, axis_a, axis_b, axis_d, reach, &made->along);
     columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &made->columns);
     made->is_real = modulus.hi * modulus.hi <= max_real;
     if (made->is_real)

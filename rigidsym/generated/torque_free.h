@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 13912e719790f0558db80d586485ced7887c5fdcf6ad74382481179ae1d32e46
+digest b5b275758892d328abb5843af171e13180acfa5c81288e0532e9bd8246255063
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 9cdabaf6e194fd78a7cf18ece2c37bf0f298c7aedd264d248d29eca4eef44c38
+digest bc3936759d6cfdb260213685ac64d1c90f60e88632a8f355b3cafbfbf40837ef
 """
 
 # ruff: noqa
@@ -902,7 +902,7 @@ def _moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, 
     return p, r, apart, lambda_, divisor, modulus, complement
 
 
-def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, reach):
+def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, axis_a, axis_b, axis_d, reach):
     """What both directions are made from; reach: beyond which p t^2 phases are known."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
@@ -1579,7 +1579,7 @@ SENSITIVITY = {
     },
     'along': {
         'constants': _along_constants,
-        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d', 'reach'),
+        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'axis_a', 'axis_b', 'axis_d', 'reach'),
         'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'share', 'half_over_p', 'reach'),
         'state': _along_state,
         'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 'passed', 'turned', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
