@@ -103,8 +103,11 @@ def _refused(
         return InputError(error.field, "as given", error.rule)
     array, tail = given[error.field], 1 if error.field in _SIZES else 0
     own = array.shape[: array.ndim - tail]
-    if math.prod(own) == 1:
-        return InputError(error.field, array.reshape(array.shape[len(own) :])[()], error.rule)
     place = np.unravel_index(error.body, shape)
+    named = ", ".join(map(str, place))
+    if math.prod(own) == 1:
+        # One for all bodies: which of them it is refused for.
+        rule = error.rule if math.prod(shape) == 1 else f"{error.rule} (body {named})"
+        return InputError(error.field, array.reshape(array.shape[len(own) :])[()], rule)
     value = np.broadcast_to(array, (*shape, *array.shape[len(own) :]))[place]
-    return InputError(f"{error.field}[{', '.join(map(str, place))}]", value, error.rule)
+    return InputError(f"{error.field}[{named}]", value, error.rule)

@@ -279,7 +279,7 @@ assert finding.share("numpy") <= 1
 assert finding.share("peer dop853") > 1e6
 assert beside.passed
 assert all(beside.share("peer dop853", name) > beside.share("numpy", name) for name in AMONG)
-assert {fault.target for fault in faults} == {"numpy", "c", "numpy-pi", "c-pi"}
+assert {fault.target for fault in faults} == {"numpy", "c", "numpy-pi", "c-pi", "numpy-step", "c-step"}
 assert notices["paper"] is None
 assert notices["branch switch"] is not None
 assert len(agreement) == len(STRATA)

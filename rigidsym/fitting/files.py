@@ -1,7 +1,7 @@
 """Files of observations: TOML for all kinds, CSV for attitudes and rates, CCSDS messages."""
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -168,10 +168,14 @@ def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
     header = list(rows[0]) if rows else []
     known = ("t", *_COLUMNS["attitudes"], *_COLUMNS["rates"], *_SIGMAS.values())
     for name in header:
+        if name is None:
+            raise InputError("header", f"{len(header) - 1} columns", "a line has more cells")
         if name not in known:
             raise InputError("header", name, f"is not one of: {', '.join(known)}")
     found = {
-        kind: _columns(kind, rows, sigma) for kind, names in _COLUMNS.items() if names[0] in header
+        kind: _columns(kind, rows, sigma)
+        for kind, names in _COLUMNS.items()
+        if _has(header, ("t", *names), names)
     }
     kinds: dict[str, type[Observations]] = {"attitudes": Attitudes, "rates": Rates}
     sets: dict[str, list[Observations]] = {
@@ -180,6 +184,16 @@ def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
         if len(times)
     }
     return File(sets)
+
+
+def _has(header: list[str], needed: Collection[str], names: Collection[str]) -> bool:
+    """Whether a table has some columns; raises InputError where it has a part of them."""
+    if not any(name in header for name in names):
+        return False
+    for name in needed:
+        if name not in header:
+            raise InputError("header", f"no {name}", f"is needed with {', '.join(names)}")
+    return True
 
 
 def _columns(

@@ -23,6 +23,8 @@ from rigidsym.quaternions import matrices
 if TYPE_CHECKING:
     from rigidsym.solution.mode import Mode
 
+# Of errors: over which periods are straight.
+_SMALL = 0.1
 # Of the largest moment: what is left to the triangle inequality of a flat body.
 _THIN = 1e-4
 NAMES = (
@@ -115,6 +117,22 @@ class Found(Alternative):
             share = point.moments / point.moments[largest]
             found[6:9] = unit * (found[6:9] - np.outer(share, found[6 + largest]))
         return found[: len(self.names)]
+
+    @cached_property
+    def periods_sigma(self) -> Periods:
+        """Linear standard deviations of the periods, s; None where there are no periods."""
+        ends = [
+            [self._periods(side * _SMALL * one) for side in (1, -1)]
+            for one in self.observability.here.told.T
+        ]
+        return Periods(*(_spread([[x[k] for x in two] for two in ends]) for k in (0, 1)))
+
+    def _periods(self, step: np.ndarray) -> tuple[float | None, float | None]:
+        """Of the motion a step of the parameters away."""
+        point = self.problem.parameters.stepped(self.point, step)
+        parts = (point.moments, point.omega, point.attitude)
+        found = periods(TorqueFreeMotion(*(x.tolist() for x in parts)))
+        return found.rotation, found.precession
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -221,3 +239,11 @@ class Found(Alternative):
         and the errors of its moments are those along that edge."""
         largest = np.max(self.moments)
         return bool(np.sum(self.moments) - 2 * largest < _THIN * largest)
+
+
+def _spread(ends: list[list[float | None]]) -> float | None:
+    """What independent errors make of a quantity, by its values a small part of each away."""
+    told = [(one, other) for one, other in ends if one is not None and other is not None]
+    if len(told) < len(ends) or not told:
+        return None
+    return float(np.linalg.norm([one - other for one, other in told]) / (2 * _SMALL))

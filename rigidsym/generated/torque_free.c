@@ -74,7 +74,7 @@ typedef struct { double hi, lo; } double_double;
 #define fused(a, b, c) ((a) * (b) + (c))
 
 /* The upper half of the digits of a (Veltkamp); a must stay below 2^995. */
-static inline double upper_half(double a)
+static INLINED double upper_half(double a)
 {
     const double c = 134217729.0 * a;
     const double d = c - a;
@@ -82,7 +82,7 @@ static inline double upper_half(double a)
 }
 
 /* a b - p exactly, where p is the rounded product (Dekker). */
-static inline double product_error(double a, double b, double p)
+static INLINED double product_error(double a, double b, double p)
 {
     const double a1 = upper_half(a), b1 = upper_half(b);
     const double a2 = a - a1, b2 = b - b1;
@@ -94,7 +94,7 @@ static inline double product_error(double a, double b, double p)
 #endif
 
 /* The nearest whole number, for |x| < 2^51. */
-static inline double nearest(double x)
+static INLINED double nearest(double x)
 {
     const double shifted = x + 6755399441055744.0;
     return shifted - 6755399441055744.0;
@@ -102,14 +102,14 @@ static inline double nearest(double x)
 
 /* Copies that compilers see through.  In n + 3 2^51 the last bits are those of the whole number n,
    |n| < 2^51. */
-static inline uint64_t bits_of(double x)
+static INLINED uint64_t bits_of(double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
 
-static inline double from_bits(uint64_t bits)
+static INLINED double from_bits(uint64_t bits)
 {
     double x;
     memcpy(&x, &bits, sizeof x);
@@ -117,31 +117,31 @@ static inline double from_bits(uint64_t bits)
 }
 
 /* (-1)^n for a whole number n: its last bit becomes the sign of 1. */
-static inline double alternating(double n)
+static INLINED double alternating(double n)
 {
     return from_bits(UINT64_C(0x3ff0000000000000) | bits_of(n + 6755399441055744.0) << 63);
 }
 
 /* 2^n for a whole number n between -1022 and 1023, from its bits. */
-static inline double power_of_two(double n)
+static INLINED double power_of_two(double n)
 {
     return from_bits(bits_of(n + (6755399441055744.0 + 1023.0)) << 52);
 }
 
 /* one where x <= y, else other. */
-static inline double choose(double x, double y, double one, double other)
+static INLINED double choose(double x, double y, double one, double other)
 {
     return x <= y ? one : other;
 }
 
-static inline double_double dd_of(double a)
+static INLINED double_double dd_of(double a)
 {
     const double_double x = {a, 0.0};
     return x;
 }
 
 /* a + b exactly (Knuth). */
-static inline double_double two_sum(double a, double b)
+static INLINED double_double two_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
@@ -151,7 +151,7 @@ static inline double_double two_sum(double a, double b)
 }
 
 /* a + b exactly, for |a| >= |b| (Dekker). */
-static inline double_double quick_sum(double a, double b)
+static INLINED double_double quick_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
@@ -160,68 +160,68 @@ static inline double_double quick_sum(double a, double b)
 }
 
 /* a b exactly. */
-static inline double_double two_product(double a, double b)
+static INLINED double_double two_product(double a, double b)
 {
     const double p = a * b;
     const double_double x = {p, product_error(a, b, p)};
     return x;
 }
 
-static inline double_double dd_neg(double_double x)
+static INLINED double_double dd_neg(double_double x)
 {
     const double_double y = {-x.hi, -x.lo};
     return y;
 }
 
-static inline double_double dd_add_xx(double_double x, double_double y)
+static INLINED double_double dd_add_xx(double_double x, double_double y)
 {
     const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
     const double_double v = quick_sum(s.hi, s.lo + t.hi);
     return quick_sum(v.hi, v.lo + t.lo);
 }
 
-static inline double_double dd_add_xd(double_double x, double y)
+static INLINED double_double dd_add_xd(double_double x, double y)
 {
     const double_double s = two_sum(x.hi, y);
     return quick_sum(s.hi, s.lo + x.lo);
 }
 
-static inline double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
-static inline double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
-static inline double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
-static inline double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
+static INLINED double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
+static INLINED double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
+static INLINED double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
+static INLINED double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
 
-static inline double_double dd_mul_xx(double_double x, double_double y)
+static INLINED double_double dd_mul_xx(double_double x, double_double y)
 {
     const double_double p = two_product(x.hi, y.hi);
     return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-static inline double_double dd_mul_xd(double_double x, double y)
+static INLINED double_double dd_mul_xd(double_double x, double y)
 {
     const double_double p = two_product(x.hi, y);
     return quick_sum(p.hi, p.lo + x.lo * y);
 }
 
-static inline double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
+static INLINED double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
 
-static inline double_double dd_div_xx(double_double x, double_double y)
+static INLINED double_double dd_div_xx(double_double x, double_double y)
 {
     const double q = x.hi / y.hi;
     const double_double r = dd_mul_xd(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
 }
 
-static inline double_double dd_div_xd(double_double x, double y)
+static INLINED double_double dd_div_xd(double_double x, double y)
 {
     const double q = x.hi / y;
     const double_double r = two_product(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
 }
 
-static inline double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
+static INLINED double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
 
-static inline double_double dd_sqrt(double_double x)
+static INLINED double_double dd_sqrt(double_double x)
 {
     const double s = sqrt(x.hi);
     const double_double r = two_product(s, s);
@@ -229,16 +229,16 @@ static inline double_double dd_sqrt(double_double x)
     return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
 }
 
-static inline double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
-static inline double dd_rounded(double_double x) { return x.hi + x.lo; }
-static inline double_double dd_choose(double x, double y, double_double one, double_double other)
+static INLINED double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
+static INLINED double dd_rounded(double_double x) { return x.hi + x.lo; }
+static INLINED double_double dd_choose(double x, double y, double_double one, double_double other)
 {
     return x <= y ? one : other;
 }
 
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
-static inline double dd_exponent(double_double x)
+static INLINED double dd_exponent(double_double x)
 {
     const uint64_t bits = bits_of(x.hi);
     const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
@@ -246,7 +246,7 @@ static inline double dd_exponent(double_double x)
     return fraction < 0.70710678118654752 ? e - 1.0 : e;
 }
 
-static inline double_double dd_mantissa(double_double x)
+static INLINED double_double dd_mantissa(double_double x)
 {
     const double power = power_of_two(-dd_exponent(x));
     const double_double y = {x.hi * power, x.lo * power};
@@ -1643,33 +1643,40 @@ static void along_state(const torque_free_along *motion, size_t n, const double 
         const double Omega_b = Omega_b_in[i];
         const double Omega_d = Omega_d_in[i];
         const double common_1 = D_t * D_t; /* fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5) */
-        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition passing.Omega_a_p; (5) */
+        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.turning, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5) */
         const double below = fused(kappa_d, common_2, common_1); /* fact: definition varied_rates.below; (5) */
         const double over = 1.0 / below; /* fact: definition varied_rates.over; (5) */
-        const double S_k = fused(C_t * D_t, E_t, -(common_2 * S_t)) / 2.0; /* fact: definition varied_rates.S_k; (5) */
-        const double C_k = -S_t * fused(S_t, C_t, p * D_t * E_t) / 2.0; /* fact: definition varied_rates.C_k; (5) */
+        const double common_3 = common_2 * S_t; /* fact: definition varied_rates.S_k, definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5) */
+        const double S_k = fused(C_t * D_t, E_t, -common_3) / 2.0; /* fact: definition varied_rates.S_k; (5) */
+        const double common_4 = S_t * C_t; /* fact: definition varied_rates.C_k, definition varied_rates.turning; (5) */
+        const double C_k = -S_t * fused(p * D_t, E_t, common_4) / 2.0; /* fact: definition varied_rates.C_k; (5) */
         const double D_k = -S_t * fused(S_t, D_t, r * C_t * E_t) / 2.0; /* fact: definition varied_rates.D_k; (5) */
         const double below_k = -S_t * fused(S_t, below, k * C_t * D_t * E_t); /* fact: definition varied_rates.below_k; (5) */
-        const double common_3 = alpha_a * Omega_b0 * Omega_d0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5) */
-        const double Omega_a_k = over * fused(-Omega_a, below_k, fused(Omega_a0, D_k, common_3 * fused(S_k, C_t, S_t * C_k))); /* fact: definition varied_rates.Omega_a_k; (5) */
-        const double common_4 = alpha_b * Omega_d0 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
-        const double common_5 = C_t * C_t; /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double Omega_b_k = over * fused(common_4, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * over * fused(kappa_a + kappa_d, common_5 * common_1, common_2 * fused(p * kappa_a, common_1, r * kappa_d * common_5)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double common_6 = alpha_d * Omega_a0 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
-        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_6 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
+        const double leant = alpha_a * Omega_b0 * Omega_d0; /* fact: definition varied_rates.leant; (5) */
+        const double common_5 = r * Omega_a0; /* fact: definition varied_rates.turning, definition varied_rates.Omega_a_r; (5) */
+        const double common_6 = C_t * C_t; /* fact: definition varied_rates.turning, definition varied_rates.Omega_b_k; (5) */
+        const double turning = over * fused(common_4, fused(k * Omega_a, D_t, -(common_5 / 2.0)), leant * D_t * fused(-p, common_2, common_6) / 2.0); /* fact: definition varied_rates.turning; (5) */
+        const double Omega_a_k = fused(turning, E_t, -(over * leant * common_3 * C_t / 2.0)); /* fact: definition varied_rates.Omega_a_k; (5) */
+        const double common_7 = alpha_b * Omega_d0 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
+        const double common_8 = over * kappa_a; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_9 = over * kappa_d; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_10 = over * common_6; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double Omega_b_k = fused(over * common_7, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * fused((common_8 + common_9) * common_10, common_1, common_2 * fused(p * common_8, over * common_1, r * common_9 * common_10)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_11 = alpha_d * Omega_a0 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
+        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_11 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
         const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
         const double C_r = p * S_t * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
         const double D_r = fused(r * S_t * C_t, f, -common_2) / (2.0 * D_t); /* fact: definition varied_rates.D_r; (5) */
         const double below_r = k * S_t * C_t * f; /* fact: definition varied_rates.below_r; (5) */
-        const double any_Omega_a_r = over * fused(-Omega_a, below_r, fused(Omega_a0, D_r, common_3 * fused(S_r, C_t, S_t * C_r))); /* fact: definition varied_rates.Omega_a_r; (5) */
-        const double any_Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_4 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
-        const double any_Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_6 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
+        const double any_Omega_a_r = fused(-f, turning / D_t, over * common_3 * fused(leant, C_t, -(common_5 * S_t / D_t)) / 2.0); /* fact: definition varied_rates.Omega_a_r; (5) */
+        const double any_Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_7 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
+        const double any_Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_11 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
         const double Omega_a_there = choose(fabs(Omega_a), 0.0, 1.0, Omega_a); /* arithmetic */
         const double since = (t + passed) * half_over_p; /* fact: definition passing.since; (5) */
-        const double Omega_a_p = fused(alpha_a * Omega_b * Omega_d, since, fused(over, fused(Omega_a_there, common_2, share * D_t), -(share * (Omega_a0 / Omega_a_there)))); /* fact: definition passing.Omega_a_p; (5) */
-        const double common_7 = over * S_t; /* fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5) */
-        const double Omega_b_p = fused(alpha_b * Omega_d * Omega_a_there, since, common_7 * fused(Omega_b, S_t, share * alpha_b * Omega_d0)); /* fact: definition passing.Omega_b_p; (5) */
-        const double Omega_d_p = fused(alpha_d * Omega_a_there * Omega_b, since, common_7 * fused(Omega_d, S_t, share * alpha_d * Omega_b0 * D_t)); /* fact: definition passing.Omega_d_p; (5) */
+        const double Omega_a_p = fused(alpha_a * Omega_b * Omega_d, since, fused(over, fused(k * (common_3 * S_t), Omega_a_there, share * D_t), -(share * (Omega_a0 / Omega_a_there)))); /* fact: definition passing.Omega_a_p; (5) */
+        const double common_12 = over * S_t; /* fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5) */
+        const double Omega_b_p = fused(alpha_b * Omega_d * Omega_a_there, since, common_12 * fused(Omega_b, S_t, share * alpha_b * Omega_d0)); /* fact: definition passing.Omega_b_p; (5) */
+        const double Omega_d_p = fused(alpha_d * Omega_a_there * Omega_b, since, common_12 * fused(Omega_d, S_t, share * alpha_d * Omega_b0 * D_t)); /* fact: definition passing.Omega_d_p; (5) */
         const double lobe = choose(2.0, turned, 0.0, Omega_b * Omega_b0); /* arithmetic */
         const double crossed = choose(reach, p * (t * t), lobe, 1.0); /* arithmetic */
         const double Omega_a_r = choose(crossed, 0.0, Omega_a_k - Omega_a_p, any_Omega_a_r); /* arithmetic */
@@ -1707,30 +1714,37 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     const double_double alpha_d_by_c_b = dd_div_dx(-epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_b; (5) */
     const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
     const double_double tilt_by_c_a = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_add_xx(c_a, c_ab), common_1)), c_a), c_d), dd_div_xx(tilt, c_a)); /* fact: definition coefficients.tilt_by_c_a; (5) */
-    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d; (5) */
+    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5) */
     const double_double tilt_by_c_b = dd_div_xx(dd_div_xx(dd_mul_dx(-epsilon, dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_d, common_2))), c_a), c_d); /* fact: definition coefficients.tilt_by_c_b; (5) */
     const double_double tilt_by_c_d = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_sub_xx(c_d, c_bd), common_2)), c_a), c_d), dd_div_xx(tilt, c_d)); /* fact: definition coefficients.tilt_by_c_d; (5) */
-    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
+    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5) */
     const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_3), dd_mul_xx(alpha_b, common_1)); /* fact: definition varied_rates.g_a; (5) */
     const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_3), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_d; (5) */
+    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_3); /* fact: definition varied_rates.k; (5) */
     const double_double p_by_Omega_a = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_b), alpha_d), Omega_a0); /* fact: definition varied_rates.p_by_Omega_a; (5) */
     const double_double p_by_Omega_b = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_a), alpha_d), Omega_b0); /* fact: definition varied_rates.p_by_Omega_b; (5) */
     const double_double r_by_Omega_d = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_a), alpha_b), Omega_d0); /* fact: definition varied_rates.r_by_Omega_d; (5) */
     const double_double kappa_by_c_a = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_a, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_a))), common_1); /* fact: definition varied_rates.kappa_by_c_a; (5) */
-    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_3)); /* fact: definition varied_rates.p_by_c_a; (5) */
+    const double_double common_4 = dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_3); /* fact: definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a; (5) */
+    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, common_4); /* fact: definition varied_rates.p_by_c_a; (5) */
     const double_double apart_by_c_a = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_a), dd_mul_xx(alpha_b_by_c_a, tilt)); /* fact: definition varied_rates.apart_by_c_a; (5) */
+    const double_double leant_by_c_a = dd_add_xx(common_4, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_b), dd_mul_xx(alpha_a, alpha_b_by_c_a)), common_2)); /* fact: definition varied_rates.leant_by_c_a; (5) */
     const double_double a_by_c_a = dd_mul_xx(dd_mul_xx(alpha_a_by_c_a, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_a; (5) */
     const double_double b_by_c_a = dd_mul_xx(dd_mul_xx(alpha_b_by_c_a, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_a; (5) */
     const double_double d_by_c_a = dd_mul_xx(dd_mul_xx(alpha_d_by_c_a, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_a; (5) */
     const double_double kappa_by_c_b = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_b, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_b))), common_1); /* fact: definition varied_rates.kappa_by_c_b; (5) */
-    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_3)); /* fact: definition varied_rates.p_by_c_b; (5) */
+    const double_double common_5 = dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_3); /* fact: definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b; (5) */
+    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, common_5); /* fact: definition varied_rates.p_by_c_b; (5) */
     const double_double apart_by_c_b = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_b), dd_mul_xx(alpha_b_by_c_b, tilt)); /* fact: definition varied_rates.apart_by_c_b; (5) */
+    const double_double leant_by_c_b = dd_add_xx(common_5, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_b), dd_mul_xx(alpha_a, alpha_b_by_c_b)), common_2)); /* fact: definition varied_rates.leant_by_c_b; (5) */
     const double_double a_by_c_b = dd_mul_xx(dd_mul_xx(alpha_a_by_c_b, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_b; (5) */
     const double_double b_by_c_b = dd_mul_xx(dd_mul_xx(alpha_b_by_c_b, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_b; (5) */
     const double_double d_by_c_b = dd_mul_xx(dd_mul_xx(alpha_d_by_c_b, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_b; (5) */
     const double_double kappa_by_c_d = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_d, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_d))), common_1); /* fact: definition varied_rates.kappa_by_c_d; (5) */
-    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_3)); /* fact: definition varied_rates.p_by_c_d; (5) */
+    const double_double common_6 = dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_3); /* fact: definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5) */
+    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, common_6); /* fact: definition varied_rates.p_by_c_d; (5) */
     const double_double apart_by_c_d = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_d), dd_mul_xx(alpha_b_by_c_d, tilt)); /* fact: definition varied_rates.apart_by_c_d; (5) */
+    const double_double leant_by_c_d = dd_add_xx(common_6, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_b), dd_mul_xx(alpha_a, alpha_b_by_c_d)), common_2)); /* fact: definition varied_rates.leant_by_c_d; (5) */
     const double_double a_by_c_d = dd_mul_xx(dd_mul_xx(alpha_a_by_c_d, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_d; (5) */
     const double_double b_by_c_d = dd_mul_xx(dd_mul_xx(alpha_b_by_c_d, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_d; (5) */
     const double_double d_by_c_d = dd_mul_xx(dd_mul_xx(alpha_d_by_c_d, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_d; (5) */
@@ -1744,6 +1758,7 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->alpha_divisor = dd_rounded(alpha_divisor);
     motion->g_a = dd_rounded(g_a);
     motion->g_d = dd_rounded(g_d);
+    motion->k = dd_rounded(k);
     motion->p_by_Omega_a = dd_rounded(p_by_Omega_a);
     motion->p_by_Omega_b = dd_rounded(p_by_Omega_b);
     motion->r_by_Omega_d = dd_rounded(r_by_Omega_d);
@@ -1756,6 +1771,9 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->apart_by_c_a = dd_rounded(apart_by_c_a);
     motion->apart_by_c_b = dd_rounded(apart_by_c_b);
     motion->apart_by_c_d = dd_rounded(apart_by_c_d);
+    motion->leant_by_c_a = dd_rounded(leant_by_c_a);
+    motion->leant_by_c_b = dd_rounded(leant_by_c_b);
+    motion->leant_by_c_d = dd_rounded(leant_by_c_d);
     motion->a_by_c_a = dd_rounded(a_by_c_a);
     motion->a_by_c_b = dd_rounded(a_by_c_b);
     motion->a_by_c_d = dd_rounded(a_by_c_d);
@@ -1797,6 +1815,7 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
     const double alpha_divisor = motion->alpha_divisor;
     const double g_a = motion->g_a;
     const double g_d = motion->g_d;
+    const double k = motion->k;
     const double p_by_Omega_a = motion->p_by_Omega_a;
     const double p_by_Omega_b = motion->p_by_Omega_b;
     const double r_by_Omega_d = motion->r_by_Omega_d;
@@ -1809,6 +1828,9 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
     const double apart_by_c_a = motion->apart_by_c_a;
     const double apart_by_c_b = motion->apart_by_c_b;
     const double apart_by_c_d = motion->apart_by_c_d;
+    const double leant_by_c_a = motion->leant_by_c_a;
+    const double leant_by_c_b = motion->leant_by_c_b;
+    const double leant_by_c_d = motion->leant_by_c_d;
     const double a_by_c_a = motion->a_by_c_a;
     const double a_by_c_b = motion->a_by_c_b;
     const double a_by_c_d = motion->a_by_c_d;
@@ -1834,28 +1856,29 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double Omega_a = Omega_a_in[i];
         const double Omega_b = Omega_b_in[i];
         const double Omega_d = Omega_d_in[i];
-        const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a), common_1, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
+        const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a * k), common_1 * S_t * S_t, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
         const double any_Omega_b_by_Omega_a = fused(over, fused(alpha_b * Omega_d0, S_t, -(Omega_b * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
         const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
-        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * Omega_a_k); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
+        const double common_2 = Omega_a * common_1 / 2.0; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * (Omega_a_k + common_2)); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
         const double Omega_b_by_Omega_b = fused(over, C_t * D_t, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
         const double Omega_d_by_Omega_b = fused(over, alpha_d * Omega_a0 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double Omega_a_by_Omega_d = fused(over, alpha_a * Omega_b0 * S_t * C_t, r_by_Omega_d * Omega_a_r); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double Omega_a_by_Omega_d = fused(over, alpha_a * Omega_b0 * S_t * C_t, r_by_Omega_d * (Omega_a_r - common_2)); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
         const double any_Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
         const double Omega_d_by_Omega_d = fused(over, C_t, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
-        const double common_2 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(over, fused(a_by_c_a, common_2, -(Omega_a * kappa_by_c_a * common_1)), p_by_c_a * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
+        const double common_3 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(p_by_c_a, Omega_a_k, fused(over, a_by_c_a * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_a) * k), common_1, leant_by_c_a)))); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
         const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_1)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
-        const double common_3 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_3, -(Omega_d * kappa_by_c_a * common_1)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
-        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(over, fused(a_by_c_b, common_2, -(Omega_a * kappa_by_c_b * common_1)), p_by_c_b * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
+        const double common_4 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_4, -(Omega_d * kappa_by_c_a * common_1)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
+        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(p_by_c_b, Omega_a_k, fused(over, a_by_c_b * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_b) * k), common_1, leant_by_c_b)))); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
         const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_1)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
-        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_3, -(Omega_d * kappa_by_c_b * common_1)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
-        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(over, fused(a_by_c_d, common_2, -(Omega_a * kappa_by_c_d * common_1)), p_by_c_d * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_4, -(Omega_d * kappa_by_c_b * common_1)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
+        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(p_by_c_d, Omega_a_k, fused(over, a_by_c_d * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_d) * k), common_1, leant_by_c_d)))); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
         const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_1)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
-        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_3, -(Omega_d * kappa_by_c_d * common_1)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
-        const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t, -(Omega_b0 * t))); /* fact: definition varied_rates.excess_b; (5) */
+        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_4, -(Omega_d * kappa_by_c_d * common_1)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
+        const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t - t, (Omega_b - Omega_b0) * t)); /* fact: definition varied_rates.excess_b; (5) */
         const double b_divisor = choose(fabs(Omega_b), 0.0, 1.0, Omega_b); /* arithmetic */
         const double d_divisor = choose(fabs(alpha_d), 0.0, 1.0, alpha_d); /* arithmetic */
         const double middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a; /* fact: definition middle_columns.middle_by_Omega_a; (5) */
@@ -3637,7 +3660,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "b5b275758892d328abb5843af171e13180acfa5c81288e0532e9bd8246255063"; }
+const char *torque_free_digest(void) { return "2de32027dcf105ffcff951a2cc4382c788d6f0c17a29d678d196465c1d8e4cd9"; }
 
 const char *torque_free_message(int code)
 {
@@ -3736,14 +3759,14 @@ static void elapsed(const sensitive *made, size_t n, size_t s, const double *res
     }
 }
 
-/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times `by_moment`. */
+/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times both factors. */
 static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
-                 double by_moment)
+                 double by_moment, double again)
 {
     for (int k = 0; k < 3; k++) {
         row[k] = turn[k];
         row[3 + k] = by_rate * column[k][i];
-        row[6 + k] = by_moment * column[3 + k][i];
+        row[6 + k] = again * (by_moment * column[3 + k][i]);
     }
 }
 
@@ -3758,6 +3781,9 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     static const double zeros[3] = {0.0, 0.0, 0.0};
     double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
     const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
+    const double half = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
+    const double rest = unit / half * over_moment;
     const double *by[18], *excess[3], *eta[18];
     const int *axis = made->axis;
     for (size_t i = 0; i < n; i++) {
@@ -3786,8 +3812,8 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
                state + 6 * s, by[0], by[1], by[2], by[3], by[4], by[5], by[6], by[7], by[8], by[9], by[10], by[11], by[12], by[13], by[14], by[15], by[16], by[17], excess[0], excess[1], excess[2], t, turned_by, turned_by + s, turned_by + 2 * s, turned_by + 3 * s, turned_by + 4 * s, turned_by + 5 * s, turned_by + 6 * s, turned_by + 7 * s, turned_by + 8 * s, turned_by + 9 * s, turned_by + 10 * s, turned_by + 11 * s, turned_by + 12 * s, turned_by + 13 * s, turned_by + 14 * s, turned_by + 15 * s, turned_by + 16 * s, turned_by + 17 * s, turned_by + 18 * s, turned_by + 19 * s, turned_by + 20 * s, turned_by + 21 * s, turned_by + 22 * s, turned_by + 23 * s);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
-            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment);
-            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, unit * over_moment);
+            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
+            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, half, rest);
             attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
             rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
         }

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    442  19 %  follow facts of the ledger, each named on its line
+    457  20 %  follow facts of the ledger, each named on its line
     595  26 %  follow classical formulas, each with its reference
      98   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1166  51 %  are the runtime, written by hand
+   1168  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest b5b275758892d328abb5843af171e13180acfa5c81288e0532e9bd8246255063
+digest 2de32027dcf105ffcff951a2cc4382c788d6f0c17a29d678d196465c1d8e4cd9
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -91,10 +91,11 @@ typedef struct {
 } torque_free_along;
 
 typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d;
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k;
     double p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d;
-    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a;
-    double a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
+    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a;
+    double leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b;
+    double b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
 } torque_free_columns;
 
 typedef struct {

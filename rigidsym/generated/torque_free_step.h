@@ -36,7 +36,7 @@ against mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 6065a40acd9d3f1ef53d779c7bc78253371b9fe043d94ec479d20d1e8ee75911
+digest da9c1bed64595fd5e37df5d779530760476ac902d9ba5a79cccbc4d0a08cacd0
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it

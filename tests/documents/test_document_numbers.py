@@ -196,7 +196,8 @@ def test_the_counts_of_the_validation_are_those_of_the_code():
         f"{sum(sizes.values())} cases, {sum(len(s.times) for s in drawn)} states",
         f"{len(FAULTS)} faults against every stratum",
         f"{faults['numpy']} in the text of NumPy's module, {faults['c']} in C's, "
-        f"{faults['numpy-pi'] + faults['c-pi']} in what is the Pi modules' own",
+        f"{faults['numpy-pi'] + faults['c-pi']} in what is the Pi modules' own, "
+        f"{faults['numpy-step'] + faults['c-step']} in those of steps",
         f"{STRATA['published'].size} motions published by other projects",
     ):
         assert said in text, said

@@ -360,6 +360,17 @@ def test_options_that_reorder_sums_are_told(monkeypatch):
         build.library([])
 
 
+@needs_compiler
+def test_steps_ask_for_what_no_macro_tells(monkeypatch):
+    options = "-fassociative-math -fno-signed-zeros -fno-trapping-math -U__ASSOCIATIVE_MATH__"
+    monkeypatch.setenv("CC", f"{SYSTEM} {options}")
+    monkeypatch.setattr(build, "package_sources", OF_THE_PACKAGE)
+    with pytest.raises(
+        LibraryError, match=r"^the C module refuses: arithmetic: sums are reordered"
+    ):
+        build.library([], "c-step")
+
+
 def test_a_digest_need_not_be_written():
     assert written_digest({"torque_free.c": "int x;"}) is None
     assert written_digest(stub("b")) == "b" * 64

@@ -56,6 +56,11 @@ def test_toutatis_of_1992_has_the_published_periods_and_ratios(found):
     # Hudson and Ostro (1995): 5.41 d and 7.35 d; Zhao et al. (2015): 5.38 and 7.40 +- 0.03 d.
     assert found.periods.rotation / DAY == pytest.approx(5.38, abs=0.04)
     assert found.periods.precession / DAY == pytest.approx(7.40, abs=0.06)
+    # The images of 1992 and the looks of twenty years are both within two errors.
+    for rotation, precession in ((5.41, 7.35), (5.38, 7.40)):
+        assert abs(found.periods.rotation - rotation * DAY) < 2 * found.periods_sigma.rotation
+        assert abs(found.periods.precession - precession * DAY) < 2 * found.periods_sigma.precession
+    assert found.periods_sigma.rotation < 0.05 * DAY
     ratios = RATIOS / RATIOS.max()
     apart = found.moments - ratios
     assert np.all(np.abs(apart) <= 3 * found.sigma[6:] + 1e-12)

@@ -20,8 +20,6 @@ _KEPT = (
     *(*START, *_ALPHAS, "k", "kappa_a", "kappa_d", "p", "r"),
     *("share", "half_over_p", "reach"),
 )
-# No direction needs E_b.
-_GIVEN = tuple(name for name in GIVEN if name != "E_b")
 _TIMED = (*ELAPSED, *PASSED, "t", *RATES)
 
 
@@ -30,10 +28,10 @@ def along(solution: Solution) -> tuple[Function, ...]:
     constants = Function(
         "_along_constants",
         "What both directions are made from; reach: beyond which p t^2 phases are known.",
-        (*_GIVEN, "reach"),
+        (*(name for name in GIVEN if name != "E_b"), "reach"),
         tuple(_constants(solution)),
         _KEPT,
-        frozenset(EXTENDED) - {"E_b"},
+        frozenset(EXTENDED),
         rounds=True,
     )
     state = Function(
