@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest a2169c1d407e0722394027bcc7655677e56d7703e7abaa39d75030d73115a5cd
+digest 8906a57d8950e537e34e635797bd6cfb2cc7846d339b00265d5780e24101420a
 """
 
 # ruff: noqa
@@ -902,7 +902,7 @@ def _moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, 
     return p, r, apart, lambda_, divisor, modulus, complement
 
 
-def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, reach):
+def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, axis_a, axis_b, axis_d, reach):
     """What both directions are made from; reach: beyond which p t^2 phases are known."""
     epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2  # classical: Levi-Civita
     alpha_a = epsilon * c_bd / c_a  # fact: definition coefficients.alpha_a; (5)
@@ -1594,7 +1594,7 @@ SENSITIVITY = {
     },
     'along': {
         'constants': _along_constants,
-        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d', 'reach'),
+        'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'axis_a', 'axis_b', 'axis_d', 'reach'),
         'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'k', 'kappa_a', 'kappa_d', 'p', 'r', 'share', 'half_over_p', 'reach'),
         'state': _along_state,
         'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 'passed', 'turned', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
@@ -2436,7 +2436,7 @@ def _unchanged(t, rows):
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows], axis=0)
     if not np.any(lost):
         return
     if errors == "raise":
