@@ -8,8 +8,10 @@ where p, r and k = alpha_a alpha_d Omega_b0^2 grow alike, and `_r`, where r does
 
 these divide by D_t and `below` alone, in every regime: no case is told apart.  b being the middle
 axis, kappa_a = p - k, kappa_d = r - k and p - r are single products, `below` is a sum of squares,
-and what is left of Omega_b_k is small where the spin is about b.  E_t and F_t follow from each
-other: the one where p - r is not small, the other where p is not.
+and what is left of Omega_b_k is small where the spin is about b.  Omega_a_k and Omega_a_r leave out
+Omega_a S_t^2/2, taken off and put on: what is left is small where the spin is about a, and S_t
+grows like t if the body is symmetric.  E_t and F_t follow from each other: the one where p - r is
+not small, the other where p is not.
 """
 
 from collections.abc import Iterator
@@ -92,6 +94,11 @@ def _by_moments() -> Iterator[tuple[str, str]]:
             f"apart_by_c_{y}",
             f"-alpha_b*tilt_by_c_{y} - {b}*tilt",
         )
+        # Of k - kappa_d: p and p - r together are twice kappa_a, and this.
+        yield (
+            f"leant_by_c_{y}",
+            f"({a}*alpha_d + alpha_a*{d})*Omega_b0**2 + ({a}*alpha_b + alpha_a*{b})*Omega_d0**2",
+        )
         yield f"a_by_c_{y}", f"{a}*Omega_b0*Omega_d0"
         yield f"b_by_c_{y}", f"{b}*Omega_d0*Omega_a0"
         yield f"d_by_c_{y}", f"{d}*Omega_a0*Omega_b0"
@@ -111,11 +118,14 @@ DIRECTIONS = {
     "C_k": "-S_t*(S_t*C_t + p*D_t*E_t)/2",
     "D_k": "-S_t*(S_t*D_t + r*C_t*E_t)/2",
     "below_k": "-S_t*(S_t*below + k*C_t*D_t*E_t)",
-    "Omega_a_k": "over*(Omega_a0*D_k + alpha_a*Omega_b0*Omega_d0*(S_k*C_t + S_t*C_k)"
-    " - Omega_a*below_k)",
-    "Omega_b_k": "over*(alpha_b*Omega_d0*Omega_a0*(S_k - S_t*(over*below_k))"
-    " - Omega_b0*S_t*E_t*over*((kappa_a + kappa_d)*(C_t**2*D_t**2)"
-    " + S_t**2*(p*kappa_a*D_t**2 + r*kappa_d*C_t**2))/2)",
+    "leant": "alpha_a*Omega_b0*Omega_d0",
+    # Half of Omega_a'.
+    "turning": "over*(S_t*C_t*(k*Omega_a*D_t - r*Omega_a0/2) + leant*D_t*(C_t**2 - p*S_t**2)/2)",
+    "Omega_a_k": "turning*E_t - over*leant*S_t**3*C_t/2",
+    # Each small square is multiplied by 1/below: two of them may be below the least double.
+    "Omega_b_k": "over*(alpha_b*Omega_d0*Omega_a0)*(S_k - S_t*(over*below_k))"
+    " - Omega_b0*S_t*E_t*((over*kappa_a + over*kappa_d)*(over*C_t**2)*D_t**2"
+    " + S_t**2*(p*(over*kappa_a)*(over*D_t**2) + r*(over*kappa_d)*(over*C_t**2)))/2",
     "Omega_d_k": "over*(Omega_d0*C_k + alpha_d*Omega_a0*Omega_b0*(S_k*D_t + S_t*D_k)"
     " - Omega_d*below_k)",
     "f": "D_t*F_t",
@@ -123,8 +133,7 @@ DIRECTIONS = {
     "C_r": "p*S_t*f/2",
     "D_r": "(r*S_t*C_t*f - S_t**2)/(2*D_t)",
     "below_r": "k*S_t*C_t*f",
-    "Omega_a_r": "over*(Omega_a0*D_r + alpha_a*Omega_b0*Omega_d0*(S_r*C_t + S_t*C_r)"
-    " - Omega_a*below_r)",
+    "Omega_a_r": "over*S_t**3*(leant*C_t - r*Omega_a0*S_t/D_t)/2 - f*(turning/D_t)",
     "Omega_b_r": "over*(Omega_b0*(C_r*D_t + C_t*D_r) + alpha_b*Omega_d0*Omega_a0*S_r"
     " - Omega_b*below_r)",
     "Omega_d_r": "over*(Omega_d0*C_r + alpha_d*Omega_a0*Omega_b0*(S_r*D_t + S_t*D_r)"
@@ -136,34 +145,42 @@ STAYING = {
     "b": {"a": "alpha_a*Omega_d0*S_t*C_t", "b": "C_t*D_t", "d": "alpha_d*Omega_a0*S_t*D_t"},
     "d": {"a": "alpha_a*Omega_b0*S_t*C_t", "b": "alpha_b*Omega_a0*S_t", "d": "C_t"},
 }
+# What Omega_a_k and Omega_a_r leave out, taken off and put on.
+HALF = "Omega_a*S_t**2/2"
 # The functions that the coefficient of each rate stands with.
 WITH = {"a": "S_t*C_t", "b": "S_t", "d": "S_t*D_t"}
 
 
 def _columns() -> Iterator[tuple[str, str]]:
+    """By each rate at t = 0 and each moment."""
     for x in AXES:
-        stays = STAYING["a"][x]
+        stays = f"{STAYING['a'][x]} - Omega_{x}*p_by_Omega_a*{'k*S_t**4' if x == 'a' else 'S_t**2'}"
         yield (
             f"Omega_{x}_by_Omega_a",
-            f"over*({stays} - Omega_{x}*p_by_Omega_a*S_t**2)"
-            f" + p_by_Omega_a*(Omega_{x}_k - Omega_{x}_r)",
+            f"over*({stays}) + p_by_Omega_a*(Omega_{x}_k - Omega_{x}_r)",
         )
-    for x in AXES:
-        yield f"Omega_{x}_by_Omega_b", f"over*({STAYING['b'][x]}) + p_by_Omega_b*Omega_{x}_k"
-    for x in AXES:
-        yield f"Omega_{x}_by_Omega_d", f"over*({STAYING['d'][x]}) + r_by_Omega_d*Omega_{x}_r"
+    for y, grows, way, sign in (("b", "p", "k", "+"), ("d", "r", "r", "-")):
+        for x in AXES:
+            along = f"(Omega_a_{way} {sign} {HALF})" if x == "a" else f"Omega_{x}_{way}"
+            stays = STAYING[y][x]
+            yield f"Omega_{x}_by_Omega_{y}", f"over*({stays}) + {grows}_by_Omega_{y}*{along}"
     for y in AXES:
         for x in AXES:
+            stays = f"over*({x}_by_c_{y}*({WITH[x]}) - Omega_{x}*kappa_by_c_{y}*S_t**2)"
+            if x == "a":
+                left = f"leant_by_c_{y} - 2*(over*kappa_by_c_{y})*k*S_t**2"
+                stays = f"over*(a_by_c_{y}*({WITH[x]})) + {HALF}*({left})"
             yield (
                 f"Omega_{x}_by_c_{y}",
-                f"over*({x}_by_c_{y}*({WITH[x]}) - Omega_{x}*kappa_by_c_{y}*S_t**2)"
-                f" + p_by_c_{y}*Omega_{x}_k - apart_by_c_{y}*Omega_{x}_r",
+                f"{stays} + p_by_c_{y}*Omega_{x}_k - apart_by_c_{y}*Omega_{x}_r",
             )
 
 
 COLUMNS = dict(_columns())
 # Of the integral of Omega_b^2: what it has beyond that of the rate at t = 0.
-EXCESS = {"excess_b": "g_a*g_d*E_t + Omega_b0*(Omega_b*S_t - Omega_b0*t)"}
+EXCESS = {
+    "excess_b": "g_a*g_d*E_t + Omega_b0*(Omega_b*(S_t - t) + (Omega_b - Omega_b0)*t)",
+}
 # The middle rate's columns where the spin is about it: with no difference.
 MIDDLE = {
     "middle_by_Omega_a": "alpha_b/alpha_d*(Omega_d/Omega_b)*Omega_d_by_Omega_a",
@@ -177,7 +194,7 @@ PASSING = {
     "since": "(t + passed)*half_over_p",
     "share": "1/(2*alpha_b*alpha_d*Omega_a0)",
     "Omega_a_p": "alpha_a*Omega_b*Omega_d*since"
-    " + (over*(Omega_a*S_t**2 + share*D_t) - share*(Omega_a0/Omega_a))",
+    " + (over*(k*S_t**4*Omega_a + share*D_t) - share*(Omega_a0/Omega_a))",
     "Omega_b_p": "alpha_b*Omega_d*Omega_a*since + over*S_t*(Omega_b*S_t + share*alpha_b*Omega_d0)",
     "Omega_d_p": "alpha_d*Omega_a*Omega_b*since"
     " + over*S_t*(Omega_d*S_t + share*alpha_d*Omega_b0*D_t)",

@@ -190,10 +190,10 @@ class TorqueFreeMotion:
         """q and omega at t (s) as a call returns them, and their derivatives by all inputs.
 
         In closed form and at all times, in every regime; see `Sensitivity` for shapes and frames.
-        Errors are measured to be below 1e-13 of the larger of a column and the change itself (that
-        of omega0, or |omega0| times the relative change of a moment), in 31 of 36 strata of
-        motions, and up to 5e-10 beside the separatrix, 7e-12 on it and 1e-12 in the others; columns
-        that have fallen keep 1e-16 of the largest that they were.
+        Errors are below 1e-13 of the larger of a column and the change itself (that of omega0, or
+        |omega0| times the relative change of a moment), in all strata of motions but five: 1e-12
+        for spin about the middle axis and near it, and where derivatives are near the least double;
+        1e-9 where a rate of a nearly symmetric body is zero (`rigidsym validate --sensitivity`).
         Raises InputError as a call does,
         and for times at which a motion on its way to spin about the middle axis has derivatives
         whose squares leave binary64; with errors="nan" there are no numbers then.

@@ -10,6 +10,7 @@ from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
     from rigidsym.validate.campaign import Campaign, Progress
+    from rigidsym.validate.sensitivities import Sensitive
     from rigidsym.validate.session import Choices
 
 # Options of a campaign that mean nothing elsewhere.
@@ -210,22 +211,36 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
 
 
 def _validate_sensitivity(campaign: "Campaign") -> int:
-    from rigidsym import engines
-    from rigidsym.validate.sensitivities import BOUND, HEADS, by_stratum, of_engine
+    from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum
 
     drawn = campaign.cases, campaign.seed, campaign.strata
+    modules = {target: _sensitive(target) for target in campaign.targets}
     worst = [
         (target, found)
-        for target in campaign.targets
-        for found in by_stratum(of_engine(engines.engine(target)), *drawn)
+        for target, module in modules.items()
+        for found in by_stratum(module, *drawn)
     ]
     broken = [(target, found) for target, found in worst if not found.is_within]
     for target, found in broken:
         say(f"broken: {target}: {found.stratum}: {found.error:.1e}")
     with reader_may_leave():
-        title = f"rigidsym validate --sensitivity: errors of columns, {BOUND:.0e} documented"
+        title = "rigidsym validate --sensitivity: errors of columns"
         table(title, ("module", *HEADS), [(target, *found.row()) for target, found in worst])
+        for stratum in dict.fromkeys(found.stratum for _, found in worst):
+            if stratum in WIDER:
+                print(f"{stratum}: {WIDER[stratum].why}")
     return 1 if broken else 0
+
+
+def _sensitive(target: str) -> "Sensitive":
+    from rigidsym.engines import EngineError
+    from rigidsym.validate.implementations import implementation
+    from rigidsym.validate.sensitivities import of_engine
+
+    try:
+        return of_engine(implementation(target))
+    except EngineError as error:
+        raise InputError("target", target, error.rule) from None
 
 
 def _validate_faults(campaign: "Campaign", options: Namespace) -> int:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from rigidsym.engines import arrays, threads
 from rigidsym.engines.c_engine import PREPARATION, CEngine, offset
 from rigidsym.engines.numpy_engine import Module, NumpyEngine, in_blocks
-from rigidsym.engines.protocol import Engine, EngineError, Prepared, Sensitivities
+from rigidsym.engines.protocol import EngineError, Prepared, Sensitivities
 
 # A time at which squares of changes leave binary64, in torque_free.h.
 _GROWTH = 9
@@ -47,7 +47,7 @@ class Sensitive(Protocol):
         ...
 
 
-def sensitive(engine: Engine) -> Sensitive:
+def sensitive(engine: object) -> Sensitive:
     """What goes with an engine's prepared motions; raises EngineError where nothing does."""
     if isinstance(engine, CEngine):
         one = engine.library.states_with_sensitivity

@@ -236,6 +236,12 @@ static inline double_double dd_choose(double x, double y, double_double one, dou
     return x <= y ? one : other;
 }
 
+static inline double_double scaled(double_double x, int exponent)
+{
+    const double_double y = {ldexp(x.hi, exponent), ldexp(x.lo, exponent)};
+    return y;
+}
+
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
 static inline double dd_exponent(double_double x)
@@ -1567,6 +1573,131 @@ static void moduli(double_double c_a, double_double c_b, double_double c_d, doub
     *complement_out = complement;
 }
 
+/* What both directions are made from; reach: beyond which p t^2 phases are known. */
+static void along_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
+    double_double c_ad, double_double c_bd, double_double Omega_a0,
+    double_double Omega_b0, double_double Omega_d0, double_double E_b, double axis_a,
+    double axis_b, double axis_d, double reach, torque_free_along *motion)
+{
+    const double epsilon = (axis_b - axis_a) * (axis_d - axis_a) * (axis_d - axis_b) / 2.0; /* classical: Levi-Civita */
+    const double_double alpha_a = dd_div_xx(dd_mul_dx(epsilon, c_bd), c_a); /* fact: definition coefficients.alpha_a; (5) */
+    const double_double alpha_b = dd_div_xx(dd_mul_dx(-epsilon, c_ad), c_b); /* fact: definition coefficients.alpha_b; (5) */
+    const double_double alpha_d = dd_div_xx(dd_mul_dx(epsilon, c_ab), c_d); /* fact: definition coefficients.alpha_d; (5) */
+    const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), dd_mul_xx(Omega_b0, Omega_b0)); /* fact: definition varied_rates.k; (5) */
+    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), dd_mul_xx(Omega_a0, Omega_a0)); /* fact: definition varied_rates.kappa_a; (5) */
+    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), dd_mul_xx(Omega_d0, Omega_d0)); /* fact: definition varied_rates.kappa_d; (5) */
+    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
+    const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
+    const double_double alpha_b_there = dd_choose(dd_rounded(dd_size(alpha_b)), 0.0, dd_of(1.0), alpha_b); /* arithmetic */
+    const double_double alpha_d_there = dd_choose(dd_rounded(dd_size(alpha_d)), 0.0, dd_of(1.0), alpha_d); /* arithmetic */
+    const double_double Omega_a0_there = dd_choose(dd_rounded(dd_size(Omega_a0)), 0.0, dd_of(1.0), Omega_a0); /* arithmetic */
+    const double_double p_there = dd_choose(dd_rounded(dd_size(p)), 0.0, dd_of(1.0), p); /* arithmetic */
+    const double_double half_over_p = dd_div_dx(1.0, dd_mul_dx(2.0, p_there)); /* fact: definition passing.half_over_p; (5) */
+    const double_double share = dd_div_dx(1.0, dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_b_there), alpha_d_there), Omega_a0_there)); /* fact: definition passing.share; (5) */
+    motion->Omega_a0 = dd_rounded(Omega_a0);
+    motion->Omega_b0 = dd_rounded(Omega_b0);
+    motion->Omega_d0 = dd_rounded(Omega_d0);
+    motion->alpha_a = dd_rounded(alpha_a);
+    motion->alpha_b = dd_rounded(alpha_b);
+    motion->alpha_d = dd_rounded(alpha_d);
+    motion->k = dd_rounded(k);
+    motion->kappa_a = dd_rounded(kappa_a);
+    motion->kappa_d = dd_rounded(kappa_d);
+    motion->p = dd_rounded(p);
+    motion->r = dd_rounded(r);
+    motion->share = dd_rounded(share);
+    motion->half_over_p = dd_rounded(half_over_p);
+    motion->reach = reach;
+}
+
+/* What the rates change by where p and r grow alike, and where r does. */
+static void along_state(const torque_free_along *motion, size_t n, const double *restrict S_t_in,
+    const double *restrict C_t_in, const double *restrict D_t_in,
+    const double *restrict E_t_in, const double *restrict f_in,
+    const double *restrict passed_in, const double *restrict turned_in,
+    const double *restrict t_in, const double *restrict Omega_a_in,
+    const double *restrict Omega_b_in, const double *restrict Omega_d_in,
+    double *restrict over_out, double *restrict Omega_a_k_out,
+    double *restrict Omega_b_k_out, double *restrict Omega_d_k_out,
+    double *restrict Omega_a_r_out, double *restrict Omega_b_r_out,
+    double *restrict Omega_d_r_out)
+{
+    const double Omega_a0 = motion->Omega_a0;
+    const double Omega_b0 = motion->Omega_b0;
+    const double Omega_d0 = motion->Omega_d0;
+    const double alpha_a = motion->alpha_a;
+    const double alpha_b = motion->alpha_b;
+    const double alpha_d = motion->alpha_d;
+    const double k = motion->k;
+    const double kappa_a = motion->kappa_a;
+    const double kappa_d = motion->kappa_d;
+    const double p = motion->p;
+    const double r = motion->r;
+    const double share = motion->share;
+    const double half_over_p = motion->half_over_p;
+    const double reach = motion->reach;
+    for (size_t i = 0; i < n; i++) {
+        const double S_t = S_t_in[i];
+        const double C_t = C_t_in[i];
+        const double D_t = D_t_in[i];
+        const double E_t = E_t_in[i];
+        const double f = f_in[i];
+        const double passed = passed_in[i];
+        const double turned = turned_in[i];
+        const double t = t_in[i];
+        const double Omega_a = Omega_a_in[i];
+        const double Omega_b = Omega_b_in[i];
+        const double Omega_d = Omega_d_in[i];
+        const double common_1 = D_t * D_t; /* fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5) */
+        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.turning, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5) */
+        const double below = fused(kappa_d, common_2, common_1); /* fact: definition varied_rates.below; (5) */
+        const double over = 1.0 / below; /* fact: definition varied_rates.over; (5) */
+        const double common_3 = common_2 * S_t; /* fact: definition varied_rates.S_k, definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5) */
+        const double S_k = fused(C_t * D_t, E_t, -common_3) / 2.0; /* fact: definition varied_rates.S_k; (5) */
+        const double common_4 = S_t * C_t; /* fact: definition varied_rates.C_k, definition varied_rates.turning; (5) */
+        const double C_k = -S_t * fused(p * D_t, E_t, common_4) / 2.0; /* fact: definition varied_rates.C_k; (5) */
+        const double D_k = -S_t * fused(S_t, D_t, r * C_t * E_t) / 2.0; /* fact: definition varied_rates.D_k; (5) */
+        const double below_k = -S_t * fused(S_t, below, k * C_t * D_t * E_t); /* fact: definition varied_rates.below_k; (5) */
+        const double leant = alpha_a * Omega_b0 * Omega_d0; /* fact: definition varied_rates.leant; (5) */
+        const double common_5 = r * Omega_a0; /* fact: definition varied_rates.turning, definition varied_rates.Omega_a_r; (5) */
+        const double common_6 = C_t * C_t; /* fact: definition varied_rates.turning, definition varied_rates.Omega_b_k; (5) */
+        const double turning = over * fused(common_4, fused(k * Omega_a, D_t, -(common_5 / 2.0)), leant * D_t * fused(-p, common_2, common_6) / 2.0); /* fact: definition varied_rates.turning; (5) */
+        const double Omega_a_k = fused(turning, E_t, -(over * leant * common_3 * C_t / 2.0)); /* fact: definition varied_rates.Omega_a_k; (5) */
+        const double common_7 = alpha_b * Omega_d0 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
+        const double common_8 = over * kappa_a; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_9 = over * kappa_d; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_10 = over * common_6; /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double Omega_b_k = fused(over * common_7, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * fused((common_8 + common_9) * common_10, common_1, common_2 * fused(p * common_8, over * common_1, r * common_9 * common_10)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
+        const double common_11 = alpha_d * Omega_a0 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
+        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_11 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
+        const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
+        const double C_r = p * S_t * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
+        const double D_r = fused(r * S_t * C_t, f, -common_2) / (2.0 * D_t); /* fact: definition varied_rates.D_r; (5) */
+        const double below_r = k * S_t * C_t * f; /* fact: definition varied_rates.below_r; (5) */
+        const double any_Omega_a_r = fused(-f, turning / D_t, over * common_3 * fused(leant, C_t, -(common_5 * S_t / D_t)) / 2.0); /* fact: definition varied_rates.Omega_a_r; (5) */
+        const double any_Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_7 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
+        const double any_Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_11 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
+        const double Omega_a_there = choose(fabs(Omega_a), 0.0, 1.0, Omega_a); /* arithmetic */
+        const double since = (t + passed) * half_over_p; /* fact: definition passing.since; (5) */
+        const double Omega_a_p = fused(alpha_a * Omega_b * Omega_d, since, fused(over, fused(k * (common_3 * S_t), Omega_a_there, share * D_t), -(share * (Omega_a0 / Omega_a_there)))); /* fact: definition passing.Omega_a_p; (5) */
+        const double common_12 = over * S_t; /* fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5) */
+        const double Omega_b_p = fused(alpha_b * Omega_d * Omega_a_there, since, common_12 * fused(Omega_b, S_t, share * alpha_b * Omega_d0)); /* fact: definition passing.Omega_b_p; (5) */
+        const double Omega_d_p = fused(alpha_d * Omega_a_there * Omega_b, since, common_12 * fused(Omega_d, S_t, share * alpha_d * Omega_b0 * D_t)); /* fact: definition passing.Omega_d_p; (5) */
+        const double lobe = choose(2.0, turned, 0.0, Omega_b * Omega_b0); /* arithmetic */
+        const double crossed = choose(reach, p * (t * t), lobe, 1.0); /* arithmetic */
+        const double Omega_a_r = choose(crossed, 0.0, Omega_a_k - Omega_a_p, any_Omega_a_r); /* arithmetic */
+        const double Omega_b_r = choose(crossed, 0.0, Omega_b_k - Omega_b_p, any_Omega_b_r); /* arithmetic */
+        const double Omega_d_r = choose(crossed, 0.0, Omega_d_k - Omega_d_p, any_Omega_d_r); /* arithmetic */
+        over_out[i] = over;
+        Omega_a_k_out[i] = Omega_a_k;
+        Omega_b_k_out[i] = Omega_b_k;
+        Omega_d_k_out[i] = Omega_d_k;
+        Omega_a_r_out[i] = Omega_a_r;
+        Omega_b_r_out[i] = Omega_b_r;
+        Omega_d_r_out[i] = Omega_d_r;
+    }
+}
+
 /* What sensitivities of the rates are made from, at t = 0. */
 static void columns_constants(double_double c_a, double_double c_b, double_double c_d, double_double c_ab,
     double_double c_ad, double_double c_bd, double_double Omega_a0,
@@ -1587,37 +1718,39 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     const double_double alpha_d_by_c_d = dd_div_xx(dd_neg(alpha_d), c_d); /* fact: definition coefficients.alpha_d_by_c_d; (5) */
     const double_double alpha_d_by_c_a = dd_div_dx(epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_a; (5) */
     const double_double alpha_d_by_c_b = dd_div_dx(-epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_b; (5) */
-    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
+    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
     const double_double tilt_by_c_a = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_add_xx(c_a, c_ab), common_1)), c_a), c_d), dd_div_xx(tilt, c_a)); /* fact: definition coefficients.tilt_by_c_a; (5) */
-    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d; (5) */
+    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5) */
     const double_double tilt_by_c_b = dd_div_xx(dd_div_xx(dd_mul_dx(-epsilon, dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_d, common_2))), c_a), c_d); /* fact: definition coefficients.tilt_by_c_b; (5) */
     const double_double tilt_by_c_d = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_sub_xx(c_d, c_bd), common_2)), c_a), c_d), dd_div_xx(tilt, c_d)); /* fact: definition coefficients.tilt_by_c_d; (5) */
-    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5) */
+    const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5) */
     const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_3), dd_mul_xx(alpha_b, common_1)); /* fact: definition varied_rates.g_a; (5) */
     const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_3), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_d; (5) */
     const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_3); /* fact: definition varied_rates.k; (5) */
-    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), common_1); /* fact: definition varied_rates.kappa_a; (5) */
-    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), common_2); /* fact: definition varied_rates.kappa_d; (5) */
-    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
-    const double_double r = dd_add_xx(k, kappa_d); /* fact: definition varied_rates.r; (5) */
     const double_double p_by_Omega_a = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_b), alpha_d), Omega_a0); /* fact: definition varied_rates.p_by_Omega_a; (5) */
     const double_double p_by_Omega_b = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_a), alpha_d), Omega_b0); /* fact: definition varied_rates.p_by_Omega_b; (5) */
     const double_double r_by_Omega_d = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_a), alpha_b), Omega_d0); /* fact: definition varied_rates.r_by_Omega_d; (5) */
     const double_double kappa_by_c_a = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_a, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_a))), common_1); /* fact: definition varied_rates.kappa_by_c_a; (5) */
-    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_3)); /* fact: definition varied_rates.p_by_c_a; (5) */
+    const double_double common_4 = dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_a)), common_3); /* fact: definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a; (5) */
+    const double_double p_by_c_a = dd_add_xx(kappa_by_c_a, common_4); /* fact: definition varied_rates.p_by_c_a; (5) */
     const double_double apart_by_c_a = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_a), dd_mul_xx(alpha_b_by_c_a, tilt)); /* fact: definition varied_rates.apart_by_c_a; (5) */
+    const double_double leant_by_c_a = dd_add_xx(common_4, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_a, alpha_b), dd_mul_xx(alpha_a, alpha_b_by_c_a)), common_2)); /* fact: definition varied_rates.leant_by_c_a; (5) */
     const double_double a_by_c_a = dd_mul_xx(dd_mul_xx(alpha_a_by_c_a, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_a; (5) */
     const double_double b_by_c_a = dd_mul_xx(dd_mul_xx(alpha_b_by_c_a, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_a; (5) */
     const double_double d_by_c_a = dd_mul_xx(dd_mul_xx(alpha_d_by_c_a, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_a; (5) */
     const double_double kappa_by_c_b = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_b, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_b))), common_1); /* fact: definition varied_rates.kappa_by_c_b; (5) */
-    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_3)); /* fact: definition varied_rates.p_by_c_b; (5) */
+    const double_double common_5 = dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_b)), common_3); /* fact: definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b; (5) */
+    const double_double p_by_c_b = dd_add_xx(kappa_by_c_b, common_5); /* fact: definition varied_rates.p_by_c_b; (5) */
     const double_double apart_by_c_b = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_b), dd_mul_xx(alpha_b_by_c_b, tilt)); /* fact: definition varied_rates.apart_by_c_b; (5) */
+    const double_double leant_by_c_b = dd_add_xx(common_5, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_b, alpha_b), dd_mul_xx(alpha_a, alpha_b_by_c_b)), common_2)); /* fact: definition varied_rates.leant_by_c_b; (5) */
     const double_double a_by_c_b = dd_mul_xx(dd_mul_xx(alpha_a_by_c_b, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_b; (5) */
     const double_double b_by_c_b = dd_mul_xx(dd_mul_xx(alpha_b_by_c_b, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_b; (5) */
     const double_double d_by_c_b = dd_mul_xx(dd_mul_xx(alpha_d_by_c_b, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_b; (5) */
     const double_double kappa_by_c_d = dd_mul_xx(dd_neg(dd_add_xx(dd_mul_xx(alpha_b_by_c_d, alpha_d), dd_mul_xx(alpha_b, alpha_d_by_c_d))), common_1); /* fact: definition varied_rates.kappa_by_c_d; (5) */
-    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_3)); /* fact: definition varied_rates.p_by_c_d; (5) */
+    const double_double common_6 = dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_d), dd_mul_xx(alpha_a, alpha_d_by_c_d)), common_3); /* fact: definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5) */
+    const double_double p_by_c_d = dd_add_xx(kappa_by_c_d, common_6); /* fact: definition varied_rates.p_by_c_d; (5) */
     const double_double apart_by_c_d = dd_sub_xx(dd_mul_xx(dd_neg(alpha_b), tilt_by_c_d), dd_mul_xx(alpha_b_by_c_d, tilt)); /* fact: definition varied_rates.apart_by_c_d; (5) */
+    const double_double leant_by_c_d = dd_add_xx(common_6, dd_mul_xx(dd_add_xx(dd_mul_xx(alpha_a_by_c_d, alpha_b), dd_mul_xx(alpha_a, alpha_b_by_c_d)), common_2)); /* fact: definition varied_rates.leant_by_c_d; (5) */
     const double_double a_by_c_d = dd_mul_xx(dd_mul_xx(alpha_a_by_c_d, Omega_b0), Omega_d0); /* fact: definition varied_rates.a_by_c_d; (5) */
     const double_double b_by_c_d = dd_mul_xx(dd_mul_xx(alpha_b_by_c_d, Omega_d0), Omega_a0); /* fact: definition varied_rates.b_by_c_d; (5) */
     const double_double d_by_c_d = dd_mul_xx(dd_mul_xx(alpha_d_by_c_d, Omega_a0), Omega_b0); /* fact: definition varied_rates.d_by_c_d; (5) */
@@ -1629,13 +1762,9 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->alpha_b = dd_rounded(alpha_b);
     motion->alpha_d = dd_rounded(alpha_d);
     motion->alpha_divisor = dd_rounded(alpha_divisor);
-    motion->k = dd_rounded(k);
-    motion->kappa_a = dd_rounded(kappa_a);
-    motion->kappa_d = dd_rounded(kappa_d);
-    motion->p = dd_rounded(p);
-    motion->r = dd_rounded(r);
     motion->g_a = dd_rounded(g_a);
     motion->g_d = dd_rounded(g_d);
+    motion->k = dd_rounded(k);
     motion->p_by_Omega_a = dd_rounded(p_by_Omega_a);
     motion->p_by_Omega_b = dd_rounded(p_by_Omega_b);
     motion->r_by_Omega_d = dd_rounded(r_by_Omega_d);
@@ -1648,6 +1777,9 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->apart_by_c_a = dd_rounded(apart_by_c_a);
     motion->apart_by_c_b = dd_rounded(apart_by_c_b);
     motion->apart_by_c_d = dd_rounded(apart_by_c_d);
+    motion->leant_by_c_a = dd_rounded(leant_by_c_a);
+    motion->leant_by_c_b = dd_rounded(leant_by_c_b);
+    motion->leant_by_c_d = dd_rounded(leant_by_c_d);
     motion->a_by_c_a = dd_rounded(a_by_c_a);
     motion->a_by_c_b = dd_rounded(a_by_c_b);
     motion->a_by_c_d = dd_rounded(a_by_c_d);
@@ -1662,7 +1794,10 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
 /* What the rates change by, and integrals of their squares, from functions of the time. */
 static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
-    const double *restrict E_t_in, const double *restrict f_in,
+    const double *restrict E_t_in, const double *restrict over_in,
+    const double *restrict Omega_a_k_in, const double *restrict Omega_b_k_in,
+    const double *restrict Omega_d_k_in, const double *restrict Omega_a_r_in,
+    const double *restrict Omega_b_r_in, const double *restrict Omega_d_r_in,
     const double *restrict t_in, const double *restrict Omega_a_in,
     const double *restrict Omega_b_in, const double *restrict Omega_d_in,
     double *restrict Omega_a_by_Omega_a_out, double *restrict Omega_a_by_Omega_b_out,
@@ -1684,13 +1819,9 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
     const double alpha_b = motion->alpha_b;
     const double alpha_d = motion->alpha_d;
     const double alpha_divisor = motion->alpha_divisor;
-    const double k = motion->k;
-    const double kappa_a = motion->kappa_a;
-    const double kappa_d = motion->kappa_d;
-    const double p = motion->p;
-    const double r = motion->r;
     const double g_a = motion->g_a;
     const double g_d = motion->g_d;
+    const double k = motion->k;
     const double p_by_Omega_a = motion->p_by_Omega_a;
     const double p_by_Omega_b = motion->p_by_Omega_b;
     const double r_by_Omega_d = motion->r_by_Omega_d;
@@ -1703,6 +1834,9 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
     const double apart_by_c_a = motion->apart_by_c_a;
     const double apart_by_c_b = motion->apart_by_c_b;
     const double apart_by_c_d = motion->apart_by_c_d;
+    const double leant_by_c_a = motion->leant_by_c_a;
+    const double leant_by_c_b = motion->leant_by_c_b;
+    const double leant_by_c_d = motion->leant_by_c_d;
     const double a_by_c_a = motion->a_by_c_a;
     const double a_by_c_b = motion->a_by_c_b;
     const double a_by_c_d = motion->a_by_c_d;
@@ -1717,58 +1851,40 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double C_t = C_t_in[i];
         const double D_t = D_t_in[i];
         const double E_t = E_t_in[i];
-        const double f = f_in[i];
+        const double over = over_in[i];
+        const double Omega_a_k = Omega_a_k_in[i];
+        const double Omega_b_k = Omega_b_k_in[i];
+        const double Omega_d_k = Omega_d_k_in[i];
+        const double Omega_a_r = Omega_a_r_in[i];
+        const double Omega_b_r = Omega_b_r_in[i];
+        const double Omega_d_r = Omega_d_r_in[i];
         const double t = t_in[i];
         const double Omega_a = Omega_a_in[i];
         const double Omega_b = Omega_b_in[i];
         const double Omega_d = Omega_d_in[i];
-        const double common_1 = D_t * D_t; /* fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5) */
-        const double common_2 = S_t * S_t; /* fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double below = fused(kappa_d, common_2, common_1); /* fact: definition varied_rates.below; (5) */
-        const double over = 1.0 / below; /* fact: definition varied_rates.over; (5) */
-        const double common_3 = C_t * D_t; /* fact: definition varied_rates.S_k, definition varied_rates.Omega_b_by_Omega_b; (5) */
-        const double S_k = fused(common_3, E_t, -(common_2 * S_t)) / 2.0; /* fact: definition varied_rates.S_k; (5) */
-        const double common_4 = S_t * C_t; /* fact: definition varied_rates.C_k, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double C_k = -S_t * fused(p * D_t, E_t, common_4) / 2.0; /* fact: definition varied_rates.C_k; (5) */
-        const double common_5 = S_t * D_t; /* fact: definition varied_rates.D_k, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double D_k = -S_t * fused(r * C_t, E_t, common_5) / 2.0; /* fact: definition varied_rates.D_k; (5) */
-        const double below_k = -S_t * fused(S_t, below, k * C_t * D_t * E_t); /* fact: definition varied_rates.below_k; (5) */
-        const double common_6 = alpha_a * Omega_b0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition varied_rates.Omega_a_by_Omega_d; (5) */
-        const double common_7 = common_6 * Omega_d0; /* fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5) */
-        const double Omega_a_k = over * fused(-Omega_a, below_k, fused(Omega_a0, D_k, common_7 * fused(S_k, C_t, S_t * C_k))); /* fact: definition varied_rates.Omega_a_k; (5) */
-        const double common_8 = alpha_b * Omega_d0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r, definition varied_rates.Omega_b_by_Omega_a; (5) */
-        const double common_9 = common_8 * Omega_a0; /* fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5) */
-        const double common_10 = C_t * C_t; /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double Omega_b_k = over * fused(common_9, fused(-S_t, over * below_k, S_k), -(Omega_b0 * S_t * E_t * over * fused(kappa_a + kappa_d, common_10 * common_1, common_2 * fused(p * kappa_a, common_1, r * kappa_d * common_10)) / 2.0)); /* fact: definition varied_rates.Omega_b_k; (5) */
-        const double common_11 = alpha_d * Omega_a0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r, definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double common_12 = common_11 * Omega_b0; /* fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5) */
-        const double Omega_d_k = over * fused(-Omega_d, below_k, fused(Omega_d0, C_k, common_12 * fused(S_k, D_t, S_t * D_k))); /* fact: definition varied_rates.Omega_d_k; (5) */
-        const double S_r = -C_t * f / 2.0; /* fact: definition varied_rates.S_r; (5) */
-        const double C_r = p * S_t * f / 2.0; /* fact: definition varied_rates.C_r; (5) */
-        const double D_r = fused(r * S_t * C_t, f, -common_2) / (2.0 * D_t); /* fact: definition varied_rates.D_r; (5) */
-        const double below_r = k * S_t * C_t * f; /* fact: definition varied_rates.below_r; (5) */
-        const double Omega_a_r = over * fused(-Omega_a, below_r, fused(Omega_a0, D_r, common_7 * fused(S_r, C_t, S_t * C_r))); /* fact: definition varied_rates.Omega_a_r; (5) */
-        const double Omega_b_r = over * fused(-Omega_b, below_r, fused(Omega_b0, fused(C_r, D_t, C_t * D_r), common_9 * S_r)); /* fact: definition varied_rates.Omega_b_r; (5) */
-        const double Omega_d_r = over * fused(-Omega_d, below_r, fused(Omega_d0, C_r, common_12 * fused(S_r, D_t, S_t * D_r))); /* fact: definition varied_rates.Omega_d_r; (5) */
-        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a), common_2, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
-        const double any_Omega_b_by_Omega_a = fused(over, fused(common_8, S_t, -(Omega_b * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
-        const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_2)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
-        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * Omega_a_k); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
-        const double Omega_b_by_Omega_b = fused(over, common_3, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
-        const double Omega_d_by_Omega_b = fused(over, common_11 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double Omega_a_by_Omega_d = fused(over, common_6 * S_t * C_t, r_by_Omega_d * Omega_a_r); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a * k), common_1 * S_t * S_t, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
+        const double any_Omega_b_by_Omega_a = fused(over, fused(alpha_b * Omega_d0, S_t, -(Omega_b * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
+        const double common_2 = Omega_a * common_1 / 2.0; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * (Omega_a_k + common_2)); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
+        const double Omega_b_by_Omega_b = fused(over, C_t * D_t, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
+        const double Omega_d_by_Omega_b = fused(over, alpha_d * Omega_a0 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
+        const double Omega_a_by_Omega_d = fused(over, alpha_a * Omega_b0 * S_t * C_t, r_by_Omega_d * (Omega_a_r - common_2)); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
         const double any_Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
         const double Omega_d_by_Omega_d = fused(over, C_t, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
-        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(over, fused(a_by_c_a, common_4, -(Omega_a * kappa_by_c_a * common_2)), p_by_c_a * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
-        const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_2)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
-        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_5, -(Omega_d * kappa_by_c_a * common_2)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
-        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(over, fused(a_by_c_b, common_4, -(Omega_a * kappa_by_c_b * common_2)), p_by_c_b * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
-        const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_2)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
-        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_5, -(Omega_d * kappa_by_c_b * common_2)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
-        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(over, fused(a_by_c_d, common_4, -(Omega_a * kappa_by_c_d * common_2)), p_by_c_d * Omega_a_k)); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
-        const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_2)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
-        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_5, -(Omega_d * kappa_by_c_d * common_2)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
-        const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t, -(Omega_b0 * t))); /* fact: definition varied_rates.excess_b; (5) */
+        const double common_3 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(p_by_c_a, Omega_a_k, fused(over, a_by_c_a * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_a) * k), common_1, leant_by_c_a)))); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
+        const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_1)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
+        const double common_4 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_4, -(Omega_d * kappa_by_c_a * common_1)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
+        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(p_by_c_b, Omega_a_k, fused(over, a_by_c_b * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_b) * k), common_1, leant_by_c_b)))); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
+        const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_1)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
+        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_4, -(Omega_d * kappa_by_c_b * common_1)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
+        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(p_by_c_d, Omega_a_k, fused(over, a_by_c_d * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_d) * k), common_1, leant_by_c_d)))); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_1)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
+        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_4, -(Omega_d * kappa_by_c_d * common_1)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
+        const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t - t, (Omega_b - Omega_b0) * t)); /* fact: definition varied_rates.excess_b; (5) */
         const double b_divisor = choose(fabs(Omega_b), 0.0, 1.0, Omega_b); /* arithmetic */
         const double d_divisor = choose(fabs(alpha_d), 0.0, 1.0, alpha_d); /* arithmetic */
         const double middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a; /* fact: definition middle_columns.middle_by_Omega_a; (5) */
@@ -1962,10 +2078,13 @@ static void real_angles(const torque_free_real *motion, size_t n, const double *
         const double v_whole = nearest(v); /* classical: DLMF 4.16 */
         const double v_rest = v - v_whole; /* arithmetic: DLMF 4.16, Sterbenz 1974 */
         const double v_turns = v_rest + v_error; /* classical: DLMF 4.16 */
-        const double v_square = v_turns * v_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double v_side = choose(0.0, v_rest, 1.0, -1.0); /* classical: DLMF 4.16 */
+        const double v_left = fused(-v_side, v_error, 1.0 / 2.0 - fabs(v_rest)); /* classical: DLMF 4.21.10 */
         const double v_sign = alternating(v_whole); /* classical: DLMF 4.16 */
-        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
-        const double cos_v = v_sign * fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, fused(v_square, cosine_7, cosine_6), cosine_5), cosine_4), cosine_3), cosine_2), cosine_1), cosine_0), 1.0); /* classical: DLMF 4.19.2 */
+        const double v_turns_square = v_turns * v_turns; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double sin_v = v_sign * fused(v_turns, pi_hi, v_turns * fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, fused(v_turns_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
+        const double v_left_square = v_left * v_left; /* classical: DLMF 4.19.1, DLMF 4.19.2 */
+        const double cos_v = v_sign * fused(v_left, pi_hi, v_left * fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, fused(v_left_square, sine_7, sine_6), sine_5), sine_4), sine_3), sine_2), sine_1), sine_0), pi_lo)); /* classical: DLMF 4.19.1 */
         sin_v_out[i] = sin_v;
         cos_v_out[i] = cos_v;
     }
@@ -1975,7 +2094,8 @@ static void real_angles(const torque_free_real *motion, size_t n, const double *
 static void real_state(const torque_free_real *motion, size_t n, const double *restrict sin_v_in,
     const double *restrict cos_v_in, const double *restrict t_in,
     double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
-    double *restrict E_t_out, double *restrict f_out)
+    double *restrict E_t_out, double *restrict f_out, double *restrict passed_out,
+    double *restrict turned_out)
 {
     const double even_0 = motion->even_0;
     const double even_1 = motion->even_1;
@@ -2045,17 +2165,22 @@ static void real_state(const torque_free_real *motion, size_t n, const double *r
         const double F_far = fused(-S_t, C_t / D_t, fused(-p, E_t, t)) / apart; /* fact: definition elapsed_F.F_t; (10) */
         const double F_t = choose(growth, common_2, F_near, F_far); /* classical: DLMF 22.16.30 */
         const double f = D_t * F_t; /* fact: definition varied_rates.f; (5) */
+        const double passed = 0.0; /* arithmetic */
+        const double turned = 0.0; /* arithmetic */
         S_t_out[i] = S_t;
         C_t_out[i] = C_t;
         D_t_out[i] = D_t;
         E_t_out[i] = E_t;
         f_out[i] = f;
+        passed_out[i] = passed;
+        turned_out[i] = turned;
     }
 }
 
 /* Constants of the elapsed time for m > 1/2, from `_moduli`. */
 static void imaginary_constants(double_double p, double_double r, double_double apart, double_double lambda_,
-    double_double modulus, double_double complement, torque_free_imaginary *motion)
+    double_double modulus, double_double complement, double_double y0,
+    torque_free_imaginary *motion)
 {
     const double_double ratio = root_ratio(complement, modulus); /* classical: DLMF 20.9.1 */
     const double_double root_nome = dd_div_xx(complement, ratio); /* classical: DLMF 20.9.1 */
@@ -2092,6 +2217,24 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double_double m_safe = dd_choose(nome_d, 0.0, dd_of(1.0), m_1); /* classical: DLMF 22.16.30 */
     const double_double whole = dd_choose(nome_d, 0.0, dd_of(0.0), dd_div_xx(dd_mul_xx(dd_div_xx(dd_mul_dx(2.0, g), m_safe), over_lambda), r)); /* classical: DLMF 22.16.30 */
     const double_double f_period = dd_sub_xx(whole, dd_mul_xx(f_rate, period)); /* classical: DLMF 22.16.30 */
+    const double_double passed_gain = dd_div_xd(dd_mul_xx(r, scale), 2.0); /* classical: DLMF 22.16.30 */
+    const double_double passed_rate = dd_mul_xx(r, f_rate); /* classical: DLMF 22.16.30 */
+    const double_double passed_period = dd_mul_xx(r, f_period); /* classical: DLMF 22.16.30 */
+    const double_double z0 = dd_mul_dx(2.0, y0); /* classical: DLMF 20.7.12 */
+    const double start = dd_rounded(z0); /* arithmetic */
+    const double start_lo = dd_rounded(dd_sub_xd(z0, start)); /* arithmetic */
+    const double period_rest = dd_rounded(dd_choose(nome_d, 0.0, dd_of(0.0), dd_sub_xd(period, period_far))); /* arithmetic */
+    const double start_side = choose(0.0, start, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+    const double start_depth = 2.0 * fabs(start); /* classical: DLMF 20.2.2 */
+    const double start_more = 2.0 * (start_side * start_lo); /* classical: DLMF 20.2.2 */
+    const double start_w2 = exponential(-start_depth) * (1.0 - start_more); /* classical: DLMF 20.2.2 */
+    const double start_p2 = exponential(start_depth - period_far) * (1.0 + (start_more - period_rest)); /* classical: DLMF 20.2.2 */
+    const double common_5 = start_w2 * start_w2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+    const double common_6 = start_p2 * start_p2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+    const double_double common_7 = dd_mul_xd(nome12, common_6); /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+    const double_double start_rise = dd_add_xx(dd_add_dx((1.0 - common_5) / 2.0, dd_sub_xx(dd_mul_xd(nome4, start_p2), dd_mul_xd(nome6, common_5 * start_w2))), dd_div_xd(dd_mul_dx(3.0, dd_sub_xx(common_7, dd_mul_xd(nome16, common_5 * common_5))), 2.0)); /* classical: DLMF 22.16.30 */
+    const double_double start_theta = dd_add_xx(dd_add_xx(dd_add_dx(1.0, dd_mul_xd(nome4, common_6)), dd_mul_dx(common_5, nome8)), dd_add_xx(dd_mul_dx(start_p2, dd_add_dx(1.0, common_7)), dd_mul_dx(start_w2, dd_add_xx(nome2, dd_mul_xd(nome18, common_5))))); /* classical: DLMF 20.2.3 */
+    const double_double passed_0 = dd_add_xx(dd_mul_xx(dd_mul_xd(passed_gain, start_side), dd_div_xx(start_rise, dd_mul_dx(start_w2, start_theta))), dd_mul_xd(dd_neg(passed_rate), start)); /* classical: DLMF 22.16.30 */
     const double p_d = dd_rounded(p); /* arithmetic */
     const double r_d = dd_rounded(r); /* arithmetic */
     const double apart_d = dd_rounded(apart); /* arithmetic */
@@ -2100,8 +2243,8 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double F_one = 4.0 * (r_d - apart_d); /* classical: DLMF 22.10 */
     const double F_two = -6.0 * (r_d * apart_d); /* classical: DLMF 22.10 */
     const double E_square_0 = 1.0; /* classical: DLMF 22.10 */
-    const double common_5 = 1.0 / 3.0; /* classical: DLMF 22.10 */
-    const double E_0 = common_5; /* classical: DLMF 22.10 */
+    const double common_8 = 1.0 / 3.0; /* classical: DLMF 22.10 */
+    const double E_0 = common_8; /* classical: DLMF 22.10 */
     const double E_square_1 = E_one * E_square_0 / 12.0; /* classical: DLMF 22.10 */
     const double E_1 = E_square_1 / 5.0; /* classical: DLMF 22.10 */
     const double E_square_2 = fused(E_one, E_square_1, E_two * (E_square_0 * E_square_0)) / 30.0; /* classical: DLMF 22.10 */
@@ -2121,7 +2264,7 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     const double E_square_9 = fused(E_one, E_square_8, E_two * fused(E_square_7, E_square_0, fused(E_square_6, E_square_1, fused(E_square_5, E_square_2, fused(E_square_4, E_square_3, fused(E_square_3, E_square_4, fused(E_square_2, E_square_5, fused(E_square_0, E_square_7, E_square_1 * E_square_6)))))))) / 380.0; /* classical: DLMF 22.10 */
     const double E_9 = E_square_9 / 21.0; /* classical: DLMF 22.10 */
     const double F_square_0 = 1.0; /* classical: DLMF 22.10 */
-    const double F_0 = common_5; /* classical: DLMF 22.10 */
+    const double F_0 = common_8; /* classical: DLMF 22.10 */
     const double F_square_1 = F_one * F_square_0 / 12.0; /* classical: DLMF 22.10 */
     const double F_1 = F_square_1 / 5.0; /* classical: DLMF 22.10 */
     const double F_square_2 = fused(F_one, F_square_1, F_two * (F_square_0 * F_square_0)) / 30.0; /* classical: DLMF 22.10 */
@@ -2144,6 +2287,8 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->y_rate_lo = y_rate.lo;
     motion->period_hi = period.hi;
     motion->period_lo = period.lo;
+    motion->z0_hi = z0.hi;
+    motion->z0_lo = z0.lo;
     motion->period_far = period_far;
     motion->period_inverse = period_inverse;
     motion->nome2 = dd_rounded(nome2);
@@ -2161,6 +2306,10 @@ static void imaginary_constants(double_double p, double_double r, double_double 
     motion->f_period = dd_rounded(f_period);
     motion->p = dd_rounded(p);
     motion->apart = dd_rounded(apart);
+    motion->passed_gain = dd_rounded(passed_gain);
+    motion->passed_rate = dd_rounded(passed_rate);
+    motion->passed_period = dd_rounded(passed_period);
+    motion->passed_0 = dd_rounded(passed_0);
     motion->E_0 = E_0;
     motion->E_1 = E_1;
     motion->E_2 = E_2;
@@ -2187,12 +2336,15 @@ static void imaginary_constants(double_double p, double_double r, double_double 
 static void imaginary_angles(const torque_free_imaginary *motion, size_t n, const double *restrict t_in,
     const double *restrict t_lo_in, double *restrict w_out, double *restrict p2_out,
     double *restrict y_out, double *restrict side_out, double *restrict flip_out,
-    double *restrict periods_out)
+    double *restrict periods_out, double *restrict z_w2_out, double *restrict z_p2_out,
+    double *restrict z_out, double *restrict z_side_out, double *restrict turns_out)
 {
     const double y_rate_hi = motion->y_rate_hi;
     const double y_rate_lo = motion->y_rate_lo;
     const double period_hi = motion->period_hi;
     const double period_lo = motion->period_lo;
+    const double z0_hi = motion->z0_hi;
+    const double z0_lo = motion->z0_lo;
     const double period_far = motion->period_far;
     const double period_inverse = motion->period_inverse;
     for (size_t i = 0; i < n; i++) {
@@ -2206,28 +2358,56 @@ static void imaginary_angles(const torque_free_imaginary *motion, size_t n, cons
         const double ahead = p_y + -back; /* arithmetic: Knuth 4.2.2 */
         const double ahead_other = ahead - p_y; /* arithmetic: Knuth 4.2.2 */
         const double ahead_error = p_y - (ahead - ahead_other) + (-back - ahead_other); /* arithmetic: Knuth 4.2.2 */
-        const double y = ahead + (ahead_error + (p_y_error - back_error)); /* classical: DLMF 20.2.7 */
+        const double y_rest = ahead_error + (p_y_error - back_error); /* classical: DLMF 20.2.7 */
+        const double y = ahead + y_rest; /* classical: DLMF 20.2.7 */
+        const double y_lo = ahead - y + y_rest; /* arithmetic: Knuth 4.2.2 */
         const double side = choose(0.0, y, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
         const double flip = alternating(periods); /* classical: DLMF 20.2.6 */
         const double depth = fabs(y); /* classical: DLMF 20.2.2 */
-        const double w = exponential(-depth); /* classical: DLMF 20.2.2 */
-        const double p2 = exponential(fused(2.0, depth, -period_far)); /* classical: DLMF 20.2.2 */
+        const double more = side * y_lo; /* classical: DLMF 20.2.2 */
+        const double w = exponential(-depth) * (1.0 - more); /* classical: DLMF 20.2.2 */
+        const double p2 = exponential(fused(2.0, depth, -period_far)) * (1.0 + fused(2.0, more, -period_lo)); /* classical: DLMF 20.2.2 */
+        const double turns = nearest((p_y + z0_hi) * period_inverse); /* classical: DLMF 20.2.7 */
+        const double behind = period_hi * turns; /* arithmetic: Dekker 1971 */
+        const double behind_error = fused(period_lo, turns, product_error(period_hi, turns, behind)); /* arithmetic: Dekker 1971 */
+        const double beyond = p_y + -behind; /* arithmetic: Knuth 4.2.2 */
+        const double beyond_other = beyond - p_y; /* arithmetic: Knuth 4.2.2 */
+        const double beyond_error = p_y - (beyond - beyond_other) + (-behind - beyond_other); /* arithmetic: Knuth 4.2.2 */
+        const double z_near = beyond + z0_hi; /* arithmetic: Knuth 4.2.2 */
+        const double z_near_other = z_near - beyond; /* arithmetic: Knuth 4.2.2 */
+        const double z_near_error = beyond - (z_near - z_near_other) + (z0_hi - z_near_other); /* arithmetic: Knuth 4.2.2 */
+        const double z_rest = z_near_error + (beyond_error + (p_y_error + z0_lo - behind_error)); /* arithmetic */
+        const double z = z_near + z_rest; /* classical: DLMF 20.2.7 */
+        const double z_lo = z_near - z + z_rest; /* arithmetic: Knuth 4.2.2 */
+        const double z_side = choose(0.0, z, 1.0, -1.0); /* classical: DLMF 20.2.1, DLMF 20.2.2 */
+        const double z_depth = 2.0 * fabs(z); /* classical: DLMF 20.2.2 */
+        const double z_more = 2.0 * (z_side * z_lo); /* classical: DLMF 20.2.2 */
+        const double z_w2 = exponential(-z_depth) * (1.0 - z_more); /* classical: DLMF 20.2.2 */
+        const double z_p2 = exponential(z_depth - period_far) * (1.0 + (z_more - period_lo)); /* classical: DLMF 20.2.2 */
         w_out[i] = w;
         p2_out[i] = p2;
         y_out[i] = y;
         side_out[i] = side;
         flip_out[i] = flip;
         periods_out[i] = periods;
+        z_w2_out[i] = z_w2;
+        z_p2_out[i] = z_p2;
+        z_out[i] = z;
+        z_side_out[i] = z_side;
+        turns_out[i] = turns;
     }
 }
 
-/* S_t, C_t, D_t, E_t and D_t F_t where m > 1/2, from `_imaginary_angles`. */
+/* S_t, C_t, D_t, E_t, D_t F_t and what has passed where m > 1/2, from `_imaginary_angles`. */
 static void imaginary_state(const torque_free_imaginary *motion, size_t n, const double *restrict w_in,
     const double *restrict p2_in, const double *restrict y_in,
     const double *restrict side_in, const double *restrict flip_in,
-    const double *restrict periods_in, const double *restrict t_in,
-    double *restrict S_t_out, double *restrict C_t_out, double *restrict D_t_out,
-    double *restrict E_t_out, double *restrict f_out)
+    const double *restrict periods_in, const double *restrict z_w2_in,
+    const double *restrict z_p2_in, const double *restrict z_in,
+    const double *restrict z_side_in, const double *restrict turns_in,
+    const double *restrict t_in, double *restrict S_t_out, double *restrict C_t_out,
+    double *restrict D_t_out, double *restrict E_t_out, double *restrict f_out,
+    double *restrict passed_out, double *restrict turned_out)
 {
     const double nome2 = motion->nome2;
     const double nome4 = motion->nome4;
@@ -2244,6 +2424,10 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
     const double f_period = motion->f_period;
     const double p = motion->p;
     const double apart = motion->apart;
+    const double passed_gain = motion->passed_gain;
+    const double passed_rate = motion->passed_rate;
+    const double passed_period = motion->passed_period;
+    const double passed_0 = motion->passed_0;
     const double E_0 = motion->E_0;
     const double E_1 = motion->E_1;
     const double E_2 = motion->E_2;
@@ -2271,6 +2455,11 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
         const double side = side_in[i];
         const double flip = flip_in[i];
         const double periods = periods_in[i];
+        const double z_w2 = z_w2_in[i];
+        const double z_p2 = z_p2_in[i];
+        const double z = z_in[i];
+        const double z_side = z_side_in[i];
+        const double turns = turns_in[i];
         const double t = t_in[i];
         const double common_1 = w * w; /* classical: DLMF 20.2.2, DLMF 20.2.1 */
         const double qw2 = nome2 * common_1; /* classical: DLMF 20.2.2 */
@@ -2304,11 +2493,21 @@ static void imaginary_state(const torque_free_imaginary *motion, size_t n, const
         const double f = choose(growth, common_5, D_t * F_near, f_far); /* classical: DLMF 22.16.30 */
         const double E_far = (fused(-S_t, C_t / D_t, t) - apart * f / D_t) / p; /* fact: definition elapsed_E.E_t; (10) */
         const double E_t = choose(growth, common_5, E_near, E_far); /* classical: DLMF 22.16.30 */
+        const double common_7 = z_w2 * z_w2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+        const double common_8 = z_p2 * z_p2; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+        const double common_9 = nome12 * common_8; /* classical: DLMF 22.16.30, DLMF 20.2.3 */
+        const double z_rise = (1.0 - common_7) / 2.0 + fused(nome4, z_p2, -(nome6 * (common_7 * z_w2))) + 3.0 * fused(-nome16, common_7 * common_7, common_9) / 2.0; /* classical: DLMF 22.16.30 */
+        const double z_theta = fused(common_7, nome8, fused(nome4, common_8, 1.0)) + fused(z_p2, 1.0 + common_9, z_w2 * fused(nome18, common_7, nome2)); /* classical: DLMF 20.2.3 */
+        const double passed_z = fused(passed_gain * z_side, z_rise / (z_w2 * z_theta), fused(turns, passed_period, -(passed_rate * z))); /* classical: DLMF 22.16.30 */
+        const double passed = passed_z - passed_0; /* classical: DLMF 22.16.30 */
+        const double turned = fabs(turns); /* classical: DLMF 20.2.7 */
         S_t_out[i] = S_t;
         C_t_out[i] = C_t;
         D_t_out[i] = D_t;
         E_t_out[i] = E_t;
         f_out[i] = f;
+        passed_out[i] = passed;
+        turned_out[i] = turned;
     }
 }
 
@@ -2739,12 +2938,6 @@ static int exponent_of(size_t n, const double *x)
 static double scaled_by(double x, int n)
 {
     return n >= -1022 && n <= 1023 ? x * power_of_two((double)n) : ldexp(x, n);
-}
-
-static double_double scaled(double_double x, int n)
-{
-    const double_double y = {scaled_by(x.hi, n), scaled_by(x.lo, n)};
-    return y;
 }
 
 static int all_finite(size_t n, const double *x)
@@ -3412,18 +3605,6 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     return TORQUE_FREE_OK;
 }
 
-/* The states of one of many bodies; times that are too late have none where `lenient`. */
-static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
-                     int lenient)
-{
-    if (n != 1)
-        return states_at(motion, n, t, q, omega, lenient);
-    const int code = torque_free_state_at(motion, *t, q, omega);
-    if (code != TORQUE_FREE_OK && lenient)
-        no_states(1, q, omega);
-    return code;
-}
-
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
                           double *q, double *omega, int *codes, size_t *failed)
@@ -3446,7 +3627,7 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
             const size_t k = first + i;
             double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
             if (code[i] == TORQUE_FREE_OK)
-                code[i] = states_of(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
+                code[i] = states_at(&motion[i], n, t + stride * k, q_k, omega_k, codes != NULL);
             else if (codes)
                 no_states(n, q_k, omega_k);
             if (codes) {
@@ -3467,7 +3648,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "b6c6589511890cb928c6f35dd880cde377318f14b5422b35708e894e2976e1e8"; }
+const char *torque_free_digest(void) { return "8833a108fc32533d776281dee2d60ae91a103a877c139b197efdf282b7771682"; }
 
 const char *torque_free_message(int code)
 {
@@ -3486,11 +3667,12 @@ const char *torque_free_message(int code)
     }
 }
 
-/* How many sensitivities are computed side by side: each takes some eighty doubles of stack. */
+/* How many sensitivities are computed side by side: each takes some ninety doubles of stack. */
 enum { SENSITIVE = TORQUE_FREE_BLOCK < 32 ? TORQUE_FREE_BLOCK : 32 };
 
 /* The constants of sensitivities; the axes are those with p >= r, where rates are constant, too. */
 typedef struct {
+    torque_free_along along;
     torque_free_columns columns;
     torque_free_turn turn;
     torque_free_real real;
@@ -3527,14 +3709,20 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
     const double_double c_bd = difference(apart_from_next, axis[1], axis[2]);
     const double_double Omega_a0 = omega[axis[0]], Omega_b0 = omega[axis[1]], Omega_d0 = omega[axis[2]];
     const double axis_a = axis[0], axis_b = axis[1], axis_d = axis[2];
+    /* Where it is not known when a motion turns over, it hardly does. */
+    const int turns_over = motion->branch == 2;
+    const double reach = turns_over ? 1.0 : never;
+    const double_double y0 = {turns_over ? motion->of.hyperbolic.y0_hi : 0.0,
+                              turns_over ? motion->of.hyperbolic.y0_lo : 0.0};
     double_double p, r, apart, lambda_, divisor, modulus, complement;
     moduli(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &p, &r, &apart, &lambda_, &divisor, &modulus, &complement);
+    along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, reach, &made->along);
     columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_d0, E_b, axis_a, axis_b, axis_d, &made->columns);
     made->is_real = modulus.hi * modulus.hi <= max_real;
     if (made->is_real)
         real_constants(p, r, apart, lambda_, divisor, modulus, complement, &made->real);
     else
-        imaginary_constants(p, r, apart, lambda_, modulus, complement, &made->imaginary);
+        imaginary_constants(p, r, apart, lambda_, modulus, complement, y0, &made->imaginary);
     if (!made->at_rest)
         turn_constants(c[0].hi, c[1].hi, c[2].hi, difference(apart_from_next, 0, 1).hi,
                        difference(apart_from_next, 0, 2).hi, difference(apart_from_next, 1, 2).hi, omega[0].hi,
@@ -3542,30 +3730,31 @@ static void sensitive_init(const torque_free_motion *motion, sensitive *made)
                        &made->turn);
 }
 
-/* S_t, C_t, D_t, E_t and D_t F_t at n inner times, in rows s apart. */
+/* S_t, C_t, D_t, E_t, D_t F_t, what has passed and the turns at n inner times, in rows s apart. */
 static void elapsed(const sensitive *made, size_t n, size_t s, const double *restrict t, double *restrict to)
 {
-    double in[6 * SENSITIVE], rest[SENSITIVE];
+    double in[11 * SENSITIVE], rest[SENSITIVE];
     for (size_t i = 0; i < n; i++)
         rest[i] = 0.0;
     if (made->is_real) {
         real_angles(&made->real, n, t, rest, in, in + SENSITIVE);
-        real_state(&made->real, n, in, in + SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s);
+        real_state(&made->real, n, in, in + SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s, to + 4 * s,
+                   to + 5 * s, to + 6 * s);
     } else {
-        imaginary_angles(&made->imaginary, n, t, rest, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE);
-        imaginary_state(&made->imaginary, n, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s,
-                        to + 4 * s);
+        imaginary_angles(&made->imaginary, n, t, rest, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, in + 6 * SENSITIVE, in + 7 * SENSITIVE, in + 8 * SENSITIVE, in + 9 * SENSITIVE, in + 10 * SENSITIVE);
+        imaginary_state(&made->imaginary, n, in, in + SENSITIVE, in + 2 * SENSITIVE, in + 3 * SENSITIVE, in + 4 * SENSITIVE, in + 5 * SENSITIVE, in + 6 * SENSITIVE, in + 7 * SENSITIVE, in + 8 * SENSITIVE, in + 9 * SENSITIVE, in + 10 * SENSITIVE, t, to, to + s, to + 2 * s, to + 3 * s,
+                        to + 4 * s, to + 5 * s, to + 6 * s);
     }
 }
 
-/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times `by_moment`. */
+/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times both factors. */
 static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
-                 double by_moment)
+                 double by_moment, double again)
 {
     for (int k = 0; k < 3; k++) {
         row[k] = turn[k];
         row[3 + k] = by_rate * column[k][i];
-        row[6 + k] = by_moment * column[3 + k][i];
+        row[6 + k] = again * (by_moment * column[3 + k][i]);
     }
 }
 
@@ -3578,8 +3767,11 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     enum { s = SENSITIVE };
     static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     static const double zeros[3] = {0.0, 0.0, 0.0};
-    double functions[5 * s], state[7 * s], columns[21 * s], turned_by[24 * s];
+    double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
     const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
+    const double half = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
+    const double rest = unit / half * over_moment;
     const double *by[18], *excess[3], *eta[18];
     const int *axis = made->axis;
     for (size_t i = 0; i < n; i++) {
@@ -3589,8 +3781,11 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
             state[(4 + k) * s + i] = omega[3 * i + k] * over;
     }
     elapsed(made, n, s, t, functions);
+    along_state(&made->along, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
+                functions + 4 * s, functions + 5 * s, functions + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                state + (4 + axis[2]) * s, along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s);
     columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                  functions + 4 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                   state + (4 + axis[2]) * s, columns, columns + s, columns + 2 * s, columns + 3 * s, columns + 4 * s, columns + 5 * s, columns + 6 * s, columns + 7 * s, columns + 8 * s, columns + 9 * s, columns + 10 * s, columns + 11 * s, columns + 12 * s, columns + 13 * s, columns + 14 * s, columns + 15 * s, columns + 16 * s, columns + 17 * s, columns + 18 * s, columns + 19 * s, columns + 20 * s);
     for (int x = 0; x < 3; x++) {
         excess[axis[x]] = columns + (18 + x) * s;
@@ -3605,8 +3800,8 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
                state + 6 * s, by[0], by[1], by[2], by[3], by[4], by[5], by[6], by[7], by[8], by[9], by[10], by[11], by[12], by[13], by[14], by[15], by[16], by[17], excess[0], excess[1], excess[2], t, turned_by, turned_by + s, turned_by + 2 * s, turned_by + 3 * s, turned_by + 4 * s, turned_by + 5 * s, turned_by + 6 * s, turned_by + 7 * s, turned_by + 8 * s, turned_by + 9 * s, turned_by + 10 * s, turned_by + 11 * s, turned_by + 12 * s, turned_by + 13 * s, turned_by + 14 * s, turned_by + 15 * s, turned_by + 16 * s, turned_by + 17 * s, turned_by + 18 * s, turned_by + 19 * s, turned_by + 20 * s, turned_by + 21 * s, turned_by + 22 * s, turned_by + 23 * s);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
-            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment);
-            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, unit * over_moment);
+            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
+            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, half, rest);
             attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
             rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
         }

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    435  20 %  follow facts of the ledger, each named on its line
-    559  25 %  follow classical formulas, each with its reference
-     72   3 %  are arithmetic: sums, products, quotients, roots, reductions
-   1156  52 %  are the runtime, written by hand
+    457  20 %  follow facts of the ledger, each named on its line
+    595  26 %  follow classical formulas, each with its reference
+     98   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1158  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest b6c6589511890cb928c6f35dd880cde377318f14b5422b35708e894e2976e1e8
+digest 8833a108fc32533d776281dee2d60ae91a103a877c139b197efdf282b7771682
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -86,11 +86,16 @@ typedef struct {
 } torque_free_hyperbolic;
 
 typedef struct {
-    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, k, kappa_a;
-    double kappa_d, p, r, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a;
-    double kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b;
-    double apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a;
-    double d_by_c_b, d_by_c_d;
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r;
+    double share, half_over_p, reach;
+} torque_free_along;
+
+typedef struct {
+    double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k;
+    double p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d;
+    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a;
+    double leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b;
+    double b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
 } torque_free_columns;
 
 typedef struct {
@@ -101,10 +106,11 @@ typedef struct {
 } torque_free_real;
 
 typedef struct {
-    double y_rate_hi, y_rate_lo, period_hi, period_lo, period_far, period_inverse, nome2, nome4;
-    double nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain, f_rate;
-    double f_period, p, apart, E_0, E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2;
-    double F_3, F_4, F_5, F_6, F_7, F_8, F_9;
+    double y_rate_hi, y_rate_lo, period_hi, period_lo, z0_hi, z0_lo, period_far, period_inverse;
+    double nome2, nome4, nome6, nome8, nome12, nome16, nome18, gain_S, gain_C, gain_D, f_gain;
+    double f_rate, f_period, p, apart, passed_gain, passed_rate, passed_period, passed_0, E_0;
+    double E_1, E_2, E_3, E_4, E_5, E_6, E_7, E_8, E_9, F_0, F_1, F_2, F_3, F_4, F_5, F_6, F_7;
+    double F_8, F_9;
 } torque_free_imaginary;
 
 typedef struct {

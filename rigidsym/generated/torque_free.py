@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    441  23 %  follow facts of the ledger, each named on its line
+    456  23 %  follow facts of the ledger, each named on its line
     589  30 %  follow classical formulas, each with its reference
      98   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    826  42 %  are the runtime, written by hand
+    828  42 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 9cdabaf6e194fd78a7cf18ece2c37bf0f298c7aedd264d248d29eca4eef44c38
+digest a2169c1d407e0722394027bcc7655677e56d7703e7abaa39d75030d73115a5cd
 """
 
 # ruff: noqa
@@ -925,33 +925,40 @@ def _along_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omega_
 def _along_state(S_t, C_t, D_t, E_t, f, passed, turned, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, k, kappa_a, kappa_d, p, r, share, half_over_p, reach):
     """What the rates change by where p and r grow alike, and where r does."""
     common_1 = D_t * D_t  # fact: definition varied_rates.below, definition varied_rates.Omega_b_k; (5)
-    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition passing.Omega_a_p; (5)
+    common_2 = S_t * S_t  # fact: definition varied_rates.below, definition varied_rates.S_k, definition varied_rates.turning, definition varied_rates.Omega_a_k, definition varied_rates.Omega_b_k, definition varied_rates.D_r, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
     below = common_1 + kappa_d * common_2  # fact: definition varied_rates.below; (5)
     over = 1 / below  # fact: definition varied_rates.over; (5)
-    S_k = (C_t * D_t * E_t - common_2 * S_t) / 2  # fact: definition varied_rates.S_k; (5)
-    C_k = -S_t * (S_t * C_t + p * D_t * E_t) / 2  # fact: definition varied_rates.C_k; (5)
+    common_3 = common_2 * S_t  # fact: definition varied_rates.S_k, definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r, definition passing.Omega_a_p; (5)
+    S_k = (C_t * D_t * E_t - common_3) / 2  # fact: definition varied_rates.S_k; (5)
+    common_4 = S_t * C_t  # fact: definition varied_rates.C_k, definition varied_rates.turning; (5)
+    C_k = -S_t * (common_4 + p * D_t * E_t) / 2  # fact: definition varied_rates.C_k; (5)
     D_k = -S_t * (S_t * D_t + r * C_t * E_t) / 2  # fact: definition varied_rates.D_k; (5)
     below_k = -S_t * (S_t * below + k * C_t * D_t * E_t)  # fact: definition varied_rates.below_k; (5)
-    common_3 = alpha_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.Omega_a_k, definition varied_rates.Omega_a_r; (5)
-    Omega_a_k = over * (Omega_a0 * D_k + common_3 * (S_k * C_t + S_t * C_k) - Omega_a * below_k)  # fact: definition varied_rates.Omega_a_k; (5)
-    common_4 = alpha_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5)
-    common_5 = C_t * C_t  # fact: definition varied_rates.Omega_b_k; (5)
-    Omega_b_k = over * (common_4 * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * over * ((kappa_a + kappa_d) * (common_5 * common_1) + common_2 * (p * kappa_a * common_1 + r * kappa_d * common_5)) / 2)  # fact: definition varied_rates.Omega_b_k; (5)
-    common_6 = alpha_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
-    Omega_d_k = over * (Omega_d0 * C_k + common_6 * (S_k * D_t + S_t * D_k) - Omega_d * below_k)  # fact: definition varied_rates.Omega_d_k; (5)
+    leant = alpha_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.leant; (5)
+    common_5 = r * Omega_a0  # fact: definition varied_rates.turning, definition varied_rates.Omega_a_r; (5)
+    common_6 = C_t * C_t  # fact: definition varied_rates.turning, definition varied_rates.Omega_b_k; (5)
+    turning = over * (common_4 * (k * Omega_a * D_t - common_5 / 2) + leant * D_t * (common_6 - p * common_2) / 2)  # fact: definition varied_rates.turning; (5)
+    Omega_a_k = turning * E_t - over * leant * common_3 * C_t / 2  # fact: definition varied_rates.Omega_a_k; (5)
+    common_7 = alpha_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.Omega_b_k, definition varied_rates.Omega_b_r; (5)
+    common_8 = over * kappa_a  # fact: definition varied_rates.Omega_b_k; (5)
+    common_9 = over * kappa_d  # fact: definition varied_rates.Omega_b_k; (5)
+    common_10 = over * common_6  # fact: definition varied_rates.Omega_b_k; (5)
+    Omega_b_k = over * common_7 * (S_k - S_t * (over * below_k)) - Omega_b0 * S_t * E_t * ((common_8 + common_9) * common_10 * common_1 + common_2 * (p * common_8 * (over * common_1) + r * common_9 * common_10)) / 2  # fact: definition varied_rates.Omega_b_k; (5)
+    common_11 = alpha_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.Omega_d_k, definition varied_rates.Omega_d_r; (5)
+    Omega_d_k = over * (Omega_d0 * C_k + common_11 * (S_k * D_t + S_t * D_k) - Omega_d * below_k)  # fact: definition varied_rates.Omega_d_k; (5)
     S_r = -C_t * f / 2  # fact: definition varied_rates.S_r; (5)
     C_r = p * S_t * f / 2  # fact: definition varied_rates.C_r; (5)
     D_r = (r * S_t * C_t * f - common_2) / (2 * D_t)  # fact: definition varied_rates.D_r; (5)
     below_r = k * S_t * C_t * f  # fact: definition varied_rates.below_r; (5)
-    any_Omega_a_r = over * (Omega_a0 * D_r + common_3 * (S_r * C_t + S_t * C_r) - Omega_a * below_r)  # fact: definition varied_rates.Omega_a_r; (5)
-    any_Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_4 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
-    any_Omega_d_r = over * (Omega_d0 * C_r + common_6 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
+    any_Omega_a_r = over * common_3 * (leant * C_t - common_5 * S_t / D_t) / 2 - f * (turning / D_t)  # fact: definition varied_rates.Omega_a_r; (5)
+    any_Omega_b_r = over * (Omega_b0 * (C_r * D_t + C_t * D_r) + common_7 * S_r - Omega_b * below_r)  # fact: definition varied_rates.Omega_b_r; (5)
+    any_Omega_d_r = over * (Omega_d0 * C_r + common_11 * (S_r * D_t + S_t * D_r) - Omega_d * below_r)  # fact: definition varied_rates.Omega_d_r; (5)
     Omega_a_there = _choose(abs(Omega_a), 0, 1, Omega_a)  # arithmetic
     since = (t + passed) * half_over_p  # fact: definition passing.since; (5)
-    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (over * (Omega_a_there * common_2 + share * D_t) - share * (Omega_a0 / Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
-    common_7 = over * S_t  # fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5)
-    Omega_b_p = alpha_b * Omega_d * Omega_a_there * since + common_7 * (Omega_b * S_t + share * alpha_b * Omega_d0)  # fact: definition passing.Omega_b_p; (5)
-    Omega_d_p = alpha_d * Omega_a_there * Omega_b * since + common_7 * (Omega_d * S_t + share * alpha_d * Omega_b0 * D_t)  # fact: definition passing.Omega_d_p; (5)
+    Omega_a_p = alpha_a * Omega_b * Omega_d * since + (over * (k * (common_3 * S_t) * Omega_a_there + share * D_t) - share * (Omega_a0 / Omega_a_there))  # fact: definition passing.Omega_a_p; (5)
+    common_12 = over * S_t  # fact: definition passing.Omega_b_p, definition passing.Omega_d_p; (5)
+    Omega_b_p = alpha_b * Omega_d * Omega_a_there * since + common_12 * (Omega_b * S_t + share * alpha_b * Omega_d0)  # fact: definition passing.Omega_b_p; (5)
+    Omega_d_p = alpha_d * Omega_a_there * Omega_b * since + common_12 * (Omega_d * S_t + share * alpha_d * Omega_b0 * D_t)  # fact: definition passing.Omega_d_p; (5)
     lobe = _choose(2, turned, 0, Omega_b * Omega_b0)  # arithmetic
     crossed = _choose(reach, p * (t * t), lobe, 1)  # arithmetic
     Omega_a_r = _choose(crossed, 0, Omega_a_k - Omega_a_p, any_Omega_a_r)  # arithmetic
@@ -978,61 +985,69 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     alpha_d_by_c_b = -epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_b; (5)
     common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
     tilt_by_c_a = epsilon * ((c_a + c_ab) * common_1) / c_a / c_d - tilt / c_a  # fact: definition coefficients.tilt_by_c_a; (5)
-    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d; (5)
+    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5)
     tilt_by_c_b = -epsilon * (c_a * common_1 + c_d * common_2) / c_a / c_d  # fact: definition coefficients.tilt_by_c_b; (5)
     tilt_by_c_d = epsilon * ((c_d - c_bd) * common_2) / c_a / c_d - tilt / c_d  # fact: definition coefficients.tilt_by_c_d; (5)
-    common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.p_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.p_by_c_d; (5)
+    common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
     g_a = alpha_a * common_3 - alpha_b * common_1  # fact: definition varied_rates.g_a; (5)
     g_d = alpha_d * common_3 - alpha_b * common_2  # fact: definition varied_rates.g_d; (5)
+    k = alpha_a * alpha_d * common_3  # fact: definition varied_rates.k; (5)
     p_by_Omega_a = -2 * alpha_b * alpha_d * Omega_a0  # fact: definition varied_rates.p_by_Omega_a; (5)
     p_by_Omega_b = 2 * alpha_a * alpha_d * Omega_b0  # fact: definition varied_rates.p_by_Omega_b; (5)
     r_by_Omega_d = -2 * alpha_a * alpha_b * Omega_d0  # fact: definition varied_rates.r_by_Omega_d; (5)
     kappa_by_c_a = -(alpha_b_by_c_a * alpha_d + alpha_b * alpha_d_by_c_a) * common_1  # fact: definition varied_rates.kappa_by_c_a; (5)
-    p_by_c_a = kappa_by_c_a + (alpha_a_by_c_a * alpha_d + alpha_a * alpha_d_by_c_a) * common_3  # fact: definition varied_rates.p_by_c_a; (5)
+    common_4 = (alpha_a_by_c_a * alpha_d + alpha_a * alpha_d_by_c_a) * common_3  # fact: definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a; (5)
+    p_by_c_a = kappa_by_c_a + common_4  # fact: definition varied_rates.p_by_c_a; (5)
     apart_by_c_a = -alpha_b * tilt_by_c_a - alpha_b_by_c_a * tilt  # fact: definition varied_rates.apart_by_c_a; (5)
+    leant_by_c_a = common_4 + (alpha_a_by_c_a * alpha_b + alpha_a * alpha_b_by_c_a) * common_2  # fact: definition varied_rates.leant_by_c_a; (5)
     a_by_c_a = alpha_a_by_c_a * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_a; (5)
     b_by_c_a = alpha_b_by_c_a * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_a; (5)
     d_by_c_a = alpha_d_by_c_a * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_a; (5)
     kappa_by_c_b = -(alpha_b_by_c_b * alpha_d + alpha_b * alpha_d_by_c_b) * common_1  # fact: definition varied_rates.kappa_by_c_b; (5)
-    p_by_c_b = kappa_by_c_b + (alpha_a_by_c_b * alpha_d + alpha_a * alpha_d_by_c_b) * common_3  # fact: definition varied_rates.p_by_c_b; (5)
+    common_5 = (alpha_a_by_c_b * alpha_d + alpha_a * alpha_d_by_c_b) * common_3  # fact: definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b; (5)
+    p_by_c_b = kappa_by_c_b + common_5  # fact: definition varied_rates.p_by_c_b; (5)
     apart_by_c_b = -alpha_b * tilt_by_c_b - alpha_b_by_c_b * tilt  # fact: definition varied_rates.apart_by_c_b; (5)
+    leant_by_c_b = common_5 + (alpha_a_by_c_b * alpha_b + alpha_a * alpha_b_by_c_b) * common_2  # fact: definition varied_rates.leant_by_c_b; (5)
     a_by_c_b = alpha_a_by_c_b * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_b; (5)
     b_by_c_b = alpha_b_by_c_b * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_b; (5)
     d_by_c_b = alpha_d_by_c_b * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_b; (5)
     kappa_by_c_d = -(alpha_b_by_c_d * alpha_d + alpha_b * alpha_d_by_c_d) * common_1  # fact: definition varied_rates.kappa_by_c_d; (5)
-    p_by_c_d = kappa_by_c_d + (alpha_a_by_c_d * alpha_d + alpha_a * alpha_d_by_c_d) * common_3  # fact: definition varied_rates.p_by_c_d; (5)
+    common_6 = (alpha_a_by_c_d * alpha_d + alpha_a * alpha_d_by_c_d) * common_3  # fact: definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
+    p_by_c_d = kappa_by_c_d + common_6  # fact: definition varied_rates.p_by_c_d; (5)
     apart_by_c_d = -alpha_b * tilt_by_c_d - alpha_b_by_c_d * tilt  # fact: definition varied_rates.apart_by_c_d; (5)
+    leant_by_c_d = common_6 + (alpha_a_by_c_d * alpha_b + alpha_a * alpha_b_by_c_d) * common_2  # fact: definition varied_rates.leant_by_c_d; (5)
     a_by_c_d = alpha_a_by_c_d * Omega_b0 * Omega_d0  # fact: definition varied_rates.a_by_c_d; (5)
     b_by_c_d = alpha_b_by_c_d * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_d; (5)
     d_by_c_d = alpha_d_by_c_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_d; (5)
     alpha_divisor = _choose(_rounded(abs(alpha_b)), 0, 1, alpha_b)  # arithmetic
-    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(g_a), _rounded(g_d), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
+    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(g_a), _rounded(g_d), _rounded(k), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(leant_by_c_a), _rounded(leant_by_c_b), _rounded(leant_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
 
 
-def _columns_state(S_t, C_t, D_t, E_t, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
+def _columns_state(S_t, C_t, D_t, E_t, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
     """What the rates change by, and integrals of their squares, from functions of the time."""
-    common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
-    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
+    common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * k * (common_1 * S_t * S_t)) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
     any_Omega_b_by_Omega_a = over * (alpha_b * Omega_d0 * S_t - Omega_b * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
     Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
-    Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * Omega_a_k  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
+    common_2 = Omega_a * common_1 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * (Omega_a_k + common_2)  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
     Omega_b_by_Omega_b = over * (C_t * D_t) + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
     Omega_d_by_Omega_b = over * (alpha_d * Omega_a0 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
-    Omega_a_by_Omega_d = over * (alpha_a * Omega_b0 * S_t * C_t) + r_by_Omega_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
+    Omega_a_by_Omega_d = over * (alpha_a * Omega_b0 * S_t * C_t) + r_by_Omega_d * (Omega_a_r - common_2)  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
     any_Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
     Omega_d_by_Omega_d = over * C_t + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
-    common_2 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_a_by_c_a = over * (a_by_c_a * common_2 - Omega_a * kappa_by_c_a * common_1) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
+    common_3 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_c_a = over * (a_by_c_a * common_3) + common_2 * (leant_by_c_a - 2 * (over * kappa_by_c_a) * k * common_1) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
     Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_1) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
-    common_3 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
-    Omega_d_by_c_a = over * (d_by_c_a * common_3 - Omega_d * kappa_by_c_a * common_1) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
-    Omega_a_by_c_b = over * (a_by_c_b * common_2 - Omega_a * kappa_by_c_b * common_1) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
+    common_4 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_d_by_c_a = over * (d_by_c_a * common_4 - Omega_d * kappa_by_c_a * common_1) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
+    Omega_a_by_c_b = over * (a_by_c_b * common_3) + common_2 * (leant_by_c_b - 2 * (over * kappa_by_c_b) * k * common_1) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
     Omega_b_by_c_b = over * (b_by_c_b * S_t - Omega_b * kappa_by_c_b * common_1) + p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_b; (5)
-    Omega_d_by_c_b = over * (d_by_c_b * common_3 - Omega_d * kappa_by_c_b * common_1) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
-    Omega_a_by_c_d = over * (a_by_c_d * common_2 - Omega_a * kappa_by_c_d * common_1) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_d_by_c_b = over * (d_by_c_b * common_4 - Omega_d * kappa_by_c_b * common_1) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
+    Omega_a_by_c_d = over * (a_by_c_d * common_3) + common_2 * (leant_by_c_d - 2 * (over * kappa_by_c_d) * k * common_1) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
     Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_1) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
-    Omega_d_by_c_d = over * (d_by_c_d * common_3 - Omega_d * kappa_by_c_d * common_1) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
-    excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * S_t - Omega_b0 * t)  # fact: definition varied_rates.excess_b; (5)
+    Omega_d_by_c_d = over * (d_by_c_d * common_4 - Omega_d * kappa_by_c_d * common_1) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
+    excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * (S_t - t) + (Omega_b - Omega_b0) * t)  # fact: definition varied_rates.excess_b; (5)
     b_divisor = _choose(abs(Omega_b), 0, 1, Omega_b)  # arithmetic
     d_divisor = _choose(abs(alpha_d), 0, 1, alpha_d)  # arithmetic
     middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a  # fact: definition middle_columns.middle_by_Omega_a; (5)
@@ -1589,10 +1604,10 @@ SENSITIVITY = {
     'columns': {
         'constants': _columns_constants,
         'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
-        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'k', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'leant_by_c_a', 'leant_by_c_b', 'leant_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
         'state': _columns_state,
         'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'over', 'Omega_a_k', 'Omega_b_k', 'Omega_d_k', 'Omega_a_r', 'Omega_b_r', 'Omega_d_r', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
-        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'k', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'leant_by_c_a', 'leant_by_c_b', 'leant_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
         'results': ('Omega_a_by_Omega_a', 'Omega_a_by_Omega_b', 'Omega_a_by_Omega_d', 'Omega_a_by_c_a', 'Omega_a_by_c_b', 'Omega_a_by_c_d', 'Omega_b_by_Omega_a', 'Omega_b_by_Omega_b', 'Omega_b_by_Omega_d', 'Omega_b_by_c_a', 'Omega_b_by_c_b', 'Omega_b_by_c_d', 'Omega_d_by_Omega_a', 'Omega_d_by_Omega_b', 'Omega_d_by_Omega_d', 'Omega_d_by_c_a', 'Omega_d_by_c_b', 'Omega_d_by_c_d', 'excess_a', 'excess_b', 'excess_d'),
     },
     'real': {
@@ -2361,11 +2376,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
                 change = columns[f"Omega_{one}_by_{of}_{other}"]
                 known[f"Omega{i + 1}_by_{of}{j + 1}"] = change
     known |= _stated(SENSITIVITY["turn"], known, constants["turn"])
+    # A unit of rates over one of moments may leave binary64 where no rate by a moment does.
+    half = np.ldexp(1.0, (np.frexp(scale)[1] - np.frexp(moment_unit)[1]) // 2)
     scales = {
         ("eta", "Omega"): 1 / scale,
         ("eta", "c"): 1 / moment_unit,
         ("Omega", "Omega"): 1.0,
-        ("Omega", "c"): scale / moment_unit,
+        ("Omega", "c"): scale / half / moment_unit,
     }
     lost = False
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
@@ -2375,6 +2392,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
             for i in range(3):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
+                    value = value * half if (changed, of) == ("Omega", "c") else value
                     np.multiply(value, factor, out=block[..., i, first + j])
         if changed == "eta":
             for k in range(3):
@@ -2418,7 +2436,7 @@ def _unchanged(t, rows):
 
 def _check_held(rows, errors):
     """Refuse times at which changes have no numbers: where their squares leave binary64."""
-    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows], axis=0)
+    lost = np.any([np.any(np.isnan(x), axis=tuple(range(2, x.ndim))) for x in rows[2:]], axis=0)
     if not np.any(lost):
         return
     if errors == "raise":

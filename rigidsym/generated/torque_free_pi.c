@@ -74,7 +74,7 @@ typedef struct { double hi, lo; } double_double;
 #define fused(a, b, c) ((a) * (b) + (c))
 
 /* The upper half of the digits of a (Veltkamp); a must stay below 2^995. */
-static inline double upper_half(double a)
+static INLINED double upper_half(double a)
 {
     const double c = 134217729.0 * a;
     const double d = c - a;
@@ -82,7 +82,7 @@ static inline double upper_half(double a)
 }
 
 /* a b - p exactly, where p is the rounded product (Dekker). */
-static inline double product_error(double a, double b, double p)
+static INLINED double product_error(double a, double b, double p)
 {
     const double a1 = upper_half(a), b1 = upper_half(b);
     const double a2 = a - a1, b2 = b - b1;
@@ -94,7 +94,7 @@ static inline double product_error(double a, double b, double p)
 #endif
 
 /* The nearest whole number, for |x| < 2^51. */
-static inline double nearest(double x)
+static INLINED double nearest(double x)
 {
     const double shifted = x + 6755399441055744.0;
     return shifted - 6755399441055744.0;
@@ -102,14 +102,14 @@ static inline double nearest(double x)
 
 /* Copies that compilers see through.  In n + 3 2^51 the last bits are those of the whole number n,
    |n| < 2^51. */
-static inline uint64_t bits_of(double x)
+static INLINED uint64_t bits_of(double x)
 {
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
 }
 
-static inline double from_bits(uint64_t bits)
+static INLINED double from_bits(uint64_t bits)
 {
     double x;
     memcpy(&x, &bits, sizeof x);
@@ -117,31 +117,31 @@ static inline double from_bits(uint64_t bits)
 }
 
 /* (-1)^n for a whole number n: its last bit becomes the sign of 1. */
-static inline double alternating(double n)
+static INLINED double alternating(double n)
 {
     return from_bits(UINT64_C(0x3ff0000000000000) | bits_of(n + 6755399441055744.0) << 63);
 }
 
 /* 2^n for a whole number n between -1022 and 1023, from its bits. */
-static inline double power_of_two(double n)
+static INLINED double power_of_two(double n)
 {
     return from_bits(bits_of(n + (6755399441055744.0 + 1023.0)) << 52);
 }
 
 /* one where x <= y, else other. */
-static inline double choose(double x, double y, double one, double other)
+static INLINED double choose(double x, double y, double one, double other)
 {
     return x <= y ? one : other;
 }
 
-static inline double_double dd_of(double a)
+static INLINED double_double dd_of(double a)
 {
     const double_double x = {a, 0.0};
     return x;
 }
 
 /* a + b exactly (Knuth). */
-static inline double_double two_sum(double a, double b)
+static INLINED double_double two_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
@@ -151,7 +151,7 @@ static inline double_double two_sum(double a, double b)
 }
 
 /* a + b exactly, for |a| >= |b| (Dekker). */
-static inline double_double quick_sum(double a, double b)
+static INLINED double_double quick_sum(double a, double b)
 {
     const double s = a + b;
     const double c = s - a;
@@ -160,68 +160,68 @@ static inline double_double quick_sum(double a, double b)
 }
 
 /* a b exactly. */
-static inline double_double two_product(double a, double b)
+static INLINED double_double two_product(double a, double b)
 {
     const double p = a * b;
     const double_double x = {p, product_error(a, b, p)};
     return x;
 }
 
-static inline double_double dd_neg(double_double x)
+static INLINED double_double dd_neg(double_double x)
 {
     const double_double y = {-x.hi, -x.lo};
     return y;
 }
 
-static inline double_double dd_add_xx(double_double x, double_double y)
+static INLINED double_double dd_add_xx(double_double x, double_double y)
 {
     const double_double s = two_sum(x.hi, y.hi), t = two_sum(x.lo, y.lo);
     const double_double v = quick_sum(s.hi, s.lo + t.hi);
     return quick_sum(v.hi, v.lo + t.lo);
 }
 
-static inline double_double dd_add_xd(double_double x, double y)
+static INLINED double_double dd_add_xd(double_double x, double y)
 {
     const double_double s = two_sum(x.hi, y);
     return quick_sum(s.hi, s.lo + x.lo);
 }
 
-static inline double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
-static inline double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
-static inline double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
-static inline double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
+static INLINED double_double dd_add_dx(double x, double_double y) { return dd_add_xd(y, x); }
+static INLINED double_double dd_sub_xx(double_double x, double_double y) { return dd_add_xx(x, dd_neg(y)); }
+static INLINED double_double dd_sub_xd(double_double x, double y) { return dd_add_xd(x, -y); }
+static INLINED double_double dd_sub_dx(double x, double_double y) { return dd_add_xd(dd_neg(y), x); }
 
-static inline double_double dd_mul_xx(double_double x, double_double y)
+static INLINED double_double dd_mul_xx(double_double x, double_double y)
 {
     const double_double p = two_product(x.hi, y.hi);
     return quick_sum(p.hi, p.lo + (x.hi * y.lo + x.lo * y.hi));
 }
 
-static inline double_double dd_mul_xd(double_double x, double y)
+static INLINED double_double dd_mul_xd(double_double x, double y)
 {
     const double_double p = two_product(x.hi, y);
     return quick_sum(p.hi, p.lo + x.lo * y);
 }
 
-static inline double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
+static INLINED double_double dd_mul_dx(double x, double_double y) { return dd_mul_xd(y, x); }
 
-static inline double_double dd_div_xx(double_double x, double_double y)
+static INLINED double_double dd_div_xx(double_double x, double_double y)
 {
     const double q = x.hi / y.hi;
     const double_double r = dd_mul_xd(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y.hi);
 }
 
-static inline double_double dd_div_xd(double_double x, double y)
+static INLINED double_double dd_div_xd(double_double x, double y)
 {
     const double q = x.hi / y;
     const double_double r = two_product(y, q);
     return quick_sum(q, ((x.hi - r.hi) + (x.lo - r.lo)) / y);
 }
 
-static inline double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
+static INLINED double_double dd_div_dx(double x, double_double y) { return dd_div_xx(dd_of(x), y); }
 
-static inline double_double dd_sqrt(double_double x)
+static INLINED double_double dd_sqrt(double_double x)
 {
     const double s = sqrt(x.hi);
     const double_double r = two_product(s, s);
@@ -229,16 +229,16 @@ static inline double_double dd_sqrt(double_double x)
     return quick_sum(s, s > 0.0 ? rest / (2.0 * s) : 0.0);
 }
 
-static inline double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
-static inline double dd_rounded(double_double x) { return x.hi + x.lo; }
-static inline double_double dd_choose(double x, double y, double_double one, double_double other)
+static INLINED double_double dd_size(double_double x) { return x.hi < 0.0 ? dd_neg(x) : x; }
+static INLINED double dd_rounded(double_double x) { return x.hi + x.lo; }
+static INLINED double_double dd_choose(double x, double y, double_double one, double_double other)
 {
     return x <= y ? one : other;
 }
 
 /* x = mantissa 2^exponent with a mantissa between sqrt(1/2) and sqrt(2), nearly; x between 2^-1021 and
    2^1022, from its bits: first as a mantissa between 1/2 and 1. */
-static inline double dd_exponent(double_double x)
+static INLINED double dd_exponent(double_double x)
 {
     const uint64_t bits = bits_of(x.hi);
     const double fraction = from_bits((bits & UINT64_C(0x000fffffffffffff)) | UINT64_C(0x3fe0000000000000));
@@ -246,7 +246,7 @@ static inline double dd_exponent(double_double x)
     return fraction < 0.70710678118654752 ? e - 1.0 : e;
 }
 
-static inline double_double dd_mantissa(double_double x)
+static INLINED double_double dd_mantissa(double_double x)
 {
     const double power = power_of_two(-dd_exponent(x));
     const double_double y = {x.hi * power, x.lo * power};
@@ -2562,7 +2562,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "f6a205a553fa81a23543e28487df0db403727cd8964f8e2ef7379e105b85752b"; }
+const char *torque_free_pi_digest(void) { return "6c82ca8a5a6f1a037147844db0b902c6c1f103b02b46b277c0d52019edd8bc0e"; }
 
 const char *torque_free_pi_message(int code)
 {

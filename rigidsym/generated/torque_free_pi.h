@@ -41,7 +41,7 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
 Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest f6a205a553fa81a23543e28487df0db403727cd8964f8e2ef7379e105b85752b
+digest 6c82ca8a5a6f1a037147844db0b902c6c1f103b02b46b277c0d52019edd8bc0e
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a

@@ -18,16 +18,17 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    112  18 %  follow facts of the ledger, each named on its line
-     77  12 %  follow classical formulas, each with its reference
+    144  16 %  follow facts of the ledger, each named on its line
+     77   9 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    432  69 %  are the runtime, written by hand
+    672  75 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
-cosine) are truncated as follows; `pytest tests/codegen/special_functions` holds them against
-mpmath:
-  X and Y, 8 terms of series   relative, 1.0e-17 measured
-  J, 12 terms of series         in psi/2 after all doublings, 1.0e-17 measured
+cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
+proves the bounds in exact or ball arithmetic, `pytest tests/codegen/special_functions` holds them
+against mpmath:
+  X and Y, 8 terms of series    relative, below 4.4e-17 up to 8 rad
+  J, 12 terms of series         in psi/2 after all doublings, below 2.5e-17 up to 8 rad
   arctangent and logarithm       relative, below 2.1e-36
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
@@ -35,12 +36,14 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 888db5eb9f0abc608865eddf183918f4a08c980843b018502f891ba0645c5a0b
+digest 43e1a461a2625b08dbb640fbc99141e17f8a68f07e7734b8d9925724bd6bbfa3
 
-Re-entrant, without allocation or global variables; a call needs about 20 KB of stack.  Compile with
--O3 -fno-math-errno -fno-trapping-math for the machine it runs on (-march=native): the loops over
-lanes are vectorised then.  -ffast-math, -ffinite-math-only and 80-bit arithmetic (x87) are refused
-when it is compiled. */
+Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
+torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
+runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math, -ffinite-math-only
+and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
+approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
+every body_init and every call of torque_free_steps. */
 
 #ifndef TORQUE_FREE_STEP_H
 #define TORQUE_FREE_STEP_H
@@ -60,13 +63,14 @@ enum {
     TORQUE_FREE_STEP_INERTIA = 2,    /* a principal moment of inertia is not positive */
     TORQUE_FREE_STEP_THIN = 3,       /* a principal moment is below 2^-200 of another */
     TORQUE_FREE_STEP_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_STEP_ANGLE = 5       /* |omega dt| beyond 2^3 rad, or a body that turns faster still */
+    TORQUE_FREE_STEP_ANGLE = 5,      /* |omega dt| beyond 2^3 rad, or a body that turns faster still */
+    TORQUE_FREE_STEP_ARITHMETIC = 6  /* it was compiled by options that reorder sums, see above */
 };
 
 /* What is of a body alone; written by torque_free_body_init, read by torque_free_step. */
 typedef struct {
     int axis[3]; /* by moments of inertia, the largest first */
-    double epsilon, moments[3], apart[3], alphas[6], squares[6];
+    double epsilon, moments[3], alphas[6], squares[6];
 } torque_free_body;
 
 /* The constants of a body.  inertia: principal moments about the body axes, kg m^2, positive.
@@ -94,6 +98,46 @@ const char *torque_free_step_digest(void);
 
 /* What a code means, in one line. */
 const char *torque_free_step_message(int code);
+
+/* Where a body is seen from a mass point on a Kepler orbit: mean motion (rad/s), a time at periapsis
+   (s), eccentricity, which is not 1, size of the semi-major axis (m), 3 mu (m^3/s^2), and unit
+   vectors, inertial axes, towards periapsis and a right angle on from there. */
+typedef struct {
+    double mean_motion, epoch, eccentricity, semi_major, strength, along[3], across[3];
+} torque_free_orbit;
+
+/* A torque of each body, b + k v + v x (Q v - m) in body axes, N m, with v what a vector u in space
+   is there.  vector: u, inertial axes, of body k at vector + k vector_stride; on an orbit, where
+   that is not null, u is that from the mass point times sqrt(3 mu/r^5).  coefficients: three b, k,
+   three m, and Q11, Q22, Q33, Q23, Q13, Q12 of body k at coefficients + k coefficients_stride.
+   Strides are 3 and 13, or 0 where all have the same.  more, where it is not null, adds what else
+   pushes a body of attitude q at a time, in body axes, and is handed data. */
+typedef struct {
+    const double *coefficients;
+    size_t coefficients_stride;
+    const double *vector;
+    size_t vector_stride;
+    const torque_free_orbit *orbit;
+    void (*more)(double t, const double q[4], double torque[3], void *data);
+    void *data;
+} torque_free_torque;
+
+/* A splitting method: drift, kick, drift ... kick, drift, as shares of a step; a drift more than
+   kicks, and the last as long as the first. */
+typedef struct {
+    size_t count;
+    const double *drifts, *kicks;
+} torque_free_splitting;
+
+/* The motion of n bodies under a torque from the time begin + first step to begin + last step (s),
+   in place: q[n][4] and omega[n][3].  Free motions between kicks are steps, each of |omega dt| up to
+   2^3 rad; those that meet are one.  Bodies with moments inertia as in torque_free_steps.
+   The first body that is refused ends the call: its number is left in *failed, its code returned,
+   and it and what comes after it are as they were, but for bodies less than LANES away. */
+int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride,
+                          const torque_free_splitting *method, const torque_free_torque *torque,
+                          double begin, double step, size_t first, size_t last, double *q,
+                          double *omega, size_t *failed);
 #ifdef __cplusplus
 }
 #endif

@@ -101,7 +101,7 @@ INPUTS = {
         *(f"Omega_{x}0" for x in AXES),
         *("g_a", "g_d", "k", "kappa_a", "kappa_d", "p", "r"),
         *("p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
-        *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
+        *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", "leant", *AXES) for y in AXES),
         *("S_t", "C_t", "D_t", "E_t", "F_t", "t"),
     ),
     "middle": (
@@ -109,7 +109,7 @@ INPUTS = {
         *("Omega_d_by_Omega_a", "Omega_a_by_Omega_d"),
     ),
     "passing": (
-        *(*_ALPHA[:3], "p", "r", "over", "S_t", "D_t", "F_t", "t"),
+        *(*_ALPHA[:3], "k", "p", "r", "over", "S_t", "D_t", "F_t", "t"),
         *(f"Omega_{x}{start}" for x in AXES for start in ("", "0")),
     ),
     "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),

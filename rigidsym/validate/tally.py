@@ -13,13 +13,12 @@ import numpy as np
 
 from rigidsym.validate.measure import Errors
 from rigidsym.validate.oracle import Reference
+from rigidsym.view.report_data import MOST_CONDITION
 
 # Who was measured, by which measure, looked at how, and which part of that view.
 Key = tuple[str, str, str, str]
 # Stratum, index and time of a state.
 Place = tuple[str, int, float]
-# Decades of the condition end here: beyond it are exponentials of times.
-MOST_CONDITION = 1e40
 # What has views by distance, time and condition, and histograms.
 DRAWN = ("angle", "omega")
 

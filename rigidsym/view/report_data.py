@@ -9,6 +9,8 @@ from typing import Literal, TypedDict
 Figure = float | str
 # Views that have parts and then measures, and those that have measures and then parts.
 ByPart = Literal["strata", "shares", "regimes"]
+# Decades of the condition end here: beyond it are exponentials of times.
+MOST_CONDITION = 1e40
 ByMeasure = Literal["distance", "turned", "condition"]
 
 

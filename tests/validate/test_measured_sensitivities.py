@@ -5,17 +5,29 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from rigidsym import TorqueFreeMotion
+from rigidsym import TorqueFreeMotion, engines
 from rigidsym.cli import main
 from rigidsym.precise.balls import ball, working
 from rigidsym.validate import sensitivities
-from rigidsym.validate.sensitivities import BOUND, COLUMNS, by_stratum, columns, enclosed, errors
+from rigidsym.validate.implementations import missing
+from rigidsym.validate.sensitivities import (
+    BOUND,
+    COLUMNS,
+    WIDER,
+    bound_of,
+    by_stratum,
+    columns,
+    enclosed,
+    errors,
+    of_engine,
+)
 from rigidsym.validate.strata import STRATA, draw
 
 # A step is small beside all distances from edges that strata have early.
 DIGITS, STEP = 400, Fraction(1, 10**160)
 # Differences lose what the third derivatives have, which grow with the cube of the time.
 EARLY, TIMES = 1e4, 3
+NAMES = [name for name, reason in missing(engines.ENGINES).items() if not reason]
 FEW = ("paper", "uniform", "near spin, middle", "symmetric", "sphere", "rest")
 
 
@@ -117,6 +129,29 @@ def test_what_is_refused_is_counted():
 
 def test_the_bound_is_the_documented_one():
     assert BOUND == 1e-13
+    assert set(WIDER) < set(STRATA)
+
+
+@pytest.mark.parametrize("stratum", WIDER)
+def test_no_bound_is_wider_than_it_has_to_be(stratum):
+    """A case comes near it: the command fails without it, and a fifth of it would be too narrow."""
+    sample = draw(stratum, WIDER[stratum].case, seed=sensitivities.SEED)
+    true = enclosed(sample)
+    found = (of_engine(engines.engine(name))(sample) for name in NAMES)
+    worst = max(np.nanmax(errors(numbers, true)) for numbers in found)
+    assert max(BOUND, bound_of(stratum) / 5) < worst <= bound_of(stratum)
+
+
+@pytest.mark.parametrize("stratum", ["paper", "near spin, middle"])
+def test_a_bound_is_kept_and_broken(stratum):
+    """Within it an error passes, beyond it not."""
+
+    def wrong(size):
+        return lambda sample: enclosed(sample) * (1 + size)
+
+    for share, kept in ((0.9, True), (1.1, False)):
+        found = by_stratum(wrong(share * bound_of(stratum)), cases=1, strata=(stratum,))
+        assert [worst.is_within for worst in found] == [kept]
 
 
 def test_modules_are_measured_by_the_command(capsys):
@@ -136,3 +171,8 @@ def test_a_broken_bound_is_named(monkeypatch, capsys):
 def test_options_of_campaigns_are_refused(capsys):
     assert main(["validate", "--sensitivity", "--json"]) == 2
     assert "json = given: is not for --sensitivity" in capsys.readouterr().err
+
+
+def test_modules_without_sensitivities_are_refused(capsys):
+    assert main(["validate", "numpy-pi", "--sensitivity"]) == 2
+    assert "target = numpy-pi: its module has no sensitivities" in capsys.readouterr().err

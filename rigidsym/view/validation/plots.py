@@ -2,9 +2,8 @@
 
 import math
 
-from rigidsym.validate.tally import MOST_CONDITION
 from rigidsym.view.html.markup import Markup, join, lines, tag
-from rigidsym.view.report_data import ByMeasure, Report
+from rigidsym.view.report_data import MOST_CONDITION, ByMeasure, Report
 from rigidsym.view.validation import figures
 from rigidsym.view.validation.histogram import common, histogram
 from rigidsym.view.validation.marks import legend

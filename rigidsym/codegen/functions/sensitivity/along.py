@@ -28,7 +28,7 @@ def along(solution: Solution) -> tuple[Function, ...]:
     constants = Function(
         "_along_constants",
         "What both directions are made from; reach: beyond which p t^2 phases are known.",
-        (*GIVEN, "reach"),
+        (*(name for name in GIVEN if name != "E_b"), "reach"),
         tuple(_constants(solution)),
         _KEPT,
         frozenset(EXTENDED),

@@ -21,8 +21,8 @@ _ALPHAS = (
 KEPT = (
     *START,
     *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor"),
-    *("g_a", "g_d", "p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
-    *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", *AXES) for y in AXES),
+    *("g_a", "g_d", "k", "p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
+    *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", "leant", *AXES) for y in AXES),
 )
 
 

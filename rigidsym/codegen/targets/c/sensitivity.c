@@ -78,14 +78,14 @@ static void elapsed(const sensitive *made, size_t n, size_t s, const double *res
     }
 }
 
-/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times `by_moment`. */
+/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times both factors. */
 static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
-                 double by_moment)
+                 double by_moment, double again)
 {
     for (int k = 0; k < 3; k++) {
         row[k] = turn[k];
         row[3 + k] = by_rate * column[k][i];
-        row[6 + k] = by_moment * column[3 + k][i];
+        row[6 + k] = again * (by_moment * column[3 + k][i]);
     }
 }
 
@@ -100,6 +100,9 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
     static const double zeros[3] = {0.0, 0.0, 0.0};
     double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
     const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
+    const double half = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
+    const double rest = unit / half * over_moment;
     const double *by[18], *excess[3], *eta[18];
     const int *axis = made->axis;
     for (size_t i = 0; i < n; i++) {
@@ -128,8 +131,8 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
                state + 6 * s, @turn columns@, excess[0], excess[1], excess[2], t, @turn rows of turned_by@);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
-            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment);
-            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, unit * over_moment);
+            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
+            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, half, rest);
             attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
             rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
         }

@@ -197,11 +197,13 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
                 change = columns[f"Omega_{one}_by_{of}_{other}"]
                 known[f"Omega{i + 1}_by_{of}{j + 1}"] = change
     known |= _stated(SENSITIVITY["turn"], known, constants["turn"])
+    # A unit of rates over one of moments may leave binary64 where no rate by a moment does.
+    half = np.ldexp(1.0, (np.frexp(scale)[1] - np.frexp(moment_unit)[1]) // 2)
     scales = {
         ("eta", "Omega"): 1 / scale,
         ("eta", "c"): 1 / moment_unit,
         ("Omega", "Omega"): 1.0,
-        ("Omega", "c"): scale / moment_unit,
+        ("Omega", "c"): scale / half / moment_unit,
     }
     lost = False
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
@@ -211,6 +213,7 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
             for i in range(3):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
+                    value = value * half if (changed, of) == ("Omega", "c") else value
                     np.multiply(value, factor, out=block[..., i, first + j])
         if changed == "eta":
             for k in range(3):
