@@ -42,8 +42,8 @@ MEANINGS = {
 def bounds_of(implementation: str) -> dict[str, float]:
     """The documented bounds of one implementation, by measure.
 
-    >>> bounds_of("numpy-step")["angle"], bounds_of("c-pi")["norm"]
-    (1e-15, 1.5e-15)
+    >>> bounds_of("numpy-step")["angle"], bounds_of("numpy")["angle"]
+    (1e-15, 2e-15)
     """
     times = _TIMES.get(implementation, 1.0)
     of_length = max(times, 1.0)

@@ -33,7 +33,19 @@ BUILDS = {
     "clang portable": ("clang", "x86-64", ("-std=c99", "-O2")),
 }
 BODY = ((1.0, 2.0, 2.5), (0.3, 0.5, -0.7), (1.0, 0.0, 0.0, 0.0))
-MATHEMATICS = {"exp", "exp2", "fma", "fmax", "fmin", "frexp", "ldexp", "log", "log2", "sqrt"}
+MATHEMATICS = {
+    "exp",
+    "exp2",
+    "fma",
+    "fmax",
+    "fmin",
+    "frexp",
+    "ilogb",
+    "ldexp",
+    "log",
+    "log2",
+    "sqrt",
+}
 # What compilers call by themselves.
 UNASKED = {"memset", "memcpy", "memmove", "__stack_chk_fail"}
 TO_VECTORISE = ("circular_angles", "circular_state", "hyperbolic_angles", "hyperbolic_state")
