@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -51,6 +52,14 @@ def once(tmp_path_factory):
         return made
 
     return folder
+
+
+@pytest.fixture
+def replayed_once(monkeypatch):
+    """The sealed ledger, which several commands of a test ask for, is replayed for the first."""
+    from rigidsym.cli import proofs
+
+    monkeypatch.setattr(proofs, "replayed", cache(proofs.replayed))
 
 
 @pytest.fixture(scope="session")

@@ -169,6 +169,7 @@ def test_check_accepts_the_sealed_ledger_and_refuses_a_changed_one(checker, tmp_
     assert "fact regular.E_a" in error
 
 
+@pytest.mark.usefixtures("replayed_once")
 def test_errata_tells_the_misprint_in_35(capsys):
     assert main(["errata", "--json"]) == 0
     data = json.loads(capsys.readouterr().out)
@@ -183,6 +184,7 @@ def test_errata_tells_the_misprint_in_35(capsys):
     assert "misprint" in capsys.readouterr().out
 
 
+@pytest.mark.usefixtures("replayed_once")
 @pytest.mark.parametrize(
     ("target", "file", "starts"),
     [
