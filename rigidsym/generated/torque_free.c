@@ -3605,6 +3605,20 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     return TORQUE_FREE_OK;
 }
 
+/* The motions of as many bodies as there are lanes, at most, and their codes; how many. */
+static size_t several_init(torque_free_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
+                           const double *inertia, const double *omega0, const double *attitude0)
+{
+    const size_t count = bodies < LANES ? bodies : LANES;
+    for (size_t i = 0; i < count; i++) {
+        code[i] = begin_doubles(&motion[i], lane, i, inertia + 3 * i, omega0 + 3 * i, attitude0 + 4 * i);
+        if (code[i] == TORQUE_FREE_OK && !rounded)
+            code[i] = TORQUE_FREE_ARITHMETIC;
+    }
+    moving_init(lane, count, motion, code);
+    return count;
+}
+
 /* The states of one of many bodies; times that are too late have none where `lenient`. */
 static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
@@ -3627,14 +3641,8 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     memset(&lane, 0, sizeof lane);
     const int rounded = is_rounded_once();
     for (size_t first = 0; first < bodies; first += LANES) {
-        const size_t count = bodies - first < LANES ? bodies - first : LANES;
-        for (size_t i = 0; i < count; i++) {
-            const size_t k = first + i;
-            code[i] = begin_doubles(&motion[i], &lane, i, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-            if (code[i] == TORQUE_FREE_OK && !rounded)
-                code[i] = TORQUE_FREE_ARITHMETIC;
-        }
-        moving_init(&lane, count, motion, code);
+        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
+                                          omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
             double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
@@ -3660,7 +3668,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "2de32027dcf105ffcff951a2cc4382c788d6f0c17a29d678d196465c1d8e4cd9"; }
+const char *torque_free_digest(void) { return "c3caad6803fef280330730b5dc151df5abcd0d01102fd22a21286ff031af5597"; }
 
 const char *torque_free_message(int code)
 {
@@ -3904,24 +3912,32 @@ int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
                                            double *q, double *omega, double *attitude, double *rates,
                                            double *attitude_t, double *rates_t, int *codes, size_t *failed)
 {
-    torque_free_motion motion;
-    for (size_t k = 0; k < bodies; k++) {
-        double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
-        double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
-        double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
-        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-        if (code == TORQUE_FREE_OK) {
-            code = sensitivities_at(&motion, n, t + stride * k, q_k, omega_k, attitude_k, rates_k, attitude_t_k,
-                                    rates_t_k, codes != NULL);
-        } else if (codes) {
-            no_states(n, q_k, omega_k);
-            no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
-        }
-        if (codes) {
-            codes[k] = code;
-        } else if (code != TORQUE_FREE_OK) {
-            *failed = k;
-            return code;
+    torque_free_motion motion[LANES];
+    int code[LANES];
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int rounded = is_rounded_once();
+    for (size_t first = 0; first < bodies; first += LANES) {
+        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
+                                          omega0 + 3 * first, attitude0 + 4 * first);
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
+            double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
+            double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
+            if (code[i] == TORQUE_FREE_OK) {
+                code[i] = sensitivities_at(&motion[i], n, t + stride * k, q_k, omega_k, attitude_k, rates_k,
+                                           attitude_t_k, rates_t_k, codes != NULL);
+            } else if (codes) {
+                no_states(n, q_k, omega_k);
+                no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
+            }
+            if (codes) {
+                codes[k] = code[i];
+            } else if (code[i] != TORQUE_FREE_OK) {
+                *failed = k;
+                return code[i];
+            }
         }
     }
     return TORQUE_FREE_OK;

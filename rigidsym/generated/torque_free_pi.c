@@ -2507,6 +2507,20 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
     return TORQUE_FREE_PI_OK;
 }
 
+/* The motions of as many bodies as there are lanes, at most, and their codes; how many. */
+static size_t several_init(torque_free_pi_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
+                           const double *inertia, const double *omega0, const double *attitude0)
+{
+    const size_t count = bodies < LANES ? bodies : LANES;
+    for (size_t i = 0; i < count; i++) {
+        code[i] = begin_doubles(&motion[i], lane, i, inertia + 3 * i, omega0 + 3 * i, attitude0 + 4 * i);
+        if (code[i] == TORQUE_FREE_PI_OK && !rounded)
+            code[i] = TORQUE_FREE_PI_ARITHMETIC;
+    }
+    moving_init(lane, count, motion, code);
+    return count;
+}
+
 /* The states of one of many bodies; times that are too late have none where `lenient`. */
 static int states_of(const torque_free_pi_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
@@ -2529,14 +2543,8 @@ int torque_free_pi_propagate(size_t bodies, const double *inertia, const double 
     memset(&lane, 0, sizeof lane);
     const int rounded = is_rounded_once();
     for (size_t first = 0; first < bodies; first += LANES) {
-        const size_t count = bodies - first < LANES ? bodies - first : LANES;
-        for (size_t i = 0; i < count; i++) {
-            const size_t k = first + i;
-            code[i] = begin_doubles(&motion[i], &lane, i, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-            if (code[i] == TORQUE_FREE_PI_OK && !rounded)
-                code[i] = TORQUE_FREE_PI_ARITHMETIC;
-        }
-        moving_init(&lane, count, motion, code);
+        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
+                                          omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
             double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;
@@ -2562,7 +2570,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "6c82ca8a5a6f1a037147844db0b902c6c1f103b02b46b277c0d52019edd8bc0e"; }
+const char *torque_free_pi_digest(void) { return "1bc559f432a16e290740ce5443ca10c2dfdd2153e762d69179441d04d9422084"; }
 
 const char *torque_free_pi_message(int code)
 {

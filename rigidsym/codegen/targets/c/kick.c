@@ -147,13 +147,16 @@ int torque_free_integrate(size_t n, const double *inertia, size_t inertia_stride
 {
     lanes x;
     pushed of;
+    *failed = 0;
+    if (n && !is_rounded_once())
+        return TORQUE_FREE_STEP_ARITHMETIC;
     for (size_t start = 0; start < n; start += LANES) {
         const size_t count = n - start < LANES ? n - start : LANES;
         /* One body goes alone; lanes beyond the last of several repeat it. */
         of.count = count > 1 ? LANES : 1;
         for (size_t i = 0; i < of.count; i++) {
             const size_t k = start + (i < count ? i : count - 1);
-            const int code = torque_free_body_init(&of.bodies[i], inertia + k * inertia_stride);
+            const int code = body_init(&of.bodies[i], inertia + k * inertia_stride);
             if (code != TORQUE_FREE_STEP_OK) {
                 *failed = k;
                 return code;

@@ -58,7 +58,7 @@ torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math f
 runs on (-march=native): the loops over lanes are vectorised then.  -ffast-math, -ffinite-math-only
 and 80-bit arithmetic (x87) are refused when it is compiled; other options that reorder sums or
 approximate quotients (-fassociative-math, -funsafe-math-optimizations), and directed rounding, by
-every body_init and every call of torque_free_steps."""
+every body_init and every call of torque_free_steps and torque_free_integrate."""
 _STEP_LANES = """\
 /* How many bodies are computed side by side. */
 #ifndef LANES

@@ -689,6 +689,20 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     return TORQUE_FREE_OK;
 }
 
+/* The motions of as many bodies as there are lanes, at most, and their codes; how many. */
+static size_t several_init(torque_free_motion motion[LANES], int code[LANES], lanes *lane, int rounded, size_t bodies,
+                           const double *inertia, const double *omega0, const double *attitude0)
+{
+    const size_t count = bodies < LANES ? bodies : LANES;
+    for (size_t i = 0; i < count; i++) {
+        code[i] = begin_doubles(&motion[i], lane, i, inertia + 3 * i, omega0 + 3 * i, attitude0 + 4 * i);
+        if (code[i] == TORQUE_FREE_OK && !rounded)
+            code[i] = TORQUE_FREE_ARITHMETIC;
+    }
+    moving_init(lane, count, motion, code);
+    return count;
+}
+
 /* The states of one of many bodies; times that are too late have none where `lenient`. */
 static int states_of(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
                      int lenient)
@@ -711,14 +725,8 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
     memset(&lane, 0, sizeof lane);
     const int rounded = is_rounded_once();
     for (size_t first = 0; first < bodies; first += LANES) {
-        const size_t count = bodies - first < LANES ? bodies - first : LANES;
-        for (size_t i = 0; i < count; i++) {
-            const size_t k = first + i;
-            code[i] = begin_doubles(&motion[i], &lane, i, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-            if (code[i] == TORQUE_FREE_OK && !rounded)
-                code[i] = TORQUE_FREE_ARITHMETIC;
-        }
-        moving_init(&lane, count, motion, code);
+        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
+                                          omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
             double *q_k = q + 4 * n * k, *omega_k = omega + 3 * n * k;

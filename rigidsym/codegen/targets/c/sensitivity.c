@@ -223,24 +223,32 @@ int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
                                            double *q, double *omega, double *attitude, double *rates,
                                            double *attitude_t, double *rates_t, int *codes, size_t *failed)
 {
-    torque_free_motion motion;
-    for (size_t k = 0; k < bodies; k++) {
-        double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
-        double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
-        double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
-        int code = torque_free_motion_init(&motion, inertia + 3 * k, omega0 + 3 * k, attitude0 + 4 * k);
-        if (code == TORQUE_FREE_OK) {
-            code = sensitivities_at(&motion, n, t + stride * k, q_k, omega_k, attitude_k, rates_k, attitude_t_k,
-                                    rates_t_k, codes != NULL);
-        } else if (codes) {
-            no_states(n, q_k, omega_k);
-            no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
-        }
-        if (codes) {
-            codes[k] = code;
-        } else if (code != TORQUE_FREE_OK) {
-            *failed = k;
-            return code;
+    torque_free_motion motion[LANES];
+    int code[LANES];
+    lanes lane;
+    memset(&lane, 0, sizeof lane);
+    const int rounded = is_rounded_once();
+    for (size_t first = 0; first < bodies; first += LANES) {
+        const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
+                                          omega0 + 3 * first, attitude0 + 4 * first);
+        for (size_t i = 0; i < count; i++) {
+            const size_t k = first + i;
+            double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
+            double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
+            double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
+            if (code[i] == TORQUE_FREE_OK) {
+                code[i] = sensitivities_at(&motion[i], n, t + stride * k, q_k, omega_k, attitude_k, rates_k,
+                                           attitude_t_k, rates_t_k, codes != NULL);
+            } else if (codes) {
+                no_states(n, q_k, omega_k);
+                no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
+            }
+            if (codes) {
+                codes[k] = code[i];
+            } else if (code[i] != TORQUE_FREE_OK) {
+                *failed = k;
+                return code[i];
+            }
         }
     }
     return TORQUE_FREE_OK;

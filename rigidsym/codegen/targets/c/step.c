@@ -249,18 +249,29 @@ static void get_state(const lanes *x, size_t i, const scaling *of, double *q, do
 
 @step_arithmetic.c@
 
-int torque_free_body_init(torque_free_body *body, const double inertia[3])
+/* A body without a look at arithmetic, for who has looked. */
+static int body_init(torque_free_body *body, const double inertia[3])
 {
     lanes x;
     int axis[3];
     const int code = set_body(&x, 0, inertia, axis);
     if (code != TORQUE_FREE_STEP_OK)
         return code;
-    if (!is_rounded_once())
-        return TORQUE_FREE_STEP_ARITHMETIC;
     step_body(1, &x);
     get_body(&x, body);
     memcpy(body->axis, axis, sizeof axis);
+    return TORQUE_FREE_STEP_OK;
+}
+
+int torque_free_body_init(torque_free_body *body, const double inertia[3])
+{
+    torque_free_body made;
+    const int code = body_init(&made, inertia);
+    if (code != TORQUE_FREE_STEP_OK)
+        return code;
+    if (!is_rounded_once())
+        return TORQUE_FREE_STEP_ARITHMETIC;
+    *body = made;
     return TORQUE_FREE_STEP_OK;
 }
 

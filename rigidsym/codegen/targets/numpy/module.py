@@ -63,9 +63,10 @@ def last(form: str) -> str:
 
 
 def _limits(form: str) -> list[str]:
-    steps = [f"STEPS = {STEPS}  # doublings of the time", f"LAST = {LAST}  # of them extended"]
-    steps = steps if form == STEP else []
-    return [*(f"{x.name.upper()} = 2.0**{x.exponent}  # {x.meaning}" for x in limits(form)), *steps]
+    found = [f"{x.name.upper()} = 2.0**{x.exponent}  # {x.meaning}" for x in limits(form)]
+    if form == STEP:
+        found += [f"STEPS = {STEPS}  # doublings of the time", f"LAST = {LAST}  # of them extended"]
+    return found
 
 
 def _part(name: str, mark: str) -> str:

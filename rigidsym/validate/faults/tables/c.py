@@ -330,8 +330,8 @@ _DIGITS = (
     _fault(
         "entry_points",
         "the first attitude of a batch, of all its bodies",
-        "int torque_free_propagate(",
-        "attitude0 + 4 * k);",
+        "static size_t several_init(",
+        "attitude0 + 4 * i);",
         "attitude0);",
     ),
     _fault(
