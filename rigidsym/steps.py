@@ -47,11 +47,12 @@ def step(
     count = math.prod(shape)
     if not count:
         return after
-    rows = {name: _rows(array, shape, _SIZES.get(name)) for name, array in doubles.items()}
-    rows["omega"] = arrays.rows(doubles["omega"], shape)
+    moments = arrays.row_or_rows(doubles["inertia"], shape)
+    start = (arrays.rows(doubles[name], shape) for name in ("q", "omega"))
+    times = arrays.row_or_rows(doubles["dt"][..., None], shape).reshape(-1)
     flat = after[0].reshape(count, 4), after[1].reshape(count, 3)
     try:
-        engines.stepper(engine).step(*rows.values(), flat)
+        engines.stepper(engine).step(moments, *start, times, flat)
     except EngineError as error:
         raise _refused(error, doubles, shape) from None
     return after
@@ -72,14 +73,6 @@ def _shape(given: dict[str, np.ndarray]) -> tuple[int, ...]:
             rule = f"leading shape {own} must broadcast with {shape} of what comes before"
             raise InputError(name, f"an array of shape {given[name].shape}", rule) from None
     return shape
-
-
-def _rows(array: np.ndarray, shape: tuple[int, ...], size: int | None) -> np.ndarray:
-    """A row for each body; one for all where there is one inertia, or one dt."""
-    if size is None:
-        alone = array.size == 1
-        return array.reshape(1) if alone else arrays.rows(array[..., None], shape).reshape(-1)
-    return array.reshape(1, 3) if array.size == size == 3 else arrays.rows(array, shape)
 
 
 def _outputs(

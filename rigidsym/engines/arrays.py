@@ -75,11 +75,11 @@ def rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     return in_one_piece(np.broadcast_to(array, (*shape, size)).reshape(math.prod(shape), size))
 
 
-def rows_of_times(t: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """One row of times for all bodies of a batch, (1, N), or one for each, (B, N)."""
-    if math.prod(t.shape[:-1]) == 1:
-        return in_one_piece(t.reshape(1, t.size))
-    return rows(t, shape)
+def row_or_rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
+    """One row for all bodies of a batch, (1, N), or one for each, (B, N)."""
+    if math.prod(array.shape[:-1]) == 1:
+        return in_one_piece(array.reshape(1, array.size))
+    return rows(array, shape)
 
 
 def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States:

@@ -173,7 +173,7 @@ class CEngine:
         shape = arrays.batch(given, t)
         states = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
-        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        t, count = arrays.row_or_rows(t, shape), math.prod(shape)
         parts = threads.threads(count * (t.shape[1] + PREPARATION))
         if count < parts and not lenient:
             self._one_by_one(bodies, t, states)

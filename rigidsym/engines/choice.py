@@ -28,18 +28,13 @@ def engine(name: str) -> Engine:
 
 def exactly(name: str) -> Engine:
     """The engine of a name and no other; raises InputError where it cannot be had."""
-    if not checked(name).startswith("c"):
-        return _numpy(name)
-    found: Any = _obtained(name)[0]
-    if isinstance(found, str):
-        raise InputError("engine", name, found)
-    return found
+    return _compiled(name) if checked(name).startswith("c") else _numpy(name)
 
 
-def checked(name: str) -> str:
-    """The name; raises InputError unless it is in EVERY."""
-    if name not in EVERY:
-        raise InputError("engine", repr(name), f"must be one of: {', '.join(EVERY)}")
+def checked(name: str, among: tuple[str, ...] = EVERY) -> str:
+    """The name; raises InputError unless it is among those."""
+    if name not in among:
+        raise InputError("engine", repr(name), f"must be one of: {', '.join(among)}")
     return name
 
 
@@ -50,28 +45,30 @@ def forget() -> None:
 
 def stepper(name: str) -> Stepper:
     """What makes steps, by one of ENGINES; as `engine` where there is no compiler."""
-    if name not in ENGINES:
-        raise InputError("engine", repr(name), f"must be one of: {', '.join(ENGINES)}")
-    if name == "numpy":
-        return NumpyStepper()
-    found = _told("c-step", 3)
-    return found if isinstance(found, CStepper) else NumpyStepper()
+    return _c_stepper(checked(name, ENGINES)) or NumpyStepper()
 
 
 def exact_stepper(name: str) -> Stepper:
     """What makes steps by one of STEPPERS and no other; raises InputError where there is none."""
-    if name not in STEPPERS:
-        raise InputError("engine", repr(name), f"must be one of: {', '.join(STEPPERS)}")
-    found: Any = NumpyStepper() if name == "numpy-step" else _obtained(name)[0]
-    if isinstance(found, str):
-        raise InputError("engine", name, found)
-    return found
+    return _compiled(name) if checked(name, STEPPERS) == "c-step" else NumpyStepper()
 
 
 def integrator(name: str) -> CStepper | None:
     """What makes many steps with kicks between them; None but for C's engine with a compiler."""
-    found = _told("c-step", 3) if name == "c" else None
+    return _c_stepper(name)
+
+
+def _c_stepper(name: str) -> CStepper | None:
+    found = _told("c-step", 4) if name == "c" else None
     return found if isinstance(found, CStepper) else None
+
+
+def _compiled(name: str) -> Any:
+    """What C computes by; raises InputError where it cannot be had."""
+    found = _obtained(name)[0]
+    if isinstance(found, str):
+        raise InputError("engine", name, found)
+    return found
 
 
 def _numpy(name: str) -> Engine:

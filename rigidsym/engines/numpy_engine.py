@@ -123,7 +123,7 @@ class NumpyEngine:
         t = np.asarray(t, float)
         shape = arrays.batch(given, t)
         q, omega = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
-        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        t, count = arrays.row_or_rows(t, shape), math.prod(shape)
         rows = q.reshape(count, t.shape[1], 4), omega.reshape(count, t.shape[1], 3)
 
         def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:

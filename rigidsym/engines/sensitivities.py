@@ -105,7 +105,7 @@ class _Numpy:
         t = np.asarray(t, float)
         shape = arrays.batch(given, t)
         found = arrays.sensitivities((*shape, *t.shape[-1:]))
-        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        t, count = arrays.row_or_rows(t, shape), math.prod(shape)
         rows = [
             x.reshape(count, t.shape[1], *last)
             for x, last in zip(found, arrays.SENSITIVITIES, strict=True)
@@ -196,7 +196,7 @@ class _C:
         shape = arrays.batch(given, t)
         found = arrays.sensitivities((*shape, *t.shape[-1:]))
         bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
-        t, count = arrays.rows_of_times(t, shape), math.prod(shape)
+        t, count = arrays.row_or_rows(t, shape), math.prod(shape)
         times = t.shape[1]
         codes = np.empty(count if lenient else 0, np.intc)
         places = [x.ctypes.data for x in (*bodies.values(), t, *found)]

@@ -65,9 +65,8 @@ class Kicks:
 
     def torque(self, first: int) -> _Torque:
         """For torque_free_integrate, of bodies from one on."""
-        coefficients, vector = _from(self.coefficients, first), (None, 0)
-        if self.orbit is None and self.vector is not None:
-            vector = _from(self.vector, first)
+        coefficients = _from(self.coefficients, first)
+        vector = (None, 0) if self.vector is None else _from(self.vector, first)
         orbit = None if self.orbit is None else self.orbit.ctypes.data
         return _Torque(*coefficients, *vector, orbit, *self.more)
 

@@ -17,12 +17,13 @@ def kicks(
     inertia: np.ndarray, torque: DirectionTorque, method: Method, shape: tuple[int, ...]
 ) -> Kicks:
     """A torque on bodies whose states have a leading shape."""
-    orbit = torque.source if isinstance(torque.source, KeplerOrbit) else None
+    source = torque.source
+    on_orbit = isinstance(source, KeplerOrbit)
     return Kicks(
-        inertia=_rows(inertia, shape),
-        coefficients=_rows(torque.coefficients, shape),
-        vector=None if isinstance(torque.source, KeplerOrbit) else _rows(torque.source, shape),
-        orbit=None if orbit is None else orbit.numbers,
+        inertia=arrays.row_or_rows(inertia, shape),
+        coefficients=arrays.row_or_rows(torque.coefficients, shape),
+        vector=None if on_orbit else arrays.row_or_rows(source, shape),
+        orbit=source.numbers if on_orbit else None,
         drifts=np.array(method.drifts),
         kicks=np.array(method.kicks),
         more=torque.more,
@@ -43,8 +44,3 @@ def advance(
         span = begin, step, start, min(start + some, last)
         integrator.integrate(found, span, q, omega)
     return State(q.reshape(*shape, 4), omega.reshape(*shape, 3))
-
-
-def _rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
-    """One row for all, or one for each."""
-    return array[None] if array.ndim == 1 else arrays.rows(array, shape)

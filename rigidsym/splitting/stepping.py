@@ -41,7 +41,7 @@ class Bodies:
         shape = state.omega.shape[:-1]
         rows = arrays.rows(state.q, shape), arrays.rows(state.omega, shape)
         after = State(np.empty_like(rows[0]), np.empty_like(rows[1]))
-        moments = self.inertia[None] if self.inertia.ndim == 1 else arrays.rows(self.inertia, shape)
+        moments = arrays.row_or_rows(self.inertia, shape)
         stepper = engines.stepper(self.engine)
         stepper.step(moments, *rows, np.array([dt]), (after.q, after.omega))
         return State(after.q.reshape(*shape, 4), after.omega.reshape(*shape, 3))
