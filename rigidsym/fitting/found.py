@@ -14,7 +14,7 @@ from rigidsym.fitting.observability import Observability, lose, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.states import sensitivities, states
+from rigidsym.fitting.states import motion, sensitivities, states
 from rigidsym.fitting.tumbling import Periods, periods
 from rigidsym.fitting.turned import is_bent
 from rigidsym.motion import TorqueFreeMotion
@@ -129,9 +129,7 @@ class Found(Alternative):
 
     def _periods(self, step: np.ndarray) -> tuple[float | None, float | None]:
         """Of the motion a step of the parameters away."""
-        point = self.problem.parameters.stepped(self.point, step)
-        parts = (point.moments, point.omega, point.attitude)
-        found = periods(TorqueFreeMotion(*(x.tolist() for x in parts)))
+        found = periods(motion(self.problem.parameters.stepped(self.point, step)))
         return found.rotation, found.precession
 
     @property

@@ -8,6 +8,7 @@ from rigidsym.errors import InputError
 from rigidsym.fitting.found import Alternative
 from rigidsym.fitting.parameters import Point
 from rigidsym.fitting.problem import Problem
+from rigidsym.fitting.states import motion
 from rigidsym.motion import TorqueFreeMotion
 
 # Of the state at t = 0 beyond doubles, next to a separatrix: the first that is enough, or the last.
@@ -30,31 +31,31 @@ def _from_zero(posed: Problem, point: Point, residuals: np.ndarray) -> TorqueFre
 
     Next to a separatrix doubles at t = 0 are other motions by then.
     """
-    motion = TorqueFreeMotion(point.moments.tolist(), point.omega.tolist(), point.attitude.tolist())
+    amid = motion(point)
     if posed.epoch == 0 or not np.isfinite(residuals).all():
-        return motion
-    found = _in_doubles(motion, posed.epoch)
+        return amid
+    found = _in_doubles(amid, posed.epoch)
     for digits in _DIGITS:
         if found is not None and _shows(posed, point, found, residuals):
             break
-        q, omega = motion.precise(-posed.epoch, digits)
-        found = motion.replace(omega0=tuple(omega), attitude0=tuple(q))
-    return found or motion
+        q, omega = amid.precise(-posed.epoch, digits)
+        found = amid.replace(omega0=tuple(omega), attitude0=tuple(q))
+    return found or amid
 
 
-def _in_doubles(motion: TorqueFreeMotion, epoch: float) -> TorqueFreeMotion | None:
+def _in_doubles(amid: TorqueFreeMotion, epoch: float) -> TorqueFreeMotion | None:
     """None where doubles do not reach t = 0."""
     try:
-        q, omega = motion(-epoch)
+        q, omega = amid(-epoch)
     except InputError:
         return None
-    return motion.replace(omega0=omega.tolist(), attitude0=q.tolist())
+    return amid.replace(omega0=omega.tolist(), attitude0=q.tolist())
 
 
-def _shows(posed: Problem, point: Point, motion: TorqueFreeMotion, residuals: np.ndarray) -> bool:
+def _shows(posed: Problem, point: Point, found: TorqueFreeMotion, residuals: np.ndarray) -> bool:
     """Whether the motion has the residuals of the point."""
     try:
-        found = posed.missed(point, *motion(posed.times))
+        missed = posed.missed(point, *found(posed.times))
     except InputError:
         return False
-    return bool(np.max(np.abs(found - residuals)) < _SLIGHT)
+    return bool(np.max(np.abs(missed - residuals)) < _SLIGHT)

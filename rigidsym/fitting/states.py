@@ -3,7 +3,13 @@
 import numpy as np
 
 from rigidsym.fitting.parameters import Point
-from rigidsym.motion import propagate
+from rigidsym.motion import TorqueFreeMotion, propagate
+
+
+def motion(point: Point) -> TorqueFreeMotion:
+    """Of the principal axes, from the state of one point."""
+    parts = (point.moments, point.omega, point.attitude)
+    return TorqueFreeMotion(*(x.tolist() for x in parts))
 
 
 def states(point: Point, times: np.ndarray, engine: str) -> tuple[np.ndarray, np.ndarray]:
