@@ -211,14 +211,12 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
 
 
 def _validate_sensitivity(campaign: "Campaign") -> int:
-    from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum
+    from rigidsym.validate.sensitivities import HEADS, WIDER, by_stratum, references
 
-    drawn = campaign.cases, campaign.seed, campaign.strata
     modules = {target: _sensitive(target) for target in campaign.targets}
+    truth = references(campaign.cases, campaign.seed, campaign.strata)
     worst = [
-        (target, found)
-        for target, module in modules.items()
-        for found in by_stratum(module, *drawn)
+        (target, found) for target, module in modules.items() for found in by_stratum(module, truth)
     ]
     broken = [(target, found) for target, found in worst if not found.is_within]
     for target, found in broken:

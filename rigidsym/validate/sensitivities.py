@@ -7,7 +7,7 @@ column's length, or over 1 where that is less: what no change of the inputs is b
 """
 
 import math
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -120,26 +120,34 @@ def share(engine: Engine, reference: ColumnsReference) -> float:
     return float(np.nanmax(wrong, initial=0.0)) / bound_of(reference.sample.stratum)
 
 
+def references(
+    cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
+) -> dict[str, list[ColumnsReference]]:
+    """Stratum by stratum, the cases drawn with their true columns, for all implementations."""
+    found: dict[str, list[ColumnsReference]] = {}
+    for sample in samples(cases, seed):
+        if not strata or sample.stratum in strata:
+            found.setdefault(sample.stratum, []).append(ColumnsReference.of(sample))
+    return found
+
+
 def by_stratum(
-    sensitive: Sensitive, cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
+    sensitive: Sensitive, truth: Mapping[str, Iterable[ColumnsReference]]
 ) -> Iterator[StratumErrors]:
     """Stratum by stratum, what an implementation gets wrong.
 
     sensitive: of a sample, its columns (N, 6, 10) as `columns` has them, NaN where it has none.
     """
-    drawn: dict[str, list[Sample]] = {}
-    for sample in samples(cases, seed):
-        if not strata or sample.stratum in strata:
-            drawn.setdefault(sample.stratum, []).append(sample)
-    for stratum, listed in drawn.items():
+    for stratum, listed in truth.items():
         yield _worst(stratum, listed, sensitive)
 
 
-def _worst(stratum: str, listed: Iterable[Sample], sensitive: Sensitive) -> StratumErrors:
+def _worst(stratum: str, listed: Iterable[ColumnsReference], sensitive: Sensitive) -> StratumErrors:
     found = StratumErrors(stratum, 0.0, 0, COLUMNS[0], 0.0, 0, 0)
     measured = refused = 0
-    for sample in listed:
-        wrong = errors(sensitive(sample), enclosed(sample))
+    for reference in listed:
+        sample = reference.sample
+        wrong = errors(sensitive(sample), reference.columns)
         known = ~np.isnan(wrong)
         measured += int(known.sum())
         refused += int((~known).all(axis=1).sum())

@@ -20,6 +20,7 @@ from rigidsym.validate.sensitivities import (
     enclosed,
     errors,
     of_engine,
+    references,
 )
 from rigidsym.validate.strata import STRATA, draw
 
@@ -88,13 +89,13 @@ def test_enclosures_are_what_differences_tend_to(stratum):
 
 
 def test_enclosures_measure_nothing_of_themselves():
-    for worst in by_stratum(enclosed, cases=2, strata=FEW):
+    for worst in by_stratum(enclosed, references(cases=2, strata=FEW)):
         assert worst.error == 0
         assert worst.is_within
 
 
 def test_one_row_a_stratum_is_measured():
-    found = list(by_stratum(enclosed, cases=1, strata=FEW))
+    found = list(by_stratum(enclosed, references(cases=1, strata=FEW)))
     assert [worst.stratum for worst in found] == [name for name in STRATA if name in FEW]
 
 
@@ -111,7 +112,8 @@ FAULTS = {
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_faults_are_noticed(fault):
-    found = list(by_stratum(lambda s: FAULTS[fault](enclosed(s)), cases=2, strata=FEW[:3]))
+    truth = references(cases=2, strata=FEW[:3])
+    found = list(by_stratum(lambda s: FAULTS[fault](enclosed(s)), truth))
     assert not any(worst.is_within for worst in found)
 
 
@@ -121,7 +123,7 @@ def test_what_is_refused_is_counted():
         found[1::2] = np.nan
         return found
 
-    (worst,) = by_stratum(half, cases=1, strata=("paper",))
+    (worst,) = by_stratum(half, references(cases=1, strata=("paper",)))
     times = len(draw("paper", 0, seed=sensitivities.SEED).times)
     assert worst.is_within
     assert (worst.refused, worst.measured) == (times // 2, 10 * (times - times // 2))
@@ -150,7 +152,8 @@ def test_a_bound_is_kept_and_broken(stratum):
         return lambda sample: enclosed(sample) * (1 + size)
 
     for share, kept in ((0.9, True), (1.1, False)):
-        found = by_stratum(wrong(share * bound_of(stratum)), cases=1, strata=(stratum,))
+        truth = references(cases=1, strata=(stratum,))
+        found = by_stratum(wrong(share * bound_of(stratum)), truth)
         assert [worst.is_within for worst in found] == [kept]
 
 

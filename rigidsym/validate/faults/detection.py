@@ -56,8 +56,8 @@ def _samples(stratum: str, cases: int, seed: int) -> Iterator[Sample]:
 
 def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
     """The truth about the sensitivities of a stratum's first cases."""
-    few = range(count(stratum, min(cases, MOST_CASES)))
-    return [ColumnsReference.of(draw(stratum, index, seed), digits) for index in few]
+    few = _samples(stratum, min(cases, MOST_CASES), seed)
+    return [ColumnsReference.of(sample, digits) for sample in few]
 
 
 def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
