@@ -117,12 +117,14 @@ def let(text: str, *source: str, facts: tuple[str, ...] = ()) -> Let:
 
 
 def is_extended(expression: Expression, extended: frozenset[str] | set[str]) -> bool:
-    """Whether a value is an extended number, given the names that are."""
-    match expression:
-        case Name(name):
-            return name in extended
-        case Call(function, _) if CALLS.get(function, "as") != "as":
-            return CALLS[function] == "extended"
-        case Call("choose", (_, _, one, other)):
-            return is_extended(one, extended) or is_extended(other, extended)
-    return any(is_extended(part, extended) for part in children(expression))
+    """Return True where a value is an extended number, given the names that are."""
+    if isinstance(expression, Name):
+        return expression.name in extended
+    if isinstance(expression, Call):
+        if (kind := CALLS.get(expression.function, "as")) != "as":
+            return kind == "extended"
+        # The first two arguments of `choose` are compared, and the value is one of the others.
+        parts = expression.arguments[2 if expression.function == "choose" else 0 :]
+    else:
+        parts = children(expression)
+    return any(is_extended(part, extended) for part in parts)

@@ -143,18 +143,17 @@ def fuse(function: Function) -> tuple[Let, ...]:
 
 
 def _fused(expression: Expression, extended: frozenset[str]) -> Expression:
-    parts = tuple(_fused(part, extended) for part in children(expression))
-    small = rebuild(expression, parts)
-    if is_extended(expression, extended):
-        return small
+    small = rebuild(expression, tuple(_fused(part, extended) for part in children(expression)))
     match small:
         case Operation("+", Operation("*", a, b), c) | Operation("+", c, Operation("*", a, b)):
-            return Call("fma", (a, b, c))
+            fused = Call("fma", (a, b, c))
         case Operation("-", Operation("*", a, b), c):
-            return Call("fma", (a, b, Call("neg", (c,))))
+            fused = Call("fma", (a, b, Call("neg", (c,))))
         case Operation("-", c, Operation("*", a, b)):
-            return Call("fma", (Call("neg", (a,)), b, c))
-    return small
+            fused = Call("fma", (Call("neg", (a,)), b, c))
+        case _:
+            return small
+    return small if is_extended(expression, extended) else fused
 
 
 def unfused(expression: Expression) -> Expression:

@@ -102,23 +102,17 @@ def _within(expression: Expression, bound: int, rename: Mapping[str, str], point
 
 
 def children(expression: Expression) -> tuple[Expression, ...]:
-    """The direct parts of an expression."""
-    match expression:
-        case Operation(_, left, right):
-            return left, right
-        case Call(_, arguments):
-            return arguments
-    return ()
+    """Return the direct parts of an expression."""
+    if isinstance(expression, Operation):
+        return expression.left, expression.right
+    return expression.arguments if isinstance(expression, Call) else ()
 
 
 def rebuild(expression: Expression, parts: tuple[Expression, ...]) -> Expression:
-    """The same node with other parts."""
-    match expression:
-        case Operation(symbol, _, _):
-            return Operation(symbol, *parts)
-        case Call(function, _):
-            return Call(function, parts)
-    return expression
+    """Return the same node with other parts."""
+    if isinstance(expression, Operation):
+        return Operation(expression.operator, *parts)
+    return Call(expression.function, parts) if isinstance(expression, Call) else expression
 
 
 def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:

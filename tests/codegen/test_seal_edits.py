@@ -12,7 +12,7 @@ from rigidsym import InputError, generate
 from rigidsym.codegen import header
 from rigidsym.codegen.forms import split
 from rigidsym.codegen.functions import constants, functions
-from rigidsym.codegen.seal import seal_text
+from rigidsym.codegen.seal import seal_text, text
 from rigidsym.codegen.targets import reader
 from rigidsym.solution import sealed
 from rigidsym.validate.faults.fault import FILES
@@ -24,6 +24,12 @@ CASES = [pytest.param(t, e, id=f"{t}: {e['name']}") for t, edits in EDITS.items(
 
 
 made = cache(generate)
+
+
+@pytest.fixture(autouse=True)
+def functions_once(monkeypatch):
+    """Edits change the text alone: derive the functions of each form once for all of them."""
+    monkeypatch.setattr(text, "functions", lambda _, form: lets_and_numbers(form)[0])
 
 
 def edited(target, edit):

@@ -1,20 +1,26 @@
 """What is written by hand in a module, word for word; what stands between is left to be read."""
 
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
 
 from rigidsym.errors import InputError
 
 
-class Between(NamedTuple):
+@dataclass(frozen=True)
+class Between:
     """The text of a file between two parts written by hand, and the number of its first line."""
 
     file: str
     line: int
     text: str
 
+    @cached_property
+    def _lines(self) -> list[str]:
+        return self.text.split("\n")
+
     def at(self, line: int) -> str:
-        """A line of the file that is in it."""
-        return self.text.split("\n")[line - self.line]
+        """Return a line by its number in the file."""
+        return self._lines[line - self.line]
 
 
 def between(file: str, text: str, first: str, last: str) -> Between:

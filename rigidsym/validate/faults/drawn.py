@@ -211,23 +211,24 @@ def _of_part(target: str, in_sensitivities: bool) -> Iterator[Fault]:
 def _of_function(target: str, printer: _Printer, function: Function) -> Iterator[Fault]:
     begins, extended = printer.begins(function), function.all_extended()
     alone = replace(function, extended=extended)
-    for let in function.lets:
-        old = _line(printer, alone, let)
+    found: list[tuple[str, str, str, Let]] = []
+    for let, old in zip(function.lets, _lines(printer, alone, function.lets), strict=True):
         for number, (kind, done, changed) in enumerate(changes(let.expression), 1):
             # Of what decides the circulation, twice a quantity decides the same.
             idle = (function.name, kind) == ("_circulation", "scale")
             if is_extended(changed, extended) == is_extended(let.expression, extended) and not idle:
-                new = _line(printer, alone, replace(let, expression=changed))
-                if new != old:
-                    name = f"{', '.join(let.targets)} of {function.name[1:]}: {done} ({number})"
-                    yield Fault(target, kind, name, begins, old, new)
+                name = f"{', '.join(let.targets)} of {function.name[1:]}: {done} ({number})"
+                found.append((kind, name, old, replace(let, expression=changed)))
+    changed_lets = tuple(let for *_, let in found)
+    for (kind, name, old, _), new in zip(found, _lines(printer, alone, changed_lets), strict=True):
+        if new != old:
+            yield Fault(target, kind, name, begins, old, new)
 
 
-def _line(printer: _Printer, function: Function, let: Let) -> str:
-    """The line of a let in a function."""
-    lines = printer.lines(replace(function, lets=(let,)))
-    (number,) = lines.lets
-    return printer.code(lines.text[number])
+def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list[str]:
+    """Return the line of each let, as the function prints it with these lets in place of its own."""
+    printed = printer.lines(replace(function, lets=lets))
+    return [printer.code(printed.text[number]) for number in printed.lets]
 
 
 def changes(expression: Expression) -> Iterator[Change]:

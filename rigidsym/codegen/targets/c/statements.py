@@ -27,14 +27,15 @@ def statements(file: str, derived: Between) -> Iterator[Statement]:
     _refuse(file, derived, _STRANGE)
     blank = Between(file, derived.line, _COMMENT.sub(_spaces, derived.text))
     _refuse(file, blank, _FOREIGN)
-    begin = 0
-    while blank.text[begin:].strip():
-        found = _STATEMENT.match(blank.text, begin)
+    text, begin, line = blank.text, 0, blank.line
+    end = len(text.rstrip())
+    while begin < end:
+        found = _STATEMENT.match(text, begin)
         if not found:
-            line = blank.text.count("\n", 0, begin) + blank.line
-            raise InputError(f"{file}:{line}", blank.text[begin:].strip(), "does not end")
-        line = blank.text.count("\n", 0, found.start(1)) + blank.line
+            raise InputError(f"{file}:{line}", text[begin:].strip(), "does not end")
+        line += text.count("\n", begin, found.start(1))
         yield Statement(line, " ".join(found[1].split()))
+        line += text.count("\n", found.start(1), found.end())
         begin = found.end()
 
 
