@@ -54,7 +54,10 @@ def fresh(monkeypatch, tmp_path):
 
 @pytest.fixture
 def wrapped(monkeypatch, tmp_path):
-    """A function that makes a script the compiler, and the file of its calls that compile."""
+    """A function that makes a script the compiler, and the file of its calls that compile.
+
+    The script compiles without optimising: these tests are about who builds what, and when.
+    """
 
     def wrap(before=""):
         log, script = tmp_path / "calls", tmp_path / "wrapped-cc"
@@ -62,7 +65,7 @@ def wrapped(monkeypatch, tmp_path):
             "#!/bin/sh",
             f'case "$*" in *-shared*) echo "$*" >> "{log}";; *) exec "{SYSTEM}" "$@";; esac',
             before,
-            f'exec "{SYSTEM}" "$@"',
+            f'exec "{SYSTEM}" "$@" -O0',
         ]
         script.write_text("\n".join(lines) + "\n")
         script.chmod(stat.S_IRWXU)

@@ -32,18 +32,22 @@ BODIES = {
 }
 
 
-@pytest.fixture(scope="module")
-def c(tmp_path_factory):
+@pytest.fixture(scope="session")
+def c(once):
     try:
         find()
     except CompilerError as error:
         pytest.skip(f"needs a compiler: {error}")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("RIGIDSYM_CACHE", str(tmp_path_factory.mktemp("cache")))
-        remarks = []
-        engine = CEngine(build.library(remarks))
-    assert not remarks
-    return engine
+
+    def library(cache):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setenv("RIGIDSYM_CACHE", str(cache))
+            remarks = []
+            found = build.library(remarks)
+        assert not remarks
+        return found
+
+    return CEngine(library(once("c_engine", library)))
 
 
 @pytest.fixture

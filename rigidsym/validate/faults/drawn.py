@@ -226,7 +226,7 @@ def _of_function(target: str, printer: _Printer, function: Function) -> Iterator
 
 
 def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list[str]:
-    """Return the line of each let, as the function prints it with these lets in place of its own."""
+    """Return the line of each let, as the function prints it in place of its own lets."""
     printed = printer.lines(replace(function, lets=lets))
     return [printer.code(printed.text[number]) for number in printed.lets]
 
