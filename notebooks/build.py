@@ -10,11 +10,11 @@ there.  `support/executed.json` has a digest of all that each notebook was writt
 execute those again for which it is another by now, and all of them with `-m slow`.
 
 A new notebook: write cells, "# %%" and "# %% [markdown]", in text/NN_name.py or text/howto_name.py
-and run the command, which adds the head.  It runs within a minute and writes nothing to stderr; it
-prints numbers rounded to what is certain, draws with matplotlib or plotly, and its last cell,
-folded by the tag "hide-cell", asserts what it says.  `rigidsym.view.html` shows facts and verdicts,
-`rigidsym.view.scenes` motions, each with a still for readers without scripts; `support` has what
-notebooks alone need.
+and run the command, which adds the head.  It takes less than a minute and writes nothing to stderr;
+it prints numbers rounded to what is certain on every processor, rounding errors as bounds ("below
+1e-15"), draws with matplotlib or plotly, and its last cell, folded by the tag "hide-cell", asserts
+what it says.  `rigidsym.view.html` shows facts and verdicts, `rigidsym.view.scenes` motions, each
+with a still for readers without scripts; `support` has what notebooks alone need.
 """
 
 import argparse
@@ -43,7 +43,8 @@ from support import executed
 
 FOLDER = Path(__file__).resolve().parent
 TEXTS = FOLDER / "text"
-SECONDS = 60
+# Limits that end what hangs, however busy the machine is: of a whole notebook, and of its kernel.
+SECONDS = KERNEL_SECONDS = 600
 BYTES = 4_000_000
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 LANGUAGE = {"file_extension": ".py", "mimetype": "text/x-python", "name": "python"}
@@ -138,6 +139,8 @@ def execute(notebook: Any, name: str) -> Any:
             kernel_manager_class=_OwnKernel,
             extra_arguments=["--log-level=ERROR"],
             timeout_func=lambda cell: max(1, round(end - monotonic())),
+            startup_timeout=KERNEL_SECONDS,
+            iopub_timeout=KERNEL_SECONDS,
             record_timing=False,
             coalesce_streams=True,
             shutdown_kernel="immediate",

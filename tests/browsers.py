@@ -10,6 +10,8 @@ BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 needs_browser = pytest.mark.skipif(
     not (BROWSER and DRIVER), reason="needs chromium and chromedriver (Debian: chromium-driver)"
 )
+# Seconds after which something hangs, however busy the machine is.
+HANGS = 600
 FLAGS = (
     "--headless=new",
     "--no-sandbox",
@@ -36,5 +38,7 @@ def chromium(profile):
     # With a path, selenium's own manager has nothing to download.
     service = webdriver.ChromeService(executable_path=DRIVER)
     driver = webdriver.Chrome(options=options, service=service)
+    driver.set_page_load_timeout(HANGS)
+    driver.set_script_timeout(HANGS)
     yield driver
     driver.quit()

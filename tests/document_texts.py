@@ -1,6 +1,7 @@
-"""The texts that people read first: the README, and the site's pages that are written by hand."""
+"""The texts that people read: README, pages and, for the commands they name, all documents."""
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -35,3 +36,68 @@ def rows(name):
     """The rows of a text's tables, as cells."""
     lines = (line for line in TEXTS[name].splitlines() if line.startswith("| "))
     return [[cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]] for line in lines]
+
+
+# What a command begins with; in the text it is followed by its arguments.
+PROGRAMS = (
+    *("rigidsym", "python", "python3", "uv", "pytest", "bash", "sh", "pip", "jupyter"),
+    *("pre-commit", "make", "cc", "gcc", "clang", "nice", "time", "apt-get"),
+)
+COMMAND = re.compile(rf"(?:{'|'.join(PROGRAMS)}) +\S")
+
+
+def documents() -> dict[str, str]:
+    """Return every document that may name commands as Markdown, by its path."""
+    paths = [ROOT / "CHANGELOG.md", *PATHS[:2], *sorted(PAGES.rglob("*.md"))]
+    notebooks = sorted((ROOT / "notebooks" / "text").glob("*.py"))
+    texts = {path: path.read_text("utf-8") for path in paths}
+    texts |= {path: _markdown(path.read_text("utf-8")) for path in notebooks}
+    return {path.relative_to(ROOT).as_posix(): text for path, text in texts.items()}
+
+
+def _markdown(notebook: str) -> str:
+    """Return a notebook's prose, and the commands of its code cells as a block of a shell."""
+    told = []
+    for cell in re.split(r"^# %%", notebook, flags=re.MULTILINE)[1:]:
+        head, _, body = cell.partition("\n")
+        if "[markdown]" in head:
+            told.append(re.sub(r"^# ?", "", body, flags=re.MULTILINE))
+        else:
+            called = re.findall(r"^\s*(?:# )?[!%](.*)$", body, re.MULTILINE)
+            told.append("\n".join(("```sh", *called, "```")))
+    return "\n".join(told)
+
+
+def commands() -> dict[str, str]:
+    """Return every command that a document names, with the last such document.
+
+    Commands stand in blocks of a shell, line by line, and in other text as code that begins with
+    the name of a program.
+    """
+    return {command: name for name, text in documents().items() for command in _named(text)}
+
+
+def _named(text: str) -> Iterator[str]:
+    fenced = re.compile(r"^```(.*?)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+    for info, block in fenced.findall(text):
+        for line in block.replace("\\\n", " ").splitlines():
+            line = re.sub(r"(^|\s)#.*", "", line.strip().removeprefix("$ "))
+            for command in map(str.strip, line.split("&&")):
+                if command if info == "sh" else info in ("", "text") and COMMAND.match(command):
+                    yield from _alternatives(command)
+    for code in re.findall(r"`([^`]+)`", fenced.sub("", text)):
+        for command in " ".join(code.split()).split(" && "):
+            if COMMAND.match(command):
+                yield from _alternatives(command)
+
+
+def _alternatives(command: str) -> Iterator[str]:
+    """Yield `x a` and `x b` for `x a|b`, as it is run in an environment that is set up."""
+    command = re.sub(
+        r"^(?:time|nice|uv run(?: --no-dev| --no-sync| --group all)*) (?=\w)", "", command
+    )
+    if found := re.search(r"(\w+)\|(\w+)", command):
+        for one in found.groups():
+            yield command.replace(found[0], one)
+    else:
+        yield command

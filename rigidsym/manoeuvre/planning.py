@@ -222,4 +222,4 @@ def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
 def _row(place: int, one: Transfer) -> tuple[str, ...]:
     rates = ", ".join(f"{x:.9g}" for x in one.omega0)
     figures = (f"{x:.6g}" for x in (one.cost, one.energy, one.peak_rate))
-    return (str(place), rates, *figures, f"{one.residual:.1e}", one.missed)
+    return (str(place), rates, *figures, one.miss, one.missed)

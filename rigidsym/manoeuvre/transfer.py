@@ -93,6 +93,12 @@ class Transfer:
         return robustness(self.motion, self.bursts[0], self.duration)
 
     @property
+    def miss(self) -> str:
+        """The residual in rad, as a bound where rounding alone decides its digits."""
+        bounds = (f"< {bound:g}" for bound in (1e-14, 1e-12) if self.residual < bound)
+        return next(bounds, f"{self.residual:.1e}")
+
+    @property
     def missed(self) -> str:
         """By a first burst wrong by 1 % and by 1 degree, in the worst direction, in degrees."""
         found = self.sensitivity

@@ -93,7 +93,7 @@ def transfer_text(one: Transfer) -> str:
     rates = rounded(np.where(abs(first) > 1e-12 * np.max(abs(first)), first, 0.0))
     return (
         f"<Transfer omega0={rates} rad/s, cost {one.cost:.6g} N m s, "
-        f"misses by {one.residual:.1e} rad, by {one.missed} deg for 1 %, 1 deg of burst: "
+        f"misses by {one.miss} rad, by {one.missed} deg for 1 %, 1 deg of burst: "
         f"{one.motion.regime}>"
     )
 

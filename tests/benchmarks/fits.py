@@ -1,6 +1,7 @@
 """Fits: how long one takes, from a start and from none, and the same by numerical integration.
 
     python tests/benchmarks/fits.py [--looks 1000] [--starts 10000] [--engine c]
+    python tests/benchmarks/fits.py --quick                 few looks, starts and runs
 
 Simulated attitudes of a triaxial body in long-axis mode.  The rival is SciPy's `least_squares` with
 its own differences over SciPy's DOP853, from the same start, and has to end at the same minimum.
@@ -76,17 +77,21 @@ def main():
     asked.add_argument("--looks", type=int, default=1000)
     asked.add_argument("--starts", type=int, default=10000)
     asked.add_argument("--engine", default="c")
+    asked.add_argument("--quick", action="store_true")
     asked = asked.parse_args()
+    if asked.quick:
+        asked.looks, asked.starts = 30, 200
+    runs, turns = (1, 2.0) if asked.quick else (25, TURNS)
     random = np.random.default_rng(1)
-    t = np.sort(random.uniform(0, 2 * np.pi * TURNS, asked.looks))
+    t = np.sort(random.uniform(0, 2 * np.pi * turns, asked.looks))
     seen = Attitudes(t, attitudes(TUMBLING, t, SIGMA, random), SIGMA)
     problem = Problem((seen,), Parameters(), engine=asked.engine, epoch=middle([seen]))
     guess = TUMBLING.replace(inertia=(1.0, 0.86, 0.405), omega0=(0.302, -0.503, 1.104))
     problem, start = started(problem, guess, None)
-    own, found = best_of(25, lambda: local(problem, start))
+    own, found = best_of(runs, lambda: local(problem, start))
     print(f"local fit, {asked.looks} attitudes: {own * 1e3:.3g} ms, chi2 {found.cost:.6f}")
     motion = TUMBLING.replace(engine=asked.engine)
-    one, _ = best_of(25, lambda: motion.sensitivity(t))
+    one, _ = best_of(runs, lambda: motion.sensitivity(t))
     print(f"in calls of motion.sensitivity at these times: {own / one:.0f}")
     at_zero, start = started(replace(problem, epoch=0.0), guess, None)
     theirs, (point, cost) = best_of(1, lambda: integrated(at_zero, start))

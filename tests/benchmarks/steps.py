@@ -1,6 +1,7 @@
 """What a step costs, beside what it replaces: ratios of one run on this machine.
 
-    nice uv run python tests/benchmarks/steps.py
+    nice uv run python tests/benchmarks/steps.py [--drift]
+    python tests/benchmarks/steps.py --quick                few bodies and steps
 
 A step is compared with a propagation of as many bodies to one time each, by the same engine, with
 NO_SQUISH in C, whose error stands beside its cost, and with two threads; and a step of SABA2 under
@@ -26,6 +27,8 @@ from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting import GravityGradient, KeplerOrbit
 
 BODIES, MANY, DRIFT_STEPS = 10_000, 1_000_000, (10**4, 10**6)
+# Bodies and steps under a torque.
+RUNS = ((1, 20_000), (16, 2000), (BODIES, 100))
 
 
 def drawn(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -103,7 +106,7 @@ def pushed() -> None:
     alone = threads.processors
     threads.processors = lambda: 1
     orbit = KeplerOrbit(mu=3.986004418e14, periapsis=6.778137e6)
-    for bodies, steps in ((1, 20_000), (16, 2000), (BODIES, 100)):
+    for bodies, steps in RUNS:
         inertia, q, omega = drawn(bodies)
         torque, out = GravityGradient(inertia, orbit), (np.empty_like(q), np.empty_like(omega))
         start = inertia, q, omega, torque, [0, 0.6 * steps]
@@ -143,6 +146,8 @@ def drift() -> None:
 
 
 if __name__ == "__main__":
+    if "--quick" in sys.argv:
+        BODIES, MANY, RUNS = 100, 1000, ((1, 20), (16, 20))
     costs()
     rival()
     pushed()

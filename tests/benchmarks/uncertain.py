@@ -1,11 +1,12 @@
 """How wide the balls of uncertain inputs are, beside what the inputs do leave open.
 
-    python tests/benchmarks/uncertain.py
+    python tests/benchmarks/uncertain.py [--quick]          --quick: the first two times alone
 
 Largest radius of a quaternion's components and of the rates; the effect is the largest distance of
 the motions in the middle and at the ends of the one uncertain number, which balls cannot go below.
 """
 
+import sys
 from time import perf_counter
 
 from rigidsym import TorqueFreeMotion
@@ -29,7 +30,7 @@ def main() -> None:
     print(f"{'':32}{'t':>7}{'q':>10}{'effect':>10}{'omega':>10}{'effect':>10}{'seconds':>9}")
     for name, given in BOXES.items():
         motion = TorqueFreeMotion(*given)
-        for time in TIMES:
+        for time in TIMES[:2] if "--quick" in sys.argv else TIMES:
             start = perf_counter()
             state = motion.enclose(time, 15)
             seconds = perf_counter() - start

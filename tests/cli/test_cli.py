@@ -411,7 +411,7 @@ def test_an_interrupted_validation_says_how_to_go_on(tmp_path):
                 time.sleep(0.05)
             process.send_signal(stop)
             try:
-                said = process.communicate(timeout=60)[1]
+                said = process.communicate(timeout=600)[1]
             finally:
                 process.kill()
         line = r"rigidsym validate: interrupted: \d+ of \d+ cases are kept, --resume goes on .*\n"

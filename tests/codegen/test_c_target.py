@@ -222,7 +222,9 @@ def test_sanitizers_find_nothing(here, motions, sanitized):
 def test_arbitrary_bits_are_refused_or_move(module, here, sanitized):
     flags = sanitized if module == "sanitized.o" else ("-std=c99", "-O2")
     program = needed("gcc").build(here, "fuzz", *flags, sources=("fuzz.c", module))
-    done = subprocess.run([program, "200000", "1"], capture_output=True, text=True, check=False)
+    done = subprocess.run(
+        [program, "200000", "1"], capture_output=True, text=True, timeout=600, check=False
+    )
     assert (done.returncode, done.stderr) == (0, ""), done.stdout[-2000:]
     counts = list(map(int, done.stdout.split()))
     assert all(count > 50 for code, count in enumerate(counts) if code != 4), counts

@@ -2,14 +2,13 @@
 
 import ast
 import re
-import shlex
 import shutil
 import subprocess
 import tomllib
 
 import numpy as np
 import pytest
-from document_texts import FENCED, README, ROOT, TEXTS, blocks, rows
+from document_texts import FENCED, README, ROOT, TEXTS, blocks
 
 import rigidsym
 from rigidsym.cli import main, parser
@@ -72,44 +71,6 @@ def test_a_manoeuvre_is_planned(text):
     assert solve(parse(tomllib.loads(text))).best.residual <= 1e-12
 
 
-COMMANDS = [
-    line.partition("#")[0].replace("uv run ", "").rpartition("&&")[2].strip()
-    for block in blocks("sh")
-    for line in block.splitlines()
-    if re.search(r"(^|&& |uv run )rigidsym ", line)
-]
-IN_THE_TABLE = [
-    command for row in rows("README.md") for command in re.findall("`(rigidsym [^`]*)`", row[-1])
-]
-
-
-@pytest.mark.parametrize("command", [*COMMANDS, *IN_THE_TABLE])
-def test_a_command_line_is_understood(command):
-    """It is only parsed: what it does is tested where it is."""
-    assert parser().parse_args(shlex.split(command)[1:]).command
-
-
-@pytest.mark.parametrize(
-    "command",
-    sorted(
-        {
-            command
-            for text in TEXTS.values()
-            for command in re.findall(r"`rigidsym (trace [^`]+)`", text)
-            if "LINE" not in command
-        }
-    ),
-)
-def test_what_is_traced_is_there(command, capsys):
-    assert main(shlex.split(command)) == 0
-    assert capsys.readouterr().out
-
-
-def test_there_are_command_lines():
-    assert len(COMMANDS) > 10
-    assert len(IN_THE_TABLE) > 6
-
-
 def test_the_table_of_commands_has_all_of_them(capsys):
     listed = re.findall(r"^\| `rigidsym ([\w-]+)` \|", TEXTS["use.md"], re.MULTILINE)
     (known,) = (action.choices for action in parser()._actions if action.dest == "command")
@@ -118,12 +79,6 @@ def test_the_table_of_commands_has_all_of_them(capsys):
         with pytest.raises(SystemExit) as stop:
             main([command, "--help"])
         assert stop.value.code == 0
-
-
-@pytest.mark.parametrize("name", TEXTS)
-def test_every_script_is_there(name):
-    for script in re.findall(r"python ([\w/]+\.py)", TEXTS[name]):
-        assert (ROOT / script).is_file(), script
 
 
 @pytest.mark.parametrize("program", blocks("c"))

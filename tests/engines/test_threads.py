@@ -26,7 +26,7 @@ def test_more_threads_than_the_callers_work_and_are_kept():
     met = threading.Barrier(2)
 
     def meet(begin, end):
-        met.wait(10)
+        met.wait(600)
         return threading.current_thread()
 
     first, again = (set(threads.in_parts(meet, 2, 2, 1)) for _ in range(2))
@@ -64,7 +64,7 @@ def test_a_child_of_a_fork_has_threads_of_its_own():
     met = threading.Barrier(2)
 
     def meet(begin, end):
-        met.wait(10)
+        met.wait(600)
         return threading.get_ident()
 
     assert len(set(threads.in_parts(meet, 2, 2, 1))) == 2

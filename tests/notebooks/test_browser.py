@@ -13,7 +13,7 @@ import urllib.request
 from pathlib import Path
 
 import pytest
-from browsers import chromium, needs_browser
+from browsers import HANGS, chromium, needs_browser
 
 from support.executed import is_current
 
@@ -43,7 +43,6 @@ SETTINGS = {
     # Else only the cells in sight are there at all.
     "@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"},
 }  # fmt: skip
-START, RUN = 90, 180
 
 # The notebook; a page without focus has no current widget.
 PANEL = """
@@ -110,14 +109,14 @@ return [...document.querySelectorAll('.jp-Notebook .js-plotly-plot')]
 HARMLESS = ("/lsp/status",)
 
 
-def until(ask, seconds, what):
-    """What `ask` gives once that is true; fails with `what` when time is over."""
-    end = time.monotonic() + seconds
+def until(ask, what):
+    """Return what `ask` gives once that is true; fail with `what` where that never comes."""
+    end = time.monotonic() + HANGS
     while time.monotonic() < end:
         if found := ask():
             return found
         time.sleep(0.25)
-    pytest.fail(f"{what}: not within {seconds} s")
+    pytest.fail(f"{what}: not within {HANGS} s")
 
 
 def free_port():
@@ -181,7 +180,7 @@ def lab(folder, tmp_path_factory):
         )  # fmt: skip
     try:
         address = f"http://127.0.0.1:{port}"
-        until(lambda: answers(f"{address}/api?token={token}", server, log), START, "JupyterLab")
+        until(lambda: answers(f"{address}/api?token={token}", server, log), "JupyterLab")
         yield address, token
     finally:
         server.terminate()
@@ -196,7 +195,7 @@ def answers(url, server, log):
     if server.poll() is not None:
         pytest.fail(f"JupyterLab ended: {log.read_text()[-2000:]}")
     try:
-        with urllib.request.urlopen(url, timeout=5) as reply:
+        with urllib.request.urlopen(url, timeout=HANGS) as reply:
             return reply.status == 200
     except OSError:
         return False
@@ -223,7 +222,7 @@ def opened(browser, lab, stem):
     for log in ("browser", "performance"):
         browser.get_log(log)
     browser.get(f"{address}/lab/workspaces/{stem}/tree/{stem}.ipynb?token={token}&reset")
-    until(lambda: browser.execute_script(READY), START, f"{stem}: a kernel that is ready")
+    until(lambda: browser.execute_script(READY), f"{stem}: a kernel that is ready")
     assert browser.execute_script(DIALOGS) == []
 
 
@@ -243,9 +242,8 @@ def ran(browser):
 def test_a_notebook_runs_in_jupyterlab(browser, lab, folder, stem):
     notebook = source_of(folder, stem)
     opened(browser, lab, stem)
-    browser.set_script_timeout(RUN)
     browser.execute_script(RUN_ALL)
-    cells = until(lambda: ran(browser), RUN, f"{stem}: all cells")
+    cells = until(lambda: ran(browser), f"{stem}: all cells")
     assert [cell["errors"] for cell in cells if cell["errors"]] == []
     expected = [c for c in notebook.cells if c.cell_type == "code" and c.source.strip()]
     assert [cell["source"] for cell in cells] == [cell.source for cell in expected]
@@ -272,25 +270,25 @@ def test_sliders_change_the_motion(browser, lab, folder, stem):
     source_of(folder, stem)
     opened(browser, lab, stem)
     # Without the checks, which let go of the sliders.
-    until(lambda: browser.execute_script(RUN_FIRST) or True, 5, stem)
+    until(lambda: browser.execute_script(RUN_FIRST) or True, stem)
 
     def said(words, scenes):
         found = browser.execute_script(SAID)
         return words in found[0] and found[1] >= scenes
 
-    until(lambda: said("smallest inertia", 2), RUN, f"{stem}: a motion")
+    until(lambda: said("smallest inertia", 2), f"{stem}: a motion")
     handles = browser.find_elements("css selector", ".jp-Notebook .noUi-handle")
     assert len(handles) == 6
     handles[-1].send_keys("\ue011")  # Home
-    until(lambda: said("largest inertia", 2), 60, f"{stem}: another motion")
+    until(lambda: said("largest inertia", 2), f"{stem}: another motion")
     handles[2].send_keys("\ue010")  # End: c3 is more than c1 + c2
-    until(lambda: said("larger than the sum", 2), 60, f"{stem}: a body that cannot be")
+    until(lambda: said("larger than the sum", 2), f"{stem}: a body that cannot be")
     check_log(browser, lab)
 
 
 def check_mathematics(browser, stem):
     sized, shown, wrong = until(
-        lambda: (found := browser.execute_script(FORMULAS))[0] and found, 30, f"{stem}: a formula"
+        lambda: (found := browser.execute_script(FORMULAS))[0] and found, f"{stem}: a formula"
     )
     assert sized == shown
     assert wrong == 0
@@ -307,9 +305,9 @@ def check_pictures(browser, stem, cells):
         return scenes and all(scenes)
 
     plots = "return document.querySelectorAll('.jp-Notebook .js-plotly-plot .main-svg').length;"
-    until(lambda: browser.execute_script(plots), 60, f"{stem}: a picture")
+    until(lambda: browser.execute_script(plots), f"{stem}: a picture")
     if stem == SAMPLE or browser.execute_script(SCENES):
-        until(drawn, 60, f"{stem}: a 3-D picture")
+        until(drawn, f"{stem}: a 3-D picture")
 
 
 def check_log(browser, lab):

@@ -10,7 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
-from browsers import chromium, needs_browser
+from browsers import HANGS, chromium, needs_browser
 from sample_notebook import notebook
 
 from rigidsym.io.ledger import ledger_data, ledger_text
@@ -143,7 +143,7 @@ def test_what_is_drawn_is_seen_and_nothing_sticks_out(html, width, tmp_path):
             wide = driver.execute_script("return document.documentElement.scrollWidth")
             assert wide <= width, name
         element = driver.find_element("css selector", ".plotly-picture")
-        end = time.monotonic() + 30
+        end = time.monotonic() + HANGS
         while time.monotonic() < end:
             element.screenshot(str(tmp_path / "seen.png"))
             # Darker than its ground: axes and their numbers.

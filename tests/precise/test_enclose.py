@@ -436,7 +436,7 @@ def test_time_limits_say_what_was_reached():
         motion.enclose(range(10_000), 15, max_seconds=0.05)
     with pytest.raises(PrecisionError, match="t = "):
         TorqueFreeMotion(*UNCERTAIN["rates"]).enclose(range(10_000), 15, max_seconds=0.05)
-    assert numbers(motion.enclose(10, 50, max_seconds=60))
+    assert numbers(motion.enclose(10, 50, max_seconds=600))
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,6 @@
 from fractions import Fraction
 from itertools import permutations
 from random import Random
-from time import perf_counter
 
 import pytest
 from flint import arb, arb_mat, ctx
@@ -235,13 +234,13 @@ def test_time_limits_hold_and_precision_is_left_alone():
     assert ctx.prec == before
 
 
-def test_time_limits_hold_within_a_step():
+def test_time_limits_hold_within_a_step(processor_time):
     """A step of so many bits takes minutes."""
     motion = TorqueFreeMotion(BODY, ("0 +/- 1e-1000", 0, "0.5"))
-    start = perf_counter()
+    start = processor_time()
     with pytest.raises(PrecisionError, match="t = 3: the time was over"):
         motion.enclose(3, 1000, method="flow", max_seconds=0.5)
-    assert perf_counter() - start < 1
+    assert processor_time() - start < 1
 
 
 def test_radii_far_below_the_formulas_rounding_are_left_to_the_formulas():

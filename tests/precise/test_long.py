@@ -42,13 +42,13 @@ def given():
     return tuple(tuple(map(Fraction, x)) for x in (*PAPER, (1, 0, 0, 0)))
 
 
-def test_time_limits_hold_within_one_evaluation():
+def test_time_limits_hold_within_one_evaluation(processor_time):
     motion = TorqueFreeMotion(*PAPER)
     motion.precise(7, 10)
-    start = time.perf_counter()
+    start = processor_time()
     with pytest.raises(PrecisionError, match=rf"t = 7: \d+ of {MANY} digits were reached") as error:
         motion.precise(7, MANY, max_seconds=1)
-    assert time.perf_counter() - start < 1.5
+    assert processor_time() - start < 1.5
     assert int(str(error.value).split()[3]) > 50
     few = motion.precise(7, 40)
     assert all(
@@ -63,9 +63,9 @@ import time
 from rigidsym import TorqueFreeMotion
 motion = TorqueFreeMotion(("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"))
 motion.precise(7, 6000)
-print("ready", flush=True)
 try:
-    motion.precise(7, 60_000)
+    print("ready", flush=True)
+    motion.precise(7, 100_000)
 except KeyboardInterrupt:
     print("interrupted", flush=True)
     print(motion.precise(7, 20)[0][0], flush=True)
@@ -75,6 +75,8 @@ except KeyboardInterrupt:
 
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 def test_interrupts_are_heard_and_leave_all_in_order():
+    """The processor time of both processes says that no evaluation was waited for."""
+    before = os.times()
     with subprocess.Popen(
         [sys.executable, "-c", INTERRUPTED],
         stdout=subprocess.PIPE,
@@ -84,13 +86,14 @@ def test_interrupts_are_heard_and_leave_all_in_order():
         told: Any = process.stdout
         assert told.readline() == "ready\n"
         time.sleep(0.5)
-        start = time.perf_counter()
         process.send_signal(signal.SIGINT)
         assert told.readline() == "interrupted\n"
-        assert time.perf_counter() - start < 0.5
         rest = told.read().split()
         assert rest == [str(TorqueFreeMotion(*PAPER).precise(7, 20)[0][0]), "True"]
     assert process.returncode == 0
+    after = os.times()
+    spent = after.children_user + after.children_system
+    assert spent - before.children_user - before.children_system < 10
 
 
 @pytest.mark.parametrize("method", METHODS)

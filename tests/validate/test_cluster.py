@@ -57,6 +57,7 @@ def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(
     alone, tmp_path, monkeypatch
 ):
     monkeypatch.setattr("rigidsym.validate.campaign.CHUNK", CHUNK)
+    monkeypatch.setattr(executors, "SECONDS_TO_CONNECT", 600)
     campaign = Campaign.of(("numpy", "c"), CASES, strata=STRATA)
     progress, killed = Progress(), []
 
@@ -75,7 +76,8 @@ def test_a_worker_that_is_killed_loses_no_case_and_none_is_counted_twice(
     assert {**report.to_data(), "run": {}} == {**alone.to_data(), "run": {}}
 
 
-def test_a_scheduler_that_is_lost_is_one_line(tmp_path):
+def test_a_scheduler_that_is_lost_is_one_line(tmp_path, monkeypatch):
+    monkeypatch.setattr(executors, "SECONDS_TO_CONNECT", 600)
     campaign = Campaign.of(("numpy",), 100_000, strata=STRATA)
     with scheduler(tmp_path) as (address, process), worker(address):
 

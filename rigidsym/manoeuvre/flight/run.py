@@ -62,6 +62,12 @@ class Run:
         energy = 0.5 * np.sum(self.inertia * self.omega**2, axis=1)
         return float(np.max(np.abs(energy - energy[0] - self.work)))
 
+    def sizes(self) -> tuple[float, float]:
+        """Return the largest momentum of body and wheels, N m s, and the largest energy, J."""
+        body = self.inertia * self.omega
+        momentum = np.linalg.norm(body, axis=1) + np.linalg.norm(self.wheel_momentum, axis=1)
+        return float(np.max(momentum)), float(np.max(np.sum(body * self.omega, axis=1)) / 2)
+
     def tracking(self) -> Tracking:
         """Greatest, root mean square and last angle of error until arrival, rad."""
         error = self.error[self.t < self.arrival]

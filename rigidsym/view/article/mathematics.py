@@ -6,7 +6,7 @@ import sympy
 from sympy.printing.latex import LatexPrinter
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.pretty.pretty import PrettyPrinter
-from sympy.printing.pretty.pretty_symbology import pretty_symbol
+from sympy.printing.pretty.pretty_symbology import pretty_symbol, pretty_use_unicode
 from sympy.printing.pretty.stringpict import prettyForm
 
 from rigidsym.language.symbols import symbol
@@ -26,9 +26,13 @@ def latex(expression: sympy.Basic) -> str:
 
 
 def pretty(expression: sympy.Basic, width: int = 100) -> str:
-    """The same in two dimensions, for a terminal."""
+    """The same in two dimensions, for a terminal, whatever the encoding of stdout is."""
     settings = {"use_unicode": True, "wrap_line": True, "num_columns": width}
-    return _Pretty(settings).doprint(expression)
+    before = pretty_use_unicode(True)
+    try:
+        return _Pretty(settings).doprint(expression)
+    finally:
+        pretty_use_unicode(before)
 
 
 def _rank(factor: sympy.Expr) -> tuple[int, str]:

@@ -112,8 +112,8 @@ class Transfer(Protocol):
         ...
 
     @property
-    def residual(self) -> float:
-        """By what it misses the target, rad."""
+    def miss(self) -> str:
+        """The angle by which it misses the target, rad; a bound where that is rounding."""
         ...
 
     @property
@@ -165,7 +165,7 @@ def transfer_html(transfer: Transfer) -> str:
         row("cost", decimal(transfer.cost, COMPUTED), MOMENTUM),
         row("energy", f"H = {decimal(transfer.energy, COMPUTED)}", r"\mathrm{J}"),
         row("peak_rate", decimal(transfer.peak_rate, COMPUTED), RATE),
-        row("residual", _below(transfer.residual), r"\mathrm{rad}"),
+        row("residual", _latex(transfer.miss), r"\mathrm{rad}"),
         (muted("by 1 %, 1 deg of burst (deg)"), muted(transfer.missed)),
     ]
     return card(title, table((), told))
@@ -188,7 +188,7 @@ def _asked(asked: Manoeuvre) -> Iterator[tuple[Markup, ...]]:
 def _row(one: Transfer) -> Iterator[Markup]:
     yield math(_computed(one.omega0))
     yield from (math(decimal(x, COMPUTED)) for x in (one.cost, one.energy, one.peak_rate))
-    yield math(_below(one.residual))
+    yield math(_latex(one.miss))
     yield muted(one.missed)
     yield tag("span", one.motion.regime, style="white-space:nowrap")
 
@@ -199,10 +199,10 @@ def _computed(values: np.ndarray) -> str:
     return vector(np.where(np.abs(values) > rounding, values, 0.0).tolist(), COMPUTED)
 
 
-def _below(value: float) -> str:
-    """A power of ten that a residual, which is rounding, does not reach: the same anywhere."""
-    bounds = (k for k in (-14, -12) if value < 10.0**k)
-    return next((rf"< 10^{{{k}}}" for k in bounds), decimal(value))
+def _latex(miss: str) -> str:
+    """Return `2.3e-10`, or a bound as `< 1e-14`, in LaTeX."""
+    mantissa, _, exponent = miss.partition("e")
+    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}".replace(r"< 1 \cdot", "<")
 
 
 def _duration(asked: Manoeuvre) -> str:

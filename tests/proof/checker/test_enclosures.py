@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from itertools import product
-from time import perf_counter
+from time import process_time
 
 import mpmath
 import pytest
@@ -334,9 +334,9 @@ def test_ten_points_take_no_time():
     lhs, rhs = ("2*s", "2*c", "2*S", "2*x"), ("s + s", "c + c", "S + S", "x + x")
     fact = replace(enclosed("", "", *POINTS, POINT), lhs=lhs, rhs=rhs)
     text = unchecked([CONTEXT], [fact])
-    start = perf_counter()
+    start = process_time()
     assert check(text) == 1
-    assert perf_counter() - start < 1  # some 0.02 s
+    assert process_time() - start < 1  # some 0.02 s
 
 
 def ball(number: fmpq) -> acb:

@@ -94,16 +94,18 @@ class StillBusy(BaseException):
 
 @contextmanager
 def within(seconds: int):
+    """Raise StillBusy after so many seconds of the processor."""
+
     def stop(*_):
         raise StillBusy(f"after {seconds} s")
 
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.alarm(seconds)
+    before = signal.signal(signal.SIGVTALRM, stop)
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
     try:
         yield
     finally:
-        signal.alarm(0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_VIRTUAL, 0)
+        signal.signal(signal.SIGVTALRM, before)
 
 
 def test_replay_gives_back_the_same_text(honest):

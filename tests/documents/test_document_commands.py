@@ -1,0 +1,184 @@
+"""Every command that a document names is run, with small sizes where it takes sizes.
+
+`document_texts.commands` collects them.  What is not run here stands in `NOT_RUN` with the reason.
+"""
+
+import re
+import shlex
+import subprocess
+import sys
+from functools import cache
+
+import pytest
+from document_texts import ROOT, blocks, commands
+
+from rigidsym.cli import main, parser, proofs
+
+NAME = "it names a command that needs arguments; it is run with them"
+TESTS = "it is the test command itself"
+INSTALLS = "it installs packages"
+WRITES = "it writes into the checkout"
+DERIVED = "tests/conftest.py derives every chapter once (`reproduced`)"
+WRITTEN = "tests/cli/test_cli.py writes and compares all targets, .ci/run all forms"
+REPLAYED = "tests/cli/test_cli.py replays the sealed ledger by it"
+AUDITED = "tests/derivations/test_specification.py runs it"
+FIGURES = "tests/manoeuvre/test_commands.py runs it"
+COMPARED = "minutes; tests/manoeuvre/comparison/test_compare.py runs it for one manoeuvre"
+FORMS = "half a minute; tests/validate/test_forms.py compares forms for few cases"
+METHODS = "tests/cli/test_cli.py runs it for a case of its own"
+COQ = "minutes of Coq, which .ci/coq runs; tests/proof/coq/test_theorems.py checks theorems"
+EXECUTED = "tests/notebooks/test_notebooks.py executes notebooks"
+ADDED = "the target is one that the notebook writes"
+
+# By command, as documents have it; `uv run`, `time` and `nice` before it are left out.
+NOT_RUN = {
+    **dict.fromkeys(
+        ("rigidsym codegen", "rigidsym export", "rigidsym fit",
+         "rigidsym init", "rigidsym plan", "rigidsym propagate", "rigidsym trace",
+         "rigidsym track", "rigidsym validate --case"),
+        NAME,
+    ),
+    **dict.fromkeys(
+        ("bash .ci/run", "pytest", "pytest -m slow", "pytest tests/test_motion.py",
+         "pytest tests/test_free_steps.py", "pytest tests/test_sensitivity.py",
+         "pytest tests/codegen/special_functions/test_third_kind.py",
+         "pytest tests/codegen/test_decisions.py", "pytest tests/codegen/test_pairs.py",
+         "pytest tests/codegen/test_seal_edits.py",
+         "pytest tests/derivations/test_sensitivities.py",
+         "pytest -m slow tests/derivations/test_random_edits.py",
+         "pytest -m slow tests/derivations/test_specification.py",
+         "pytest -m slow tests/fitting/test_simulated_strata.py",
+         "pytest -m slow tests/precise/test_mpmath.py"),
+        TESTS,
+    ),
+    **dict.fromkeys(
+        ("python3 -m venv .venv", ". .venv/bin/activate", "pip install uv", "pip install -e .",
+         'pip install -e ".[lab]"', "pip install pre-commit", "pre-commit install",
+         "uv sync --group all", "apt-get install chromium chromium-driver"),
+        INSTALLS,
+    ),
+    **dict.fromkeys(("uv run", "uv run --no-sync"), "other commands follow it"),
+    **dict.fromkeys(
+        ("rigidsym derive --in-place", "rigidsym codegen TARGET --in-place",
+         "rigidsym validate numpy c --cases 200 --record"),
+        WRITES,
+    ),
+    **dict.fromkeys(("rigidsym reproduce", "rigidsym derive", "rigidsym derive pi_form"), DERIVED),
+    **dict.fromkeys(("rigidsym check", "rigidsym check --independent"), REPLAYED),
+    **dict.fromkeys(("rigidsym audit", "rigidsym audit --json"), AUDITED),
+    **dict.fromkeys(
+        ("rigidsym codegen TARGET --check", "rigidsym codegen c --check",
+         "rigidsym codegen c -o DIR", "rigidsym codegen c -o attitude",
+         "rigidsym codegen c -o src/attitude", "rigidsym codegen c -o src/attitude --check",
+         "rigidsym codegen c --form pi -o DIR", "rigidsym codegen numpy --form pi -o DIR",
+         "rigidsym codegen c --form step -o DIR", "rigidsym codegen numpy --form step -o DIR"),
+        WRITTEN,
+    ),
+    "rigidsym completion": "tests/cli/test_front_door.py runs it for every shell",
+    **dict.fromkeys(("rigidsym figures", "rigidsym figures -o figures"), FIGURES),
+    **dict.fromkeys(("rigidsym compare", "rigidsym compare -o compare"), COMPARED),
+    **dict.fromkeys(("rigidsym compare-forms", "rigidsym compare-forms -o DIR"), FORMS),
+    **dict.fromkeys(("rigidsym methods", "rigidsym methods --digits 50 1000"), METHODS),
+    **dict.fromkeys(
+        ("bash .ci/coq", "make -C DIR plain", "rigidsym export coq -o DIR --check"), COQ
+    ),
+    **dict.fromkeys(("python notebooks/build.py", "python notebooks/build.py --check"), EXECUTED),
+    **dict.fromkeys(("rigidsym codegen floats --in-place", "rigidsym validate floats"), ADDED),
+    "python notebooks/site/build.py": "tests/notebooks/test_site.py builds a site by it",
+    "python notebooks/site/picture.py": "tests/documents/test_document_links.py draws it twice",
+    "jupyter lab notebooks": "it does not end; tests/notebooks/test_browser.py opens its pages",
+    "rigidsym validate --faults": "minutes; tests/validate/faults/test_faults.py has its faults",
+    "rigidsym validate --peer heyoka --peer orekit": "extra bench; tests/validate/test_peers.py",
+    "rigidsym validate --cases 1_000_000 -o campaign --scheduler tcp://host:8786":
+        "it needs a cluster; tests/validate/test_cluster.py has one",
+    "cc -std=c99 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math main.c torque_free.c -lm":
+        "tests/documents/test_document_blocks.py compiles by it",
+}  # fmt: skip
+# What stands for a placeholder.
+GIVEN = {"LINE": "900", "NUMBER": "10", "FILE": "torque_free.py", "TARGET": "c",
+         "COMMAND": "check", "NAME": "dop853"}  # fmt: skip
+# By beginning: the options that are given last, and so count, to what takes sizes.
+SMALL = {
+    r"python tests/benchmarks/": "--quick",
+    r"python notebooks/site/export.py": "howto_fifty_digits -o exported",
+    r"rigidsym validate(?!.* --case )": "--cases 1 --stratum uniform",
+    r"rigidsym validate(?!.* --(case|sensitivity))": "--workers 1",
+    r"rigidsym fit": "--starts 200",
+    r"rigidsym export": "--ledger part.json",
+    r"rigidsym derive(?! --show \w)(?!.*--lagrangian)": "lie_algebra",
+}
+
+
+def smallest(command):
+    """Return a documented command as it is run here."""
+    command = re.sub(r"\b[A-Z]{4,}\b", lambda word: GIVEN.get(word[0], word[0]), command)
+    command = re.sub(r" --cases \S+|(?<=\.py) \d+", "", command)
+    more = [options for start, options in SMALL.items() if re.match(start, command)]
+    return " ".join([command, *more])
+
+
+@cache
+def run_here():
+    """Return the commands to run; what is there with `-o` too is run so, and once."""
+    written = {}
+    for command in map(smallest, commands().keys() - NOT_RUN.keys()):
+        bare = re.sub(r" -o \S+", "", command)
+        written[bare] = max(command, written.get(bare, bare), key=lambda one: (len(one), one))
+    return sorted(written.values())
+
+
+def test_what_is_not_run_is_documented_and_its_reason_is_there():
+    assert not NOT_RUN.keys() - commands().keys()
+    for command, reason in NOT_RUN.items():
+        for path in re.findall(r"(?:tests|notebooks|\.ci)/[\w./]+\b", f"{command} {reason}"):
+            assert (ROOT / path).is_file(), (command, path)
+
+
+@pytest.mark.parametrize("command", sorted(x for x in NOT_RUN if x.startswith("rigidsym ")))
+def test_a_command_line_that_is_not_run_is_understood(command):
+    if NOT_RUN[command] == NAME:
+        assert any(one.startswith(f"{command} ") for one in [*run_here(), *NOT_RUN])
+    elif command != "rigidsym completion":
+        command = command.replace("TARGET", GIVEN["TARGET"])
+        assert parser().parse_args(shlex.split(command)[1:]).command
+
+
+def test_commands_are_found_in_every_kind_of_document():
+    documents = {name.rpartition("/")[0] for name in commands().values()}
+    assert documents >= {"", "notebooks/site/pages", "notebooks/text"}
+    assert len(run_here()) > 60
+
+
+@pytest.fixture(scope="module")
+def _replayed_once():
+    """The sealed ledger, which some commands ask for, is replayed for the first."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(proofs, "replayed", cache(proofs.replayed))
+        yield
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """Return a folder to work in, with the files that documents speak of."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "satellite.toml").write_text(blocks("toml", "use.md")[0])
+    (manoeuvre,) = blocks("toml manoeuvre", "manoeuvres.md")
+    (tmp_path / "slew.toml").write_text(f"{manoeuvre}[run]\nlength = 10\n")
+    return tmp_path
+
+
+@pytest.mark.usefixtures("_replayed_once")
+@pytest.mark.parametrize("command", run_here())
+def test_a_documented_command_runs(command, folder, capfd):
+    program, *arguments = shlex.split(command)
+    if "part.json" in arguments:
+        assert main(["derive", "euler_lax", "-o", "part.json"]) == 0
+    if program == "rigidsym" and "--help" not in arguments:
+        assert main(arguments) == 0
+    else:
+        start = [sys.executable] if program == "python" else [sys.executable, "-m", program]
+        places = [ROOT / one if one.endswith(".py") else one for one in arguments]
+        subprocess.run([*start, *places], check=True, cwd=folder)
+    silent = {"-o", "-c", "init"} & {*arguments}
+    assert silent or "".join(capfd.readouterr())
+    assert all((folder / name).exists() for name in re.findall(r" -o (\S+)", command))
