@@ -60,12 +60,12 @@ def main() -> int:
         print("heyoka is not installed (extra bench): its rows are left out")
     met = []
     for size in (800,) if quick else (10_000, 1_000_000):
-        met.append(_states(size, rounds).print())
-    met.append(_bodies(rounds, 160 if quick else BODIES).print())
-    met.append(_small(rounds, *((2, 10_000) if quick else (200, 10_000_000))).print())
-    met.append(_builds(rounds, 1 if quick else len(BUILDS)).print())
-    met.append(_errors("the paper's motion, 50 times in [0, 100] s", PAPER, 50).print())
-    met.append(_errors("the separatrix, t = 100 s", SEPARATRIX, 1).print())
+        met.append(_states(size, rounds).print(not quick))
+    met.append(_bodies(rounds, 160 if quick else BODIES).print(not quick))
+    met.append(_small(rounds, *((2, 10_000) if quick else (200, 10_000_000))).print(not quick))
+    met.append(_builds(rounds, 1 if quick else len(BUILDS)).print(not quick))
+    met.append(_errors("the paper's motion, 50 times in [0, 100] s", PAPER, 50).print(not quick))
+    met.append(_errors("the separatrix, t = 100 s", SEPARATRIX, 1).print(not quick))
     return int(not (quick or all(met)))
 
 
@@ -100,12 +100,12 @@ class Table:
         ratio = self.figures[other] / self.figures[name]
         self.goals.append((f"{other}: {ratio:.1f} x {name}, at least {factor}", ratio >= factor))
 
-    def print(self) -> bool:
-        """Whether every goal is met."""
+    def print(self, judged: bool) -> bool:
+        """Print the figures, and the goals where they are judged; return whether all are met."""
         print(f"\n{self.title}")
         for name, figure in self.figures.items():
             print(f"  {name:40}{figure:12.4g} {self.unit}")
-        for text, met in self.goals:
+        for text, met in self.goals if judged else ():
             print(f"  {'met   ' if met else 'MISSED'} {text}")
         return all(met for _, met in self.goals)
 

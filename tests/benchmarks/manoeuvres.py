@@ -130,7 +130,7 @@ def _differences(problems) -> None:
 
 
 def _shooting(problems) -> None:
-    """Milliseconds of a search by C, of the same by DOP853, and of shooting from one start."""
+    """Processor time of a search by C, of the same by DOP853, and of shooting from one start."""
     spent, dearer = np.zeros(3), 0
     for asked in problems:
         exact = posed(asked, engines.engine("c"))
@@ -138,13 +138,13 @@ def _shooting(problems) -> None:
         ways = exact, Differenced(exact.inertia, exact.turn, Integrated())
         cheapest = []
         for k, one in enumerate(ways):
-            begin = perf_counter()
+            begin = process_time()
             cheapest.append(one.momenta(families(one, least(one)))[0])
-            spent[k] += perf_counter() - begin
-        begin = perf_counter()
+            spent[k] += process_time() - begin
+        begin = process_time()
         one = ways[1]
         shot = least_squares(one.misses, one.angle * one.axis, xtol=TOLERANCE, method="lm").x
-        spent[2] += perf_counter() - begin
+        spent[2] += process_time() - begin
         arrives = np.linalg.norm(one.misses(shot)) < 1e-9
         dearer += not (arrives and one.momenta(shot) <= cheapest[0] * (1 + DEARER))
     c, integrated, shot = 1e3 * spent / len(problems)

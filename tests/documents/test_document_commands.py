@@ -47,6 +47,7 @@ NOT_RUN = {
          "pytest tests/derivations/test_sensitivities.py",
          "pytest -m slow tests/derivations/test_random_edits.py",
          "pytest -m slow tests/derivations/test_specification.py",
+         "pytest -m slow tests/notebooks/test_notebooks.py",
          "pytest -m slow tests/fitting/test_simulated_strata.py",
          "pytest -m slow tests/precise/test_mpmath.py"),
         TESTS,
@@ -147,6 +148,13 @@ def test_commands_are_found_in_every_kind_of_document():
     documents = {name.rpartition("/")[0] for name in commands().values()}
     assert documents >= {"", "notebooks/site/pages", "notebooks/text"}
     assert len(run_here()) > 60
+
+
+def test_every_benchmark_is_named_and_run():
+    scripts = [path for path in (ROOT / "tests" / "benchmarks").glob("*.py")
+               if "__main__" in path.read_text("utf-8")]  # fmt: skip
+    run = " ".join(run_here())
+    assert [path.name for path in scripts if f"benchmarks/{path.name} " not in run] == []
 
 
 @pytest.fixture(scope="module")

@@ -47,6 +47,7 @@ def test_track(short, tmp_path, capsys):
     printed = capsys.readouterr()
     assert "settled at the target" in printed.out
     assert "nothing to do" not in printed.out
+    assert len(re.findall(r"unexplained.* below \de-", printed.out)) == 2
     assert f"wrote {tmp_path / 'flown' / 'summary.json'}" in printed.err
     states = np.load(tmp_path / "flown" / "run.npz")
     target = np.array([0.9, 0.1, -0.2, 0.3])

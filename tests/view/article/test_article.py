@@ -9,6 +9,7 @@ import sys
 import pytest
 import sympy
 from html_cards import Balanced
+from sympy.printing.pretty.pretty_symbology import pretty_use_unicode
 
 from derivations import FORWARD
 from derivations.setting import Setting
@@ -195,3 +196,14 @@ def test_latex_as_the_paper_writes_it(expression, text):
 @pytest.mark.parametrize("expression", [Rate(R * M), rate_of(symbol("x") * symbol("y"))])
 def test_the_rate_of_a_product_in_a_terminal(expression):
     assert pretty(expression).startswith("d/dt (")
+
+
+def test_lines_do_not_depend_on_the_encoding_of_stdout():
+    column = sympy.Matrix([sympy.Symbol("Omega1") / 2, 1])
+    expected = pretty(column)
+    before = pretty_use_unicode(False)
+    try:
+        assert pretty(column) == expected
+        assert not pretty_use_unicode()
+    finally:
+        pretty_use_unicode(before)
