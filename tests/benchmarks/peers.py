@@ -29,7 +29,7 @@ def main(names: list[str], quick: bool) -> int:
             print(f"{name} is not installed (extra bench): it is left out")
             continue
         peer, time, goal = PEERS[name]
-        time = time // 50 if quick else time
+        time = max(1, time // 500) if quick else time
         ours = min(_seconds(lambda t=time: _ours(t)) for _ in range(20))
         seconds, state = peer(time)
         with mpmath.workdps(DIGITS + 10):

@@ -123,7 +123,7 @@ def checks(run: Measured) -> list[tuple[str, str]]:
 def _unexplained(defect: float, size: float) -> str:
     """Return a bound where the defect is rounding, whose digits differ between processors."""
     bound = _ROUNDING * size
-    return f"below {bound:.0e}" if defect <= bound else f"{defect:.1e}"
+    return f"below {bound:.0e}" if bound and defect <= bound else f"{defect:.1e}"
 
 
 def _burnt(last: Arrival | None) -> list[tuple[str, str]]:
