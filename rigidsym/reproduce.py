@@ -18,7 +18,7 @@ from rigidsym.codegen.seal import seal, seal_text
 from rigidsym.errors import InputError
 from rigidsym.io.cases import Case, paper_case
 from rigidsym.io.files import write_text
-from rigidsym.proof.derivation import Derivation, derive
+from rigidsym.proof.derivation import Derivation, derive, sealed_counts
 from rigidsym.proof.paper import Verdict, verdicts
 from rigidsym.proof.paper.table import counted, details
 from rigidsym.solution import Solution, load
@@ -64,7 +64,9 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     Raises InputError where the directory cannot be written and DerivationError where a proof
     fails; what an earlier run has written stays until its successor is complete.
     """
-    derivation, seconds = _timed(lambda: derive(progress=progress("derive")))
+    derivation, seconds = _timed(
+        lambda: derive(progress=progress("derive"), sealed=sealed_counts())
+    )
     claims = [len(chapter.facts) for chapter in derivation.chapters if chapter.facts]
     say("derive", f"{sum(claims)} facts in {len(claims)} chapters", seconds, True)
     ledger = write_text(directory / "ledger.json", derivation.ledger)

@@ -28,6 +28,12 @@ def add(command: Command) -> None:
         "--in-place", action="store_true", help="into the package itself: seals the ledger anew"
     )
     derive.add_argument("--json", action="store_true", help="to stdout alone")
+    derive.add_argument(
+        "--mutants",
+        action="store_true",
+        help="count all mutants again; by default, and unless --in-place is given, those of facts "
+        "that are as sealed keep the counts of the sealed ledger",
+    )
     derive.add_argument("--show", action="store_true", help="line by line, in the terminal")
     forms = ("text", "markdown", "latex", "html")
     derive.add_argument("--format", choices=forms, help="an article, to stdout or --output")
@@ -82,7 +88,7 @@ def _add_setting(derive: ArgumentParser) -> None:
 
 def _derive(options: Namespace) -> int:
     from derivations.setting import setting_of
-    from rigidsym.proof.derivation import DerivationError, derive
+    from rigidsym.proof.derivation import DerivationError, derive, sealed_counts
 
     names = ("sequence", "axis", "factor", "sign", "order", "lagrangian")
     if options.in_place and (options.chapters or any(getattr(options, x) for x in names)):
@@ -93,7 +99,8 @@ def _derive(options: Namespace) -> int:
         raise InputError("json", "given", "is not for --show and --format")
     try:
         setting = setting_of(chosen) if chosen or reading else None
-        derivation = derive(options.chapters, progress("derive"), setting)
+        sealed = "" if options.mutants or options.in_place else sealed_counts()
+        derivation = derive(options.chapters, progress("derive"), setting, sealed)
     except DerivationError as error:
         say(f"rigidsym derive: {error}")
         return 1
@@ -104,6 +111,7 @@ def _derive(options: Namespace) -> int:
     else:
         _chapters(derivation)
     sys.stdout.flush()
+    _mutants(derivation)
     _seal(derivation, options, sealed=setting is None and not options.chapters)
     return 0
 
@@ -118,6 +126,19 @@ def _chapters(derivation: "Derivation") -> None:
         counts = (str(computed), str(facts - computed), f"{chapter.seconds:.2f} s")
         rows.append((chapter.name, chapter.title, *counts))
     table("rigidsym derive", ("chapter", "", "computed", "guessed", "time"), rows)
+
+
+def _mutants(derivation: "Derivation") -> None:
+    """Say how many mutants are counted, and which counts are not of this run."""
+    facts = derivation.mutants
+    if not facts:
+        return
+    mutants = sum(sum(fates.values()) for fates in facts.values())
+    kept = len(facts) - derivation.recounted
+    counted = f"{mutants} of {len(facts)} facts are counted"
+    if kept:
+        counted += f", {kept} facts as sealed and not again (--mutants counts all)"
+    say(f"mutants: {counted}")
 
 
 def _article(derivation: "Derivation", form: str, output: Path | None) -> int:

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass
 from importlib import import_module, resources
 from pathlib import Path
@@ -10,8 +10,8 @@ from time import perf_counter
 
 from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
-from rigidsym.errors import InputError
-from rigidsym.io.ledger import specification_text
+from rigidsym.errors import InputError, LedgerError
+from rigidsym.io.ledger import sealed_text, specification_text
 from rigidsym.language.specification import Unproved, require
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.claims import Claim, Claims
@@ -51,10 +51,16 @@ class Chapter:
 
 @dataclass(frozen=True, slots=True)
 class Derivation:
-    """The chapters that ran and the ledger they wrote, as text."""
+    """The chapters that ran, and the ledger they wrote as text."""
 
     chapters: tuple[Chapter, ...]
     ledger: str
+    recounted: int = 0
+
+    @property
+    def mutants(self) -> Mapping[str, Mapping[str, int]]:
+        """The fates of the mutants of each fact; those of `recounted` facts were counted anew."""
+        return json.loads(self.ledger)["published"].get("mutants", {})
 
     def to_json(self) -> str:
         """The schema rigidsym.derive/2: every claim with its grade and source."""
@@ -90,11 +96,13 @@ def derive(
     wanted: Iterable[str] = (),
     progress: Callable[[int, int], None] = lambda done, total: None,
     setting: Setting | None = None,
+    sealed: str = "",
 ) -> Derivation:
     """Run all chapters, or those up to the last one wanted and report the wanted ones.
 
     With a setting, another derivation: the chapters up to Theorem 1, for its sequence of turns, its
-    basis and its Lagrangian.  Raises InputError for an unknown chapter and DerivationError where a
+    basis and its Lagrangian.  Mutants of facts that the ledger with the text `sealed` has, word for
+    word, are not counted again: their counts are taken from there.  Raises InputError for an unknown chapter and DerivationError where a
     step cannot be done or a claim is not proved.
     """
     chosen, known = tuple(wanted), CHAPTERS if setting is None else FORWARD
@@ -102,7 +110,7 @@ def derive(
         if name not in known:
             raise InputError("chapter", name, f"must be one of: {', '.join(known)}")
     last = max(map(known.index, chosen), default=len(known) - 1)
-    book, ran = Book(), []
+    book, ran = Book(sealed), []
     book.keep(setting or Setting())
     try:
         for done, name in enumerate(known[: last + 1]):
@@ -110,18 +118,22 @@ def derive(
             ran.append(_run(book, name))
     finally:
         progress(last + 1, last + 1)
+    text = book.ledger.to_text()
     if setting is None and last == len(known) - 1:
-        _require_specified(book)
+        try:
+            require(specification_text(), json.loads(text))
+        except Unproved as error:
+            raise DerivationError(str(error)) from None
     reported = tuple(chapter for chapter in ran if not chosen or chapter.name in chosen)
-    return Derivation(reported, book.ledger.to_text())
+    return Derivation(reported, text, book.recounted)
 
 
-def _require_specified(book: Book) -> None:
-    """All chapters together prove what the specification says."""
+def sealed_counts() -> str:
+    """Return the sealed ledger as text, for `derive`; nothing where there is none as sealed."""
     try:
-        require(specification_text(), json.loads(book.ledger.to_text()))
-    except Unproved as error:
-        raise DerivationError(str(error)) from None
+        return sealed_text()
+    except LedgerError:
+        return ""
 
 
 def _run(book: Book, name: str) -> Chapter:

@@ -28,10 +28,15 @@ Entry: TypeAlias = Mapping[str, str | list[str]]
 
 
 class Book:
-    """A ledger being written, with the ring of each context at hand."""
+    """A ledger being written, with the ring of each context at hand.
 
-    def __init__(self) -> None:
+    Fates of mutants that the text `sealed`, a written ledger, has for the same facts are not
+    counted again; `recounted` are the facts whose mutants were.
+    """
+
+    def __init__(self, sealed: str = "") -> None:
         self.ledger = Ledger(encloses)
+        self.sealed, self.recounted = sealed, 0
         # What the steps of a derivation did, in order; nothing rests on it.
         self.steps: list[Any] = []
         self._found: dict[type, Any] = {}

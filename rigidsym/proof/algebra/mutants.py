@@ -8,12 +8,14 @@ same balls: they exclude a mutant, cannot be had for it, or agree with it too.
 """
 
 import ast
+import json
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from itertools import chain, islice, zip_longest
+from typing import TypeAlias
 
 from rigidsym.proof.algebra.normal_form import divide
 from rigidsym.proof.algebra.suppositions import encloses
@@ -29,14 +31,17 @@ PLACES = 30
 # Squares of longer quantities take long to expand and say no more.
 SHORT = 5
 # The replacements of one node of a text, each with the kind of change.
+Fates: TypeAlias = dict[str, int]
 Variants = Callable[[ast.AST], Iterator[tuple[str, ast.expr]]]
 Edit = Callable[[], str]
 _PARTNERS = {"sn": "cn", "cn": "sn", "s": "c", "c": "s", "m": "m_1"}
 _INDEX = {"1": "2", "2": "3", "3": "1", "a": "b", "b": "d", "d": "a"}
 
 
-def tally(ledger: Ledger, each: int = EACH) -> dict[str, dict[str, int]]:
-    """For every fact decided, how its mutants, at most `each`, are accounted for.
+def tally(
+    ledger: Ledger, known: Mapping[str, Fates] | None = None, each: int = EACH
+) -> dict[str, Fates]:
+    """Count the fates of the mutants, at most `each`, of every fact decided, unless they are known.
 
     What is printed has mutants of its own: LaTeX with one place changed, which tests compare.
     """
@@ -45,10 +50,28 @@ def tally(ledger: Ledger, each: int = EACH) -> dict[str, dict[str, int]]:
         for fact in ledger.facts.values()
         if fact.rule in ("identity", "assumption") and PRINTED not in fact.id
     ]
-    return {fact.id: _account(ledger, fact, each) for fact in decided}
+    known = known or {}
+    return {fact.id: known.get(fact.id) or _account(ledger, fact, each) for fact in decided}
 
 
-def _account(ledger: Ledger, fact: Fact, each: int) -> dict[str, int]:
+def known_fates(ledger: Ledger, text: str) -> dict[str, Fates]:
+    """Return the fates that a written ledger has for facts that are word for word in this one.
+
+    Their contexts have to be the same, too.
+    """
+    here, there = json.loads(ledger.to_text()), json.loads(text)
+    contexts = {each["name"]: each for each in there["contexts"]}
+    same = {each["name"] for each in here["contexts"] if each == contexts.get(each["name"])}
+    facts = {each["id"]: each for each in there["facts"]}
+    fates = there["published"].get("mutants", {})
+    return {
+        each["id"]: fates[each["id"]]
+        for each in here["facts"]
+        if each["id"] in fates and each["context"] in same and each == facts.get(each["id"])
+    }
+
+
+def _account(ledger: Ledger, fact: Fact, each: int) -> Fates:
     ring, power = ledger.rings[fact.context], 2 if fact.kind == "root" else 1
     context = ledger.contexts[fact.context]
     point = context.check_point(ring, context.witness)

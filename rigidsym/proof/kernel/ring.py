@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from math import comb, prod
 from operator import add, mul, sub
 from typing import Any, TypeAlias
@@ -21,6 +22,11 @@ _ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
     """The value at a rational point, given in the order of the ring's generators."""
     return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.terms())
+
+
+@cache
+def _polynomials(generators: tuple[str, ...]) -> PolyRing:
+    return PolyRing(generators, QQ, lex)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,12 +73,15 @@ class Ring:
     """
 
     def __init__(self, generators: tuple[str, ...], definitions: Mapping[str, str]) -> None:
-        self.poly = PolyRing(generators[::-1], QQ, lex)
+        self.poly = _polynomials(generators[::-1])
+        self.places = {name: place for place, name in enumerate(generators[::-1])}
         self.unread = dict(definitions)
         self.units: tuple[PolyElement, ...] = ()
         self.relations: tuple[PolyElement, ...] = ()
         self.rates: dict[str, Element | None] | None = None
-        self.values: dict[Tree, Element] = {str(x): Element(x) for x in self.poly.gens}
+        self.values: dict[Tree, Element] = {
+            name: Element(self.poly.gens[place]) for name, place in self.places.items()
+        }
 
     def inverse(self, element: Element) -> Element:
         """1/element; refused unless its numerator is a number times a product of units."""
@@ -85,13 +94,13 @@ class Ring:
 
     def _factors(self, polynomial: PolyElement) -> tuple[Counter[PolyElement], PolyElement]:
         """The units that divide a polynomial, each as often as it does, and what is left."""
-        found = Counter[PolyElement]()
+        found, leading = Counter[PolyElement](), polynomial.LM
         for unit in self.units:
-            while not unit.is_ground and monomial_divides(unit.LM, polynomial.LM):
+            while not unit.is_ground and monomial_divides(unit.LM, leading):
                 quotient, rest = polynomial.div(unit)
                 if rest:
                     break
-                polynomial, found[unit] = quotient, found[unit] + 1
+                polynomial, leading, found[unit] = quotient, quotient.LM, found[unit] + 1
         return found, polynomial
 
     def remainder(self, polynomial: PolyElement, *given: PolyElement) -> PolyElement:
@@ -104,7 +113,7 @@ class Ring:
             raise KernelError(f"D({element.numerator}): this context has no time derivative")
         total = Element(self.poly(0))
         for name, rate in self.rates.items():
-            if slope := element.numerator.diff(self.values[name].numerator):
+            if slope := element.numerator.diff(self.places[name]):
                 if rate is None:
                     raise KernelError(f"D({name}) is not known in this context")
                 total += Element(slope) * rate
@@ -117,10 +126,10 @@ class Ring:
         return self.value(parse(text))
 
     def value(self, tree: Tree) -> Element:
-        """What a tree means; each is given its meaning once, and keeps it."""
-        if tree not in self.values:
-            self.values[tree] = self._value(tree)
-        return self.values[tree]
+        """Return what a tree means; each is given its meaning once, and keeps it."""
+        if (known := self.values.get(tree)) is None:
+            known = self.values[tree] = self._value(tree)
+        return known
 
     def _value(self, tree: Tree) -> Element:
         match tree:

@@ -196,9 +196,9 @@ RULES: dict[str, tuple[set[str], Container[int], Callable[[Admitted, Fact], Grad
 
 def differences(ring: Ring, fact: Fact) -> list[PolyElement]:
     """The numerators of lhs - rhs (of lhs**2 - rhs for a root): zero where the statement holds."""
-    power = 2 if fact.kind == "root" else 1
-    sides = zip(fact.lhs, fact.rhs, strict=True)
-    return [(ring.read(lhs) ** power - ring.read(rhs)).numerator for lhs, rhs in sides]
+    sides = zip(map(parse, fact.lhs), map(parse, fact.rhs), strict=True)
+    left = [((lhs, "**", 2) if fact.kind == "root" else lhs, rhs) for lhs, rhs in sides]
+    return [ring.value((lhs, "-", rhs)).numerator for lhs, rhs in left]
 
 
 def check_news(admitted: Admitted, fact: Fact) -> None:

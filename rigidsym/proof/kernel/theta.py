@@ -9,15 +9,14 @@ and the nome a power of a constant generator.  Such arguments have no brackets.
 """
 
 import re
-from collections.abc import Iterator, Mapping
-from functools import lru_cache
+from collections.abc import Iterable, Mapping
+from functools import cache, lru_cache
 from math import lcm, prod
 from operator import mul
 from typing import NamedTuple, TypeAlias
 
 from sympy.polys.domains import QQ
 from sympy.polys.matrices import DomainMatrix
-from sympy.polys.rings import PolyElement
 
 from rigidsym.proof.kernel.language import KernelError
 from rigidsym.proof.kernel.ring import Element, Number, Ring
@@ -40,8 +39,9 @@ class Theta(NamedTuple):
     form: Form
 
 
+@cache
 def linear(text: str) -> Form:
-    """The form that a text is; I is the imaginary unit."""
+    """Return the form that a text is; I is the imaginary unit."""
     ring, form = Ring(tuple(sorted({*re.findall(_NAME, text)})), {}), []
     for powers, number in ring.read(text).numerator.terms():
         names = [str(x) for x, power in zip(ring.poly.gens, powers, strict=True) if power]
@@ -91,10 +91,12 @@ def vanishing(text: str) -> list[tuple[Number, list[Theta]]]:
         raise KernelError("the quadratic forms of the exponents differ")
     period = 2 * lcm(*(x.denominator for x in series))
     unit = 2 * lcm(*(_denominator(x.rows) for x in series))
-    totals: dict[tuple[int, ...], PolyElement] = {}
-    for place, value in (pair for x in series for pair in x.coefficients(period, unit)):
-        totals[place] = totals.get(place, 0) + value
-    if any(totals.values()):
+    classes: dict[tuple[int, ...], list[tuple[int, int]]] = {}
+    for k, x in enumerate(series):
+        for place, sign in x.classes(period, unit):
+            classes.setdefault((*place, x.imaginary), []).append((k, sign))
+    # The same polynomials with the same signs meet on many classes.
+    if any(sum(sign * series[k].weight for k, sign in x) for x in {*map(tuple, classes.values())}):
         raise KernelError("the Fourier coefficients do not add up to 0")
     return terms
 
@@ -121,8 +123,8 @@ class Series:
         self.imaginary, sign = turns % 2, (-1) ** (turns % 4 // 2)
         self.weight = prod(map(pow, n, orders), start=a[0] ** 0) * number * sign * 2 ** sum(orders)
 
-    def coefficients(self, period: int, unit: int) -> Iterator[tuple[tuple[int, ...], PolyElement]]:
-        """For each class of a: a in parts of a unit, whether f is imaginary, and f without i."""
+    def classes(self, period: int, unit: int) -> Iterable[tuple[tuple[int, ...], int]]:
+        """Return each class of a, in parts of a unit, with the sign of `weight` in f there."""
         steps = [[int(x * unit) for x in row] for row in self.rows]
         flips = [factor.index in (1, 4) for factor in self.factors]
         halves = [row for row, factor in zip(steps, self.factors, strict=True) if factor.index < 3]
@@ -138,8 +140,7 @@ class Series:
                     waiting.append(b)
             if len(signs) > MOST:
                 raise KernelError(f"more than {MOST} classes of exponents")
-        for a, sign in signs.items():
-            yield (*a, self.imaginary), self.weight * sign
+        return signs.items()
 
 
 def _denominator(rows: list[list[Number]]) -> int:
