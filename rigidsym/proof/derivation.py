@@ -102,8 +102,8 @@ def derive(
 
     With a setting, another derivation: the chapters up to Theorem 1, for its sequence of turns, its
     basis and its Lagrangian.  Mutants of facts that the ledger with the text `sealed` has, word for
-    word, are not counted again: their counts are taken from there.  Raises InputError for an unknown chapter and DerivationError where a
-    step cannot be done or a claim is not proved.
+    word, are not counted again: their counts are taken from there.  Raises InputError for an
+    unknown chapter and DerivationError where a step cannot be done or a claim is not proved.
     """
     chosen, known = tuple(wanted), CHAPTERS if setting is None else FORWARD
     for name in chosen:

@@ -47,8 +47,9 @@ def _to_flint(polynomial: PolyElement) -> fmpq_mpoly:
     return fmpq_mpoly_ctx.get(_names(polynomial.ring), "lex").from_dict(terms)
 
 
+@lru_cache(maxsize=512)
 def _names(ring: PolyRing) -> tuple[str, ...]:
-    return tuple(symbol.name for symbol in ring.symbols)
+    return tuple(map(str, ring.symbols))
 
 
 def _from_flint(ring: PolyRing, polynomial: fmpq_mpoly) -> PolyElement:

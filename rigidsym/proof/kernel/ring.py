@@ -1,9 +1,8 @@
 """Elements of a differential ring: a polynomial over a product of declared units; D is d/dt."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cache
 from math import comb, prod
 from operator import add, mul, sub
 from typing import Any, TypeAlias
@@ -11,7 +10,7 @@ from typing import Any, TypeAlias
 from sympy.polys.domains import QQ
 from sympy.polys.monomials import monomial_divides
 from sympy.polys.orderings import lex
-from sympy.polys.rings import PolyElement, PolyRing
+from sympy.polys.rings import PolyElement, xring
 
 from rigidsym.proof.kernel.language import KernelError, Tree, parse
 
@@ -21,12 +20,7 @@ _ARITHMETIC: dict[Any, Any] = {"+": add, "-": sub, "*": mul, "/": mul}  # x/y is
 
 def at(polynomial: PolyElement, point: Sequence[Number]) -> Number:
     """The value at a rational point, given in the order of the ring's generators."""
-    return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.terms())
-
-
-@cache
-def _polynomials(generators: tuple[str, ...]) -> PolyRing:
-    return PolyRing(generators, QQ, lex)
+    return sum(x * prod(map(pow, point, powers)) for powers, x in polynomial.items())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,24 +32,25 @@ class Element:
 
     def over(self, below: Counter[PolyElement]) -> PolyElement:
         """The numerator this element has when written over a larger denominator."""
-        gaps = (below - self.below).items()
-        return prod((unit**power for unit, power in gaps), start=self.numerator)
+        gaps = map(Element, (below - self.below).elements())
+        return prod(gaps, start=Element(self.numerator)).numerator
 
-    def __add__(self, other: "Element") -> "Element":
+    def __add__(self, other: "Element", combine: Callable[..., PolyElement] = add) -> "Element":
         if not self.below and not other.below:
-            return Element(self.numerator + other.numerator)
+            return Element(combine(self.numerator, other.numerator))
         below = self.below | other.below
-        return Element(self.over(below) + other.over(below), below)
+        return Element(combine(self.over(below), other.over(below)), below)
+
+    def __sub__(self, other: "Element") -> "Element":
+        return self.__add__(other, sub)
 
     def __mul__(self, other: "Element") -> "Element":
         below = self.below + other.below if self.below else other.below
-        return Element(self.numerator * other.numerator, below)
+        few, many = sorted((self.numerator, other.numerator), key=len)
+        return Element(many.mul_term(*few.items()) if len(few) == 1 else many * few, below)
 
     def __neg__(self) -> "Element":
         return Element(-self.numerator, self.below)
-
-    def __sub__(self, other: "Element") -> "Element":
-        return self + -other
 
     def __pow__(self, exponent: int) -> "Element":
         terms = max(len(self.numerator), 1)
@@ -73,15 +68,13 @@ class Ring:
     """
 
     def __init__(self, generators: tuple[str, ...], definitions: Mapping[str, str]) -> None:
-        self.poly = _polynomials(generators[::-1])
+        self.poly, gens = xring(generators[::-1], QQ, lex)
         self.places = {name: place for place, name in enumerate(generators[::-1])}
         self.unread = dict(definitions)
         self.units: tuple[PolyElement, ...] = ()
         self.relations: tuple[PolyElement, ...] = ()
         self.rates: dict[str, Element | None] | None = None
-        self.values: dict[Tree, Element] = {
-            name: Element(self.poly.gens[place]) for name, place in self.places.items()
-        }
+        self.values = dict[Tree, Element](zip(self.places, map(Element, gens), strict=True))
 
     def inverse(self, element: Element) -> Element:
         """1/element; refused unless its numerator is a number times a product of units."""

@@ -44,7 +44,7 @@ def identity(admitted: Admitted, fact: Fact) -> Grade:
             if cofactor.below:
                 raise KernelError("a cofactor is no polynomial")
             if cofactor.numerator:
-                difference -= cofactor.numerator * relation
+                difference -= (cofactor * Element(relation)).numerator
         if difference:
             raise KernelError("the cofactors do not give lhs - rhs")
     return Grade.PROVED

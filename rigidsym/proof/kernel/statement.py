@@ -65,8 +65,7 @@ class Context:
         """The rational point, if it gives every generator and satisfies all hypotheses."""
         if missing := sorted(values.keys() ^ {*self.generators}):
             raise KernelError(f"context {self.name}: a point must give each generator: {missing}")
-        given = (values[name] for name in reversed(self.generators))
-        point = [_NUMBERS.read(text).numerator.coeff(1) for text in given]
+        point = [_NUMBERS.read(values[x]).numerator.coeff(1) for x in reversed(self.generators)]
         broken = [f"{unit} = 0" for unit in ring.units if not at(unit, point)]
         broken += [f"{relation} != 0" for relation in ring.relations if at(relation, point)]
         for sign in map(ring.read, self.nonnegative):
