@@ -216,6 +216,36 @@ def test_the_sealed_ledger_is_written_in_place_alone(monkeypatch, tmp_path, caps
     assert place.read_text("utf-8") == sealed + " "
 
 
+def test_derive_says_which_mutants_it_counted(monkeypatch, tmp_path, capsys):
+    from rigidsym.proof import derivation
+    from rigidsym.proof.derivation import Derivation
+
+    text, given = sealed_path().read_text("utf-8"), []
+
+    def derive(wanted, progress, setting, sealed):
+        given.append(sealed)
+        return Derivation((), text, 0 if sealed else 380)
+
+    monkeypatch.setattr(derivation, "sealed_path", lambda: tmp_path / "ledger.json")
+    monkeypatch.setattr(derivation, "derive", derive)
+    kept = "380 facts as sealed and not again (--mutants counts all)"
+    for option, expected in (([], text), (["--mutants"], ""), (["--in-place"], "")):
+        assert main(["derive", *option]) == 0
+        assert given.pop() == expected
+        told = capsys.readouterr().err
+        assert "mutants: 5642 of 380 facts are counted" in told
+        assert (kept in told) == bool(expected)
+
+
+def test_a_ledger_that_is_not_as_sealed_gives_no_counts(monkeypatch):
+    from rigidsym.io import ledger
+    from rigidsym.proof.derivation import sealed_counts
+
+    assert sealed_counts() == ledger.ledger_text()
+    monkeypatch.setattr(ledger, "ledger_text", lambda: sealed_path().read_text("utf-8") + " ")
+    assert sealed_counts() == ""
+
+
 def test_a_part_of_the_derivation_is_not_for_the_package(capsys):
     assert main(["derive", CHAPTERS[0], "--in-place"]) == 2
     assert "in-place = given: is for all chapters" in capsys.readouterr().err

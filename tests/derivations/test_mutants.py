@@ -2,12 +2,15 @@
 
 import json
 from collections import Counter
+from dataclasses import replace
 
 import pytest
 
 from rigidsym.io.ledger import ledger_text
 from rigidsym.proof.algebra import Book, Part, join
-from rigidsym.proof.algebra.mutants import PRINTED, mutants, tally
+from rigidsym.proof.algebra.mutants import PRINTED, known_fates, mutants, tally
+from rigidsym.proof.algebra.suppositions import encloses
+from rigidsym.proof.kernel import replay
 from rigidsym.proof.paper import verdicts
 
 LEDGER = json.loads(ledger_text())
@@ -26,6 +29,10 @@ def test_every_fact_decided_or_enclosed_is_counted():
     facts = [f for f in LEDGER["facts"] if f["rule"] in ("identity", "assumption")]
     decided = [f["id"] for f in facts if PRINTED not in f["id"]]
     assert list(LEDGER["published"]["mutants"]) == decided
+
+
+def test_all_mutants_counted_again_have_the_sealed_fates():
+    assert tally(replay(ledger_text(), encloses)) == LEDGER["published"]["mutants"]
 
 
 @pytest.fixture
@@ -50,3 +57,50 @@ def test_the_three_fates(book):
     book.claim("c.zero", {"(x1 - x1)/c1": "0"})
     counts = tally(book.ledger, each=40)["c.zero"]
     assert set(counts) == FATES
+
+
+PART = Part({"c1": "1", "x1": "1", "x2": "1"}, units=("c1",))
+
+
+def other_book(part=PART):
+    other = Book()
+    other.open(join("c", part))
+    other.claim("c.square", {"(x1 + x2)**2/c1": "(x1**2 + 2*x1*x2 + x2**2)/c1"})
+    other.claim("c.sum", {"x1 + x2": "x2 + x1"})
+    return other
+
+
+def test_fates_are_known_of_facts_that_are_word_for_word_the_same():
+    sealed = other_book()
+    marked = {"c.square": {"refuted": 1}, "c.sum": {"refuted": 2}}
+    sealed.ledger.published["mutants"] = marked
+    text = sealed.ledger.to_text()
+    assert known_fates(other_book().ledger, text) == marked
+    more = other_book()
+    more.claim("c.double", {"x1 + x1": "2*x1"})
+    assert known_fates(more.ledger, text) == marked
+    counts = tally(more.ledger, known_fates(more.ledger, text))
+    assert counts["c.square"] == {"refuted": 1}
+    assert counts["c.double"] == tally(more.ledger)["c.double"]
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        replace(PART, units=("c1", "x1")),
+        replace(PART, definitions={"y": "x1"}),
+        replace(PART, witness={"c1": "2", "x1": "1", "x2": "1"}),
+    ],
+)
+def test_no_fate_is_known_where_the_context_is_another(part):
+    sealed = other_book()
+    sealed.ledger.published["mutants"] = {"c.square": {"refuted": 1}}
+    assert known_fates(other_book(part).ledger, sealed.ledger.to_text()) == {}
+
+
+def test_no_fate_is_known_of_a_changed_fact():
+    sealed = other_book()
+    sealed.ledger.published["mutants"] = {"c.sum": {"refuted": 1}}
+    text = sealed.ledger.to_text().replace('"x2 + x1"', '"x1 + x2 + 0"')
+    assert known_fates(other_book().ledger, text) == {}
+    assert known_fates(other_book().ledger, Book().ledger.to_text()) == {}
