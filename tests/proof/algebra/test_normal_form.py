@@ -6,7 +6,7 @@ from random import Random
 import pytest
 
 from rigidsym.proof.algebra import Book
-from rigidsym.proof.algebra.normal_form import divide, nested
+from rigidsym.proof.algebra.normal_form import divide, nested, quotients
 from rigidsym.proof.kernel import Context, KernelError
 from rigidsym.proof.kernel.ring import at
 
@@ -43,6 +43,23 @@ def test_a_polynomial_is_its_cofactors_and_its_remainder(name, seed):
     polynomial = some_polynomial(ring, Random(seed))
     cofactors, remainder = divide(ring, polynomial)
     assert polynomial == multiplied_out(ring, cofactors) + remainder
+
+
+# The second relation makes y**2*z**2 of y*z**3, which both relations divide: the first one has to.
+TURNED = Context(
+    "turned",
+    ("x", "y", "z"),
+    {"x": "1", "y": "1", "z": "1"},
+    relations=("y**2 - x", "3*z**2 - 3*y*z"),
+)
+
+
+@pytest.mark.parametrize("context", [HIDDEN, SINGLE, TURNED], ids=lambda context: context.name)
+@pytest.mark.parametrize("seed", range(12))
+def test_division_is_that_of_sympy_term_by_term(context, seed):
+    ring = context.open()
+    polynomial = some_polynomial(ring, Random(seed))
+    assert quotients(polynomial, ring.relations) == polynomial.div(list(ring.relations))
 
 
 @pytest.mark.parametrize("name", ["hidden", "single"])
