@@ -18,10 +18,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    144  27 %  follow facts of the ledger, each named on its line
-     77  14 %  follow classical formulas, each with its reference
+    144  24 %  follow facts of the ledger, each named on its line
+     77  13 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    315  58 %  are the runtime, written by hand
+    366  62 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
@@ -33,47 +33,10 @@ against mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy-step --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  3.7e-16  8.0e-17
-  published              5.1e-16  1.6e-16
-  axis orders and signs  7.7e-16  1.6e-16
-  uniform                7.1e-16  1.8e-16
-  near separatrix        7.1e-16  1.9e-16
-  beside separatrix      8.1e-16  1.9e-16
-  nearest separatrix     8.0e-16  1.9e-16
-  separatrix             7.3e-16  2.0e-16
-  symmetric              8.1e-16  1.9e-16
-  near prolate           6.7e-16  1.9e-16
-  near oblate            7.7e-16  1.9e-16
-  nearest symmetric      7.4e-16  1.8e-16
-  sphere                 7.4e-16  2.0e-52
-  near sphere            6.8e-16  2.0e-16
-  nearest sphere         6.7e-16  5.4e-17
-  spin                   6.0e-16  7.6e-53
-  near spin, largest     5.7e-16  1.3e-16
-  near spin, middle      7.4e-16  1.8e-16
-  near spin, smallest    6.3e-16  1.5e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   7.2e-16  2.0e-16
-  rod                    8.3e-16  1.9e-16
-  needle                 7.2e-16  2.0e-16
-  special values         7.6e-16  2.1e-16
-  special attitudes      7.5e-16  1.8e-16
-  scales                 7.2e-16  2.0e-16
-  small scales           8.1e-16  2.0e-16
-  large scales           7.3e-16  2.0e-16
-  extreme scales         8.1e-16  2.0e-16
-  decimals               7.5e-16  1.8e-16
-  long times             7.6e-16  1.9e-16
-  longest times          7.3e-16  1.9e-16
-  near separatrix, long  8.5e-16  2.1e-16
-  branch switch          7.6e-16  1.9e-16
-  zeros of the rates     7.0e-16  2.0e-16
-  quarter periods        6.8e-16  1.9e-16
+Errors: not measured since this code changed; `rigidsym validate numpy-step --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 02824d01ad3f7a6288139ec217252f3cdaca8a603bbc82061389945ae2eb9bf3
+digest 808b1c65acfb753e908fc9759d7b4be02305809b358a7936e4ae28abbcf0862a
 """
 
 # ruff: noqa
@@ -85,17 +48,14 @@ import numpy as np
 
 _SPLITTER = 134217729.0
 _SHIFT = 6755399441055744.0
-
-
-def _upper_half(a):
-    """The upper half of the digits of a (Veltkamp), |a| < 2^995."""
-    c = _SPLITTER * a
-    return c - (c - a)
+# Whole numbers by which products are exact.
+_EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """a b - p exactly, where p is the rounded product (Dekker)."""
-    a1, b1 = _upper_half(a), _upper_half(b)
+    """a b - p exactly, where p is the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    c, d = _SPLITTER * a, _SPLITTER * b
+    a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
     error = a1 * b1
     error -= p
@@ -144,8 +104,9 @@ class _DoubleDouble:
             return _quick_sum(s, e + self.lo)
         s, e = _two_sum(self.hi, other.hi)
         t, f = _two_sum(self.lo, other.lo)
-        v = _quick_sum(s, e + t)
-        return _quick_sum(v.hi, v.lo + f)
+        e += t
+        v = s + e
+        return _quick_sum(v, (e - (v - s)) + f)
 
     __radd__ = __add__
 
@@ -156,20 +117,29 @@ class _DoubleDouble:
         return -self + other
 
     def __mul__(self, other):
-        if not isinstance(other, _DoubleDouble):
-            p = self.hi * other
-            return _quick_sum(p, _product_error(self.hi, other, p) + self.lo * other)
-        p = self.hi * other.hi
-        e = _product_error(self.hi, other.hi, p)
-        return _quick_sum(p, e + (self.hi * other.lo + self.lo * other.hi))
+        a = self.hi
+        if isinstance(other, _DoubleDouble):
+            b = other.hi
+            p = a * b
+            e = _product_error(a, b, p)
+            e += a * other.lo + self.lo * b
+        elif type(other) is int and other in _EXACT:
+            return _DoubleDouble(a * other, self.lo * other)
+        else:
+            p = a * other
+            e = _product_error(a, other, p)
+            e += self.lo * other
+        return _quick_sum(p, e)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        top = other.hi if isinstance(other, _DoubleDouble) else other
-        q = self.hi / top
-        r = (other if isinstance(other, _DoubleDouble) else _DoubleDouble(other)) * q
-        return _quick_sum(q, ((self.hi - r.hi) + (self.lo - r.lo)) / top)
+        b, b_lo = (other.hi, other.lo) if isinstance(other, _DoubleDouble) else (other, 0.0)
+        q = self.hi / b
+        p = b * q
+        e = _product_error(b, q, p) + b_lo * q
+        r = p + e
+        return _quick_sum(q, ((self.hi - r) + (self.lo - (e - (r - p)))) / b)
 
     def __rtruediv__(self, other):
         return _DoubleDouble(other) / self
@@ -179,7 +149,7 @@ class _DoubleDouble:
         return _DoubleDouble(sign * self.hi, sign * self.lo)
 
     def sqrt(self):
-        s = _sqrt(self.hi)
+        s = math.sqrt(self.hi) if type(self.hi) is float else np.sqrt(self.hi)
         p = s * s
         rest = (self.hi - p) + (self.lo - _product_error(s, s, p))
         return _quick_sum(s, rest / (2 * s + (s == 0)))
@@ -219,10 +189,14 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    first = x <= y
+    return _where(x <= y, one, other)
+
+
+def _where(first, one, other):
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
-        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
-        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+        one, other = (x if isinstance(x, _DoubleDouble) else _DoubleDouble(x) for x in (one, other))
+        hi, lo = _where(first, one.hi, other.hi), _where(first, one.lo, other.lo)
+        return _DoubleDouble(1.0 * hi, lo)
     if isinstance(first, np.ndarray):
         return np.where(first, one, other)
     return one if first else other
@@ -246,6 +220,37 @@ def _mantissa(x):
     if type(x.hi) is float:
         return _DoubleDouble(math.ldexp(x.hi, int(e)), math.ldexp(x.lo, int(e)))
     return _DoubleDouble(np.ldexp(x.hi, e.astype(int)), np.ldexp(x.lo, e.astype(int)))
+
+
+def _power(x):
+    """The exponent of x over a number between 1/2 and 1."""
+    return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
+
+
+def _ldexp(x, exponent):
+    return math.ldexp(x, exponent) if type(x) is float else np.ldexp(x, exponent)
+
+
+def _largest(columns):
+    sizes = [abs(x) for x in columns]
+    return max(sizes) if type(sizes[0]) is float else np.maximum.reduce(sizes)
+
+
+def _taken(columns, axis):
+    """The column of an axis, which is one for all or one for each."""
+    if type(axis) is int:
+        return columns[axis]
+    if isinstance(columns[0], _DoubleDouble):
+        halves = ([x.hi for x in columns], [x.lo for x in columns])
+        return _DoubleDouble(*(np.choose(axis, x) for x in halves))
+    return np.choose(axis, columns)
+
+
+def _reversed(first, columns):
+    """The columns, in reverse order where this comes first."""
+    if type(first) is bool:
+        return columns[::-1] if first else columns
+    return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]
 
 
 pi = _DoubleDouble(3.141592653589793, 1.2246467991473532e-16)  # pi
@@ -573,10 +578,9 @@ STEPS = 5  # doublings of the time
 LAST = 2  # of them extended
 # Bodies at a time: what is computed of them fits the cache.
 _BLOCK = 4096
-_INERTIA, _BODY = (
-    ["c_a", "c_b", "c_d", "c_ab", "c_ad", "c_bd"],
-    ["alpha_a", "alpha_b", "alpha_d", "l_a", "l_b", "l_d"],
-)
+_MASK = 2**64 - 1
+# Of bodies, by axis.
+_COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
 class _RefusedError(ValueError):
@@ -587,31 +591,46 @@ class _RefusedError(ValueError):
         self.body, self.time = body, None
 
 
+@np.errstate(invalid="ignore")
 def prepare(inertia):
     """What is of bodies alone, for `step`; inertia (B, 3) in kg m^2, positive.
 
-    Raises ValueError for moments that are not positive and finite, or of too different size.
+    Of one body, (3,), it is in Python's floats, for `step_one`.  Raises ValueError for moments that
+    are not positive and finite, or of too different size.
     """
     inertia = np.asarray(inertia, float)
-    with np.errstate(invalid="ignore"):
-        bad = ~np.all((inertia > 0) & np.isfinite(inertia), axis=-1)
-        _refuse("inertia", "principal moments must be positive", bad)
-        thin = np.min(inertia, axis=-1) / np.max(inertia, axis=-1) < MIN_MOMENT_RATIO
-        _refuse("inertia", "principal moments differ by more than binary64 can follow", thin)
-    order = np.argsort(-inertia, axis=-1, kind="stable")
-    exponent = np.frexp(np.max(inertia, axis=-1))[1]
-    c = np.ldexp(np.take_along_axis(inertia, order, -1), -exponent[:, None]).T.copy()
-    known: dict[str, Any] = {f"c_{x}": _DoubleDouble(c[k], 0 * c[k]) for k, x in enumerate("abd")}
-    for x, y in ("ab", "ad", "bd"):
-        known[f"c_{x}{y}"] = _DoubleDouble(*_two_sum(known[f"c_{x}"].hi, -known[f"c_{y}"].hi))
-    known["epsilon"] = np.where((order[:, 1] - order[:, 0]) % 3 == 1, 1.0, -1.0)
-    values = _paired(_step_body(*(known[name] for name in (*_INERTIA, "epsilon"))))
-    return known | dict(zip(_BODY, values, strict=True)) | {"axes": order}
+    if inertia.ndim == 1:
+        moments = inertia.tolist()
+        axes = sorted(range(3), key=lambda k: -moments[k])
+        c, turned = [moments[k] for k in axes], (axes[1] - axes[0]) % 3 == 1
+    else:
+        order = np.argsort(-inertia, axis=-1, kind="stable")
+        c, axes = ([*x.T.copy()] for x in (np.take_along_axis(inertia, order, -1), order))
+        turned = (axes[1] - axes[0]) % 3 == 1
+    rule = "principal moments must be positive"
+    _refuse("inertia", rule, (c[0] < math.inf) & (c[1] > 0) & (c[2] > 0))
+    rule = "principal moments differ by more than binary64 can follow"
+    _refuse("inertia", rule, c[2] / c[0] >= MIN_MOMENT_RATIO)
+    exponent = -_power(c[0])
+    c = [_ldexp(x, exponent) for x in c]
+    pairs = [_DoubleDouble(x, 0 * x) for x in c]
+    apart = [_DoubleDouble(*_two_sum(c[x], -c[y])) for x, y in ((0, 1), (0, 2), (1, 2))]
+    epsilon = _where(turned, 1.0, -1.0)
+    values = _paired(_step_body(*pairs, *apart, epsilon))
+    return {
+        "moments": pairs,
+        "alphas": values[:3],
+        "squares": values[3:],
+        "epsilon": epsilon,
+        "axes": axes,
+    }
 
 
-def _refuse(field, rule, bad):
-    for body in np.flatnonzero(bad)[:1]:
-        raise _RefusedError(f"{field}: {rule}", int(body))
+def _refuse(field, rule, good):
+    """Raise an error for the first body that is not good."""
+    if good is not True:
+        for body in np.flatnonzero(np.logical_not(good))[:1]:
+            raise _RefusedError(f"{field}: {rule}", int(body))
 
 
 def _paired(values):
@@ -628,8 +647,8 @@ def step(bodies, q, omega, dt, out):
     """
     dt = np.broadcast_to(dt, len(q))
     for name, values in (("q", q), ("omega", omega), ("dt", dt[:, None])):
-        _refuse(name, "every number must be finite", ~np.isfinite(values).all(axis=-1))
-    _refuse("q", "a zero quaternion is no attitude", ~np.any(q != 0, axis=-1))
+        _refuse(name, "every number must be finite", np.isfinite(values).all(axis=-1))
+    _refuse("q", "a zero quaternion is no attitude", np.any(q != 0, axis=-1))
     for first in range(0, len(q), _BLOCK):
         some = slice(first, min(first + _BLOCK, len(q)))
         try:
@@ -638,45 +657,77 @@ def step(bodies, q, omega, dt, out):
             raise _RefusedError(str(error), first + error.body) from None
 
 
+def step_one(body, q, omega, dt):
+    """The same of one body of `prepare` and Python's floats, the same bits: q and omega as lists.
+
+    Raises ValueError or ArithmeticError for what `step` refuses, and for numbers that leave
+    binary64 on the way.
+    """
+    if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
+        raise _RefusedError("q: every number must be finite, and one not zero", 0)
+    found, rates, axes = _stepped(body, q, omega, dt)
+    q, omega = [*found], [*rates]
+    for k, axis in enumerate(axes):
+        q[1 + axis], omega[axis] = found[1 + k], rates[k]
+    return q, omega
+
+
 def _of(bodies, some):
     """Some of the bodies: one serves all."""
-    return bodies if len(bodies["axes"]) == 1 else {n: x[some] for n, x in bodies.items()}
+    if len(bodies["epsilon"]) == 1:
+        return bodies
+    columns = {name: [x[some] for x in bodies[name]] for name in _COLUMNS}
+    return columns | {"epsilon": bodies["epsilon"][some]}
 
 
 @np.errstate(all="ignore")
 def _some(bodies, q, omega, dt, out):
-    axes = np.broadcast_to(bodies["axes"], (len(q), 3))
-    exponent = np.frexp(np.max(np.abs(omega), axis=-1))[1]
-    rates = np.ldexp(np.take_along_axis(omega, axes, -1), -exponent[:, None]).T
-    t = np.ldexp(dt, exponent)
-    angle = np.sqrt(np.sum(rates * rates, axis=0)) * np.abs(t)
-    rule = f"|omega dt| must be at most {MAX_STEP:.0f} rad"
-    _refuse("dt", rule, ~(angle <= MAX_STEP))
-    known, axes = _circulating(bodies, rates, axes)
-    start = [known[name] for name in ("Omega_a0", "Omega_b0", "Omega_d0")]
-    # Quaternions of any size: a power of two off.
-    size = np.frexp(np.max(np.abs(q), axis=-1, keepdims=True))[1]
-    scaled = np.ldexp(q, -size)
-    parts = [scaled[:, 0], *np.take_along_axis(scaled[:, 1:], axes, -1).T]
-    found, rates = _moved(known, parts, t)
-    _refuse("dt", "the body turns too fast for one step", ~np.isfinite(found).all(axis=0))
-    # What does not turn keeps its attitude to the last bit, once that is of length one.
-    still = (t == 0) | ~np.any(omega != 0, axis=-1)
-    found = [np.where(still, *both) for both in zip(parts, found, strict=True)]
-    found = _unit(found)
-    rates = _rounded_rates(rates, found)
+    found, rates, axes = _stepped(bodies, [*q.T.copy()], [*omega.T.copy()], dt)
+    axes = np.broadcast_to(np.stack(axes, -1), omega.shape)
     out[0][:, 0] = found[0]
-    for k in range(3):
-        np.put_along_axis(out[0][:, 1:], axes[:, k, None], found[1 + k][:, None], -1)
-        after = np.where(still, np.ldexp(start[k], exponent), np.ldexp(rates[k], exponent))
-        np.put_along_axis(out[1], axes[:, k, None], after[:, None], -1)
+    np.put_along_axis(out[0][:, 1:], axes, np.stack(found[1:], -1), -1)
+    np.put_along_axis(out[1], axes, np.stack(rates, -1), -1)
+
+
+def _stepped(bodies, q, omega, dt):
+    """The attitude and the rates after dt on the axes a, b, d, and these axes.
+
+    All are lists of columns: arrays (B,), or the floats of one body.
+    """
+    size = _largest(omega)
+    exponent, rest = _power(size), size == 0
+    rates = [_ldexp(_taken(omega, axis), -exponent) for axis in bodies["axes"]]
+    t = _ldexp(dt, exponent)
+    over, middle, under = (x * x for x in rates)
+    angle = _sqrt(over + middle + under) * abs(t)
+    rule = f"|omega dt| must be at most {MAX_STEP:.0f} rad"
+    _refuse("dt", rule, angle <= MAX_STEP)
+    # a is the axis of largest moment, or of smallest where K^2 < 2 H c_b.
+    turned = bodies["squares"][0].hi * over < bodies["squares"][2].hi * under
+    columns = (*(bodies[name] for name in _COLUMNS), rates)
+    *body, axes, start = (_reversed(turned, x) for x in columns)
+    epsilon = _where(turned, -1.0, 1.0) * bodies["epsilon"]
+    # Quaternions of any size: a power of two off.
+    less = -_power(_largest(q))
+    parts = [_ldexp(x, less) for x in (q[0], *(_taken(q[1:], axis) for axis in axes))]
+    # Constant rates have no direction of the momentum to divide by at rest.
+    moving = [_where(rest, 1.0, start[0]), *start[1:]]
+    found, after = _moved(*body, epsilon, moving, parts, _where(rest, 0.0, t))
+    total = found[0] + found[1] + found[2] + found[3]
+    _refuse("dt", "the body turns too fast for one step", abs(total) < math.inf)
+    # What does not turn keeps its attitude to the last bit, once that is of length one.
+    still = rest | (t == 0)
+    found = _unit([_where(still, *both) for both in zip(parts, found, strict=True)])
+    after = _rounded_rates(after, found)
+    rates = [_where(still, *both) for both in zip(start, after, strict=True)]
+    return found, [_ldexp(x, exponent) for x in rates], axes
 
 
 def _unit(parts):
     """A quaternion over its length, each number as good as rounded once."""
     squares = (_DoubleDouble(x * x, _product_error(x, x, x * x)) for x in parts)
     square = sum(squares, _DoubleDouble(0.0))
-    over = 1 / np.sqrt(square.hi)
+    over = 1 / _sqrt(square.hi)
     rest = 1 - square * over * over
     more = over * (rest.hi + rest.lo) / 2
     return [x * over + (_product_error(x, over, x * over) + x * more) for x in parts]
@@ -688,53 +739,26 @@ def _rounded_rates(rates, parts):
     Rounded to nearest, the rates of a motion so slow that they change by an ulp a step would err
     one way for long.  The attitude's last digits are as good as chance.
     """
-    one, two, three = (np.ascontiguousarray(x).view(np.uint64) for x in parts[:3])
-    turned = [x << np.uint64(n) | x >> np.uint64(64 - n) for x, n in ((two, 21), (three, 42))]
-    mixed = (one ^ turned[0] ^ turned[1]) * np.uint64(0x9E3779B97F4A7C15)
-    mixed = (mixed ^ mixed >> np.uint64(32)) * np.uint64(0xD6E8FEB86659FD93)
-    mixed ^= mixed >> np.uint64(32)
+    bits = np.array(parts[:3]).view(np.uint64)
+    one, two, three = bits.tolist() if bits.ndim == 1 else bits
+    turned = [(x << n & _MASK) | x >> 64 - n for x, n in ((two, 21), (three, 42))]
+    mixed = (one ^ turned[0] ^ turned[1]) * 0x9E3779B97F4A7C15 & _MASK
+    mixed = (mixed ^ mixed >> 32) * 0xD6E8FEB86659FD93 & _MASK
+    mixed ^= mixed >> 32
     found = []
     for number, rate in enumerate(rates):
-        some = mixed << np.uint64(20 * number) >> np.uint64(44)
-        size = np.abs(rate.hi)
+        some = (mixed << 20 * number & _MASK) >> 44
+        size = abs(rate.hi)
         ulp = (size + size * 1.1102230246251568e-16) - size
         found.append(rate.hi + (rate.lo + (some * 2.0**-20 - 0.5) * ulp))
     return found
 
 
-def _circulating(bodies, rates, axes):
-    """Names for the axes: a is the one of largest moment, or of smallest where K^2 < 2 H c_b."""
-    over, under = bodies["l_a"].hi * rates[0] ** 2, bodies["l_d"].hi * rates[2] ** 2
-    turned = over < under
-    known = {"sigma": None, "epsilon": np.where(turned, -1.0, 1.0) * bodies["epsilon"]}
-    swapped = dict(zip("abd", "dba", strict=True))
-    for name in ("c_a", "c_b", "c_d", *_BODY):
-        known[name] = _either(turned, bodies[name[:-1] + swapped[name[-1]]], bodies[name])
-    known["Omega_a0"] = np.where(turned, rates[2], rates[0])
-    known["Omega_b0"] = rates[1]
-    known["Omega_d0"] = np.where(turned, rates[0], rates[2])
-    known["sigma"] = np.where(known["Omega_a0"] < 0, -1.0, 1.0)
-    return known, np.where(turned[:, None], axes[:, ::-1], axes)
-
-
-def _either(first, one, other):
-    hi, lo = (np.where(first, getattr(one, x), getattr(other, x)) for x in ("hi", "lo"))
-    return _DoubleDouble(hi, lo)
-
-
-def _moved(body, q, t):
-    """The attitude, of some length near that of q, and the rates, on the axes a, b, d."""
-    names = ("Omega_a0", "Omega_b0", "Omega_d0")
-    start = [_DoubleDouble(body[name], 0.0) for name in names]
-    inertia = [body[name] for name in ("c_a", "c_b", "c_d")]
-    # Constant rates have no direction of the momentum to divide by at rest.
-    still = (body["Omega_a0"] == 0) & (body["Omega_b0"] == 0) & (body["Omega_d0"] == 0)
-    start[0] = _DoubleDouble(np.where(still, 1.0, start[0].hi), 0.0)
-    t = np.where(still, 0.0, t)
-    squares = [body[name] for name in ("l_a", "l_b", "l_d")]
-    signs = body["epsilon"], body["sigma"]
-    values = _step_start(*inertia, *squares, *start, t, *signs)
-    h, e_1, e_2, K, rate, X, Y, *z = _paired(values)
+def _moved(moments, alphas, squares, epsilon, start, q, t):
+    """The attitude, of some length near that of q, and the rates as pairs, of moving bodies."""
+    signs = epsilon, _where(start[0] < 0, -1.0, 1.0)
+    start = [_DoubleDouble(x, 0.0) for x in start]
+    h, e_1, e_2, K, rate, X, Y, *z = _paired(_step_start(*moments, *squares, *start, t, *signs))
     re, im = _step_first(h.hi, e_1.hi, e_2.hi, X.hi, *(x.hi for x in z))
     for k in range(STEPS):
         if k < STEPS - LAST:
@@ -744,14 +768,12 @@ def _moved(body, q, t):
             w = _paired(_step_last_projected(h, *z, X, Y))
             re, im = _step_last_second_half(h, X, *w, re, im)
         X, Y = _paired(_step_doubled(X, Y, e_1, e_2))
-    alphas = [body[name] for name in ("alpha_a", "alpha_b", "alpha_d")]
-    rates = _paired(_step_rates(X, Y, h, *alphas, body["l_d"], *start))
-    moments = [x.hi for x in inertia]
-    before = _step_shortest_before(K, *start, *moments, *signs)
-    after = _step_shortest(K, *rates, *moments, *signs)
-    front = _step_front(*before, *q, body["epsilon"])
-    attitude = _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs)
-    return attitude, rates
+    rates = _paired(_step_rates(X, Y, h, *alphas, squares[2], *start))
+    sizes = [x.hi for x in moments]
+    before = _step_shortest_before(K, *start, *sizes, *signs)
+    after = _step_shortest(K, *rates, *sizes, *signs)
+    front = _step_front(*before, *q, epsilon)
+    return _step_attitude(t, rate.hi, rate.lo, re, im, *after, *front, *signs), rates
 
 
 def torque(q, direction, coefficients):

@@ -238,8 +238,8 @@ def spoilt_sum(a, b):
 
 
 def spoilt_product(a, b, p):
-    half = double_double._upper_half
-    return half(a) * half(b) - p
+    upper = [c - (c - x) for x in (a, b) for c in (double_double._SPLITTER * x,)]
+    return upper[0] * upper[1] - p
 
 
 @pytest.mark.parametrize(

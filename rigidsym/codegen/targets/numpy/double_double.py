@@ -12,17 +12,14 @@ import numpy as np
 # --- double-doubles ---
 _SPLITTER = 134217729.0
 _SHIFT = 6755399441055744.0
-
-
-def _upper_half(a):
-    """The upper half of the digits of a (Veltkamp), |a| < 2^995."""
-    c = _SPLITTER * a
-    return c - (c - a)
+# Whole numbers by which products are exact.
+_EXACT = frozenset((-16, -8, -4, -2, -1, 1, 2, 4, 8, 16))
 
 
 def _product_error(a, b, p):
-    """a b - p exactly, where p is the rounded product (Dekker)."""
-    a1, b1 = _upper_half(a), _upper_half(b)
+    """a b - p exactly, where p is the rounded product, |a|, |b| < 2^995 (Dekker, Veltkamp)."""
+    c, d = _SPLITTER * a, _SPLITTER * b
+    a1, b1 = c - (c - a), d - (d - b)
     a2, b2 = a - a1, b - b1
     error = a1 * b1
     error -= p
@@ -71,8 +68,9 @@ class _DoubleDouble:
             return _quick_sum(s, e + self.lo)
         s, e = _two_sum(self.hi, other.hi)
         t, f = _two_sum(self.lo, other.lo)
-        v = _quick_sum(s, e + t)
-        return _quick_sum(v.hi, v.lo + f)
+        e += t
+        v = s + e
+        return _quick_sum(v, (e - (v - s)) + f)
 
     __radd__ = __add__
 
@@ -83,20 +81,29 @@ class _DoubleDouble:
         return -self + other
 
     def __mul__(self, other):
-        if not isinstance(other, _DoubleDouble):
-            p = self.hi * other
-            return _quick_sum(p, _product_error(self.hi, other, p) + self.lo * other)
-        p = self.hi * other.hi
-        e = _product_error(self.hi, other.hi, p)
-        return _quick_sum(p, e + (self.hi * other.lo + self.lo * other.hi))
+        a = self.hi
+        if isinstance(other, _DoubleDouble):
+            b = other.hi
+            p = a * b
+            e = _product_error(a, b, p)
+            e += a * other.lo + self.lo * b
+        elif type(other) is int and other in _EXACT:
+            return _DoubleDouble(a * other, self.lo * other)
+        else:
+            p = a * other
+            e = _product_error(a, other, p)
+            e += self.lo * other
+        return _quick_sum(p, e)
 
     __rmul__ = __mul__
 
     def __truediv__(self, other):
-        top = other.hi if isinstance(other, _DoubleDouble) else other
-        q = self.hi / top
-        r = (other if isinstance(other, _DoubleDouble) else _DoubleDouble(other)) * q
-        return _quick_sum(q, ((self.hi - r.hi) + (self.lo - r.lo)) / top)
+        b, b_lo = (other.hi, other.lo) if isinstance(other, _DoubleDouble) else (other, 0.0)
+        q = self.hi / b
+        p = b * q
+        e = _product_error(b, q, p) + b_lo * q
+        r = p + e
+        return _quick_sum(q, ((self.hi - r) + (self.lo - (e - (r - p)))) / b)
 
     def __rtruediv__(self, other):
         return _DoubleDouble(other) / self
@@ -106,7 +113,7 @@ class _DoubleDouble:
         return _DoubleDouble(sign * self.hi, sign * self.lo)
 
     def sqrt(self):
-        s = _sqrt(self.hi)
+        s = math.sqrt(self.hi) if type(self.hi) is float else np.sqrt(self.hi)
         p = s * s
         rest = (self.hi - p) + (self.lo - _product_error(s, s, p))
         return _quick_sum(s, rest / (2 * s + (s == 0)))
@@ -146,10 +153,14 @@ def _alternating(n):
 
 def _choose(x, y, one, other):
     """One where x <= y, else the other."""
-    first = x <= y
+    return _where(x <= y, one, other)
+
+
+def _where(first, one, other):
     if isinstance(one, _DoubleDouble) or isinstance(other, _DoubleDouble):
-        one, other = (v if isinstance(v, _DoubleDouble) else _DoubleDouble(v) for v in (one, other))
-        return _DoubleDouble(np.where(first, one.hi, other.hi), np.where(first, one.lo, other.lo))
+        one, other = (x if isinstance(x, _DoubleDouble) else _DoubleDouble(x) for x in (one, other))
+        hi, lo = _where(first, one.hi, other.hi), _where(first, one.lo, other.lo)
+        return _DoubleDouble(1.0 * hi, lo)
     if isinstance(first, np.ndarray):
         return np.where(first, one, other)
     return one if first else other
@@ -173,3 +184,34 @@ def _mantissa(x):
     if type(x.hi) is float:
         return _DoubleDouble(math.ldexp(x.hi, int(e)), math.ldexp(x.lo, int(e)))
     return _DoubleDouble(np.ldexp(x.hi, e.astype(int)), np.ldexp(x.lo, e.astype(int)))
+
+
+def _power(x):
+    """The exponent of x over a number between 1/2 and 1."""
+    return math.frexp(x)[1] if type(x) is float else np.frexp(x)[1]
+
+
+def _ldexp(x, exponent):
+    return math.ldexp(x, exponent) if type(x) is float else np.ldexp(x, exponent)
+
+
+def _largest(columns):
+    sizes = [abs(x) for x in columns]
+    return max(sizes) if type(sizes[0]) is float else np.maximum.reduce(sizes)
+
+
+def _taken(columns, axis):
+    """The column of an axis, which is one for all or one for each."""
+    if type(axis) is int:
+        return columns[axis]
+    if isinstance(columns[0], _DoubleDouble):
+        halves = ([x.hi for x in columns], [x.lo for x in columns])
+        return _DoubleDouble(*(np.choose(axis, x) for x in halves))
+    return np.choose(axis, columns)
+
+
+def _reversed(first, columns):
+    """The columns, in reverse order where this comes first."""
+    if type(first) is bool:
+        return columns[::-1] if first else columns
+    return [_where(first, *both) for both in zip(columns[::-1], columns, strict=True)]

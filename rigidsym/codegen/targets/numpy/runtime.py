@@ -4,6 +4,8 @@ Its text stands in the generated module after the pairs and the derived function
 importable only as far as linting goes.
 """
 
+import math
+
 import numpy as np
 
 from rigidsym.codegen.targets.numpy.stubs import (
@@ -20,8 +22,14 @@ from rigidsym.codegen.targets.numpy.stubs import (
     _circulation,
     _discriminant,
     _DoubleDouble,
+    _largest,
+    _ldexp,
+    _power,
+    _reversed,
     _steady_constants,
+    _taken,
     _two_sum,
+    _where,
 )
 
 # --- runtime ---
@@ -52,24 +60,42 @@ def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
     numbers are kept, and their states are NaN.
     """
     given = [np.asarray(x, float) for x in (inertia, omega0, attitude0)]
-    shape = _batch(*given)
-    sizes = (3, 3, 4)
-    rows = [
-        np.broadcast_to(x, (*shape, size)).reshape(-1, size)
-        for x, size in zip(given, sizes, strict=True)
-    ]
-    refused = np.zeros(len(rows[0]), bool) if _is_lenient(errors) else None
-    _check(*rows, refused)
+    shape, lenient = _batch(*given), _is_lenient(errors)
+    if math.prod(shape) == 1:
+        # In plain numbers: calls of NumPy would take ten times as long.
+        try:
+            return _made([x.reshape(-1).tolist() for x in given], shape, None)
+        except ValueError:
+            if not lenient:
+                raise
+        except ArithmeticError:
+            pass
+    rows = (np.broadcast_to(x, (*shape, x.shape[-1])).reshape(-1, x.shape[-1]) for x in given)
+    columns = [[*x.T.copy()] for x in rows]
+    return _made(columns, shape, np.zeros(math.prod(shape), bool) if lenient else None)
+
+
+@np.errstate(all="ignore")
+def _made(columns, shape, refused):
+    """Prepared motions from inertia, omega0 and attitude0 by columns: arrays (B,), or Python's
+    floats of one body; refused (B,) is where bodies that are are noted, None to raise an error.
+
+    Python raises an ArithmeticError where arrays go on with what is not finite.
+    """
+    _check(*columns, refused)
     if refused is not None and refused.any():
         # Any body will do: its states are not given.
-        stand_in = ((1.0,), (0.0,), (1.0, 0.0, 0.0, 0.0))
-        rows = [np.where(refused[:, None], x, row) for x, row in zip(stand_in, rows, strict=True)]
-    (c, moment_unit), (omega, unit), (q, _) = map(_scaled, rows)
+        stand_in = ((1.0,) * 3, (0.0,) * 3, (1.0, 0.0, 0.0, 0.0))
+        columns = [
+            [np.where(refused, *both) for both in zip(x, given, strict=True)]
+            for x, given in zip(stand_in, columns, strict=True)
+        ]
+    (c, moment_unit), (omega, unit), (q, _) = map(_scaled, columns)
     # Differences of doubles are two doubles exactly.
-    apart = _DoubleDouble(*_two_sum(c, -np.roll(c, -1, -1)))
-    pairs = _DoubleDouble(c, 0 * c), apart, _DoubleDouble(omega, 0 * omega), _DoubleDouble(q, 0 * q)
-    made = _prepared(*pairs, unit, shape, refused)
-    made["omega0"], made["moment_unit"] = rows[1].copy(), moment_unit[:, 0]
+    apart = [_DoubleDouble(*_two_sum(c[k], -c[(k + 1) % 3])) for k in range(3)]
+    c, omega, q = ([_DoubleDouble(x, 0 * x) for x in values] for values in (c, omega, q))
+    made = _prepared(c, apart, omega, q, unit, shape, refused)
+    made["omega0"], made["moment_unit"] = _rows(columns[1]), _rows([moment_unit])[:, 0]
     if refused is not None and refused.any():
         _blot_out(made, refused)
     return made
@@ -83,94 +109,114 @@ def prepare_from_double_doubles(inertia, differences, omega0, attitude0, discrim
     1, 1 less 2 and 2 less 0, and from discriminant (2,): K^2 - 2 H c_b, b the middle axis; unit:
     the power of two, in rad/s, that rates are times.  Raises ValueError as `prepare`.
     """
-    given = (inertia, differences, omega0, attitude0)
-    c, apart, omega, q = (_DoubleDouble(*np.asarray(x, float).T[:, None]) for x in given)
-    known = _DoubleDouble(*(np.array([x]) for x in discriminant))
-    return _prepared(c, apart, omega, q, np.array([[unit]]), (), None, known)
+    given = (inertia, differences, omega0, attitude0, [discriminant], [[unit, 0.0]])
+    rows = [np.asarray(x, float) for x in given]
+    try:
+        return _made_from_pairs(*(x.tolist() for x in rows))
+    except ArithmeticError:
+        return _made_from_pairs(*(x[..., None] for x in rows))
 
 
 @np.errstate(all="ignore")
-def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
-    """c, given (rates) and q are pairs of shape (B, 3), (B, 3), (B, 4), in inner units; refused
-    (B,) is where bodies that are are noted, None to raise an error instead.
+def _made_from_pairs(*rows):
+    columns = [[_DoubleDouble(*pair) for pair in x] for x in rows]
+    c, apart, omega, q, (discriminant,), (unit,) = columns
+    made = _prepared(c, apart, omega, q, unit.hi, (), None, discriminant)
+    omega0 = _rows([x.hi * unit.hi for x in omega])
+    return made | {"omega0": omega0, "moment_unit": np.ones(1)}
 
-    apart (B, 3): what each moment is above the next in turn.
+
+def _prepared(c, apart, given, q, unit, shape, refused, discriminant=None):
+    """c, given (rates) and q are columns of pairs in inner units; refused as in `_made`.
+
+    apart: what each moment is above the next in turn.
     """
-    length = sum((q[:, k] * q[:, k] for k in range(1, 4)), q[:, 0] * q[:, 0]).sqrt()
-    q = [q[:, k] / length for k in range(4)]
-    kept = np.abs(given.hi) >= NEGLIGIBLE
-    omega = _DoubleDouble(np.where(kept, given.hi, 0.0), np.where(kept, given.lo, 0.0))
+    length = sum((x * x for x in q[1:]), q[0] * q[0]).sqrt()
+    q = [x / length for x in q]
+    omega = [_where(abs(x.hi) >= NEGLIGIBLE, x, 0.0) for x in given]
     axes = _sorted(apart)
     if discriminant is None:
-        discriminant = _exact_discriminant(c.hi, omega.hi, axes)
+        discriminant = _exact_discriminant([x.hi for x in c], [x.hi for x in omega], axes)
     omega, discriminant, reach = _followed(c, apart, axes, omega, given, discriminant)
     side = _sides(apart, omega, axes, discriminant)
-    axes = np.where(side[:, None] < 0, axes[:, ::-1], axes)
-    steady = side == 0
+    axes = _reversed(side < 0, axes)
+    # Nothing turns at rest, however long it takes.
+    inner_unit = _where(_largest([x.hi for x in omega]) == 0, 0.0, unit)
     made = {
         "shape": shape,
-        # Nothing turns at rest, however long it takes.
-        "unit": np.where(np.any(omega.hi != 0, axis=-1), unit[:, 0], 0.0),
-        "max_angle": reach,
-        "blurred": reach < MAX_ANGLE,
-        "axes": axes,
-        "q0": np.stack([x.hi for x in q], axis=-1),
-        "omega0": given.hi * unit,
-        "moment_unit": np.ones(len(axes)),
+        "unit": _rows([inner_unit])[:, 0],
+        "max_angle": _rows([reach])[:, 0],
+        "blurred": _rows([reach < MAX_ANGLE])[:, 0],
+        "axes": _rows(axes),
+        "q0": _rows([x.hi for x in q]),
         # What sensitivities are made from, where they are asked for.
-        "given": (c, apart, omega, discriminant),
+        "given": (*map(_pair_rows, (c, apart, omega)), _pair_rows([discriminant])[:, 0]),
         "groups": [],
     }
-    if np.any(steady):
-        index = np.flatnonzero(steady)
-        made["groups"].append(("steady", index, _steady(omega[index], [x[index] for x in q])))
-    if not np.all(steady):
-        _add_moving(made, np.flatnonzero(~steady), c, apart, omega, q, discriminant, refused)
+    columns = c, apart, omega, q, axes, [discriminant, inner_unit]
+    for add, chosen in ((_add_steady, side == 0), (_add_moving, side != 0)):
+        index = np.flatnonzero(chosen)
+        if index.size:
+            some = columns
+            if isinstance(side, np.ndarray):
+                some = [[x[index] for x in each] for each in columns]
+            add(made, index, *some, refused)
     return made
 
 
-def _add_moving(made, index, c, apart, omega, q, discriminant, refused):
+def _rows(columns):
+    """Columns side by side, (B, N)."""
+    many = isinstance(columns[0], np.ndarray)
+    return np.stack(columns, axis=-1) if many else np.array([columns])
+
+
+def _pair_rows(columns):
+    return _DoubleDouble(_rows([x.hi for x in columns]), _rows([x.lo for x in columns]))
+
+
+def _add_steady(made, index, c, apart, omega, q, axes, others, refused):
+    """The group of bodies whose rates are constant."""
+    rest = _largest([x.hi for x in omega]) == 0
+    first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)
+    values = _steady_constants(first, omega[1], omega[2], *q)
+    constants = dict(zip(BRANCHES["steady"]["names"], values, strict=True))
+    for name in ("Lambda_rate_hi", "Lambda_rate_lo"):
+        constants[name] = _where(rest, 0.0, constants[name])
+    made["groups"].append(("steady", index, _filled(constants, index.size)))
+
+
+def _add_moving(made, index, c, apart, omega, q, axes, others, refused):
     """The groups of moving bodies: the circular and the hyperbolic branch."""
-    axes = made["axes"][index]
-    inertia = [c[index, axes[:, k]] for k in range(3)]
-    differences = _differences(apart[index], axes)
-    rates = [omega[index, axes[:, k]] for k in range(3)]
-    parts = np.stack([x.hi for x in q], -1), np.stack([x.lo for x in q], -1)
-    vector = [_DoubleDouble(*(x[index, 1 + axes[:, k]] for x in parts)) for k in range(3)]
-    known = dict(zip(("c_a", "c_b", "c_d"), inertia, strict=True))
-    known |= dict(zip(("c_ab", "c_ad", "c_bd"), differences, strict=True))
-    known |= dict(zip(("Omega_a", "Omega_b", "Omega_d"), rates, strict=True))
-    known |= dict(zip(("q_0", "q_a", "q_b", "q_d"), (q[0][index], *vector), strict=True))
-    known |= dict(zip(("axis_a", "axis_b", "axis_d"), axes.T, strict=True))
-    known |= {"E_b": discriminant[index], "unit": made["unit"][index]}
-    if len(index) == 1:
-        known = {name: _plain(value) for name, value in known.items()}
+    known = dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
+    for x, axis in zip("abd", axes, strict=True):
+        known[f"c_{x}"], known[f"Omega_{x}"] = _taken(c, axis), _taken(omega, axis)
+        known[f"q_{x}"], known[f"axis_{x}"] = _taken(q[1:], axis), axis
+    known["q_0"], known["E_b"], known["unit"] = q[0], *others
     known |= _called(INITIAL_STATE, known)
     small = known["k_1"].hi ** 2 <= MAX_CIRCULAR
     for name, chosen in (("circular", small), ("hyperbolic", np.logical_not(small))):
-        if np.any(chosen):
-            some = np.flatnonzero(chosen)
-            given = known if np.all(chosen) else {n: x[some] for n, x in known.items()}
-            constants = _filled(_called(BRANCHES[name], given), some.size)
+        some = np.flatnonzero(chosen)
+        if some.size:
+            whole = some.size == index.size
+            given = known if whole else {n: x[some] for n, x in known.items()}
+            constants = _called(BRANCHES[name], given)
             _limit(made, index[some], constants, BRANCHES[name]["fast"])
             amplitudes = [given[f"A_{x}"].hi * given["unit"] for x in "abd"]
             _check_rates(constants, amplitudes, index[some], refused)
-            made["groups"].append((name, index[some], constants))
+            made["groups"].append((name, index[some], _filled(constants, some.size)))
 
 
 def _limit(made, index, constants, fast):
     """Bodies that cannot exist can turn much faster than at t = 0: then times must be nearer."""
-    largest = np.max([np.abs(constants[name]) for name in fast], axis=0)
-    limit = MAX_ANGLE * 16 / np.maximum(16, largest)
+    largest = _largest([constants[name] for name in fast])
+    limit = MAX_ANGLE * 16 / _where(largest > 16, largest, 16.0)
     made["max_angle"][index] = np.minimum(made["max_angle"][index], limit)
 
 
 def _check_rates(constants, amplitudes, bodies, refused):
     """Refuse what doubles do not hold, rates up to their amplitudes."""
-    held = np.all([np.isfinite(x) for x in constants.values()], axis=0)
-    for amplitude in amplitudes:
-        held = held & (amplitude <= MAX_RATE)
-    _refuse("omega0", "rates beyond what binary64 can hold", bodies[~held], refused)
+    held = _are_finite([*constants.values()]) & (_largest(amplitudes) <= MAX_RATE)
+    _refuse("omega0", "rates beyond what binary64 can hold", held, refused, bodies)
 
 
 def _blot_out(made, refused):
@@ -195,20 +241,12 @@ def _plain(value):
 
 
 def _filled(constants, size):
-    return {
-        name: np.full(size, value, float) if np.ndim(value) == 0 else np.asarray(value, float)
-        for name, value in constants.items()
-    }
-
-
-def _steady(omega, q):
-    rest = np.all(omega.hi == 0, axis=-1)
-    first = _DoubleDouble(np.where(rest, 1.0, omega.hi[:, 0]), omega.lo[:, 0])
-    values = _steady_constants(first, omega[:, 1], omega[:, 2], *q)
-    constants = dict(zip(BRANCHES["steady"]["names"], values, strict=True))
-    for name in ("Lambda_rate_hi", "Lambda_rate_lo"):
-        constants[name] = np.where(rest, 0.0, constants[name])
-    return constants
+    values = [*constants.values()]
+    if isinstance(values[0], np.ndarray):
+        rows = (np.full(size, x, float) if np.ndim(x) == 0 else x for x in values)
+    else:
+        rows = np.array(values, float)[:, None]
+    return dict(zip(constants, rows, strict=True))
 
 
 def states(prepared, t, out=None, errors="raise"):
@@ -286,7 +324,7 @@ def _in_floats(prepared):
     """The constants of one body as Python's floats; kept, since they serve every call."""
     ((name, _, constants),) = prepared["groups"]
     branch = BRANCHES[name]
-    known = {key: float(value[0]) for key, value in constants.items()}
+    known = {key: value.item() for key, value in constants.items()}
     rates, shape = ([known[n] for n in branch[which]] for which in ("rates", "shape"))
     scale = float(prepared["unit"][0]), float(prepared["max_angle"][0])
     prepared["single"] = *scale, prepared["axes"][0].tolist(), branch, rates, shape
@@ -393,19 +431,25 @@ def _write(prepared, branch, body, columns, t, q, omega, some):
 
 
 def _check(inertia, omega0, attitude0, refused):
-    """Refuse bodies by their numbers, (B, 3), (B, 3) and (B, 4)."""
+    """Refuse bodies by their numbers, which are columns."""
     rows = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
-    for name, values in rows.items():
-        bad = ~np.all(np.isfinite(values), axis=-1)
-        _refuse(name, "every number must be finite", np.flatnonzero(bad), refused)
-    bad = np.any(inertia <= 0, axis=-1)
-    _refuse("inertia", "principal moments must be positive", np.flatnonzero(bad), refused)
-    with np.errstate(invalid="ignore"):
-        thin = np.min(_scaled(inertia)[0], axis=-1) < MIN_MOMENT_RATIO
+    for name, columns in rows.items():
+        _refuse(name, "every number must be finite", _are_finite(columns), refused)
+    a, b, c = inertia
+    rule = "principal moments must be positive"
+    _refuse("inertia", rule, (a > 0) & (b > 0) & (c > 0), refused)
+    unit = 1 - _power(_largest(inertia))
+    a, b, c = (_ldexp(x, unit) >= MIN_MOMENT_RATIO for x in inertia)
     rule = "principal moments differ by more than binary64 can follow"
-    _refuse("inertia", rule, np.flatnonzero(thin), refused)
-    bad = ~np.any(attitude0 != 0, axis=-1)
-    _refuse("attitude0", "a zero quaternion is no attitude", np.flatnonzero(bad), refused)
+    _refuse("inertia", rule, a & b & c, refused)
+    rule = "a zero quaternion is no attitude"
+    _refuse("attitude0", rule, _largest(attitude0) != 0, refused)
+
+
+def _are_finite(columns):
+    if isinstance(columns[0], np.ndarray):
+        return np.all([np.isfinite(x) for x in np.broadcast_arrays(*columns)], axis=0)
+    return all(map(math.isfinite, columns))
 
 
 def _batch(inertia, omega0, attitude0):
@@ -422,40 +466,49 @@ def _batch(inertia, omega0, attitude0):
         raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
 
 
-def _refuse(field, rule, bodies, refused):
-    """Note the bodies, or raise an error with the number of the first."""
-    if refused is not None:
-        refused[bodies] = True
-    elif len(bodies):
-        raise _RefusedError(f"{field}: {rule}", int(bodies[0]))
+def _refuse(field, rule, good, refused, bodies=None):
+    """Note the bodies that are not good, or raise an error with the number of the first."""
+    if good is not True:
+        at = np.flatnonzero(np.logical_not(good))
+        at = at if bodies is None else bodies[at]
+        if refused is not None:
+            refused[at] = True
+        elif at.size:
+            raise _RefusedError(f"{field}: {rule}", int(at[0]))
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
-    """Rates and E_b of the motions that are followed, and up to which inner times (B,).
+    """Rates and E_b of the motions that are followed, and up to which inner times.
 
     Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis
     turns over, that is the separatrix, or that spin: the given motion leaves it in time.
     """
-    reach = np.full(len(axes), MAX_ANGLE)
-    distinct = np.all(apart.hi != 0, -1)
-    kept, before = (np.take_along_axis(x.hi, axes[:, ::2], -1) for x in (omega, given))
-    lost = np.any((kept == 0) & (before != 0), -1)
-    faint = (discriminant.hi != 0) & (np.abs(discriminant.hi) < MIN_DISCRIMINANT)
-    at = np.flatnonzero(distinct & (lost | faint))
+    a, b, d = (x.hi != 0 for x in apart)
+    lost = [(_taken(omega, x).hi == 0) & (_taken(given, x).hi != 0) for x in axes[::2]]
+    faint = (discriminant.hi != 0) & (abs(discriminant.hi) < MIN_DISCRIMINANT)
+    doubtful = a & b & d & (lost[0] | lost[1] | faint)
+    if doubtful is False:
+        return omega, discriminant, MAX_ANGLE
+    if doubtful is True:
+        raise FloatingPointError("left to arrays")
+    reach, at = np.full(len(doubtful), MAX_ANGLE), np.flatnonzero(doubtful)
     if not at.size:
         return omega, discriminant, reach
-    inertia = np.take_along_axis(c.hi[at], axes[at], -1)
-    between = _differences(apart[at], axes[at])
-    rates = np.take_along_axis(given.hi[at], axes[at], -1)
+    c, apart, moving, rates = ([x[at] for x in columns] for columns in (c, apart, omega, given))
+    some = [x[at] for x in axes]
+    inertia, kept, rates = (
+        np.stack([_taken(columns, x).hi for x in some], -1) for columns in (c, moving, rates)
+    )
+    between = _differences(apart, some)
     turns, spins, times = _blurred(
-        inertia, between, rates, kept[at] == 0, discriminant.hi[at], faint[at]
+        inertia, between, rates, (kept == 0)[:, ::2], discriminant.hi[at], faint[at]
     )
     reach[at] = np.where(turns, times, MAX_ANGLE)
-    middle = axes[at, 1, None] == np.arange(3)
-    zero = spins[:, None] & ~middle
-    omega, discriminant = (_DoubleDouble(x.hi.copy(), x.lo.copy()) for x in (omega, discriminant))
-    for part in (omega.hi, omega.lo):
-        part[at] = np.where(zero, 0.0, part[at])
+    omega = [_DoubleDouble(x.hi.copy(), x.lo.copy()) for x in omega]
+    for k, x in enumerate(omega):
+        for part in (x.hi, x.lo):
+            part[at] = np.where(spins & (some[1] != k), 0.0, part[at])
+    discriminant = _DoubleDouble(discriminant.hi.copy(), discriminant.lo.copy())
     for part in (discriminant.hi, discriminant.lo):
         part[at] = np.where(turns, 0.0, part[at])
     return omega, discriminant, reach
@@ -493,62 +546,67 @@ def _blurred(inertia, between, rates, lost, discriminant, faint):
     return spins | faint, spins, np.where(times > 0, np.minimum(times, MAX_ANGLE), 0.0)
 
 
-def _scaled(x):
-    """x over a power of two that brings its largest component into [1, 2), and that power."""
-    exponent = np.frexp(np.max(np.abs(x), axis=-1, keepdims=True))[1] - 1
-    scaled = np.ldexp(x, -exponent)
-    # What is not zero stays so.
-    return np.where((scaled == 0) & (x != 0), np.copysign(_LEAST, x), scaled), np.ldexp(
-        1.0, exponent
-    )
+def _scaled(columns):
+    """Columns over a power of two that brings the largest into [1, 2), and that power."""
+    exponent = _power(_largest(columns)) - 1
+    scaled = []
+    for x in columns:
+        one = _ldexp(x, -exponent)
+        # What is not zero stays so.
+        least = _where(x < 0, -_LEAST, _LEAST)
+        scaled.append(_where((one == 0) & (x != 0), least, one))
+    return scaled, _ldexp(0.0 * columns[0] + 1.0, exponent)
 
 
 def _differences(apart, axes):
-    """c_a - c_b, c_a - c_d and c_b - c_d as pairs of shape (B,)."""
-    rows, found = np.arange(len(axes)), []
+    """c_a - c_b, c_a - c_d and c_b - c_d as pairs."""
+    found = []
     for x, y in ((0, 1), (0, 2), (1, 2)):
-        first, other = axes[:, x], axes[:, y]
-        sign = np.where((other - first) % 3 == 1, 1.0, -1.0)
-        which = rows, np.where(sign > 0, first, other)
-        found.append(_DoubleDouble(sign * apart.hi[which], sign * apart.lo[which]))
+        forward = (axes[y] - axes[x]) % 3 == 1
+        sign = _where(forward, 1.0, -1.0)
+        one = _taken(apart, _where(forward, axes[x], axes[y]))
+        found.append(_DoubleDouble(sign * one.hi, sign * one.lo))
     return found
 
 
+def _sign(x):
+    return (x > 0) * 1.0 - (x < 0) * 1.0
+
+
 def _sorted(apart):
-    """The indices of the axes by their moments, largest first."""
+    """The axes by their moments, largest first."""
     # By how many moments are below each, less those above.
-    order = np.argsort(np.sign(apart.hi) - np.roll(np.sign(apart.hi), 1, -1), -1, kind="stable")
-    return order[:, ::-1]
+    above = [_sign(x.hi) for x in apart]
+    ranks = [above[k] - above[k - 1] for k in range(3)]
+    if isinstance(ranks[0], np.ndarray):
+        return [*np.argsort(ranks, axis=0, kind="stable")[::-1]]
+    return sorted(range(3), key=ranks.__getitem__)[::-1]
 
 
 def _sides(apart, omega, axes, discriminant):
-    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay (B,)."""
-    rates = np.take_along_axis(omega.hi, axes, -1)
-    asked = [x.hi for x in _differences(apart, axes)] + [rates[:, k] for k in range(3)]
-    given = [*(np.sign(np.abs(x)) for x in asked), discriminant.hi]
-    if len(axes) == 1:
-        given = [float(x[0]) for x in given]
-    return np.reshape(_circulation(*given), -1)
+    """1 or -1 where a is the axis of largest or smallest moment, 0 where rates stay."""
+    asked = (*_differences(apart, axes), *(_taken(omega, axis) for axis in axes))
+    return _circulation(*(_sign(abs(x.hi)) for x in asked), discriminant.hi)
 
 
 def _exact_discriminant(c, omega, axes):
     """E_b as a pair: where its terms cancel, from integers."""
-    c, omega = (np.take_along_axis(x, axes, -1) for x in (c, omega))
-    rates = omega[:, ::2]
-    exponent = np.frexp(np.max(np.abs(rates), axis=-1))[1]
-    inertia = [_DoubleDouble(c[:, k]) for k in range(3)]
-    rate_a, rate_d = (_DoubleDouble(np.ldexp(rates[:, k], -exponent)) for k in range(2))
+    c, omega = ([_taken(columns, axis) for axis in axes] for columns in (c, omega))
+    exponent = _power(_largest(omega[::2]))
+    inertia = [_DoubleDouble(x) for x in c]
+    rate_a, rate_d = (_DoubleDouble(_ldexp(x, -exponent)) for x in omega[::2])
     zero = _DoubleDouble(0.0 * rate_a.hi)
     known = inertia[0], inertia[2], inertia[0] - inertia[1], inertia[1] - inertia[2]
     over, under = _discriminant(*known, rate_a, zero), _discriminant(*known, zero, rate_d)
-    discriminant = over + under
-    discriminant = _DoubleDouble(
-        np.ldexp(discriminant.hi, 2 * exponent), np.ldexp(discriminant.lo, 2 * exponent)
-    )
-    cancels = np.abs(over.hi + under.hi) <= 2.0**-10 * (over.hi - under.hi)
-    for at in np.flatnonzero(cancels & (over.hi != 0)):
-        discriminant.hi[at], discriminant.lo[at] = _integer_discriminant(c[at], omega[at])
-    return discriminant
+    both = over + under
+    hi, lo = _ldexp(both.hi, 2 * exponent), _ldexp(both.lo, 2 * exponent)
+    cancels = abs(over.hi + under.hi) <= 2.0**-10 * (over.hi - under.hi)
+    cancels = cancels & (over.hi != 0)
+    if cancels is True:
+        hi, lo = _integer_discriminant(c, omega)
+    for at in np.flatnonzero(cancels) if isinstance(cancels, np.ndarray) else ():
+        hi[at], lo[at] = _integer_discriminant([x[at] for x in c], [x[at] for x in omega])
+    return _DoubleDouble(hi, lo)
 
 
 def _integer_discriminant(c, omega):
@@ -559,7 +617,7 @@ def _integer_discriminant(c, omega):
     kept = discriminant >> shift
     hi = float(kept)
     exponent = shift + 2 * (scale_c + scale_omega)
-    return np.ldexp(hi, exponent), np.ldexp(float(kept - int(hi)), exponent)
+    return math.ldexp(hi, exponent), math.ldexp(float(kept - int(hi)), exponent)
 
 
 def _integers(x):

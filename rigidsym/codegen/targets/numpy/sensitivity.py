@@ -75,18 +75,18 @@ def _elapsed(prepared):
     c, apart, omega, discriminant = prepared["given"]
     axes, rows = prepared["axes"], np.arange(len(prepared["axes"]))
     # Where rates are constant, too, a is the axis with p >= r.
-    turned = _differences(apart, axes)[1].hi * discriminant.hi < 0
+    apart = [apart[:, k] for k in range(3)]
+    turned = _differences(apart, axes.T)[1].hi * discriminant.hi < 0
     axes = np.where(turned[:, None], axes[:, ::-1], axes)
     known = {"E_b": discriminant}
     for k, x in enumerate("abd"):
         known[f"c_{x}"] = c[rows, axes[:, k]]
         known[f"Omega_{x}0"] = omega[rows, axes[:, k]]
         known[f"axis_{x}"] = axes[:, k]
-    known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes), strict=True))
+    known |= dict(zip(("c_ab", "c_ad", "c_bd"), _differences(apart, axes.T), strict=True))
     for k in range(3):
         known |= {f"c{k + 1}": c.hi[:, k], f"Omega{k + 1}_0": omega.hi[:, k]}
-    given = np.broadcast_to(np.arange(3), axes.shape)
-    for name, x in zip(("c12", "c13", "c23"), _differences(apart, given), strict=True):
+    for name, x in zip(("c12", "c13", "c23"), _differences(apart, range(3)), strict=True):
         known[name] = x.hi
     # At rest nothing comes of it.
     known["Omega1_0"] = np.where(prepared["unit"] == 0, 1.0, known["Omega1_0"])

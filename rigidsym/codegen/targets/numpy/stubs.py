@@ -5,7 +5,18 @@ from typing import TypedDict, TypeVar
 
 import numpy as np
 
-from rigidsym.codegen.targets.numpy.double_double import _DoubleDouble, _product_error, _two_sum
+from rigidsym.codegen.targets.numpy.double_double import (
+    _DoubleDouble,
+    _largest,
+    _ldexp,
+    _power,
+    _product_error,
+    _reversed,
+    _sqrt,
+    _taken,
+    _two_sum,
+    _where,
+)
 
 __all__ = [
     "BRANCHES",
@@ -23,9 +34,16 @@ __all__ = [
     "_DoubleDouble",
     "_circulation",
     "_discriminant",
+    "_largest",
+    "_ldexp",
+    "_power",
     "_product_error",
+    "_reversed",
+    "_sqrt",
     "_steady_constants",
+    "_taken",
     "_two_sum",
+    "_where",
     "never",
 ]
 

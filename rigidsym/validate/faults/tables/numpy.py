@@ -16,7 +16,7 @@ _HYPERBOLIC_STATE = "def _hyperbolic_state("
 _STEADY_PLAN = "def _steady_constants("
 _STEADY_ANGLES = "def _steady_angles("
 _STEADY_STATE = "def _steady_state("
-_PREPARATION = "    apart (B, 3): what each moment is"
+_PREPARATION = "    apart: what each moment is above"
 _MOVING = "def _add_moving("
 _START = "def _initial_state("
 _CIRCULATION = "def _circulation("
@@ -57,15 +57,15 @@ _GEOMETRY = (
         "axis",
         "the vector of attitude0 in the order of the inputs",
         _MOVING,
-        "x[index, 1 + axes[:, k]]",
-        "x[index, 1 + k]",
+        "_taken(q[1:], axis), axis",
+        'q["-abd".index(x)], axis',
     ),
     _fault(
         "axis",
         "axes a and d not swapped below the separatrix",
         _PREPARATION,
-        "np.where(side[:, None] < 0, axes[:, ::-1], axes)",
-        "np.where(side[:, None] < 0, axes, axes)",
+        "axes = _reversed(side < 0, axes)",
+        "axes = _reversed(side != side, axes)",
     ),
     _fault(
         "sign",
@@ -99,8 +99,8 @@ _GEOMETRY = (
         "attitude",
         "attitude0 not normalised",
         _PREPARATION,
-        "q[:, k] / length",
-        "q[:, k] / 1.0",
+        "x / length",
+        "x / 1.0",
     ),
     _fault(
         "attitude",
@@ -151,8 +151,8 @@ _DECISIONS = (
         "branch",
         "moments that nearly agree taken for equal",
         "def _sides(",
-        "np.sign(np.abs(x))",
-        "np.sign(np.abs(x) // 1e-12)",
+        "_sign(abs(x.hi))",
+        "_sign(abs(x.hi) // 1e-12)",
     ),
     _fault(
         "branch",
@@ -166,14 +166,15 @@ _DECISIONS = (
         "moments sorted as doubles",
         _PREPARATION,
         "axes = _sorted(apart)",
-        "axes = np.argsort(c.hi, axis=-1, kind='stable')[:, ::-1]",
+        "a, b, d = (_DoubleDouble(c[0].hi), _DoubleDouble(c[1].hi), _DoubleDouble(c[2].hi))\n"
+        "    axes = _sorted([a - b, b - d, d - a])",
     ),
     _fault(
         "branch",
         "differences taken from what moments are rounded to",
-        "    inertia (3, 2), omega0 (3, 2), attitude0 (4, 2)",
-        "return _prepared(c, apart,",
-        "return _prepared(c, c - _DoubleDouble(np.roll(c.hi, -1, -1), np.roll(c.lo, -1, -1)),",
+        "def _made_from_pairs(*rows):",
+        "made = _prepared(c, apart,",
+        "made = _prepared(c, [c[0] - c[1], c[1] - c[2], c[2] - c[0]],",
     ),
     _fault(
         "branch",
@@ -266,15 +267,15 @@ _DIGITS = (
         "pair",
         "half of the cross terms lost in products of pairs",
         _PAIR_MUL,
-        "(self.hi * other.lo + self.lo * other.hi)",
-        "self.hi * other.lo",
+        "a * other.lo + self.lo * b",
+        "a * other.lo",
     ),
     _fault(
         "pair",
         "quotients of pairs not corrected",
         "    def __truediv__(self, other):",
-        "((self.hi - r.hi) + (self.lo - r.lo)) / top",
-        "0.0 * top",
+        "((self.hi - r) + (self.lo - (e - (r - p)))) / b",
+        "0.0 * b",
     ),
     _fault(
         "pair",
@@ -287,8 +288,8 @@ _DIGITS = (
         "scale",
         "the scale of K^2 - 2 H c_b forgotten",
         "def _exact_discriminant(",
-        "np.ldexp(discriminant.hi, 2 * exponent), np.ldexp(discriminant.lo, 2 * exponent)",
-        "discriminant.hi, discriminant.lo",
+        "_ldexp(both.hi, 2 * exponent), _ldexp(both.lo, 2 * exponent)",
+        "both.hi, both.lo",
     ),
     _fault(
         "scale",
@@ -321,9 +322,9 @@ _DIGITS = (
     _fault(
         "steady",
         "rest without an axis",
-        "def _steady(",
-        "first = _DoubleDouble(np.where(rest, 1.0, omega.hi[:, 0]), omega.lo[:, 0])",
-        "first = omega[:, 0]",
+        "def _add_steady(",
+        "first = _DoubleDouble(_where(rest, 1.0, omega[0].hi), omega[0].lo)",
+        "first = omega[0]",
     ),
     _fault(
         "special",
@@ -371,8 +372,8 @@ _DIGITS = (
         "callers",
         "the caller's rates kept in a prepared motion",
         "    given = [np.asarray(",
-        "rows[1].copy()",
-        "rows[1]",
+        "given], shape, None)",
+        'given], shape, None) | {"omega0": given[1].reshape(1, 3)}',
     ),
     _fault(
         "callers",

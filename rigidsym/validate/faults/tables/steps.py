@@ -7,50 +7,51 @@ from rigidsym.validate.faults.tables.c import REORDERED
 
 _numpy, _c = partial(Fault, "numpy-step"), partial(Fault, "c-step")
 _SOME = "def _some(bodies, q, omega, dt, out):"
+_STEPPED = "    All are lists of columns: arrays (B,)"
 _SET, _GET = "static int set_state(", "static void get_state("
 
 _NUMPY = (
     _numpy(
         "axis",
         "the third rate left on its axis where two change places",
-        "def _circulating(",
-        "np.where(turned, rates[0], rates[2])",
-        "rates[2]",
+        _STEPPED,
+        "start[0]), *start[1:]]",
+        "start[0]), start[1], rates[2]]",
     ),
     _numpy(
         "quadrant",
         "a rotation backwards taken for one forwards",
-        "def _circulating(",
-        'known["Omega_a0"] < 0, -1.0',
-        'known["Omega_a0"] < 0, 1.0',
+        "def _moved(",
+        "start[0] < 0, -1.0",
+        "start[0] < 0, 1.0",
     ),
     _numpy(
         "scale",
         "the time in other units than the rates",
-        _SOME,
-        "t = np.ldexp(dt, exponent)",
+        _STEPPED,
+        "t = _ldexp(dt, exponent)",
         "t = dt * 1.0",
     ),
     _numpy(
         "special",
         "no look for bodies at rest",
-        _SOME,
-        "(t == 0) | ~np.any(omega != 0, axis=-1)",
-        "(t == 0) | (t != t)",
+        _STEPPED,
+        "still = rest | (t == 0)",
+        "still = t == 0",
     ),
     _numpy(
         "double_cover_sign",
         "the attitude whose scalar part is positive",
-        _SOME,
-        "found = _unit(found)",
-        "found = list(np.sign(found[0]) * np.array(_unit(found)))",
+        _STEPPED,
+        "_unit([_where(still",
+        "_unit([_where(found[0] < 0, -1.0, 1.0) * _where(still",
     ),
     _numpy(
         "entry_points",
         "the axes of the first body of a batch, for all its bodies",
         _SOME,
-        'np.broadcast_to(bodies["axes"], ',
-        'np.broadcast_to(bodies["axes"][:1], ',
+        "np.broadcast_to(np.stack(axes, -1), ",
+        "np.broadcast_to(np.stack(axes, -1)[:1], ",
     ),
     _numpy(
         "ulps",
