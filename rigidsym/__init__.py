@@ -66,7 +66,9 @@ _HOMES = {
 def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym' has no attribute {name!r}")
-    return getattr(import_module(_HOMES[name]), name)
+    # Kept, so that this is called once for each name.
+    globals()[name] = found = getattr(import_module(_HOMES[name]), name)
+    return found
 
 
 def __dir__() -> list[str]:

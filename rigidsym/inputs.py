@@ -38,8 +38,6 @@ _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
 _SHORT = 30
 _PI_BITS = 1000
-# Whole numbers up to here are doubles.
-_MOST_WHOLE = 2**53
 # Python reads and writes whole numbers of so many digits.
 _INT_DIGITS = 4300
 MOST_DIGITS = 100_000
@@ -208,28 +206,6 @@ def _long_text(text: str) -> Fraction:
     """The same without int(), which reads no more than 4300 digits."""
     top, slash, bottom = text.partition("/")
     return Fraction(Decimal(top)) / (Fraction(Decimal(bottom)) if slash else 1)
-
-
-def floats(values: Vector3 | Quaternion, length: int) -> tuple[float, ...] | None:
-    """The values where doubles say them, as many as said and finite, so that nothing is read."""
-    if not _are_doubles(values) or len(values) != length:
-        return None
-    found = tuple(map(float, values))
-    return found if math.isfinite(sum(map(abs, found))) else None
-
-
-def _are_doubles(values: object) -> TypeGuard[Sequence[float]]:
-    """Whether it is a tuple or a list of floats, or of whole numbers that are doubles exactly."""
-    return isinstance(values, tuple | list) and all(
-        isinstance(x, float) or (type(x) is int and -_MOST_WHOLE <= x <= _MOST_WHOLE)
-        for x in values
-    )
-
-
-def are_moments(values: Sequence[float]) -> bool:
-    """Whether a body has these moments beyond the rounding of their sum; `inertia` asks closer."""
-    low, middle, high = sorted(values)
-    return low > 0 and low + middle >= high * (1 + 2.0**-50)
 
 
 def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Number, ...]:

@@ -808,18 +808,11 @@ def _floats(
     inertia: Vector3, omega0: Vector3, attitude0: Quaternion
 ) -> dict[str, tuple[float, ...]]:
     """Inertia, omega0 and attitude0 by name where they are nothing but good doubles."""
-    moments, rates = inputs.floats(_listed(inertia), 3), inputs.floats(_listed(omega0), 3)
-    start = _IDENTITY if attitude0 is IDENTITY else inputs.floats(_listed(attitude0), 4)
-    if moments is None or rates is None or start is None:
-        return {}
-    if not inputs.are_moments(moments) or not any(start):
+    moments, rates = batches.moments(inertia), batches.floats(omega0, 3)
+    start = _IDENTITY if attitude0 is IDENTITY else batches.floats(attitude0, 4)
+    if moments is None or rates is None or start is None or not any(start):
         return {}
     return {"inertia": moments, "omega0": rates, "attitude0": start}
-
-
-def _listed(values: Vector3 | Quaternion) -> Vector3 | Quaternion:
-    """An array's items as Python's numbers, which are quicker to look at; the rest as it is."""
-    return values.tolist() if type(values) is np.ndarray and values.ndim == 1 else values
 
 
 def _times(t: ArrayLike, errors: str = "raise") -> np.ndarray:

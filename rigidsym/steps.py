@@ -22,14 +22,15 @@ def step(
     out: tuple[np.ndarray, np.ndarray] | None = None,
     allow_nonphysical: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """The free motion of bodies after dt (s): q (..., 4) and omega (..., 3), from any state.
+    """Return the free motion of bodies after dt (s), q (..., 4) and omega (..., 3).
 
     inertia (..., 3) in kg m^2 about principal axes, q (..., 4) scalar first, body to inertial, of
     any length but zero, omega (..., 3) in rad/s in body axes, dt (...) for all or one for each:
-    leading shapes broadcast.  Nothing is kept from one call to the next, and a step costs the same
-    in every regime; |omega dt| may be up to 8 rad, forwards or back.  Rotation angles are right to
-    1e-15 rad and rates to 1e-15 of |omega| up to 2 pi.  q is returned as a unit quaternion,
-    continuous in the double cover.
+    leading shapes broadcast.  A step starts from any state and costs the same in every regime.  For
+    one body, tuples, lists and arrays of floats are the quickest, and constants of the last bodies
+    are kept for the next call.  |omega dt| may be up to 8 rad, forwards or back.  Up to 2 pi,
+    rotation angles are right to 1e-15 rad and rates to 1e-15 of |omega|.  q is returned as a unit
+    quaternion, continuous in the double cover.
 
     engine: `numpy`, or `c`.  out: a pair of float64 arrays of the shapes returned, to fill; (q,
     omega) themselves for a step in place.  Raises InputError, naming the first body
@@ -39,6 +40,8 @@ def step(
     >>> q.shape, omega.shape
     ((4,), (3,))
     """
+    if (one := _one(inertia, q, omega, dt, engine, out)) is not None:
+        return one
     given = {"inertia": inertia, "q": q, "omega": omega, "dt": dt}
     doubles = {name: batches.array(name, value) for name, value in given.items()}
     doubles["inertia"] = batches.possible(doubles["inertia"], allow_nonphysical)
@@ -56,6 +59,31 @@ def step(
     except EngineError as error:
         raise _refused(error, doubles, shape) from None
     return after
+
+
+def _one(
+    inertia: ArrayLike,
+    q: ArrayLike,
+    omega: ArrayLike,
+    dt: ArrayLike,
+    engine: str,
+    out: tuple[np.ndarray, np.ndarray] | None,
+) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return the step of one body of plain finite numbers, by the shortest way to the engine.
+
+    None for what needs a closer look, and for what is refused, in words that are `step`'s.
+    """
+    moments, start = batches.moments(inertia), batches.floats(q, 4)
+    rates = batches.floats(omega, 3)
+    times = (dt,) if type(dt) is float else batches.floats((dt,), 1)
+    if moments is None or start is None or rates is None or times is None:
+        return None
+    if out is not None:
+        try:
+            out = arrays.outputs(out, (), inertia, q, omega, own=(q, omega))
+        except EngineError:
+            return None
+    return engines.stepper(engine).one(moments, start, rates, times[0], out)
 
 
 def _shape(given: dict[str, np.ndarray]) -> tuple[int, ...]:
@@ -79,11 +107,8 @@ def _outputs(
     out: tuple[np.ndarray, np.ndarray] | None, shape: tuple[int, ...], given: dict[str, np.ndarray]
 ) -> tuple[np.ndarray, np.ndarray]:
     """New arrays or the caller's, of which each may be the input that it takes the place of."""
-    own = (given["q"], given["omega"])
-    same = [out is not None and len(out) == 2 and out[k] is own[k] for k in range(2)]
-    others = [x for k, x in enumerate(own) if not same[k]]
     try:
-        return arrays.outputs(out, shape, given["inertia"], given["dt"], *others)
+        return arrays.outputs(out, shape, *given.values(), own=(given["q"], given["omega"]))
     except EngineError as error:
         raise InputError(error.field, "as given", error.rule) from None
 

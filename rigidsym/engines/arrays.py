@@ -14,6 +14,7 @@ SENSITIVITIES = ((4,), (3,), (3, 9), (3, 9), (3,), (3,))
 _CHANGES = sum(map(math.prod, SENSITIVITIES[2:]))
 SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
+_DOUBLE = np.dtype(np.float64)
 
 
 def times(t: ArrayLike) -> np.ndarray:
@@ -82,19 +83,53 @@ def row_or_rows(array: np.ndarray, shape: tuple[int, ...]) -> np.ndarray:
     return rows(array, shape)
 
 
-def outputs(out: Outputs, shape: tuple[int, ...], *inputs: np.ndarray) -> States:
-    """The caller's arrays, once they have been checked, or new ones: (*shape, 4), (*shape, 3)."""
+def outputs(
+    out: Outputs,
+    shape: tuple[int, ...],
+    *inputs: object,
+    own: tuple[object, object] = (None, None),
+) -> States:
+    """The caller's arrays, once they have been checked, or new ones: (*shape, 4), (*shape, 3).
+
+    They share no memory with each other or an input that is an array, but may be the two of `own`,
+    each in its place.
+    """
     if out is None:
         return np.empty((*shape, 4)), np.empty((*shape, 3))
-    if not isinstance(out, tuple | list) or len(out) != 2:
+    if not isinstance(out, (tuple, list)) or len(out) != 2:
         raise EngineError("out", "must be a pair of arrays (q, omega)")
     q, omega = out
     _check_output("q", q, (*shape, 4))
     _check_output("omega", omega, (*shape, 3))
-    apart = ((q, omega), *((x, y) for x in (q, omega) for y in inputs))
-    if any(np.may_share_memory(x, y) for x, y in apart):
-        raise EngineError("out", "q and omega must not overlap each other or the inputs")
+    read = []
+    for x in inputs:
+        if type(x) is np.ndarray and not (x is q is own[0] or x is omega is own[1]):
+            read.append(x)
+    if not _are_apart(q, omega, read):
+        pairs = ((q, omega), *((x, y) for x in (q, omega) for y in read))
+        if any(np.may_share_memory(x, y) for x, y in pairs):
+            raise EngineError("out", "q and omega must not overlap each other or the inputs")
     return q, omega
+
+
+def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool:
+    """Return True if q, omega and what is read are parts of different arrays.
+
+    False does not mean that they overlap.
+    """
+    first = second = None
+    for x in (q, omega, *read):
+        # NumPy finds the array that has the memory through all views.
+        whole = x if x.base is None else x.base
+        if whole is first or whole is second:
+            return False
+        if type(whole) is not np.ndarray or not whole.flags.owndata:
+            return False
+        if x is q:
+            first = whole
+        elif x is omega:
+            second = whole
+    return True
 
 
 def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
@@ -116,7 +151,7 @@ def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:
     if type(array) is not np.ndarray:
         raise EngineError("out", f"{name} is a {type(array).__name__}: must be an array")
-    if array.dtype != np.float64 or array.shape != shape:
+    if array.dtype != _DOUBLE or array.shape != shape:
         found = f"{array.dtype} of shape {array.shape}"
         raise EngineError("out", f"{name} is {found}: must be float64 of shape {shape}")
     if not array.flags.carray:

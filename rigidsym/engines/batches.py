@@ -32,6 +32,38 @@ def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
     return doubles
 
 
+def floats(value: object, length: int) -> tuple[float, ...] | None:
+    """Return one vector of finite doubles as Python's floats; None for what needs a closer look."""
+    listed = value.tolist() if type(value) is np.ndarray else value
+    if not isinstance(listed, (tuple, list)) or len(listed) != length:
+        return None
+    for x in listed:
+        if type(x) is not float:
+            if not all(map(_is_double, listed)):
+                return None
+            listed = [float(x) for x in listed]
+            break
+    return tuple(listed) if math.isfinite(sum(listed)) else None
+
+
+def _is_double(x: object) -> bool:
+    """Whether it is a float, or a whole number that is a double exactly."""
+    return isinstance(x, float) or (type(x) is int and -(2**53) <= x <= 2**53)
+
+
+def moments(value: object) -> tuple[float, ...] | None:
+    """Return the moments of one body that can exist for certain, as `floats` does.
+
+    Where a rounded sum is above a double, so is the exact one; and three moments that are each
+    below the sum of the others are positive.
+    """
+    found = floats(value, 3)
+    if found is None:
+        return None
+    a, b, c = found
+    return found if a + b > c and b + c > a and c + a > b else None
+
+
 def _are_finite(doubles: np.ndarray) -> bool:
     return math.isfinite(doubles.min()) and math.isfinite(doubles.max())
 
@@ -59,11 +91,7 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
 
 @np.errstate(over="ignore", invalid="ignore")
 def _doubtful(inertia: np.ndarray) -> np.ndarray:
-    """The places of those of (B, 3) moments that sums of doubles do not show to be possible.
-
-    Where a rounded sum is above a double, the sum is; and three moments that are each below the sum
-    of the others are positive.
-    """
+    """Return the places of those of (B, 3) moments that are not possible for certain: `moments`."""
     a, b, c = inertia.T
     return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
 

@@ -16,6 +16,9 @@ EVERY = (*ENGINES, "numpy-pi", "c-pi")
 # What makes steps, by the names of their modules.
 STEPPERS = ("numpy-step", "c-step")
 _LOCK = threading.Lock()
+_NUMPY_STEPS = NumpyStepper()
+# What every caller has been told of.
+_TOLD: dict[str, Any] = {}
 
 
 def engine(name: str) -> Engine:
@@ -41,16 +44,17 @@ def checked(name: str, among: tuple[str, ...] = EVERY) -> str:
 def forget() -> None:
     """Look for C's engines again when one is next asked for."""
     _obtained.cache_clear()
+    _TOLD.clear()
 
 
 def stepper(name: str) -> Stepper:
     """What makes steps, by one of ENGINES; as `engine` where there is no compiler."""
-    return _c_stepper(checked(name, ENGINES)) or NumpyStepper()
+    return _c_stepper(checked(name, ENGINES)) or _NUMPY_STEPS
 
 
 def exact_stepper(name: str) -> Stepper:
     """What makes steps by one of STEPPERS and no other; raises InputError where there is none."""
-    return _compiled(name) if checked(name, STEPPERS) == "c-step" else NumpyStepper()
+    return _compiled(name) if checked(name, STEPPERS) == "c-step" else _NUMPY_STEPS
 
 
 def integrator(name: str) -> CStepper | None:
@@ -87,11 +91,14 @@ def _c_or_numpy(name: str) -> Engine:
 
 def _told(name: str, level: int) -> Any:
     """What `_obtained` has, with a warning for all that nobody has heard."""
-    with _LOCK:
-        found, remarks = _obtained(name)
-        heard, remarks[:] = remarks[:], []
-    for remark in heard:
-        warnings.warn(remark, RuntimeWarning, stacklevel=level)
+    found = _TOLD.get(name)
+    if found is None:
+        with _LOCK:
+            found, remarks = _obtained(name)
+            heard, remarks[:] = remarks[:], []
+        for remark in heard:
+            warnings.warn(remark, RuntimeWarning, stacklevel=level)
+        _TOLD[name] = found
     return found
 
 

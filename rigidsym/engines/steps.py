@@ -3,8 +3,11 @@ their steps and kicks in turn.
 """
 
 import ctypes
-from collections.abc import Callable
+import struct
+import threading
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from types import ModuleType
 from typing import Protocol
 
@@ -12,7 +15,7 @@ import numpy as np
 
 from rigidsym.engines import threads
 from rigidsym.engines.library import StepLibrary
-from rigidsym.engines.protocol import EngineError, States
+from rigidsym.engines.protocol import EngineError, Outputs, States
 from rigidsym.generated import torque_free_step
 
 _DOUBLE = ctypes.sizeof(ctypes.c_double)
@@ -20,6 +23,9 @@ _DOUBLE = ctypes.sizeof(ctypes.c_double)
 _STEP = 16
 # Bodies that a thread takes at a time.
 _SOME = 64
+# Bodies whose constants are kept for their next step, when they step alone.
+_KEPT = 256
+Moments = tuple[float, ...]
 
 
 class _Torque(ctypes.Structure):
@@ -94,43 +100,132 @@ class Stepper(Protocol):
         """
         ...
 
+    def one(
+        self,
+        inertia: Moments,
+        q: Sequence[float],
+        omega: Sequence[float],
+        dt: float,
+        out: Outputs = None,
+    ) -> States | None:
+        """Return q (4,) and omega (3,) of one body of Python's floats, with the bits of `step`.
+
+        They are new arrays, or those of out.  Return None, and write nothing, for a body that
+        `step` refuses or that leaves binary64 on the way.
+        """
+        ...
+
 
 class NumpyStepper:
     """`rigidsym.generated.torque_free_step`, or a module like it, as a `Stepper`."""
 
-    __slots__ = ("_module",)
+    __slots__ = ("_body", "_module")
 
     def __init__(self, module: ModuleType = torque_free_step) -> None:
         self._module = module
+        self._body = lru_cache(_KEPT)(module.prepare)
 
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
         """See `Stepper`."""
+        if len(q) == 1 and _step_one(self, inertia, q, omega, dt, out):
+            return
         try:
             self._module.step(self._module.prepare(inertia), q, omega, dt, out)
         except ValueError as error:
             field, _, rule = str(error).partition(": ")
             raise EngineError(field, rule, getattr(error, "body", None)) from None
 
+    def one(
+        self,
+        inertia: Moments,
+        q: Sequence[float],
+        omega: Sequence[float],
+        dt: float,
+        out: Outputs = None,
+    ) -> States | None:
+        """See `Stepper`."""
+        try:
+            after = self._module.step_one(self._body(inertia), q, omega, dt)
+        except (ValueError, ArithmeticError):
+            return None
+        if out is None:
+            return np.array(after[0]), np.array(after[1])
+        out[0][...], out[1][...] = after
+        return out
+
+
+def _step_one(
+    stepper: "Stepper",
+    inertia: np.ndarray,
+    q: np.ndarray,
+    omega: np.ndarray,
+    dt: np.ndarray,
+    out: States,
+) -> States | None:
+    """Step one row by `one`."""
+    given = tuple(inertia[0].tolist()), q[0].tolist(), omega[0].tolist(), float(dt[0])
+    return stepper.one(*given, (out[0][0], out[1][0]))
+
+
+class _Room(threading.local):
+    """A state in memory that each thread has of its own, the addresses of q and omega, and both as
+    arrays."""
+
+    def __init__(self) -> None:
+        state = (ctypes.c_double * 7)()
+        place, numbers = ctypes.addressof(state), np.frombuffer(memoryview(state), float)
+        self.state = state, place, place + 4 * _DOUBLE, numbers[:4], numbers[4:]
+
 
 class CStepper:
     """torque_free_step.c as a `Stepper`; threads share the bodies."""
 
-    __slots__ = ("_library",)
+    __slots__ = ("_body", "_library", "_put", "_room", "_step")
 
     def __init__(self, library: StepLibrary) -> None:
         self._library = library
+        self._step = library.step
+        self._body = lru_cache(_KEPT)(self._prepared)
+        self._room, self._put = _Room(), struct.Struct("7d").pack_into
 
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
         """See `Stepper`."""
+        if len(q) == 1 and _step_one(self, inertia, q, omega, dt, out):
+            return
         count, parts = len(q), threads.threads(len(q) * _STEP)
         part = self._part(inertia, q, omega, dt, out)
         for refused in threads.in_parts(part, count, parts, threads.PIECE // _STEP):
             if refused:
                 raise self._refused(*refused)
+
+    def one(
+        self,
+        inertia: Moments,
+        q: Sequence[float],
+        omega: Sequence[float],
+        dt: float,
+        out: Outputs = None,
+    ) -> States | None:
+        """See `Stepper`."""
+        body = self._body(inertia)
+        state, place, omega_place, q_after, omega_after = self._room.state
+        self._put(state, 0, *q, *omega)
+        if body is None or self._step(body, place, omega_place, dt):
+            return None
+        if out is None:
+            return q_after.copy(), omega_after.copy()
+        out[0][...] = q_after
+        out[1][...] = omega_after
+        return out
+
+    def _prepared(self, inertia: Moments) -> ctypes.Array[ctypes.c_double] | None:
+        """The constants of a body, or None for one that is refused."""
+        body = (ctypes.c_double * -(-self._library.body_size() // _DOUBLE))()
+        return None if self._library.body_init(body, (ctypes.c_double * 3)(*inertia)) else body
 
     def _part(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States

@@ -1,0 +1,233 @@
+"""One body at a time: `rigidsym.step` and motions of Python's floats are those of arrays."""
+
+import math
+import warnings
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+import rigidsym
+from rigidsym import steps
+from rigidsym.generated import torque_free
+from rigidsym.validate.strata import STRATA, draw
+
+BODY, START, RATES = (0.0109, 0.04, 0.0506), (1.0, 0.0, 0.0, 0.0), (0.05, 0.03, -0.02)
+
+
+@pytest.fixture(params=["numpy", "c"])
+def engine(request):
+    return request.param
+
+
+def drawn(seed, cases=4):
+    """Rows of moments, attitude, rates and a time within a turn, of every stratum."""
+    rows = []
+    for stratum in STRATA:
+        for index in range(cases):
+            sample = draw(stratum, index, seed)
+            body = [list(map(float, x)) for x in (sample.inertia, sample.attitude0, sample.omega0)]
+            dt = (-1) ** index * index / (max(map(abs, body[2])) or 1.0)
+            rows.append((*map(np.array, body), dt))
+    return rows
+
+
+def bits(state):
+    """The bytes of q and omega, in which zeros have signs."""
+    return [x.tobytes() for x in state]
+
+
+def outcome(*args, **options):
+    """What a step returns or raises, by kind and text."""
+    try:
+        with warnings.catch_warnings(record=True) as heard:
+            warnings.simplefilter("always")
+            found = rigidsym.step(*args, **options)
+    except Exception as error:
+        return type(error), str(error)
+    assert all(type(x) is np.ndarray and x.flags.owndata for x in found)
+    return [(x.dtype, x.shape, x.tobytes()) for x in found], [str(x.message) for x in heard]
+
+
+def without_the_short_way(monkeypatch, *args, **options):
+    with monkeypatch.context() as patch:
+        patch.setattr(steps, "_one", lambda *_: None)
+        return outcome(*args, **options)
+
+
+def test_one_body_has_the_bits_that_it_has_in_a_batch(engine):
+    rows = drawn(3)
+    inertia, q, omega, dt = map(np.array, zip(*rows, strict=True))
+    batch = rigidsym.step(inertia, q, omega, dt, engine=engine)
+    for k, row in enumerate(rows):
+        assert bits(rigidsym.step(*row, engine=engine)) == bits(x[k] for x in batch)
+
+
+def test_most_bodies_go_the_short_way(engine):
+    """Not those that are flat but for rounding, or whose numbers overflow when they are added."""
+    found = [steps._one(*row, engine, None) for row in drawn(3)]
+    assert sum(x is not None for x in found) > 0.9 * len(found)
+    assert steps._one(BODY, START, RATES, 300.0, engine, None) is None
+
+
+KINDS = {
+    "tuples": lambda x: x,
+    "lists": list,
+    "arrays": np.array,
+    "float32": lambda x: np.array(x, "f4"),
+    "another byte order": lambda x: np.array(x, ">f8"),
+    "objects": lambda x: np.array(x, object),
+    "strings": lambda x: [str(value) for value in x],
+    "whole numbers": lambda x: [1 + k for k in range(len(x))],
+    "bytes": lambda x: np.arange(1, 1 + len(x), dtype="i1"),
+    "booleans": lambda x: [True] * len(x),
+    "a column": lambda x: np.array(x)[:, None],
+    "a row": lambda x: np.array([x]),
+    "a stride": lambda x: np.repeat(x, 2)[::2],
+    "scalars of NumPy": lambda x: [np.float64(value) for value in x],
+    "masked": lambda x: np.ma.masked_equal(x, x[0]),
+    "not masked": lambda x: np.ma.array(x),
+    "a matrix": lambda x: np.array([x]).view(np.matrix),
+    "complex": lambda x: np.array(x, complex),
+    "one more": lambda x: (*x, 0.5),
+    "one less": lambda x: x[1:],
+    "one number": lambda x: x[0],
+    "nothing": lambda x: None,
+    "NaN": lambda x: (math.nan, *x[1:]),
+    "infinite": lambda x: [*x[:-1], -math.inf],
+    "both infinities": lambda x: [math.inf, -math.inf, *x[2:]],
+    "zeros": lambda x: np.zeros(len(x)),
+    "negative": lambda x: tuple(-value for value in x),
+    "huge": lambda x: [1e308] * len(x),
+    "tiny": lambda x: [5e-324] * len(x),
+    "far apart": lambda x: (1e-200, *x[1:]),
+    "too large a whole number": lambda x: (10**400, *x[1:]),
+}
+TIMES = {
+    **{"a whole number": 1, "true": True, "of NumPy": np.float64(0.5), "zero": -0.0},
+    **{"no dimension": np.array(0.5), "one of one": [0.5], "too far": 500.0, "NaN": math.nan},
+    **{"text": "0.5", "nothing": None, "huge": 10**400, "infinite": -math.inf},
+}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_inputs_of_every_kind_mean_what_they_meant(engine, kind, monkeypatch):
+    for k in range(3):
+        given = [np.array(x) for x in (BODY, START, RATES)]
+        given[k] = KINDS[kind](given[k].tolist())
+        for allowed in (False, True):
+            options = {"engine": engine, "allow_nonphysical": allowed}
+            expected = without_the_short_way(monkeypatch, *given, 0.5, **options)
+            assert outcome(*given, 0.5, **options) == expected
+
+
+@pytest.mark.parametrize("kind", TIMES)
+def test_times_of_every_kind_mean_what_they_meant(engine, kind, monkeypatch):
+    given = (BODY, START, RATES, TIMES[kind])
+    expected = without_the_short_way(monkeypatch, *given, engine=engine)
+    assert outcome(*given, engine=engine) == expected
+
+
+def test_an_unknown_engine_is_refused_last(monkeypatch):
+    for inertia in (BODY, (1, -2, 2)):
+        given = (inertia, START, RATES, 0.5)
+        expected = without_the_short_way(monkeypatch, *given, engine="fortran")
+        assert outcome(*given, engine="fortran") == expected
+
+
+def outputs():
+    """Inputs and outputs of every kind, anew at each call."""
+    inertia, q, omega = map(np.array, (BODY, START, RATES))
+    state, whole = np.array([*START, *RATES]), np.zeros(20)
+    read_only = np.zeros(3)
+    read_only.flags.writeable = False
+    yield (inertia, q, omega), (np.zeros(4), np.zeros(3))
+    yield (inertia, q, omega), [np.zeros(4), np.zeros(3)]
+    yield (inertia, q, omega), (q, omega)
+    yield (inertia, q.tolist(), omega), (q, omega)
+    yield (inertia, state[:4], state[4:]), (state[:4], state[4:])
+    views = state[:4], state[4:]
+    yield (inertia, *views), views
+    yield (inertia, q, omega), (q, inertia)
+    yield (omega, q, omega), (q, omega)
+    yield (inertia, q, omega), (whole[:4], whole[4:7])
+    yield (inertia, q, omega), (whole[:4], whole[3:6])
+    yield (whole[10:13], q, omega), (whole[:4], whole[12:15])
+    yield (inertia, q, omega), (whole[:8:2], np.zeros(3))
+    yield (inertia, q, omega), (np.zeros(4, "f4"), np.zeros(3))
+    yield (inertia, q, omega), (np.zeros(4), read_only)
+    yield (inertia, q, omega), (np.zeros((1, 4)), np.zeros((1, 3)))
+    yield (inertia, q, omega), (np.zeros(3), np.zeros(4))
+    yield (inertia, q, omega), (np.zeros(4).tolist(), np.zeros(3))
+    yield (inertia, q, omega), (np.zeros(4),)
+    yield (inertia, q, omega), 5
+    yield (inertia, q, omega), np.zeros((2, 4))
+    yield (inertia, np.frombuffer(memoryview(q)), omega), (q, omega)
+
+
+@pytest.mark.parametrize("number", range(len(list(outputs()))))
+def test_outputs_of_every_kind_are_filled_or_refused_as_they_were(engine, number, monkeypatch):
+    def stepped():
+        given, out = list(outputs())[number]
+        try:
+            found = rigidsym.step(*given, 0.5, engine=engine, out=out)
+        except Exception as error:
+            return type(error), str(error)
+        assert all(x is y for x, y in zip(found, out, strict=True))
+        return bits(found)
+
+    found = stepped()
+    monkeypatch.setattr(steps, "_one", lambda *_: None)
+    assert found == stepped()
+
+
+def test_a_step_that_is_refused_leaves_its_arrays_as_they_were(engine):
+    q, omega = np.array(START), np.array(RATES)
+    with pytest.raises(rigidsym.InputError, match=r"^dt = 500.0: \|omega dt\| must be at most 8"):
+        rigidsym.step(BODY, q, omega, 500.0, engine=engine, out=(q, omega))
+    assert bits((q, omega)) == bits(map(np.array, (START, RATES)))
+
+
+def test_nothing_is_kept_but_constants_of_bodies(engine):
+    inertia, q, omega = map(np.array, (BODY, START, RATES))
+    first = bits(rigidsym.step(inertia, q, omega, 0.5, engine=engine))
+    inertia[:] = (1.0, 2.0, 2.5)
+    other = rigidsym.step((1.0, 2.0, 2.5), q, omega, 0.5, engine=engine)
+    assert bits(rigidsym.step(inertia, q, omega, 0.5, engine=engine)) == bits(other)
+    for k in range(600):
+        rigidsym.step((1.0, 2.0, 2.0 + k / 1000), q, omega, 0.5, engine=engine)
+    assert bits(rigidsym.step(BODY, q, omega, 0.5, engine=engine)) == first
+    # A body that cannot exist is one that was let pass by a caller before.
+    rigidsym.step((1, 1, 5), q, omega, 0.5, engine=engine, allow_nonphysical=True)
+    with pytest.raises(rigidsym.InputError, match="larger than the sum"):
+        rigidsym.step((1.0, 1.0, 5.0), q, omega, 0.5, engine=engine)
+
+
+def test_threads_have_their_own_states(engine):
+    rows = drawn(5, cases=2)
+    expected = [bits(rigidsym.step(*row, engine=engine)) for row in rows]
+
+    def run(_):
+        return [bits(rigidsym.step(*row, engine=engine)) for row in rows]
+
+    with ThreadPoolExecutor(4) as pool:
+        assert all(found == expected for found in pool.map(run, range(8)))
+
+
+def test_a_prepared_motion_is_what_it_is_in_a_batch():
+    rows = drawn(4)
+    inertia, attitude0, omega0, _ = map(np.array, zip(*rows, strict=True))
+    many = torque_free.prepare(inertia, omega0, attitude0)
+    seen = set()
+    for branch, bodies, constants in many["groups"]:
+        for place, body in enumerate(bodies):
+            one = torque_free.prepare(inertia[body], omega0[body], attitude0[body])
+            ((name, _, own),) = one["groups"]
+            assert name == branch
+            assert [x[0] for x in own.values()] == [x[place] for x in constants.values()]
+            for key in ("unit", "max_angle", "blurred", "axes", "q0", "omega0", "moment_unit"):
+                np.testing.assert_array_equal(one[key][0], many[key][body])
+            for x, y in zip(one["given"], many["given"], strict=True):
+                np.testing.assert_array_equal((x.hi[0], x.lo[0]), (y.hi[body], y.lo[body]))
+            seen.add(branch)
+    assert seen == {"steady", "circular", "hyperbolic"}
