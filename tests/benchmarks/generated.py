@@ -279,7 +279,7 @@ def _small(rounds: int, repeated: int, size: int) -> Table:
     works["C, made of arrays and called"] = made("c", np.array)
     figures = {name: x / 1000 for name, x in _best(works, rounds, repeated).items()}
     table = Table("one state by a call in Python", figures, "us")
-    for name, limit in zip(figures, (15, 15, 150, 25, 25), strict=True):
+    for name, limit in zip(figures, (15, 15, 400, 25, 25), strict=True):
         table.at_most(name, limit)
     used, most = _memory(size), 64
     text = f"NumPy, {size} states: {used:.1f} MB beyond them, at most {most}"

@@ -4,10 +4,10 @@
     python tests/benchmarks/steps.py --quick                few bodies and steps
 
 A step is compared with a propagation of as many bodies to one time each, by the same engine, with
-NO_SQUISH in C, whose error stands beside its cost, and with two threads; and a step of SABA2 under
-gravity gradient with its own free motions alone.  What is printed last is drift: the root mean
-square of the relative change of energy and momentum over 64 bodies, beside what a random walk of
-steps of 2^-53 has.
+NO_SQUISH in C, whose error stands beside its cost, and with two threads; a call for one body with a
+bare call of C by ctypes; and a step of SABA2 under gravity gradient with its own free motions
+alone.  What is printed last is drift: the root mean square of the relative change of energy and
+momentum over 64 bodies, beside what a random walk of steps of 2^-53 has.
 """
 
 import ctypes
@@ -22,13 +22,15 @@ from pathlib import Path
 import numpy as np
 
 import rigidsym
-from rigidsym.engines import compiler, threads
+from rigidsym.engines import build, compiler, threads
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting import GravityGradient, KeplerOrbit
 
 BODIES, MANY, DRIFT_STEPS = 10_000, 1_000_000, (10**4, 10**6)
 # Bodies and steps under a torque.
 RUNS = ((1, 20_000), (16, 2000), (BODIES, 100))
+# Calls in a row of what takes microseconds.
+REPEATED = 200
 
 
 def drawn(count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -64,6 +66,55 @@ def costs() -> None:
         run = partial(rigidsym.propagate, inertia, omega, [0.3], q, engine=engine)
         print(f"{engine:6} propagation to one time over step {seconds(run, 3) / taken:8.1f}")
     threads.processors = alone
+
+
+def calls() -> None:
+    """One body by one call from Python, beside the functions of C that such a call ends in.
+
+    What is compared takes turns; processor time, the least of some rounds.
+    """
+    inertia, q, omega = (x[0] for x in drawn(1))
+    out, own = (np.empty(4), np.empty(3)), (q.copy(), omega.copy())
+    works: dict[str, Callable[[], object]] = bare_calls(inertia, q, omega)
+    for engine in ("c", "numpy"):
+        step = partial(rigidsym.step, inertia, q, omega, 0.3, engine=engine)
+        turn = partial(rigidsym.step, inertia, *own, 0.3, engine=engine, out=own)
+        made = partial(rigidsym.TorqueFreeMotion, inertia, omega, q, engine=engine)
+        works |= {f"{engine} step": step, f"{engine} step, out": partial(step, out=out)}
+        works |= {f"{engine} step in place": turn}
+        works[f"{engine} motion made and called"] = lambda made=made: made()(0.3)
+    found = dict.fromkeys(works, math.inf)
+    for _ in range(15):
+        for name, work in works.items():
+            begin = time.process_time()
+            for _ in range(REPEATED):
+                work()
+            found[name] = min(found[name], (time.process_time() - begin) / REPEATED)
+    bare = found["torque_free_step by ctypes"]
+    for name, taken in found.items():
+        print(f"one body, {name:30} {taken * 1e6:8.2f} us, over a bare call {taken / bare:7.1f}")
+
+
+def bare_calls(
+    inertia: np.ndarray, q: np.ndarray, omega: np.ndarray
+) -> dict[str, Callable[[], object]]:
+    """Calls of C by ctypes that have nothing to look at or to make, and the empty one."""
+    library = build.library([], "c-step")
+    given = [x.copy() for x in (inertia, q, omega, np.array([0.3]), q, omega)]
+    places = [ctypes.c_void_p(x.ctypes.data) for x in given]
+    body = ctypes.create_string_buffer(library.body_size())
+    library.body_init(body, places[0])
+    failed = ctypes.byref(ctypes.c_size_t())
+    more = (*places[1:3], places[3], 0, *places[4:], failed)
+
+    def step(kept: object = given) -> int:
+        return library.step(body, places[4], places[5], 0.3)
+
+    return {
+        "torque_free_step by ctypes": step,
+        "torque_free_steps by ctypes": lambda: library.steps(1, places[0], 0, *more),
+        "torque_free_body_size by ctypes": library.body_size,
+    }
 
 
 def no_squish() -> Callable[..., None]:
@@ -147,8 +198,9 @@ def drift() -> None:
 
 if __name__ == "__main__":
     if "--quick" in sys.argv:
-        BODIES, MANY, RUNS = 100, 1000, ((1, 20), (16, 20))
+        BODIES, MANY, RUNS, REPEATED = 100, 1000, ((1, 20), (16, 20)), 2
     costs()
+    calls()
     rival()
     pushed()
     scaling()
