@@ -27,28 +27,30 @@ def matrix(name: str, q: str) -> dict[str, str]:
     return dict(sorted(entries.items()))
 
 
-def _across(name: str, of: str) -> dict[str, str]:
-    """l x a column of a matrix, for each column."""
-    turns = {}
-    for k in AXES:
-        for i in AXES:
-            j, h = i % 3 + 1, (i + 1) % 3 + 1
-            turns[f"{name}{i}{k}"] = f"l{j}*{of}{h}{k} - l{h}*{of}{j}{k}"
-    return turns
+def _across(name: str, of: str, momentum: dict[int, str]) -> dict[str, str]:
+    """Return l x a column of a matrix, for each column, as the matrix times l x e_k in the body.
+
+    Near a spin about axis k, l x e_k is small in both components.
+    """
+    return {
+        f"{name}{i}{k}": f"{of}{i}{j}*{momentum[h]} - {of}{i}{h}*{momentum[j]}"
+        for k, j, h in ((1, 2, 3), (2, 3, 1), (3, 1, 2))
+        for i in AXES
+    }
 
 
 START = {
     "K_squared": "(c1*Omega1_0)**2 + (c2*Omega2_0)**2 + (c3*Omega3_0)**2",
+    "per_K2": "1/K_squared",
     **matrix("P", "p"),
-    **{
-        f"l{i}": f"(P{i}1*(c1*Omega1_0) + P{i}2*(c2*Omega2_0) + P{i}3*(c3*Omega3_0))/K_squared"
-        for i in AXES
-    },
-    **_across("B", "P"),
+    **{f"n{k}_0": f"c{k}*Omega{k}_0*per_K2" for k in AXES},
+    **{f"l{i}": f"P{i}1*n1_0 + P{i}2*n2_0 + P{i}3*n3_0" for i in AXES},
+    **_across("B", "P", {k: f"n{k}_0" for k in AXES}),
 }
 MOVING = {
     **matrix("R", "q"),
-    **_across("X", "R"),
+    **{f"n{k}": f"c{k}*Omega{k}*per_K2" for k in AXES},
+    **_across("X", "R", {k: f"n{k}" for k in AXES}),
     **{f"Y{i}{k}": f"c{k}*X{i}{k}" for i in AXES for k in AXES},
 }
 
@@ -150,9 +152,9 @@ AT_TIME = {**MOVING, **COLUMNS, **BY_TIME}
 # The momentum over its square, seen in space: constant, as at t = 0.
 DIRECTION = {
     "K_squared": "(c1*Omega1)**2 + (c2*Omega2)**2 + (c3*Omega3)**2",
+    "per_K2": "1/K_squared",
     **{
-        f"l{i}": f"(R{i}1*(c1*Omega1) + R{i}2*(c2*Omega2) + R{i}3*(c3*Omega3))/K_squared"
-        for i in AXES
+        f"l{i}": f"(R{i}1*(c1*Omega1) + R{i}2*(c2*Omega2) + R{i}3*(c3*Omega3))*per_K2" for i in AXES
     },
 }
 ARMS = Part(

@@ -17,7 +17,8 @@ an attitude shows.  `sine` and `sine_state` are one rate by Lemma 1, `theorem1` 
 the paper's attitude from a rate that is a sine, and `turned` puts the constant quaternion in front.
 `moments`, `columns` and `sensitivity` are what the rates change by with each input, `middle` those
 of the middle rate where the spin is about it, `passing` what rates change by once the motion has
-turned over, `excesses` what the integrals of their squares have,
+turned over, `excesses` what the integrals of their squares have, `spun` that of the middle rate
+near a spin about its axis,
 `elapsed_F` and `elapsed_E` one integral of the elapsed time by the other, `turn_constants` and
 `turn` what the attitude changes by.
 An entry is a proved fact, the definition of a name in its context, or the reading of a name: a
@@ -208,6 +209,7 @@ SEQUENCES: dict[str, list[Entry]] = {
     "excesses": definitions("excesses", "excess_a excess_d", "5"),
     "middle": definitions("middle_columns", " ".join(sensitivity_columns.MIDDLE), "5"),
     "passing": definitions("passing", " ".join(sensitivity_columns.PASSING), "5"),
+    "spun": definitions("spun", " ".join(sensitivity_columns.SPUN), "5"),
     "elapsed_F": definitions("elapsed_F", "F_t", "10"),
     "elapsed_E": definitions("elapsed_E", "E_t", "10"),
     "turn_constants": _all("turned_columns_start", attitude_columns.START, "3"),

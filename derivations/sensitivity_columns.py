@@ -181,6 +181,15 @@ COLUMNS = dict(_columns())
 EXCESS = {
     "excess_b": "g_a*g_d*E_t + Omega_b0*(Omega_b*(S_t - t) + (Omega_b - Omega_b0)*t)",
 }
+# The same near a spin about b, where E_t and t are large beside it: kappa_a, kappa_d, p - r and the
+# product of the other two rates are small, and each term has one of them.
+SPUN = {
+    "swung": "over*S_t*(alpha_b*Omega_d0*Omega_a0"
+    " - Omega_b0*S_t*(kappa_a*D_t + kappa_d*C_t)/(D_t + C_t))",
+    "lag": "kappa_a/p*(S_t*C_t/D_t - t) + apart*(S_t**3/(D_t + C_t) - k/p*f)/D_t",
+    "excess_spun": "Omega_b0**2*(lag + (kappa_a + kappa_d)*E_t)"
+    " + (alpha_b*Omega_d0*Omega_a0)**2*E_t + Omega_b0*swung*S_t",
+}
 # The middle rate's columns where the spin is about it: with no difference.
 MIDDLE = {
     "middle_by_Omega_a": "alpha_b/alpha_d*(Omega_d/Omega_b)*Omega_d_by_Omega_a",
@@ -272,6 +281,7 @@ def _columns_vary(book: Book) -> None:
     _excesses(book, *given, *functions, defined)
     _middle(book, *given, *functions, defined)
     _passing(book, *given, *functions, defined)
+    _spun(book, *given, *functions, defined)
     still = [Part(x.witness, x.units, reading=x.reading) for x in functions]
     start = Part(relations=(*START.relations, "F_t"))
     book.open(join("varied_rates_start", *given, *still, defined, start, static=True))
@@ -318,6 +328,14 @@ def _passing(book: Book, *parts: Part) -> None:
     book.claim("passing.integral", {"D(passed)": "-alpha_a/alpha_b*(Omega_b/Omega_a)**2"}, ["10"])
     same = {f"Omega_{x}_p": f"Omega_{x}_k - Omega_{x}_r" for x in AXES}
     book.claim("passing.changes", same, ["10"])
+
+
+def _spun(book: Book, *parts: Part) -> None:
+    """Near a spin about b, the change of its rate and the integral of its square without t."""
+    _, text, _, _ = ELAPSED["E_t"]
+    defined = Part(definitions={"E_t": text, **SPUN}, units=("p", "C_t + D_t"))
+    book.open(join("spun", *(x for x in parts if x is not SQUARED), defined))
+    book.claim("spun.excess", {"swung": "Omega_b - Omega_b0", "excess_spun": "excess_b"}, ["10"])
 
 
 def _elapsed(book: Book) -> None:

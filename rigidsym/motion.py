@@ -187,16 +187,18 @@ class TorqueFreeMotion:
     def sensitivity(
         self, t: ArrayLike, errors: str = "raise"
     ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
-        """q and omega at t (s) as a call returns them, and their derivatives by all inputs.
+        """Return q and omega at t (s), as a call does, and their derivatives by all inputs.
 
         In closed form and at all times, in every regime; see `Sensitivity` for shapes and frames.
-        Errors are below 1e-13 of the larger of a column and the change itself (that of omega0, or
-        |omega0| times the relative change of a moment), in all strata of motions but five: 1e-12
-        for spin about the middle axis and near it, and where derivatives are near the least double;
-        1e-9 where a rate of a nearly symmetric body is zero (`rigidsym validate --sensitivity`).
-        Raises InputError as a call does,
-        and for times at which a motion on its way to spin about the middle axis has derivatives
-        whose squares leave binary64; with errors="nan" there are no numbers then.
+        Errors are below 1e-13 of a column: of the turn and the rates over |omega0|, by a change of
+        omega0 or of a moment.  Columns by the moments start at zero; until the body has turned by
+        1 rad the bound is 1e-13 of what they are then.  Five strata of motions have wider bounds:
+        1e-12 beside the separatrix, near spin about the middle axis and where derivatives are near
+        the least double; 1e-9 where a rate of a nearly symmetric body is zero (`rigidsym validate
+        --sensitivity`).
+        Raises InputError as a call does, and for times at which a motion on its way to spin about
+        the middle axis has derivatives whose squares leave binary64; with errors="nan" there are
+        no numbers then.
 
         >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
         >>> q, omega, S = motion.sensitivity([0.0, 180.0])
@@ -545,11 +547,12 @@ class TorqueFreeMotion:
         return BoxedMotion(*self._given.values())
 
     def symbolic(self, form: str | None = None) -> "Symbolic":
-        """The motion as SymPy's expressions of the time, with its exact numbers put in.
+        """Return the motion as SymPy's expressions of the time, with its exact numbers put in.
 
         form: "pi" or "theta", between the edges; "separatrix", "symmetric", "sphere" or "spin";
-        "theorem1", the paper's; by default the one that serves the regime.  Raises InputError for
-        other forms, for one that the regime has not, and for uncertain inputs.
+        "theorem1", the paper's; by default the one that serves the regime.  Each holds at all
+        times, "theorem1" but where Omega3 = 0.  Raises InputError for other forms, for one that the
+        regime has not, and for uncertain inputs.
 
         >>> motion = TorqueFreeMotion((1, 2, 2.5), (0, 1, 0))
         >>> motion.symbolic().q().T

@@ -50,17 +50,20 @@ def _turn(change, q):
     )
 
 
-def errors(found: Sensitivity, true, inertia: Numbers, omega0: Numbers) -> list[float]:
-    """Of each of the six columns, as a share of the larger of it and of the change itself.
+def errors(found: Sensitivity, true, inertia: Numbers, omega0: Numbers, t: Fraction) -> list[float]:
+    """Return the error of each of the six columns, as a share of the column.
 
-    Turns are times |omega0|, and a moment changes by itself: so all are rates.
+    Turns are times |omega0|, and a moment changes by itself: so all are rates.  Until the body has
+    turned by 1 rad a column is taken to be no shorter than the change itself, and never shorter
+    than 2^-300 of it.
     """
     size = float(sum(x * x for x in omega0)) ** 0.5 or 1.0
+    least = 1.0 if abs(t) * size < 1 else 2.0**-300
     weights = [size] * 3 + [1.0] * 3
     rows = np.concatenate([found.attitude, found.rates])[:, 3:]
     shares = []
     for j in range(6):
-        natural = 1.0 if j < 3 else size / float(inertia[j - 3])
+        natural = least * (1.0 if j < 3 else size / float(inertia[j - 3]))
         column = [w * true[k, j] for k, w in enumerate(weights)]
         apart = [
             abs(w * float(rows[k, j]) - x)

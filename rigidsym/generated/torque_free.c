@@ -1712,15 +1712,19 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     const double_double alpha_d_by_c_d = dd_div_xx(dd_neg(alpha_d), c_d); /* fact: definition coefficients.alpha_d_by_c_d; (5) */
     const double_double alpha_d_by_c_a = dd_div_dx(epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_a; (5) */
     const double_double alpha_d_by_c_b = dd_div_dx(-epsilon, c_d); /* fact: definition coefficients.alpha_d_by_c_b; (5) */
-    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
+    const double_double common_1 = dd_mul_xx(Omega_a0, Omega_a0); /* fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5) */
     const double_double tilt_by_c_a = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_add_xx(c_a, c_ab), common_1)), c_a), c_d), dd_div_xx(tilt, c_a)); /* fact: definition coefficients.tilt_by_c_a; (5) */
-    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5) */
+    const double_double common_2 = dd_mul_xx(Omega_d0, Omega_d0); /* fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5) */
     const double_double tilt_by_c_b = dd_div_xx(dd_div_xx(dd_mul_dx(-epsilon, dd_add_xx(dd_mul_xx(c_a, common_1), dd_mul_xx(c_d, common_2))), c_a), c_d); /* fact: definition coefficients.tilt_by_c_b; (5) */
     const double_double tilt_by_c_d = dd_sub_xx(dd_div_xx(dd_div_xx(dd_mul_dx(epsilon, dd_mul_xx(dd_sub_xx(c_d, c_bd), common_2)), c_a), c_d), dd_div_xx(tilt, c_d)); /* fact: definition coefficients.tilt_by_c_d; (5) */
     const double_double common_3 = dd_mul_xx(Omega_b0, Omega_b0); /* fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5) */
     const double_double g_a = dd_sub_xx(dd_mul_xx(alpha_a, common_3), dd_mul_xx(alpha_b, common_1)); /* fact: definition varied_rates.g_a; (5) */
     const double_double g_d = dd_sub_xx(dd_mul_xx(alpha_d, common_3), dd_mul_xx(alpha_b, common_2)); /* fact: definition varied_rates.g_d; (5) */
     const double_double k = dd_mul_xx(dd_mul_xx(alpha_a, alpha_d), common_3); /* fact: definition varied_rates.k; (5) */
+    const double_double kappa_a = dd_mul_xx(dd_mul_xx(dd_neg(alpha_b), alpha_d), common_1); /* fact: definition varied_rates.kappa_a; (5) */
+    const double_double kappa_d = dd_mul_xx(dd_mul_xx(dd_neg(alpha_a), alpha_b), common_2); /* fact: definition varied_rates.kappa_d; (5) */
+    const double_double p = dd_add_xx(k, kappa_a); /* fact: definition varied_rates.p; (5) */
+    const double_double apart = dd_mul_xx(dd_neg(alpha_b), tilt); /* fact: definition varied_rates.apart; (5) */
     const double_double p_by_Omega_a = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_b), alpha_d), Omega_a0); /* fact: definition varied_rates.p_by_Omega_a; (5) */
     const double_double p_by_Omega_b = dd_mul_xx(dd_mul_xx(dd_mul_dx(2.0, alpha_a), alpha_d), Omega_b0); /* fact: definition varied_rates.p_by_Omega_b; (5) */
     const double_double r_by_Omega_d = dd_mul_xx(dd_mul_xx(dd_mul_dx(-2.0, alpha_a), alpha_b), Omega_d0); /* fact: definition varied_rates.r_by_Omega_d; (5) */
@@ -1759,6 +1763,10 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
     motion->g_a = dd_rounded(g_a);
     motion->g_d = dd_rounded(g_d);
     motion->k = dd_rounded(k);
+    motion->kappa_a = dd_rounded(kappa_a);
+    motion->kappa_d = dd_rounded(kappa_d);
+    motion->p = dd_rounded(p);
+    motion->apart = dd_rounded(apart);
     motion->p_by_Omega_a = dd_rounded(p_by_Omega_a);
     motion->p_by_Omega_b = dd_rounded(p_by_Omega_b);
     motion->r_by_Omega_d = dd_rounded(r_by_Omega_d);
@@ -1788,23 +1796,23 @@ static void columns_constants(double_double c_a, double_double c_b, double_doubl
 /* What the rates change by, and integrals of their squares, from functions of the time. */
 static void columns_state(const torque_free_columns *motion, size_t n, const double *restrict S_t_in,
     const double *restrict C_t_in, const double *restrict D_t_in,
-    const double *restrict E_t_in, const double *restrict over_in,
-    const double *restrict Omega_a_k_in, const double *restrict Omega_b_k_in,
-    const double *restrict Omega_d_k_in, const double *restrict Omega_a_r_in,
-    const double *restrict Omega_b_r_in, const double *restrict Omega_d_r_in,
-    const double *restrict t_in, const double *restrict Omega_a_in,
-    const double *restrict Omega_b_in, const double *restrict Omega_d_in,
-    double *restrict Omega_a_by_Omega_a_out, double *restrict Omega_a_by_Omega_b_out,
-    double *restrict Omega_a_by_Omega_d_out, double *restrict Omega_a_by_c_a_out,
-    double *restrict Omega_a_by_c_b_out, double *restrict Omega_a_by_c_d_out,
-    double *restrict Omega_b_by_Omega_a_out, double *restrict Omega_b_by_Omega_b_out,
-    double *restrict Omega_b_by_Omega_d_out, double *restrict Omega_b_by_c_a_out,
-    double *restrict Omega_b_by_c_b_out, double *restrict Omega_b_by_c_d_out,
-    double *restrict Omega_d_by_Omega_a_out, double *restrict Omega_d_by_Omega_b_out,
-    double *restrict Omega_d_by_Omega_d_out, double *restrict Omega_d_by_c_a_out,
-    double *restrict Omega_d_by_c_b_out, double *restrict Omega_d_by_c_d_out,
-    double *restrict excess_a_out, double *restrict excess_b_out,
-    double *restrict excess_d_out)
+    const double *restrict E_t_in, const double *restrict f_in,
+    const double *restrict over_in, const double *restrict Omega_a_k_in,
+    const double *restrict Omega_b_k_in, const double *restrict Omega_d_k_in,
+    const double *restrict Omega_a_r_in, const double *restrict Omega_b_r_in,
+    const double *restrict Omega_d_r_in, const double *restrict t_in,
+    const double *restrict Omega_a_in, const double *restrict Omega_b_in,
+    const double *restrict Omega_d_in, double *restrict Omega_a_by_Omega_a_out,
+    double *restrict Omega_a_by_Omega_b_out, double *restrict Omega_a_by_Omega_d_out,
+    double *restrict Omega_a_by_c_a_out, double *restrict Omega_a_by_c_b_out,
+    double *restrict Omega_a_by_c_d_out, double *restrict Omega_b_by_Omega_a_out,
+    double *restrict Omega_b_by_Omega_b_out, double *restrict Omega_b_by_Omega_d_out,
+    double *restrict Omega_b_by_c_a_out, double *restrict Omega_b_by_c_b_out,
+    double *restrict Omega_b_by_c_d_out, double *restrict Omega_d_by_Omega_a_out,
+    double *restrict Omega_d_by_Omega_b_out, double *restrict Omega_d_by_Omega_d_out,
+    double *restrict Omega_d_by_c_a_out, double *restrict Omega_d_by_c_b_out,
+    double *restrict Omega_d_by_c_d_out, double *restrict excess_a_out,
+    double *restrict excess_b_out, double *restrict excess_d_out)
 {
     const double Omega_a0 = motion->Omega_a0;
     const double Omega_b0 = motion->Omega_b0;
@@ -1816,6 +1824,10 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
     const double g_a = motion->g_a;
     const double g_d = motion->g_d;
     const double k = motion->k;
+    const double kappa_a = motion->kappa_a;
+    const double kappa_d = motion->kappa_d;
+    const double p = motion->p;
+    const double apart = motion->apart;
     const double p_by_Omega_a = motion->p_by_Omega_a;
     const double p_by_Omega_b = motion->p_by_Omega_b;
     const double r_by_Omega_d = motion->r_by_Omega_d;
@@ -1845,6 +1857,7 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double C_t = C_t_in[i];
         const double D_t = D_t_in[i];
         const double E_t = E_t_in[i];
+        const double f = f_in[i];
         const double over = over_in[i];
         const double Omega_a_k = Omega_a_k_in[i];
         const double Omega_b_k = Omega_b_k_in[i];
@@ -1856,29 +1869,31 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double Omega_a = Omega_a_in[i];
         const double Omega_b = Omega_b_in[i];
         const double Omega_d = Omega_d_in[i];
-        const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a * k), common_1 * S_t * S_t, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
-        const double any_Omega_b_by_Omega_a = fused(over, fused(alpha_b * Omega_d0, S_t, -(Omega_b * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
+        const double common_1 = S_t * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5) */
+        const double common_2 = common_1 * S_t; /* fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5) */
+        const double Omega_a_by_Omega_a = fused(over, fused(-(Omega_a * p_by_Omega_a * k), common_2 * S_t, D_t), p_by_Omega_a * (Omega_a_k - Omega_a_r)); /* fact: definition varied_rates.Omega_a_by_Omega_a; (5) */
+        const double common_3 = alpha_b * Omega_d0; /* fact: definition varied_rates.Omega_b_by_Omega_a, definition spun.swung, definition spun.excess_spun; (5) */
+        const double any_Omega_b_by_Omega_a = fused(over, fused(common_3, S_t, -(Omega_b * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_b_k - Omega_b_r)); /* fact: definition varied_rates.Omega_b_by_Omega_a; (5) */
         const double Omega_d_by_Omega_a = fused(over, fused(alpha_d * Omega_b0 * S_t, D_t, -(Omega_d * p_by_Omega_a * common_1)), p_by_Omega_a * (Omega_d_k - Omega_d_r)); /* fact: definition varied_rates.Omega_d_by_Omega_a; (5) */
-        const double common_2 = Omega_a * common_1 / 2.0; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * (Omega_a_k + common_2)); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
+        const double common_4 = Omega_a * common_1 / 2.0; /* fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_Omega_b = fused(over, alpha_a * Omega_d0 * S_t * C_t, p_by_Omega_b * (Omega_a_k + common_4)); /* fact: definition varied_rates.Omega_a_by_Omega_b; (5) */
         const double Omega_b_by_Omega_b = fused(over, C_t * D_t, p_by_Omega_b * Omega_b_k); /* fact: definition varied_rates.Omega_b_by_Omega_b; (5) */
         const double Omega_d_by_Omega_b = fused(over, alpha_d * Omega_a0 * S_t * D_t, p_by_Omega_b * Omega_d_k); /* fact: definition varied_rates.Omega_d_by_Omega_b; (5) */
-        const double Omega_a_by_Omega_d = fused(over, alpha_a * Omega_b0 * S_t * C_t, r_by_Omega_d * (Omega_a_r - common_2)); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
+        const double Omega_a_by_Omega_d = fused(over, alpha_a * Omega_b0 * S_t * C_t, r_by_Omega_d * (Omega_a_r - common_4)); /* fact: definition varied_rates.Omega_a_by_Omega_d; (5) */
         const double any_Omega_b_by_Omega_d = fused(over, alpha_b * Omega_a0 * S_t, r_by_Omega_d * Omega_b_r); /* fact: definition varied_rates.Omega_b_by_Omega_d; (5) */
         const double Omega_d_by_Omega_d = fused(over, C_t, r_by_Omega_d * Omega_d_r); /* fact: definition varied_rates.Omega_d_by_Omega_d; (5) */
-        const double common_3 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
-        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(p_by_c_a, Omega_a_k, fused(over, a_by_c_a * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_a) * k), common_1, leant_by_c_a)))); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
+        const double common_5 = S_t * C_t; /* fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_a_by_c_a = fused(-apart_by_c_a, Omega_a_r, fused(p_by_c_a, Omega_a_k, fused(over, a_by_c_a * common_5, common_4 * fused(-(2.0 * (over * kappa_by_c_a) * k), common_1, leant_by_c_a)))); /* fact: definition varied_rates.Omega_a_by_c_a; (5) */
         const double Omega_b_by_c_a = fused(-apart_by_c_a, Omega_b_r, fused(over, fused(b_by_c_a, S_t, -(Omega_b * kappa_by_c_a * common_1)), p_by_c_a * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_a; (5) */
-        const double common_4 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
-        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_4, -(Omega_d * kappa_by_c_a * common_1)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
-        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(p_by_c_b, Omega_a_k, fused(over, a_by_c_b * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_b) * k), common_1, leant_by_c_b)))); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
+        const double common_6 = S_t * D_t; /* fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5) */
+        const double Omega_d_by_c_a = fused(-apart_by_c_a, Omega_d_r, fused(over, fused(d_by_c_a, common_6, -(Omega_d * kappa_by_c_a * common_1)), p_by_c_a * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_a; (5) */
+        const double Omega_a_by_c_b = fused(-apart_by_c_b, Omega_a_r, fused(p_by_c_b, Omega_a_k, fused(over, a_by_c_b * common_5, common_4 * fused(-(2.0 * (over * kappa_by_c_b) * k), common_1, leant_by_c_b)))); /* fact: definition varied_rates.Omega_a_by_c_b; (5) */
         const double Omega_b_by_c_b = fused(-apart_by_c_b, Omega_b_r, fused(over, fused(b_by_c_b, S_t, -(Omega_b * kappa_by_c_b * common_1)), p_by_c_b * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_b; (5) */
-        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_4, -(Omega_d * kappa_by_c_b * common_1)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
-        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(p_by_c_d, Omega_a_k, fused(over, a_by_c_d * common_3, common_2 * fused(-(2.0 * (over * kappa_by_c_d) * k), common_1, leant_by_c_d)))); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
+        const double Omega_d_by_c_b = fused(-apart_by_c_b, Omega_d_r, fused(over, fused(d_by_c_b, common_6, -(Omega_d * kappa_by_c_b * common_1)), p_by_c_b * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_b; (5) */
+        const double Omega_a_by_c_d = fused(-apart_by_c_d, Omega_a_r, fused(p_by_c_d, Omega_a_k, fused(over, a_by_c_d * common_5, common_4 * fused(-(2.0 * (over * kappa_by_c_d) * k), common_1, leant_by_c_d)))); /* fact: definition varied_rates.Omega_a_by_c_d; (5) */
         const double Omega_b_by_c_d = fused(-apart_by_c_d, Omega_b_r, fused(over, fused(b_by_c_d, S_t, -(Omega_b * kappa_by_c_d * common_1)), p_by_c_d * Omega_b_k)); /* fact: definition varied_rates.Omega_b_by_c_d; (5) */
-        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_4, -(Omega_d * kappa_by_c_d * common_1)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
-        const double excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t - t, (Omega_b - Omega_b0) * t)); /* fact: definition varied_rates.excess_b; (5) */
+        const double Omega_d_by_c_d = fused(-apart_by_c_d, Omega_d_r, fused(over, fused(d_by_c_d, common_6, -(Omega_d * kappa_by_c_d * common_1)), p_by_c_d * Omega_d_k)); /* fact: definition varied_rates.Omega_d_by_c_d; (5) */
+        const double any_excess_b = fused(g_a * g_d, E_t, Omega_b0 * fused(Omega_b, S_t - t, (Omega_b - Omega_b0) * t)); /* fact: definition varied_rates.excess_b; (5) */
         const double b_divisor = choose(fabs(Omega_b), 0.0, 1.0, Omega_b); /* arithmetic */
         const double d_divisor = choose(fabs(alpha_d), 0.0, 1.0, alpha_d); /* arithmetic */
         const double middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a; /* fact: definition middle_columns.middle_by_Omega_a; (5) */
@@ -1888,6 +1903,16 @@ static void columns_state(const torque_free_columns *motion, size_t n, const dou
         const double middle_by_Omega_d = alpha_b / a_divisor * (Omega_a / b_divisor) * Omega_a_by_Omega_d; /* fact: definition middle_columns.middle_by_Omega_d; (5) */
         const double a_size = fabs(alpha_b * Omega_a); /* arithmetic */
         const double Omega_b_by_Omega_d = choose(a_size, fabs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d); /* arithmetic */
+        const double p_divisor = choose(fabs(p), 0.0, 1.0, p); /* arithmetic */
+        const double C_ahead = choose(C_t, 0.0, 0.0, C_t); /* arithmetic */
+        const double common_7 = common_3 * Omega_a0; /* fact: definition spun.swung, definition spun.excess_spun; (5) */
+        const double common_8 = D_t + C_ahead; /* fact: definition spun.swung, definition spun.lag; (5) */
+        const double swung = over * S_t * (common_7 - Omega_b0 * S_t * fused(kappa_a, D_t, kappa_d * C_ahead) / common_8); /* fact: definition spun.swung; (5) */
+        const double lag = fused(kappa_a / p_divisor, S_t * C_ahead / D_t - t, apart * fused(-(k / p_divisor), f, common_2 / common_8) / D_t); /* fact: definition spun.lag; (5) */
+        const double common_9 = kappa_a + kappa_d; /* fact: definition spun.excess_spun; (5) */
+        const double excess_spun = fused(Omega_b0 * swung, S_t, fused(Omega_b0 * Omega_b0, fused(common_9, E_t, lag), common_7 * common_7 * E_t)); /* fact: definition spun.excess_spun; (5) */
+        const double spinning = choose(C_t, 0.0, 0.0, k); /* arithmetic */
+        const double excess_b = choose(spinning, common_9, any_excess_b, excess_spun); /* arithmetic */
         const double excess_a = alpha_a / alpha_divisor * excess_b; /* fact: definition excesses.excess_a; (5) */
         const double excess_d = alpha_d / alpha_divisor * excess_b; /* fact: definition excesses.excess_d; (5) */
         Omega_a_by_Omega_a_out[i] = Omega_a_by_Omega_a;
@@ -2510,10 +2535,11 @@ static void turn_constants(double c1, double c2, double c3, double c12, double c
     double Omega2_0, double Omega3_0, double p0, double p1, double p2, double p3,
     torque_free_turn *motion)
 {
-    const double common_1 = c1 * Omega1_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
-    const double common_2 = c2 * Omega2_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
-    const double common_3 = c3 * Omega3_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3) */
+    const double common_1 = c1 * Omega1_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.n1_0; (3) */
+    const double common_2 = c2 * Omega2_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.n2_0; (3) */
+    const double common_3 = c3 * Omega3_0; /* fact: definition turned_columns_start.K_squared, definition turned_columns_start.n3_0; (3) */
     const double K_squared = fused(common_3, common_3, fused(common_1, common_1, common_2 * common_2)); /* fact: definition turned_columns_start.K_squared; (3) */
+    const double per_K2 = 1.0 / K_squared; /* fact: definition turned_columns_start.per_K2; (3) */
     const double common_4 = p2 * p2; /* fact: definition turned_columns_start.P11, definition turned_columns_start.P33; (3) */
     const double common_5 = p3 * p3; /* fact: definition turned_columns_start.P11, definition turned_columns_start.P22; (3) */
     const double P11 = fused(-2.0, common_4 + common_5, 1.0); /* fact: definition turned_columns_start.P11; (3) */
@@ -2532,18 +2558,21 @@ static void turn_constants(double c1, double c2, double c3, double c12, double c
     const double P31 = 2.0 * (common_8 - common_9); /* fact: definition turned_columns_start.P31; (3) */
     const double P32 = 2.0 * (common_11 + common_12); /* fact: definition turned_columns_start.P32; (3) */
     const double P33 = fused(-2.0, common_10 + common_4, 1.0); /* fact: definition turned_columns_start.P33; (3) */
-    const double l1 = fused(P13, common_3, fused(P11, common_1, P12 * common_2)) / K_squared; /* fact: definition turned_columns_start.l1; (3) */
-    const double l2 = fused(P23, common_3, fused(P21, common_1, P22 * common_2)) / K_squared; /* fact: definition turned_columns_start.l2; (3) */
-    const double l3 = fused(P33, common_3, fused(P31, common_1, P32 * common_2)) / K_squared; /* fact: definition turned_columns_start.l3; (3) */
-    const double B11 = fused(l2, P31, -(l3 * P21)); /* fact: definition turned_columns_start.B11; (3) */
-    const double B21 = fused(l3, P11, -(l1 * P31)); /* fact: definition turned_columns_start.B21; (3) */
-    const double B31 = fused(l1, P21, -(l2 * P11)); /* fact: definition turned_columns_start.B31; (3) */
-    const double B12 = fused(l2, P32, -(l3 * P22)); /* fact: definition turned_columns_start.B12; (3) */
-    const double B22 = fused(l3, P12, -(l1 * P32)); /* fact: definition turned_columns_start.B22; (3) */
-    const double B32 = fused(l1, P22, -(l2 * P12)); /* fact: definition turned_columns_start.B32; (3) */
-    const double B13 = fused(l2, P33, -(l3 * P23)); /* fact: definition turned_columns_start.B13; (3) */
-    const double B23 = fused(l3, P13, -(l1 * P33)); /* fact: definition turned_columns_start.B23; (3) */
-    const double B33 = fused(l1, P23, -(l2 * P13)); /* fact: definition turned_columns_start.B33; (3) */
+    const double n1_0 = common_1 * per_K2; /* fact: definition turned_columns_start.n1_0; (3) */
+    const double n2_0 = common_2 * per_K2; /* fact: definition turned_columns_start.n2_0; (3) */
+    const double n3_0 = common_3 * per_K2; /* fact: definition turned_columns_start.n3_0; (3) */
+    const double l1 = fused(P13, n3_0, fused(P11, n1_0, P12 * n2_0)); /* fact: definition turned_columns_start.l1; (3) */
+    const double l2 = fused(P23, n3_0, fused(P21, n1_0, P22 * n2_0)); /* fact: definition turned_columns_start.l2; (3) */
+    const double l3 = fused(P33, n3_0, fused(P31, n1_0, P32 * n2_0)); /* fact: definition turned_columns_start.l3; (3) */
+    const double B11 = fused(P12, n3_0, -(P13 * n2_0)); /* fact: definition turned_columns_start.B11; (3) */
+    const double B21 = fused(P22, n3_0, -(P23 * n2_0)); /* fact: definition turned_columns_start.B21; (3) */
+    const double B31 = fused(P32, n3_0, -(P33 * n2_0)); /* fact: definition turned_columns_start.B31; (3) */
+    const double B12 = fused(P13, n1_0, -(P11 * n3_0)); /* fact: definition turned_columns_start.B12; (3) */
+    const double B22 = fused(P23, n1_0, -(P21 * n3_0)); /* fact: definition turned_columns_start.B22; (3) */
+    const double B32 = fused(P33, n1_0, -(P31 * n3_0)); /* fact: definition turned_columns_start.B32; (3) */
+    const double B13 = fused(P11, n2_0, -(P12 * n1_0)); /* fact: definition turned_columns_start.B13; (3) */
+    const double B23 = fused(P21, n2_0, -(P22 * n1_0)); /* fact: definition turned_columns_start.B23; (3) */
+    const double B33 = fused(P31, n2_0, -(P32 * n1_0)); /* fact: definition turned_columns_start.B33; (3) */
     motion->c1 = c1;
     motion->c2 = c2;
     motion->c3 = c3;
@@ -2553,6 +2582,7 @@ static void turn_constants(double c1, double c2, double c3, double c12, double c
     motion->Omega1_0 = Omega1_0;
     motion->Omega2_0 = Omega2_0;
     motion->Omega3_0 = Omega3_0;
+    motion->per_K2 = per_K2;
     motion->l1 = l1;
     motion->l2 = l2;
     motion->l3 = l3;
@@ -2608,6 +2638,7 @@ static void turn_state(const torque_free_turn *motion, size_t n, const double *r
     const double Omega1_0 = motion->Omega1_0;
     const double Omega2_0 = motion->Omega2_0;
     const double Omega3_0 = motion->Omega3_0;
+    const double per_K2 = motion->per_K2;
     const double l1 = motion->l1;
     const double l2 = motion->l2;
     const double l3 = motion->l3;
@@ -2668,15 +2699,18 @@ static void turn_state(const torque_free_turn *motion, size_t n, const double *r
         const double R31 = 2.0 * (common_5 - common_6); /* fact: definition turned_columns.R31; (3) */
         const double R32 = 2.0 * (common_8 + common_9); /* fact: definition turned_columns.R32; (3) */
         const double R33 = fused(-2.0, common_7 + common_1, 1.0); /* fact: definition turned_columns.R33; (3) */
-        const double X11 = fused(l2, R31, -(l3 * R21)); /* fact: definition turned_columns.X11; (3) */
-        const double X21 = fused(l3, R11, -(l1 * R31)); /* fact: definition turned_columns.X21; (3) */
-        const double X31 = fused(l1, R21, -(l2 * R11)); /* fact: definition turned_columns.X31; (3) */
-        const double X12 = fused(l2, R32, -(l3 * R22)); /* fact: definition turned_columns.X12; (3) */
-        const double X22 = fused(l3, R12, -(l1 * R32)); /* fact: definition turned_columns.X22; (3) */
-        const double X32 = fused(l1, R22, -(l2 * R12)); /* fact: definition turned_columns.X32; (3) */
-        const double X13 = fused(l2, R33, -(l3 * R23)); /* fact: definition turned_columns.X13; (3) */
-        const double X23 = fused(l3, R13, -(l1 * R33)); /* fact: definition turned_columns.X23; (3) */
-        const double X33 = fused(l1, R23, -(l2 * R13)); /* fact: definition turned_columns.X33; (3) */
+        const double n1 = c1 * Omega1 * per_K2; /* fact: definition turned_columns.n1; (3) */
+        const double n2 = c2 * Omega2 * per_K2; /* fact: definition turned_columns.n2; (3) */
+        const double n3 = c3 * Omega3 * per_K2; /* fact: definition turned_columns.n3; (3) */
+        const double X11 = fused(R12, n3, -(R13 * n2)); /* fact: definition turned_columns.X11; (3) */
+        const double X21 = fused(R22, n3, -(R23 * n2)); /* fact: definition turned_columns.X21; (3) */
+        const double X31 = fused(R32, n3, -(R33 * n2)); /* fact: definition turned_columns.X31; (3) */
+        const double X12 = fused(R13, n1, -(R11 * n3)); /* fact: definition turned_columns.X12; (3) */
+        const double X22 = fused(R23, n1, -(R21 * n3)); /* fact: definition turned_columns.X22; (3) */
+        const double X32 = fused(R33, n1, -(R31 * n3)); /* fact: definition turned_columns.X32; (3) */
+        const double X13 = fused(R11, n2, -(R12 * n1)); /* fact: definition turned_columns.X13; (3) */
+        const double X23 = fused(R21, n2, -(R22 * n1)); /* fact: definition turned_columns.X23; (3) */
+        const double X33 = fused(R31, n2, -(R32 * n1)); /* fact: definition turned_columns.X33; (3) */
         const double Y11 = c1 * X11; /* fact: definition turned_columns.Y11; (3) */
         const double Y12 = c2 * X12; /* fact: definition turned_columns.Y12; (3) */
         const double Y13 = c3 * X13; /* fact: definition turned_columns.Y13; (3) */
@@ -3668,7 +3702,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "c3caad6803fef280330730b5dc151df5abcd0d01102fd22a21286ff031af5597"; }
+const char *torque_free_digest(void) { return "e4219cbac2ea737cccef24603094e0abe1400c7f2789acd03d9fe032379039e7"; }
 
 const char *torque_free_message(int code)
 {
@@ -3805,7 +3839,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
                 functions + 4 * s, functions + 5 * s, functions + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                 state + (4 + axis[2]) * s, along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s);
     columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                  along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  functions + 4 * s, along, along + s, along + 2 * s, along + 3 * s, along + 4 * s, along + 5 * s, along + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                   state + (4 + axis[2]) * s, columns, columns + s, columns + 2 * s, columns + 3 * s, columns + 4 * s, columns + 5 * s, columns + 6 * s, columns + 7 * s, columns + 8 * s, columns + 9 * s, columns + 10 * s, columns + 11 * s, columns + 12 * s, columns + 13 * s, columns + 14 * s, columns + 15 * s, columns + 16 * s, columns + 17 * s, columns + 18 * s, columns + 19 * s, columns + 20 * s);
     for (int x = 0; x < 3; x++) {
         excess[axis[x]] = columns + (18 + x) * s;

@@ -19,10 +19,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    457  20 %  follow facts of the ledger, each named on its line
-    595  26 %  follow classical formulas, each with its reference
-     98   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1182  51 %  are the runtime, written by hand
+    476  20 %  follow facts of the ledger, each named on its line
+    595  25 %  follow classical formulas, each with its reference
+    102   4 %  are arithmetic: sums, products, quotients, roots, reductions
+   1182  50 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -37,47 +37,10 @@ mpmath:
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  8.7e-16  2.9e-16
-  published              7.3e-16  3.6e-16
-  axis orders and signs  8.8e-16  3.7e-16
-  uniform                1.0e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      8.2e-16  3.6e-16
-  nearest separatrix     7.8e-16  3.6e-16
-  separatrix             7.4e-16  3.1e-16
-  symmetric              7.0e-16  2.7e-16
-  near prolate           1.1e-15  5.6e-16
-  near oblate            8.2e-16  4.0e-16
-  nearest symmetric      7.4e-16  3.3e-16
-  sphere                 5.9e-16  6.9e-43
-  near sphere            9.3e-16  4.2e-16
-  nearest sphere         8.0e-16  3.4e-16
-  spin                   5.2e-16  7.6e-53
-  near spin, largest     6.1e-16  3.7e-16
-  near spin, middle      6.9e-16  3.6e-16
-  near spin, smallest    6.3e-16  2.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   9.3e-16  4.8e-16
-  rod                    9.9e-16  4.7e-16
-  needle                 1.0e-15  4.9e-16
-  special values         8.9e-16  4.7e-16
-  special attitudes      7.8e-16  4.4e-16
-  scales                 9.2e-16  5.0e-16
-  small scales           8.0e-16  4.9e-16
-  large scales           8.5e-16  4.2e-16
-  extreme scales         8.6e-16  4.8e-16
-  decimals               9.6e-16  5.0e-16
-  long times             9.0e-16  4.3e-16
-  longest times          8.7e-16  4.3e-16
-  near separatrix, long  9.4e-16  5.1e-16
-  branch switch          1.1e-15  4.9e-16
-  zeros of the rates     8.1e-16  6.0e-16
-  quarter periods        9.1e-16  4.5e-16
+Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest c3caad6803fef280330730b5dc151df5abcd0d01102fd22a21286ff031af5597
+digest e4219cbac2ea737cccef24603094e0abe1400c7f2789acd03d9fe032379039e7
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -129,10 +92,10 @@ typedef struct {
 
 typedef struct {
     double Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k;
-    double p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d;
-    double p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a;
-    double leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b;
-    double b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
+    double kappa_a, kappa_d, p, apart, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a;
+    double kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b;
+    double apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d;
+    double b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d;
 } torque_free_columns;
 
 typedef struct {
@@ -151,8 +114,8 @@ typedef struct {
 } torque_free_imaginary;
 
 typedef struct {
-    double c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13;
-    double B21, B22, B23, B31, B32, B33;
+    double c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11;
+    double B12, B13, B21, B22, B23, B31, B32, B33;
 } torque_free_turn;
 
 typedef struct {

@@ -19,9 +19,9 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    456  22 %  follow facts of the ledger, each named on its line
-    589  29 %  follow classical formulas, each with its reference
-     98   5 %  are arithmetic: sums, products, quotients, roots, reductions
+    475  23 %  follow facts of the ledger, each named on its line
+    589  28 %  follow classical formulas, each with its reference
+    102   5 %  are arithmetic: sums, products, quotients, roots, reductions
     902  44 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 35f8d6e1b767aa119bd2742b5b056196cff7e410a3d53d86055fee456c0d4964
+digest 1657dbd2116a97d904ef738177baf2d4827e9e9f4c2a1074130397cea5c9d9ca
 """
 
 # ruff: noqa
@@ -1025,15 +1025,19 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     alpha_d_by_c_d = -alpha_d / c_d  # fact: definition coefficients.alpha_d_by_c_d; (5)
     alpha_d_by_c_a = epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_a; (5)
     alpha_d_by_c_b = -epsilon / c_d  # fact: definition coefficients.alpha_d_by_c_b; (5)
-    common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
+    common_1 = Omega_a0 * Omega_a0  # fact: definition coefficients.tilt_by_c_a, definition coefficients.tilt_by_c_b, definition varied_rates.g_a, definition varied_rates.kappa_a, definition varied_rates.kappa_by_c_a, definition varied_rates.kappa_by_c_b, definition varied_rates.kappa_by_c_d; (5)
     tilt_by_c_a = epsilon * ((c_a + c_ab) * common_1) / c_a / c_d - tilt / c_a  # fact: definition coefficients.tilt_by_c_a; (5)
-    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5)
+    common_2 = Omega_d0 * Omega_d0  # fact: definition coefficients.tilt_by_c_b, definition coefficients.tilt_by_c_d, definition varied_rates.g_d, definition varied_rates.kappa_d, definition varied_rates.leant_by_c_a, definition varied_rates.leant_by_c_b, definition varied_rates.leant_by_c_d; (5)
     tilt_by_c_b = -epsilon * (c_a * common_1 + c_d * common_2) / c_a / c_d  # fact: definition coefficients.tilt_by_c_b; (5)
     tilt_by_c_d = epsilon * ((c_d - c_bd) * common_2) / c_a / c_d - tilt / c_d  # fact: definition coefficients.tilt_by_c_d; (5)
     common_3 = Omega_b0 * Omega_b0  # fact: definition varied_rates.g_a, definition varied_rates.g_d, definition varied_rates.k, definition varied_rates.p_by_c_a, definition varied_rates.leant_by_c_a, definition varied_rates.p_by_c_b, definition varied_rates.leant_by_c_b, definition varied_rates.p_by_c_d, definition varied_rates.leant_by_c_d; (5)
     g_a = alpha_a * common_3 - alpha_b * common_1  # fact: definition varied_rates.g_a; (5)
     g_d = alpha_d * common_3 - alpha_b * common_2  # fact: definition varied_rates.g_d; (5)
     k = alpha_a * alpha_d * common_3  # fact: definition varied_rates.k; (5)
+    kappa_a = -alpha_b * alpha_d * common_1  # fact: definition varied_rates.kappa_a; (5)
+    kappa_d = -alpha_a * alpha_b * common_2  # fact: definition varied_rates.kappa_d; (5)
+    p = k + kappa_a  # fact: definition varied_rates.p; (5)
+    apart = -alpha_b * tilt  # fact: definition varied_rates.apart; (5)
     p_by_Omega_a = -2 * alpha_b * alpha_d * Omega_a0  # fact: definition varied_rates.p_by_Omega_a; (5)
     p_by_Omega_b = 2 * alpha_a * alpha_d * Omega_b0  # fact: definition varied_rates.p_by_Omega_b; (5)
     r_by_Omega_d = -2 * alpha_a * alpha_b * Omega_d0  # fact: definition varied_rates.r_by_Omega_d; (5)
@@ -1062,34 +1066,36 @@ def _columns_constants(c_a, c_b, c_d, c_ab, c_ad, c_bd, Omega_a0, Omega_b0, Omeg
     b_by_c_d = alpha_b_by_c_d * Omega_d0 * Omega_a0  # fact: definition varied_rates.b_by_c_d; (5)
     d_by_c_d = alpha_d_by_c_d * Omega_a0 * Omega_b0  # fact: definition varied_rates.d_by_c_d; (5)
     alpha_divisor = _choose(_rounded(abs(alpha_b)), 0, 1, alpha_b)  # arithmetic
-    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(g_a), _rounded(g_d), _rounded(k), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(leant_by_c_a), _rounded(leant_by_c_b), _rounded(leant_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
+    return _rounded(Omega_a0), _rounded(Omega_b0), _rounded(Omega_d0), _rounded(alpha_a), _rounded(alpha_b), _rounded(alpha_d), _rounded(alpha_divisor), _rounded(g_a), _rounded(g_d), _rounded(k), _rounded(kappa_a), _rounded(kappa_d), _rounded(p), _rounded(apart), _rounded(p_by_Omega_a), _rounded(p_by_Omega_b), _rounded(r_by_Omega_d), _rounded(kappa_by_c_a), _rounded(kappa_by_c_b), _rounded(kappa_by_c_d), _rounded(p_by_c_a), _rounded(p_by_c_b), _rounded(p_by_c_d), _rounded(apart_by_c_a), _rounded(apart_by_c_b), _rounded(apart_by_c_d), _rounded(leant_by_c_a), _rounded(leant_by_c_b), _rounded(leant_by_c_d), _rounded(a_by_c_a), _rounded(a_by_c_b), _rounded(a_by_c_d), _rounded(b_by_c_a), _rounded(b_by_c_b), _rounded(b_by_c_d), _rounded(d_by_c_a), _rounded(d_by_c_b), _rounded(d_by_c_d)
 
 
-def _columns_state(S_t, C_t, D_t, E_t, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
+def _columns_state(S_t, C_t, D_t, E_t, f, over, Omega_a_k, Omega_b_k, Omega_d_k, Omega_a_r, Omega_b_r, Omega_d_r, t, Omega_a, Omega_b, Omega_d, Omega_a0, Omega_b0, Omega_d0, alpha_a, alpha_b, alpha_d, alpha_divisor, g_a, g_d, k, kappa_a, kappa_d, p, apart, p_by_Omega_a, p_by_Omega_b, r_by_Omega_d, kappa_by_c_a, kappa_by_c_b, kappa_by_c_d, p_by_c_a, p_by_c_b, p_by_c_d, apart_by_c_a, apart_by_c_b, apart_by_c_d, leant_by_c_a, leant_by_c_b, leant_by_c_d, a_by_c_a, a_by_c_b, a_by_c_d, b_by_c_a, b_by_c_b, b_by_c_d, d_by_c_a, d_by_c_b, d_by_c_d):
     """What the rates change by, and integrals of their squares, from functions of the time."""
-    common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d; (5)
-    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * k * (common_1 * S_t * S_t)) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
-    any_Omega_b_by_Omega_a = over * (alpha_b * Omega_d0 * S_t - Omega_b * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
+    common_1 = S_t * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition varied_rates.Omega_b_by_Omega_a, definition varied_rates.Omega_d_by_Omega_a, definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_b_by_c_a, definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_b_by_c_b, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_a_by_c_d, definition varied_rates.Omega_b_by_c_d, definition varied_rates.Omega_d_by_c_d, definition spun.lag; (5)
+    common_2 = common_1 * S_t  # fact: definition varied_rates.Omega_a_by_Omega_a, definition spun.lag; (5)
+    Omega_a_by_Omega_a = over * (D_t - Omega_a * p_by_Omega_a * k * (common_2 * S_t)) + p_by_Omega_a * (Omega_a_k - Omega_a_r)  # fact: definition varied_rates.Omega_a_by_Omega_a; (5)
+    common_3 = alpha_b * Omega_d0  # fact: definition varied_rates.Omega_b_by_Omega_a, definition spun.swung, definition spun.excess_spun; (5)
+    any_Omega_b_by_Omega_a = over * (common_3 * S_t - Omega_b * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_b_k - Omega_b_r)  # fact: definition varied_rates.Omega_b_by_Omega_a; (5)
     Omega_d_by_Omega_a = over * (alpha_d * Omega_b0 * S_t * D_t - Omega_d * p_by_Omega_a * common_1) + p_by_Omega_a * (Omega_d_k - Omega_d_r)  # fact: definition varied_rates.Omega_d_by_Omega_a; (5)
-    common_2 = Omega_a * common_1 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * (Omega_a_k + common_2)  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
+    common_4 = Omega_a * common_1 / 2  # fact: definition varied_rates.Omega_a_by_Omega_b, definition varied_rates.Omega_a_by_Omega_d, definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_Omega_b = over * (alpha_a * Omega_d0 * S_t * C_t) + p_by_Omega_b * (Omega_a_k + common_4)  # fact: definition varied_rates.Omega_a_by_Omega_b; (5)
     Omega_b_by_Omega_b = over * (C_t * D_t) + p_by_Omega_b * Omega_b_k  # fact: definition varied_rates.Omega_b_by_Omega_b; (5)
     Omega_d_by_Omega_b = over * (alpha_d * Omega_a0 * S_t * D_t) + p_by_Omega_b * Omega_d_k  # fact: definition varied_rates.Omega_d_by_Omega_b; (5)
-    Omega_a_by_Omega_d = over * (alpha_a * Omega_b0 * S_t * C_t) + r_by_Omega_d * (Omega_a_r - common_2)  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
+    Omega_a_by_Omega_d = over * (alpha_a * Omega_b0 * S_t * C_t) + r_by_Omega_d * (Omega_a_r - common_4)  # fact: definition varied_rates.Omega_a_by_Omega_d; (5)
     any_Omega_b_by_Omega_d = over * (alpha_b * Omega_a0 * S_t) + r_by_Omega_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_Omega_d; (5)
     Omega_d_by_Omega_d = over * C_t + r_by_Omega_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_Omega_d; (5)
-    common_3 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
-    Omega_a_by_c_a = over * (a_by_c_a * common_3) + common_2 * (leant_by_c_a - 2 * (over * kappa_by_c_a) * k * common_1) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
+    common_5 = S_t * C_t  # fact: definition varied_rates.Omega_a_by_c_a, definition varied_rates.Omega_a_by_c_b, definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_a_by_c_a = over * (a_by_c_a * common_5) + common_4 * (leant_by_c_a - 2 * (over * kappa_by_c_a) * k * common_1) + p_by_c_a * Omega_a_k - apart_by_c_a * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_a; (5)
     Omega_b_by_c_a = over * (b_by_c_a * S_t - Omega_b * kappa_by_c_a * common_1) + p_by_c_a * Omega_b_k - apart_by_c_a * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_a; (5)
-    common_4 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
-    Omega_d_by_c_a = over * (d_by_c_a * common_4 - Omega_d * kappa_by_c_a * common_1) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
-    Omega_a_by_c_b = over * (a_by_c_b * common_3) + common_2 * (leant_by_c_b - 2 * (over * kappa_by_c_b) * k * common_1) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
+    common_6 = S_t * D_t  # fact: definition varied_rates.Omega_d_by_c_a, definition varied_rates.Omega_d_by_c_b, definition varied_rates.Omega_d_by_c_d; (5)
+    Omega_d_by_c_a = over * (d_by_c_a * common_6 - Omega_d * kappa_by_c_a * common_1) + p_by_c_a * Omega_d_k - apart_by_c_a * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_a; (5)
+    Omega_a_by_c_b = over * (a_by_c_b * common_5) + common_4 * (leant_by_c_b - 2 * (over * kappa_by_c_b) * k * common_1) + p_by_c_b * Omega_a_k - apart_by_c_b * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_b; (5)
     Omega_b_by_c_b = over * (b_by_c_b * S_t - Omega_b * kappa_by_c_b * common_1) + p_by_c_b * Omega_b_k - apart_by_c_b * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_b; (5)
-    Omega_d_by_c_b = over * (d_by_c_b * common_4 - Omega_d * kappa_by_c_b * common_1) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
-    Omega_a_by_c_d = over * (a_by_c_d * common_3) + common_2 * (leant_by_c_d - 2 * (over * kappa_by_c_d) * k * common_1) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
+    Omega_d_by_c_b = over * (d_by_c_b * common_6 - Omega_d * kappa_by_c_b * common_1) + p_by_c_b * Omega_d_k - apart_by_c_b * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_b; (5)
+    Omega_a_by_c_d = over * (a_by_c_d * common_5) + common_4 * (leant_by_c_d - 2 * (over * kappa_by_c_d) * k * common_1) + p_by_c_d * Omega_a_k - apart_by_c_d * Omega_a_r  # fact: definition varied_rates.Omega_a_by_c_d; (5)
     Omega_b_by_c_d = over * (b_by_c_d * S_t - Omega_b * kappa_by_c_d * common_1) + p_by_c_d * Omega_b_k - apart_by_c_d * Omega_b_r  # fact: definition varied_rates.Omega_b_by_c_d; (5)
-    Omega_d_by_c_d = over * (d_by_c_d * common_4 - Omega_d * kappa_by_c_d * common_1) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
-    excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * (S_t - t) + (Omega_b - Omega_b0) * t)  # fact: definition varied_rates.excess_b; (5)
+    Omega_d_by_c_d = over * (d_by_c_d * common_6 - Omega_d * kappa_by_c_d * common_1) + p_by_c_d * Omega_d_k - apart_by_c_d * Omega_d_r  # fact: definition varied_rates.Omega_d_by_c_d; (5)
+    any_excess_b = g_a * g_d * E_t + Omega_b0 * (Omega_b * (S_t - t) + (Omega_b - Omega_b0) * t)  # fact: definition varied_rates.excess_b; (5)
     b_divisor = _choose(abs(Omega_b), 0, 1, Omega_b)  # arithmetic
     d_divisor = _choose(abs(alpha_d), 0, 1, alpha_d)  # arithmetic
     middle_by_Omega_a = alpha_b / d_divisor * (Omega_d / b_divisor) * Omega_d_by_Omega_a  # fact: definition middle_columns.middle_by_Omega_a; (5)
@@ -1099,6 +1105,16 @@ def _columns_state(S_t, C_t, D_t, E_t, over, Omega_a_k, Omega_b_k, Omega_d_k, Om
     middle_by_Omega_d = alpha_b / a_divisor * (Omega_a / b_divisor) * Omega_a_by_Omega_d  # fact: definition middle_columns.middle_by_Omega_d; (5)
     a_size = abs(alpha_b * Omega_a)  # arithmetic
     Omega_b_by_Omega_d = _choose(a_size, abs(alpha_a * Omega_b), middle_by_Omega_d, any_Omega_b_by_Omega_d)  # arithmetic
+    p_divisor = _choose(abs(p), 0, 1, p)  # arithmetic
+    C_ahead = _choose(C_t, 0, 0, C_t)  # arithmetic
+    common_7 = common_3 * Omega_a0  # fact: definition spun.swung, definition spun.excess_spun; (5)
+    common_8 = D_t + C_ahead  # fact: definition spun.swung, definition spun.lag; (5)
+    swung = over * S_t * (common_7 - Omega_b0 * S_t * (kappa_a * D_t + kappa_d * C_ahead) / common_8)  # fact: definition spun.swung; (5)
+    lag = kappa_a / p_divisor * (S_t * C_ahead / D_t - t) + apart * (common_2 / common_8 - k / p_divisor * f) / D_t  # fact: definition spun.lag; (5)
+    common_9 = kappa_a + kappa_d  # fact: definition spun.excess_spun; (5)
+    excess_spun = Omega_b0 * Omega_b0 * (lag + common_9 * E_t) + common_7 * common_7 * E_t + Omega_b0 * swung * S_t  # fact: definition spun.excess_spun; (5)
+    spinning = _choose(C_t, 0, 0, k)  # arithmetic
+    excess_b = _choose(spinning, common_9, any_excess_b, excess_spun)  # arithmetic
     excess_a = alpha_a / alpha_divisor * excess_b  # fact: definition excesses.excess_a; (5)
     excess_d = alpha_d / alpha_divisor * excess_b  # fact: definition excesses.excess_d; (5)
     return Omega_a_by_Omega_a, Omega_a_by_Omega_b, Omega_a_by_Omega_d, Omega_a_by_c_a, Omega_a_by_c_b, Omega_a_by_c_d, Omega_b_by_Omega_a, Omega_b_by_Omega_b, Omega_b_by_Omega_d, Omega_b_by_c_a, Omega_b_by_c_b, Omega_b_by_c_d, Omega_d_by_Omega_a, Omega_d_by_Omega_b, Omega_d_by_Omega_d, Omega_d_by_c_a, Omega_d_by_c_b, Omega_d_by_c_d, excess_a, excess_b, excess_d
@@ -1445,10 +1461,11 @@ def _imaginary_state(w, p2, y, side, flip, periods, z_w2, z_p2, z, z_side, turns
 
 def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0, p1, p2, p3):
     """What sensitivities of the attitude are made from, at t = 0; not at rest."""
-    common_1 = c1 * Omega1_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
-    common_2 = c2 * Omega2_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
-    common_3 = c3 * Omega3_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.l1, definition turned_columns_start.l2, definition turned_columns_start.l3; (3)
+    common_1 = c1 * Omega1_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n1_0; (3)
+    common_2 = c2 * Omega2_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n2_0; (3)
+    common_3 = c3 * Omega3_0  # fact: definition turned_columns_start.K_squared, definition turned_columns_start.n3_0; (3)
     K_squared = common_1 * common_1 + common_2 * common_2 + common_3 * common_3  # fact: definition turned_columns_start.K_squared; (3)
+    per_K2 = 1 / K_squared  # fact: definition turned_columns_start.per_K2; (3)
     common_4 = p2 * p2  # fact: definition turned_columns_start.P11, definition turned_columns_start.P33; (3)
     common_5 = p3 * p3  # fact: definition turned_columns_start.P11, definition turned_columns_start.P22; (3)
     P11 = 1 - 2 * (common_4 + common_5)  # fact: definition turned_columns_start.P11; (3)
@@ -1467,22 +1484,25 @@ def _turn_constants(c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, p0,
     P31 = 2 * (common_8 - common_9)  # fact: definition turned_columns_start.P31; (3)
     P32 = 2 * (common_11 + common_12)  # fact: definition turned_columns_start.P32; (3)
     P33 = 1 - 2 * (common_10 + common_4)  # fact: definition turned_columns_start.P33; (3)
-    l1 = (P11 * common_1 + P12 * common_2 + P13 * common_3) / K_squared  # fact: definition turned_columns_start.l1; (3)
-    l2 = (P21 * common_1 + P22 * common_2 + P23 * common_3) / K_squared  # fact: definition turned_columns_start.l2; (3)
-    l3 = (P31 * common_1 + P32 * common_2 + P33 * common_3) / K_squared  # fact: definition turned_columns_start.l3; (3)
-    B11 = l2 * P31 - l3 * P21  # fact: definition turned_columns_start.B11; (3)
-    B21 = l3 * P11 - l1 * P31  # fact: definition turned_columns_start.B21; (3)
-    B31 = l1 * P21 - l2 * P11  # fact: definition turned_columns_start.B31; (3)
-    B12 = l2 * P32 - l3 * P22  # fact: definition turned_columns_start.B12; (3)
-    B22 = l3 * P12 - l1 * P32  # fact: definition turned_columns_start.B22; (3)
-    B32 = l1 * P22 - l2 * P12  # fact: definition turned_columns_start.B32; (3)
-    B13 = l2 * P33 - l3 * P23  # fact: definition turned_columns_start.B13; (3)
-    B23 = l3 * P13 - l1 * P33  # fact: definition turned_columns_start.B23; (3)
-    B33 = l1 * P23 - l2 * P13  # fact: definition turned_columns_start.B33; (3)
-    return c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33
+    n1_0 = common_1 * per_K2  # fact: definition turned_columns_start.n1_0; (3)
+    n2_0 = common_2 * per_K2  # fact: definition turned_columns_start.n2_0; (3)
+    n3_0 = common_3 * per_K2  # fact: definition turned_columns_start.n3_0; (3)
+    l1 = P11 * n1_0 + P12 * n2_0 + P13 * n3_0  # fact: definition turned_columns_start.l1; (3)
+    l2 = P21 * n1_0 + P22 * n2_0 + P23 * n3_0  # fact: definition turned_columns_start.l2; (3)
+    l3 = P31 * n1_0 + P32 * n2_0 + P33 * n3_0  # fact: definition turned_columns_start.l3; (3)
+    B11 = P12 * n3_0 - P13 * n2_0  # fact: definition turned_columns_start.B11; (3)
+    B21 = P22 * n3_0 - P23 * n2_0  # fact: definition turned_columns_start.B21; (3)
+    B31 = P32 * n3_0 - P33 * n2_0  # fact: definition turned_columns_start.B31; (3)
+    B12 = P13 * n1_0 - P11 * n3_0  # fact: definition turned_columns_start.B12; (3)
+    B22 = P23 * n1_0 - P21 * n3_0  # fact: definition turned_columns_start.B22; (3)
+    B32 = P33 * n1_0 - P31 * n3_0  # fact: definition turned_columns_start.B32; (3)
+    B13 = P11 * n2_0 - P12 * n1_0  # fact: definition turned_columns_start.B13; (3)
+    B23 = P21 * n2_0 - P22 * n1_0  # fact: definition turned_columns_start.B23; (3)
+    B33 = P31 * n2_0 - P32 * n1_0  # fact: definition turned_columns_start.B33; (3)
+    return c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33
 
 
-def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
+def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1_by_Omega2, Omega1_by_Omega3, Omega1_by_c1, Omega1_by_c2, Omega1_by_c3, Omega2_by_Omega1, Omega2_by_Omega2, Omega2_by_Omega3, Omega2_by_c1, Omega2_by_c2, Omega2_by_c3, Omega3_by_Omega1, Omega3_by_Omega2, Omega3_by_Omega3, Omega3_by_c1, Omega3_by_c2, Omega3_by_c3, excess1, excess2, excess3, t, c1, c2, c3, c12, c13, c23, Omega1_0, Omega2_0, Omega3_0, per_K2, l1, l2, l3, B11, B12, B13, B21, B22, B23, B31, B32, B33):
     """What the attitude changes by, and the state with the time."""
     common_1 = q2 * q2  # fact: definition turned_columns.R11, definition turned_columns.R33; (3)
     common_2 = q3 * q3  # fact: definition turned_columns.R11, definition turned_columns.R22; (3)
@@ -1502,15 +1522,18 @@ def _turn_state(q0, q1, q2, q3, Omega1, Omega2, Omega3, Omega1_by_Omega1, Omega1
     R31 = 2 * (common_5 - common_6)  # fact: definition turned_columns.R31; (3)
     R32 = 2 * (common_8 + common_9)  # fact: definition turned_columns.R32; (3)
     R33 = 1 - 2 * (common_7 + common_1)  # fact: definition turned_columns.R33; (3)
-    X11 = l2 * R31 - l3 * R21  # fact: definition turned_columns.X11; (3)
-    X21 = l3 * R11 - l1 * R31  # fact: definition turned_columns.X21; (3)
-    X31 = l1 * R21 - l2 * R11  # fact: definition turned_columns.X31; (3)
-    X12 = l2 * R32 - l3 * R22  # fact: definition turned_columns.X12; (3)
-    X22 = l3 * R12 - l1 * R32  # fact: definition turned_columns.X22; (3)
-    X32 = l1 * R22 - l2 * R12  # fact: definition turned_columns.X32; (3)
-    X13 = l2 * R33 - l3 * R23  # fact: definition turned_columns.X13; (3)
-    X23 = l3 * R13 - l1 * R33  # fact: definition turned_columns.X23; (3)
-    X33 = l1 * R23 - l2 * R13  # fact: definition turned_columns.X33; (3)
+    n1 = c1 * Omega1 * per_K2  # fact: definition turned_columns.n1; (3)
+    n2 = c2 * Omega2 * per_K2  # fact: definition turned_columns.n2; (3)
+    n3 = c3 * Omega3 * per_K2  # fact: definition turned_columns.n3; (3)
+    X11 = R12 * n3 - R13 * n2  # fact: definition turned_columns.X11; (3)
+    X21 = R22 * n3 - R23 * n2  # fact: definition turned_columns.X21; (3)
+    X31 = R32 * n3 - R33 * n2  # fact: definition turned_columns.X31; (3)
+    X12 = R13 * n1 - R11 * n3  # fact: definition turned_columns.X12; (3)
+    X22 = R23 * n1 - R21 * n3  # fact: definition turned_columns.X22; (3)
+    X32 = R33 * n1 - R31 * n3  # fact: definition turned_columns.X32; (3)
+    X13 = R11 * n2 - R12 * n1  # fact: definition turned_columns.X13; (3)
+    X23 = R21 * n2 - R22 * n1  # fact: definition turned_columns.X23; (3)
+    X33 = R31 * n2 - R32 * n1  # fact: definition turned_columns.X33; (3)
     Y11 = c1 * X11  # fact: definition turned_columns.Y11; (3)
     Y12 = c2 * X12  # fact: definition turned_columns.Y12; (3)
     Y13 = c3 * X13  # fact: definition turned_columns.Y13; (3)
@@ -1646,10 +1669,10 @@ SENSITIVITY = {
     'columns': {
         'constants': _columns_constants,
         'given': ('c_a', 'c_b', 'c_d', 'c_ab', 'c_ad', 'c_bd', 'Omega_a0', 'Omega_b0', 'Omega_d0', 'E_b', 'axis_a', 'axis_b', 'axis_d'),
-        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'k', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'leant_by_c_a', 'leant_by_c_b', 'leant_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'names': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'k', 'kappa_a', 'kappa_d', 'p', 'apart', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'leant_by_c_a', 'leant_by_c_b', 'leant_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
         'state': _columns_state,
-        'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'over', 'Omega_a_k', 'Omega_b_k', 'Omega_d_k', 'Omega_a_r', 'Omega_b_r', 'Omega_d_r', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
-        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'k', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'leant_by_c_a', 'leant_by_c_b', 'leant_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
+        'timed': ('S_t', 'C_t', 'D_t', 'E_t', 'f', 'over', 'Omega_a_k', 'Omega_b_k', 'Omega_d_k', 'Omega_a_r', 'Omega_b_r', 'Omega_d_r', 't', 'Omega_a', 'Omega_b', 'Omega_d'),
+        'shape': ('Omega_a0', 'Omega_b0', 'Omega_d0', 'alpha_a', 'alpha_b', 'alpha_d', 'alpha_divisor', 'g_a', 'g_d', 'k', 'kappa_a', 'kappa_d', 'p', 'apart', 'p_by_Omega_a', 'p_by_Omega_b', 'r_by_Omega_d', 'kappa_by_c_a', 'kappa_by_c_b', 'kappa_by_c_d', 'p_by_c_a', 'p_by_c_b', 'p_by_c_d', 'apart_by_c_a', 'apart_by_c_b', 'apart_by_c_d', 'leant_by_c_a', 'leant_by_c_b', 'leant_by_c_d', 'a_by_c_a', 'a_by_c_b', 'a_by_c_d', 'b_by_c_a', 'b_by_c_b', 'b_by_c_d', 'd_by_c_a', 'd_by_c_b', 'd_by_c_d'),
         'results': ('Omega_a_by_Omega_a', 'Omega_a_by_Omega_b', 'Omega_a_by_Omega_d', 'Omega_a_by_c_a', 'Omega_a_by_c_b', 'Omega_a_by_c_d', 'Omega_b_by_Omega_a', 'Omega_b_by_Omega_b', 'Omega_b_by_Omega_d', 'Omega_b_by_c_a', 'Omega_b_by_c_b', 'Omega_b_by_c_d', 'Omega_d_by_Omega_a', 'Omega_d_by_Omega_b', 'Omega_d_by_Omega_d', 'Omega_d_by_c_a', 'Omega_d_by_c_b', 'Omega_d_by_c_d', 'excess_a', 'excess_b', 'excess_d'),
     },
     'real': {
@@ -1677,10 +1700,10 @@ SENSITIVITY = {
     'turn': {
         'constants': _turn_constants,
         'given': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'p0', 'p1', 'p2', 'p3'),
-        'names': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
+        'names': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'per_K2', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
         'state': _turn_state,
         'timed': ('q0', 'q1', 'q2', 'q3', 'Omega1', 'Omega2', 'Omega3', 'Omega1_by_Omega1', 'Omega1_by_Omega2', 'Omega1_by_Omega3', 'Omega1_by_c1', 'Omega1_by_c2', 'Omega1_by_c3', 'Omega2_by_Omega1', 'Omega2_by_Omega2', 'Omega2_by_Omega3', 'Omega2_by_c1', 'Omega2_by_c2', 'Omega2_by_c3', 'Omega3_by_Omega1', 'Omega3_by_Omega2', 'Omega3_by_Omega3', 'Omega3_by_c1', 'Omega3_by_c2', 'Omega3_by_c3', 'excess1', 'excess2', 'excess3', 't'),
-        'shape': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
+        'shape': ('c1', 'c2', 'c3', 'c12', 'c13', 'c23', 'Omega1_0', 'Omega2_0', 'Omega3_0', 'per_K2', 'l1', 'l2', 'l3', 'B11', 'B12', 'B13', 'B21', 'B22', 'B23', 'B31', 'B32', 'B33'),
         'results': ('eta1_by_Omega1', 'eta1_by_Omega2', 'eta1_by_Omega3', 'eta1_by_c1', 'eta1_by_c2', 'eta1_by_c3', 'eta2_by_Omega1', 'eta2_by_Omega2', 'eta2_by_Omega3', 'eta2_by_c1', 'eta2_by_c2', 'eta2_by_c3', 'eta3_by_Omega1', 'eta3_by_Omega2', 'eta3_by_Omega3', 'eta3_by_c1', 'eta3_by_c2', 'eta3_by_c3', 'eta1_by_t', 'eta2_by_t', 'eta3_by_t', 'Omega1_by_t', 'Omega2_by_t', 'Omega3_by_t'),
     },
 }

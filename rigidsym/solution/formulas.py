@@ -113,6 +113,10 @@ INPUTS = {
         *(f"Omega_{x}{start}" for x in AXES for start in ("", "0")),
     ),
     "excesses": ("alpha_a", "alpha_b", "alpha_d", "excess_b"),
+    "spun": (
+        *("alpha_b", "kappa_a", "kappa_d", "k", "p", "apart", "over", "S_t", "C_t", "D_t"),
+        *("E_t", "f", "t", *(f"Omega_{x}0" for x in AXES)),
+    ),
     "elapsed_F": ("p", "r", "S_t", "C_t", "D_t", "E_t", "t"),
     "elapsed_E": ("p", "r", "S_t", "C_t", "D_t", "F_t", "t"),
     "turn_constants": (
@@ -123,7 +127,7 @@ INPUTS = {
     "turn": (
         *(f"{x}{k}" for x in ("c", "Omega", "l", "excess") for k in range(1, 4)),
         *(f"Omega{k}_0" for k in range(1, 4)),
-        *("q0", "q1", "q2", "q3", "t"),
+        *("per_K2", "q0", "q1", "q2", "q3", "t"),
         *(f"B{i}{k}" for i in range(1, 4) for k in range(1, 4)),
         *(f"Omega{k}_by_{x}{j}" for x in ("Omega", "c") for j in range(1, 4) for k in range(1, 4)),
     ),

@@ -1,14 +1,16 @@
-"""How wrong sensitivities are: column by column against enclosures, in every stratum.
+"""Errors of sensitivities, column by column against enclosures, in every stratum.
 
 A column is what the small turn eta, in rad, and the rates, over |omega0|, change by with an input,
 in units of the input's own: 1 rad of the attitude at t = 0, |omega0| of the rates, a moment of
 inertia, and 1/|omega0| of the time.  An error is the length of a column's difference over the
-column's length, or over 1 where that is less: what no change of the inputs is below.
+length of the column.  Two lengths are at least something else: columns by the moments, which start
+at zero, are taken to be as long as after a turn of `EARLY`, and no column is below `LEAST`, because
+the squares of such changes leave binary64.
 """
 
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
@@ -22,10 +24,15 @@ from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.strata import Sample, samples
 
 DIGITS, CASES, SEED = 25, 15, 1
-# Beyond it squares of columns leave binary64.
-LARGEST = 2.0**500
+# Beyond and below them squares of columns leave binary64.
+LARGEST, LEAST = 2.0**500, 2.0**-300
+# |omega0 t| in rad from which on columns by the moments are measured by their own length.
+EARLY = 1.0
+# Columns below it are enclosed once more, to digits of LEAST.
+_SHORT = 1e-8
 HEADS = ("worst error", "documented", "case", "column", "t, s", "columns measured", "times refused")
 COLUMNS = (*(f"{x}{k}" for x in ("eta", "omega", "c") for k in (1, 2, 3)), "t")
+MOMENTS = slice(6, 9)
 Sensitive = Callable[[Sample], np.ndarray]
 
 
@@ -45,11 +52,11 @@ _BESIDE_ZERO = (
     " differ by, beside what it is just before, and so beside the rounding of the state"
 )
 _TO_MIDDLE = (
-    "integrals of rates over 1000 rad are rounded, and on the way to spin about the middle axis a"
+    "integrals of rates and phases are rounded, and on the way to spin about the middle axis a"
     " column may be small beside them"
 )
 WIDER = {
-    "spin": Wider(5e-13, _TO_MIDDLE, 91),
+    "beside separatrix": Wider(1e-12, _TO_MIDDLE, 22),
     "near spin, middle": Wider(1e-12, _TO_MIDDLE, 22),
     "extreme scales": Wider(
         5e-13,
@@ -98,23 +105,32 @@ class StratumErrors:
 
 @dataclass(frozen=True, slots=True)
 class ColumnsReference:
-    """A sample with its true columns (N, 6, 10)."""
+    """A sample with its true columns (N, 6, 10), and the lengths (N, 10) that errors are over."""
 
     sample: Sample
     columns: np.ndarray
+    lengths: np.ndarray
 
     @classmethod
     def of(cls, sample: Sample, digits: int = DIGITS) -> "ColumnsReference":
         """By enclosures."""
-        return cls(sample, enclosed(sample, digits))
+        found = enclosed(sample, digits)
+        lengths, times = _lengths(found), np.array(sample.times)
+        early = EARLY / (math.hypot(*map(float, sample.omega0)) or 1.0)
+        ends = _lengths(enclosed(replace(sample, times=(-early, early)), digits))[:, MOMENTS]
+        first = np.minimum(np.where(times[:, None] < 0, *ends), 1.0)
+        least = np.where(np.abs(times)[:, None] < early, first, LEAST)
+        lengths[:, MOMENTS] = np.maximum(lengths[:, MOMENTS], least)
+        return cls(sample, found, lengths)
 
 
 def share(engine: Engine, reference: ColumnsReference) -> float:
     """The largest part of its bound that a column of an engine takes in a case; infinite where
     one is missing."""
-    wrong = errors(of_engine(engine)(reference.sample), reference.columns)
+    found = of_engine(engine)(reference.sample)
+    wrong = errors(found, reference.columns, reference.lengths)
     # Where one column leaves binary64 a module has no numbers for the others.
-    asked = _is_asked(_sizes(reference.columns)).all(axis=1, keepdims=True)
+    asked = _is_asked(reference.lengths).all(axis=1, keepdims=True)
     if np.any(asked & np.isnan(wrong)):
         return math.inf
     return float(np.nanmax(wrong, initial=0.0)) / bound_of(reference.sample.stratum)
@@ -147,7 +163,7 @@ def _worst(stratum: str, listed: Iterable[ColumnsReference], sensitive: Sensitiv
     measured = refused = 0
     for reference in listed:
         sample = reference.sample
-        wrong = errors(sensitive(sample), reference.columns)
+        wrong = errors(sensitive(sample), reference.columns, reference.lengths)
         known = ~np.isnan(wrong)
         measured += int(known.sum())
         refused += int((~known).all(axis=1).sum())
@@ -160,30 +176,39 @@ def _worst(stratum: str, listed: Iterable[ColumnsReference], sensitive: Sensitiv
     return StratumErrors(*fields, measured, refused)
 
 
-def errors(found: np.ndarray, expected: np.ndarray) -> np.ndarray:
-    """Of columns (N, 6, 10), over their sizes (N, 10); NaN where there are no numbers.
+def errors(
+    found: np.ndarray, expected: np.ndarray, lengths: np.ndarray | None = None
+) -> np.ndarray:
+    """Return errors of columns (N, 6, 10) over lengths (N, 10), by default those of the expected
+    columns; NaN where there are no numbers.
 
     Numbers that are wrong are infinitely so where they are infinite.
     """
-    size = _sizes(expected)
+    lengths = _lengths(expected) if lengths is None else lengths
     with np.errstate(all="ignore"):
-        wrong = np.linalg.norm(found - expected, axis=1) / size
+        wrong = np.linalg.norm(found - expected, axis=1) / lengths
     given = ~np.isnan(found).any(axis=1)
-    return np.where(_is_asked(size) & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
+    return np.where(_is_asked(lengths) & given, np.where(np.isnan(wrong), np.inf, wrong), np.nan)
 
 
-def _sizes(expected: np.ndarray) -> np.ndarray:
-    """(N, 10), what errors of columns are over."""
+def _lengths(expected: np.ndarray) -> np.ndarray:
+    """(N, 10), the lengths of columns."""
     with np.errstate(all="ignore"):
-        return np.maximum(np.linalg.norm(expected, axis=1), 1.0)
+        return np.maximum(np.linalg.norm(expected, axis=1), LEAST)
 
 
-def _is_asked(size: np.ndarray) -> np.ndarray:
-    return np.isfinite(size) & (size < LARGEST)
+def _is_asked(lengths: np.ndarray) -> np.ndarray:
+    return np.isfinite(lengths) & (lengths < LARGEST)
 
 
 def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
-    """The true columns (N, 6, 10), in these units."""
+    """The true columns (N, 6, 10), in these units, each to so many digits of `LEAST` or of 1."""
+    found = _enclosed(sample, digits)
+    is_short = _lengths(found).min(initial=1.0) < _SHORT
+    return _enclosed(sample, digits - math.floor(math.log10(LEAST))) if is_short else found
+
+
+def _enclosed(sample: Sample, digits: int) -> np.ndarray:
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
     found = motion.sensitivities(times, column_digits(sample, digits))
     rows = np.array([_floats(row[7:]) for row in found])

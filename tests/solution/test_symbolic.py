@@ -1,5 +1,6 @@
 """The solution as SymPy: against the balls, its equations, and what people do with expressions."""
 
+import itertools
 from fractions import Fraction
 
 import mpmath
@@ -44,20 +45,18 @@ def kinematics(q, omega):
     return [row / 2 for row in (*rows, -c * x + b * y + a * z)]
 
 
-@forms(*FORMS, slow=("separatrix", "theorem1"))
+@forms(*FORMS, slow=("separatrix",))
 def test_states_are_those_of_the_balls_to_fifty_digits(solutions, form):
     solution = solutions[form]
     q, omega = numbers(solution.q(AT)), numbers(solution.omega(AT))
     expected = motion_of(form).precise("7/3", 50)
-    # Theorem 1 changes its sign between intervals.
-    sign = -1 if form == "theorem1" and q[0] * expected[0][0] < 0 else 1
     with mpmath.workdps(60):
-        for found, values, by in ((q, expected[0], sign), (omega, expected[1], 1)):
+        for found, values in ((q, expected[0]), (omega, expected[1])):
             for x, y in zip(found, values, strict=True):
-                assert abs(x._to_mpmath(220) - by * y) < 1e-49
+                assert abs(x._to_mpmath(220) - y) < 1e-49
 
 
-@pytest.mark.parametrize("form", ["theta", "symmetric", "sphere", "spin"])
+@pytest.mark.parametrize("form", ["theorem1", "theta", "symmetric", "sphere", "spin"])
 def test_it_starts_where_the_motion_does(solutions, form):
     found = numbers(solutions[form].q(0), 30)
     given = [sp.Rational(x) for x in ATTITUDE]
@@ -112,19 +111,85 @@ def test_free_symbols_take_numbers(form, solutions):
     }
 
 
-@pytest.mark.parametrize("form", ["pi", "theta", "symmetric", "separatrix", "spin"])
+def lambdified(solution, times, modules="numpy"):
+    """q and omega (7, N) by arrays of times, and by one time at a time."""
+    call = sp.lambdify(solution.t, [*solution.q(), *solution.omega()], modules)
+    found = np.array([np.broadcast_to(x, times.shape) for x in call(times)])
+    assert found.dtype == float
+    one = np.array([float(x) for x in call(float(times[0]))])
+    assert np.max(np.abs(found[:, 0] - one)) < 1e-14
+    return found
+
+
+@pytest.mark.parametrize("form", ["theorem1", "pi", "theta", "symmetric", "separatrix", "spin"])
 @pytest.mark.parametrize("modules", ["numpy", "scipy"])
 def test_lambdify_over_arrays(solutions, form, modules):
-    solution = solutions[form]
-    call = sp.lambdify(solution.t, [*solution.q(), *solution.omega()], modules)
     times = np.linspace(-9.0, 9.0, 7)
-    found = np.array([np.broadcast_to(x, times.shape) for x in call(times)])
+    found = lambdified(solutions[form], times, modules)
     q, omega = motion_of(form)(times)
     assert np.max(np.abs(found[:4].T - q)) < 3e-14
     assert np.max(np.abs(found[4:].T - omega)) < 3e-14
 
 
-@forms("symmetric", "spin", slow=("theta", "pi"))
+# Bodies and rates of each form; the other five orders of axes have other signs.
+SHAPES = {
+    "pi": ((1, 2, "5/2"), (1, 1, "3/10")),
+    "theta": ((1, 2, "5/2"), ("1/10", "1/3", 2)),
+    "separatrix": ((1, 2, "9/4"), (3, 1, 4)),
+    "symmetric": ((2, 1, 2), (1, -1, "1/2")),
+    "sphere": ((2, 2, 2), (1, 2, 0)),
+    "spin": ((1, 2, "5/2"), (0, -2, 0)),
+}
+ORDERS = [*itertools.permutations(range(3))]
+SIGNS = [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1), (1, 1, -1), (1, -1, 1)]
+
+
+def reordered(inertia, omega0, order, signs):
+    rates = [str(Fraction(omega0[k]) * signs[k]) for k in order]
+    return TorqueFreeMotion([inertia[k] for k in order], rates, ATTITUDE)
+
+
+@pytest.mark.parametrize("form", SHAPES)
+def test_lambdify_in_every_order_of_axes(form):
+    times = np.array([-31.3, -7.1, -0.01, 0.0, 1.4, 9.1])
+    for order, signs in zip(ORDERS, SIGNS, strict=True):
+        motion = reordered(*SHAPES[form], order, signs)
+        found = lambdified(motion.symbolic(form), times)
+        q, omega = motion(times)
+        assert np.max(np.abs(found[:4].T - q)) < 1e-13
+        assert np.max(np.abs(found[4:].T - omega)) < 1e-13
+
+
+@pytest.mark.parametrize(("order", "signs"), [*zip(ORDERS, SIGNS, strict=True)])
+@pytest.mark.parametrize("shape", ["pi", "theta"])
+def test_theorem1_is_followed_past_zeros_of_omega3(shape, order, signs):
+    """Forward and back, with each axis as the one that rates circulate about."""
+    motion = reordered(*SHAPES[shape], order, signs)
+    times = np.linspace(-40.0, 60.0, 101)
+    q, omega = motion(times)
+    changes = np.sum(np.diff(np.sign(omega[:, 2])) != 0)
+    circulates = set(np.sign(omega[:, 2])) in ({1.0}, {-1.0})
+    assert changes == 0 if circulates else changes > 3
+    found = lambdified(motion.symbolic("theorem1"), times)
+    assert np.max(np.abs(found[:4].T - q)) < 1e-12
+    assert np.max(np.abs(found[4:].T - omega)) < 1e-13
+
+
+@pytest.mark.parametrize("t", ["7/5", "-1234/7"])
+def test_theorem1_evaluates_past_zeros_of_omega3(t):
+    motion = TorqueFreeMotion((1, 2, "5/2"), (1, 1, "3/10"), ATTITUDE)
+    solution, expected = motion.symbolic("theorem1"), motion.precise(t, 35)
+    at = sp.Rational(t)
+    states = [*solution.q(at), *solution.omega(at)]
+    later = [x.evalf(30, subs={solution.t: at}) for x in solution.q()]
+    found = [*(x.evalf(30) for x in states), *later]
+    assert all(x.is_Float for x in found)
+    with mpmath.workdps(40):
+        for x, y in zip(found, [*expected[0], *expected[1], *expected[0]], strict=True):
+            assert abs(x._to_mpmath(120) - y) < 1e-28
+
+
+@forms("symmetric", "spin", "theorem1", slow=("theta", "pi", "separatrix"))
 def test_lambdify_over_mpmath(solutions, form):
     solution = solutions[form]
     call = sp.lambdify(solution.t, [*solution.omega()], "mpmath")
@@ -189,12 +254,15 @@ def test_it_is_frozen(solutions):
 
 def test_conditions_are_met_by_the_motions_they_are_for(solutions):
     for form, solution in solutions.items():
-        if form == "theorem1":
-            assert len(solution.conditions) in (1, 2)
-            assert all(sp.re(sp.N(c.lhs.subs(solution.t, 0), 30)) > 0 for c in solution.conditions)
-        else:
-            assert solution.conditions == ()
+        assert solution.conditions == ()
         assert symbolic(form).conditions
+    # Omega3 changes its sign: where it is zero, there is no quotient by it.
+    solution = TorqueFreeMotion((1, 2, "5/2"), (1, 1, "3/10")).symbolic("theorem1")
+    assert len(solution.conditions) in (1, 2)
+    assert all(sp.re(sp.N(c.lhs.subs(solution.t, 0), 30)) > 0 for c in solution.conditions)
+    assert not solution.choices
+    free = symbolic("theorem1")
+    assert free.conditions[-1] == sp.Gt(sp.Symbol("side", real=True) * free.omega()[2], 0)
 
 
 @pytest.mark.parametrize("form", ["pi", "symmetric"])

@@ -1,5 +1,6 @@
 """Sensitivities are measured as states are: enclosures are right, and what is wrong is noticed."""
 
+from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
@@ -13,7 +14,9 @@ from rigidsym.validate.implementations import missing
 from rigidsym.validate.sensitivities import (
     BOUND,
     COLUMNS,
+    LEAST,
     WIDER,
+    ColumnsReference,
     bound_of,
     by_stratum,
     columns,
@@ -117,6 +120,33 @@ def test_faults_are_noticed(fault):
     assert not any(worst.is_within for worst in found)
 
 
+def test_a_short_column_is_measured_by_its_own_length():
+    """An error that the change itself would hide: 1e-20 of it, near a spin."""
+    sample = draw("near spin, middle", 1, seed=sensitivities.SEED)
+    reference = ColumnsReference.of(sample)
+    late = np.abs(sample.times) * float(np.linalg.norm(sample.omega0)) >= 1
+    own = np.linalg.norm(reference.columns[late], axis=1)
+    assert np.array_equal(reference.lengths[late], own)
+    assert LEAST < own.min() < 1e-20
+    wrong = reference.columns + 1e-20
+    assert np.nanmax(errors(wrong, reference.columns, reference.lengths)) > 1
+
+
+def test_columns_start_at_the_length_of_the_first_radian():
+    (reference,) = references(cases=1, strata=("paper",))["paper"]
+    sample, moments = reference.sample, slice(6, 9)
+    rate = float(np.linalg.norm(sample.omega0))
+    ends = enclosed(replace(sample, times=(-1 / rate, 1 / rate)))
+    first = np.minimum(np.linalg.norm(ends, axis=1)[:, moments], 1)
+    for t, columns_then, lengths in zip(
+        sample.times, reference.columns, reference.lengths, strict=True
+    ):
+        own = np.linalg.norm(columns_then, axis=0)
+        assert np.array_equal(lengths[[*range(6), 9]], own[[*range(6), 9]])
+        least = first[int(t >= 0)] if abs(t) * rate < 1 else 0
+        assert np.allclose(lengths[moments], np.maximum(own[moments], least), rtol=1e-15)
+
+
 def test_what_is_refused_is_counted():
     def half(sample):
         found = enclosed(sample)
@@ -138,9 +168,9 @@ def test_the_bound_is_the_documented_one():
 def test_no_bound_is_wider_than_it_has_to_be(stratum):
     """A case comes near it: the command fails without it, and a fifth of it would be too narrow."""
     sample = draw(stratum, WIDER[stratum].case, seed=sensitivities.SEED)
-    true = enclosed(sample)
+    true = ColumnsReference.of(sample)
     found = (of_engine(engines.engine(name))(sample) for name in NAMES)
-    worst = max(np.nanmax(errors(numbers, true)) for numbers in found)
+    worst = max(np.nanmax(errors(numbers, true.columns, true.lengths)) for numbers in found)
     assert max(BOUND, bound_of(stratum) / 5) < worst <= bound_of(stratum)
 
 

@@ -63,7 +63,7 @@ _THETA = Meanings(
         ("_columns_state", "excesses"): {"alpha_b": "alpha_divisor"},
         # The general form, which is one of two; and what products divide by where they are taken.
         ("_columns_state", "varied_rates"): {
-            f"Omega_b_by_Omega_{x}": f"any_Omega_b_by_Omega_{x}" for x in "ad"
+            name: f"any_{name}" for name in (*(f"Omega_b_by_Omega_{x}" for x in "ad"), "excess_b")
         },
         ("_along_state", "varied_rates"): {f"Omega_{x}_r": f"any_Omega_{x}_r" for x in "abd"},
         ("_along_state", "passing"): {"Omega_a": "Omega_a_there"},
@@ -74,6 +74,7 @@ _THETA = Meanings(
             **{f"alpha_{x}": f"{x}_divisor" for x in "ad"},
             "Omega_b": "b_divisor",
         },
+        ("_columns_state", "spun"): {"p": "p_divisor", "C_t": "C_ahead"},
         ("_real_state", "elapsed_F"): {"F_t": "F_far"},
         ("_imaginary_state", "elapsed_E"): {"E_t": "E_far", "F_t": "f/D_t"},
     },
@@ -94,7 +95,7 @@ _THETA = Meanings(
         "_columns_constants": ("moments", "columns"),
         "_along_constants": ("moments", "columns", "passing"),
         "_along_state": ("sensitivity", "passing"),
-        "_columns_state": ("sensitivity", "middle", "excesses"),
+        "_columns_state": ("sensitivity", "middle", "excesses", "spun"),
         "_real_state": ("elapsed_F",),
         "_imaginary_state": ("elapsed_E",),
         "_turn_constants": ("turn_constants",),

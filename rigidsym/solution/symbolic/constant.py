@@ -42,8 +42,12 @@ class Constant(AtomicExpr):
     def _hashable_content(self) -> tuple[str, Any]:
         return self.name, self.value
 
-    def _eval_is_real(self) -> bool | None:
-        return True if named(self.name).is_real else self.value.is_real
+    def _eval_is_real(self) -> bool:
+        if named(self.name).is_real:
+            return True
+        # SymPy does not know of an elliptic integral whether it is real.
+        known = self.value.is_real
+        return bool(_evaluated(self, rounded_up(1)).is_real) if known is None else known
 
     def _eval_is_positive(self) -> bool | None:
         return True if named(self.name).is_positive else None
@@ -70,7 +74,7 @@ class Constant(AtomicExpr):
         return printer._print(named(self.name))
 
     def _numpycode(self, printer: Any) -> str:
-        return f"({repr(complex(self)) if self.is_real is None else repr(float(self))})"
+        return f"({float(self)!r})"
 
     def _mpmathcode(self, printer: Any) -> str:
         return f"({printer._print(self.value)})"

@@ -1,10 +1,24 @@
-"""Theorem 1 as SymPy: rates by Lemma 1, phi1 by Pi, the mended halves, (18) and (37)."""
+"""Theorem 1 as SymPy: rates by Lemma 1, phi1 by Pi, the mended halves, (18) and (37).
+
+With free symbols it is the paper's solution on one interval, over complex numbers.  With a motion's
+numbers it holds at all times, and is real:
+
+* About the axis that the rates circulate about, xi is imaginary, and xi t + C runs beside +-K(mu),
+  where with mu' = 1 - mu (DLMF 22.4(iii), 22.6(iv))
+
+      sn(+-K + i y | mu) = +-1/dn(y | mu'),
+      Pi(n; +-K + i y) - Pi(n; +-K) = i (y + n/(1 - n) Pi(mu'/(1 - n); y | mu')).
+
+* Where Omega3 < 0 the y* of (19) is -cot(phi3/2) (`half_angle_left`): F3 and F4 become -F4 and F3.
+  So phi3/2 is continuous but where Omega2 < 0 = Omega3: there (18) is taken with the other sign.
+"""
 
 from types import MappingProxyType
 from typing import Any
 
-from sympy import Gt, Integer, N, Ne, S, im
+from sympy import Expr, Gt, Integer, Ne, Piecewise, S, asin, cos, elliptic_f, sin, sqrt
 
+from rigidsym.language.functions import jacobi_am, jacobi_dn, jacobi_pi
 from rigidsym.solution import sines
 from rigidsym.solution.symbolic import conditions
 from rigidsym.solution.symbolic.given import Given
@@ -25,33 +39,43 @@ _CHOICES = {
 
 
 def theorem1(form: str, given: Given | None) -> Symbolic:
-    """The paper's solution; over complex numbers for the rate that motions circulate about."""
+    """Return the paper's solution: on one interval, or of a motion at all times."""
     sheet = Sheet(exact=given is not None)
     _begin(sheet, given)
     parts = [_sine(sheet, given, i) for i in range(3)]
-    rates = [part.work_out("sine_state", {"t": TIME})["Omega_i"] for part in parts]
+    constant = [("sn",) if "sn" in part.known else () for part in parts]
+    rates = [
+        part.work_out("sine_state", {"t": TIME}, names)["Omega_i"]
+        for part, names in zip(parts, constant, strict=True)
+    ]
     first = parts[0].known
-    sheet.known |= {"C_1": first["C_i"], **{name: first[name] for name in ("zeta", "xi", "mu")}}
-    sheet.compute("theorem1")
-    side = named("side") if given is None else Integer(1 if given.exact[1][2] > 0 else -1)
-    sheet.known["side"] = side
-    moving = {f"Omega{k}": rate for k, rate in enumerate(rates, 1)}
-    at = _turned(sheet, _by_angles(sheet, {**moving, "t": TIME}))
+    sheet.known |= {name: first[name] for name in ("zeta", "xi", "mu")} | {"C_1": first["C_i"]}
+    moving = {f"Omega{k}": rate for k, rate in enumerate(rates, 1)} | {"t": TIME}
+    if "sn" in first:
+        sheet.compute("theorem1", ("H", "K", "n", "kappa"))
+        moving["Pi"] = _third_kind_across(sheet)
+    else:
+        sheet.compute("theorem1")
+    side = sheet.known["side"] = named("side") if given is None else S.One
     holds = [*conditions.of_context("theorem1_motion", sheet.known, ("side",))]
     for part in parts:
         holds += conditions.of_context("one_rate", part.known, ("half",))
-    holds.append(Gt(side * rates[2], 0))
-    if side == -1:
-        holds.append(Ne(rates[1], 0))
-    known = sheet.known
-    for part in parts:
         sheet.facts |= part.facts
+    if given is None:
+        at = _turned(sheet, _by_angles(sheet, {"t": S.Zero}), _by_angles(sheet, moving))
+        holds.append(Gt(side * rates[2], 0))
+    else:
+        at = _turned(sheet, *_followed(sheet, given, moving, parts[2].known))
+        holds.append(Ne(rates[2], 0))
+    known = sheet.known
     return Symbolic(
         form=form,
         regime=given.polhode.regime if given else None,
         constants=MappingProxyType(sheet.constants),
         conditions=conditions.told(holds),
-        choices=MappingProxyType({named(name): text for name, text in _CHOICES.items()}),
+        choices=MappingProxyType(
+            {} if given else {named(name): text for name, text in _CHOICES.items()}
+        ),
         facts=tuple(sheet.facts),
         quantities=MappingProxyType({"energy": known["H"], "momentum": known["K"]}),
         attitude=column([at[f"q_{x}"] for x in _ABD]),
@@ -87,25 +111,79 @@ def _sine(sheet: Sheet, given: Given | None, i: int) -> Sheet:
     part = Sheet(sheet.exact, dict(known))
     inner = ("alpha", "root_j", "root_k", "zeta", "xi", "mu", "H", "K_squared")
     names = {n: f"{n}_{i + 1}" for n in inner} | {"C_i": f"C_{i + 1}"}
-    part.compute("sine", rename=names)
-    if given is not None and im(N(part.known["C_i"])) < 0:
-        # SymPy's inverse beside the real line is the conjugate of the one that grows with xi.
-        known["half"] *= -1
-        part = Sheet(sheet.exact, dict(known))
+    if given is not None and given.polhode.axes[0] == i:
+        part.compute("sine", ("zeta", "mu", "alpha", "root_k"), names)
+        _across_the_line(part, i)
+    else:
         part.compute("sine", rename=names)
     sheet.constants |= part.constants
     return part
 
 
+def _across_the_line(part: Sheet, i: int) -> None:
+    """Name xi and C - +-K(mu), over i and Remark 1's sign, and work out sn: all are real."""
+    known = part.known
+    sign, mc = 1 if known["Omega_i"] > 0 else -1, 1 - known["mu"]
+    part.name("xi", sqrt(-known["alpha"] * known["root_k"]), f"nu_{i + 1}")
+    sine = sqrt((1 - (known["zeta"] / known["Omega_i"]) ** 2) / mc)
+    part.name("C_i", sign * known["half"] * elliptic_f(asin(sine), mc), f"y_{i + 1}")
+    known["sn"] = sign / jacobi_dn(known["xi"] * TIME + known["C_i"], mc)
+
+
+def _third_kind_across(sheet: Sheet) -> Expr:
+    """Pi less what it is at t = 0, over i and Remark 1's sign."""
+    n, mu, xi, begin = (sheet.known[name] for name in ("n", "mu", "xi", "C_1"))
+    nu = (1 - mu) / (1 - n)
+    sheet.name("Pi_0", jacobi_pi(nu, begin, 1 - mu))
+    along = jacobi_pi(nu, xi * TIME + begin, 1 - mu) - sheet.known["Pi_0"]
+    return xi * TIME + n / (1 - n) * along
+
+
+def _followed(
+    sheet: Sheet, given: Given, moving: dict[str, Any], third: dict[str, Any]
+) -> tuple[dict[str, Any], dict[str, Any]]:
+    """The quaternions of (18) at t = 0 and at all times, continuous where Omega3 passes zero."""
+    right = _by_angles(sheet, moving)
+    start = _by_angles(sheet, {"t": S.Zero, "Pi": S.Zero})
+    (a, *_), c, w = given.polhode.axes, given.inertia, given.omega0
+    begins_left = w[2] < 0
+    if begins_left:
+        start = _left(start)
+    sheet.facts |= dict.fromkeys(("half_angle_left.cotangent", "half_angle_left.squares"))
+    if a == 2:
+        return start, _left(right) if begins_left else right
+    turned, left_sign, start_sign = S.One, 1, 1
+    if a == 1 and w[1] < 0:
+        left_sign, start_sign = -1, -1 if begins_left else 1
+    if a == 0:
+        # phi3 goes round: Omega2 < 0 = Omega3 wherever am is a multiple of 2 pi, or where it is an
+        # odd multiple of pi.  Omega3' = (c1 - c2)/c3 Omega1 Omega2.
+        half_am = jacobi_am(third["xi"] * TIME + third["C_i"], third["mu"]) / 2
+        at_zero = third["half"] * (c[0] - c[1]) * w[0] < 0
+        changing = sin(half_am) if at_zero else cos(half_am)
+        turned = Piecewise((1, changing > 0), (-1, True))
+        start_sign = -1 if at_zero and begins_left else 1
+    left, ahead = _left(right), moving["Omega3"] > 0
+    followed = {
+        x: turned * Piecewise((right[x], ahead), (left_sign * left[x], True)) for x in right
+    }
+    return {x: start_sign * value for x, value in start.items()}, followed
+
+
+def _left(right: dict[str, Any]) -> dict[str, Any]:
+    """Return (18) with -F4 for F3 and F3 for F4, where phi3 is larger by pi."""
+    zero, a, b, d = right.values()
+    return dict(zip(right, (-a, zero, d, -b), strict=True))
+
+
 def _by_angles(sheet: Sheet, known: dict[str, Any]) -> dict[str, Any]:
     """The quaternion of (18), axes 1, 2, 3 being a, b, d."""
-    found = sheet.work_out("theorem1_state", known)
+    found = sheet.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
     return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
 
 
-def _turned(sheet: Sheet, moving: dict[str, Any]) -> dict[str, Any]:
+def _turned(sheet: Sheet, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
     """The constant quaternion of (37), and the attitude that starts where it should."""
-    start = _by_angles(sheet, {"t": S.Zero})
     given = {f"q_{x}": sheet.known[f"q{k}"] for k, x in enumerate(_ABD)}
     front = sheet.work_out("pull_back", {**start, **given, "epsilon": S.One})
     for x in _ABD:

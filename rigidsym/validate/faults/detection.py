@@ -26,7 +26,7 @@ RAISED, CRASHED = "raised", "crashed"
 # The measure of faults in sensitivities.
 COLUMNS = "sensitivities"
 # Columns are so many numbers that few cases of a stratum say what there is to say.
-MOST_CASES = 3
+MOST_CASES = 4
 AnyReference = Reference | ColumnsReference
 
 

@@ -75,7 +75,6 @@ HARMLESS = {
             ("imaginary", "F_square_7", "a sign turned (2)"),
             ("imaginary", "F_square_7", "doubled (22)"),
             ("imaginary", "F_square_9", "a sign turned (13)"),
-            ("real", "F_square_5", "doubled (16)"),
         )
     },
     "behind_error of imaginary_angles: product_error forgotten (4)": (

@@ -2,6 +2,7 @@
 
 from rigidsym.codegen.functions.sensitivity.along import RESULTS as ALONG
 from rigidsym.codegen.functions.sensitivity.given import EXTENDED, GIVEN, START, coefficients
+from rigidsym.codegen.functions.sensitivity.real import ELAPSED
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.names import RATES
 from rigidsym.codegen.passes import renamed, select
@@ -21,7 +22,18 @@ _ALPHAS = (
 KEPT = (
     *START,
     *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor"),
-    *("g_a", "g_d", "k", "p_by_Omega_a", "p_by_Omega_b", "r_by_Omega_d"),
+    *(
+        "g_a",
+        "g_d",
+        "k",
+        "kappa_a",
+        "kappa_d",
+        "p",
+        "apart",
+        "p_by_Omega_a",
+        "p_by_Omega_b",
+        "r_by_Omega_d",
+    ),
     *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", "leant", *AXES) for y in AXES),
 )
 
@@ -31,7 +43,7 @@ _MIDDLE = {"Omega_b_by_Omega_a": ("d", "a"), "Omega_b_by_Omega_d": ("a", "d")}
 
 
 # What changes with time.
-TIMED = ("S_t", "C_t", "D_t", "E_t", *ALONG, "t", *RATES)
+TIMED = (*ELAPSED, *ALONG, "t", *RATES)
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
@@ -72,8 +84,9 @@ def _state(solution: Solution) -> list[Let]:
     )
     columns = select(solution.sequences["sensitivity"], RESULTS, given)
     return [
-        *renamed(columns, {name: f"any_{name}" for name in _MIDDLE}),
+        *renamed(columns, {name: f"any_{name}" for name in (*_MIDDLE, "excess_b")}),
         *_middle(solution, given),
+        *_excess(solution, given),
         *renamed(excesses, {"alpha_b": "alpha_divisor"}),
     ]
 
@@ -96,3 +109,15 @@ def _middle(solution: Solution, given: tuple[str, ...]) -> list[Let]:
             let(f"{name} = choose({x}_size, size(alpha_{x}*Omega_b), {product}, any_{name})"),
         ]
     return lets
+
+
+def _excess(solution: Solution, given: tuple[str, ...]) -> list[Let]:
+    """The integral of the middle rate's square, without the time itself near a spin about b."""
+    spun = select(solution.sequences["spun"], ("excess_spun",), (*given, "over"))
+    return [
+        let("p_divisor = choose(size(p), 0, 1, p)"),
+        let("C_ahead = choose(C_t, 0, 0, C_t)"),
+        *renamed(spun, {"p": "p_divisor", "C_t": "C_ahead"}),
+        let("spinning = choose(C_t, 0, 0, k)"),
+        let("excess_b = choose(spinning, kappa_a + kappa_d, any_excess_b, excess_spun)"),
+    ]

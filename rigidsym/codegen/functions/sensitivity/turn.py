@@ -19,7 +19,7 @@ RESULTS = tuple(f"eta{k}_by_{y}" for k in AXES for y in CHANGES)
 BY_TIME = tuple(f"{x}{k}_by_t" for x in ("eta", "Omega") for k in AXES)
 _ARMS = tuple(f"B{i}{k}" for i in AXES for k in AXES)
 DIFFERENCES = ("c12", "c13", "c23")
-_KEPT = (*INERTIA, *DIFFERENCES, *START, *(f"l{k}" for k in AXES), *_ARMS)
+_KEPT = (*INERTIA, *DIFFERENCES, *START, "per_K2", *(f"l{k}" for k in AXES), *_ARMS)
 
 
 def turn(solution: Solution) -> tuple[Function, ...]:

@@ -116,7 +116,7 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
                 functions + 4 * s, functions + 5 * s, functions + 6 * s, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                 state + (4 + axis[2]) * s, @along rows of along@);
     columns_state(&made->columns, n, functions, functions + s, functions + 2 * s, functions + 3 * s,
-                  @along rows of along@, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
+                  functions + 4 * s, @along rows of along@, t, state + (4 + axis[0]) * s, state + (4 + axis[1]) * s,
                   state + (4 + axis[2]) * s, @columns rows of columns@);
     for (int x = 0; x < 3; x++) {
         excess[axis[x]] = columns + (18 + x) * s;
