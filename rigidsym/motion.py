@@ -495,11 +495,12 @@ class TorqueFreeMotion:
 
         Radii are at most 10^-digits max(1, |value|) where the inputs are exact, and what the
         inputs leave uncertain where they are not.  Uncertain inputs also have the methods `mean`,
-        the theorem of the mean by the sensitivities of all their motions, and `flow`, which carries
-        the equations of motion over their box; both whatever the regimes in it.  By default these
-        meet with carlson's formulas, where they hold for the whole box.  When even the flow has
-        lost the attitude, its balls are [-1, 1], and rates keep to energy and momentum.  The other
-        methods raise InputError for boxes across a boundary between regimes, which they name.
+        the mean value form by the sensitivities of all their motions, over parts of the box where
+        it is too wide over the whole, and `flow`, which carries the equations of motion over the
+        box; both whatever the regimes in it.  By default it is `mean`, and `flow` where that does
+        not serve all of the box.  Where both have lost the attitude, its balls are [-1, 1], and
+        rates keep to energy and momentum.  The other methods raise InputError for boxes across a
+        boundary between regimes, which they name.
         sensitivity: also return a `Sensitivity` of balls, for uncertain inputs those of all motions
         of their box; they raise PrecisionError where these are too uncertain.  Else as `precise`.
         """

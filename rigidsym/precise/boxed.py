@@ -1,27 +1,24 @@
-"""States of all motions whose inputs lie in a box: by what its regime says, by the theorem of the
-mean, and by the flow."""
+"""States of all motions whose inputs lie in a box: by the theorem of the mean, and by the flow."""
 
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, reduce
+from functools import cached_property
 
 from flint import arb
 
 from rigidsym.errors import InputError, PrecisionError, written
-from rigidsym.inputs import Number
+from rigidsym.inputs import Number, is_uncertain
 from rigidsym.precise.adaptive import AdaptivePrecision, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
-from rigidsym.precise.flowing import Flowing, bits_for
+from rigidsym.precise.flowing import MOST_STEPS, Flowing, bits_for
 from rigidsym.precise.motion import PreciseMotion
 from rigidsym.precise.sensitivity.boxes import MeanStates
 
-# Of the methods that know the regime, carlson leaves the smallest balls.
-BY_REGIME = "carlson"
-# The work of a step of the flow grows with the square of the bits, and more.
-FINE = 256
+# Steps of the flow that take a fraction of a second.
+FEW_STEPS = 100
 
 
 @dataclass(frozen=True)
@@ -35,23 +32,27 @@ class BoxedMotion:
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
-        """(q, omega) at each time as balls, where all ways meet.
-
-        The flow is left out where it would be slow and others leave little to be desired.
+        """(q, omega) at each time as balls: by the theorem of the mean, over parts of the box
+        where it has to be, and by the flow where that does not serve all of the box.  Rates that
+        are constant in all of the box have formulas of their own.
 
         Raises PrecisionError where `max_seconds` for all times are over.
         """
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
-            if time == 0:
+            mean = self._by_mean_values(digits)
+            if time == 0 or mean.holds_rest:
                 yield self._by_flow(precision, time)
                 continue
-            formulas = self._by_formulas(precision, time)
-            mean, is_narrow = self._by_mean_values(digits).state(time) or (None, False)
-            known = [state for state in (mean, formulas) if state]
-            if not (is_narrow or (formulas and self._bits(digits) > FINE)):
-                known.append(self._by_flow(precision, time))
-            yield reduce(_meeting, known)
+            steady = self._by_regime(precision, time)
+            if steady and not is_uncertain(*self.omega0, *self.attitude0):
+                yield steady
+                continue
+            with _saying(time):
+                state, is_found = mean.state(time, precision.check)
+            if not is_found:
+                state = _meeting(state, self._by_flow(precision, time, FEW_STEPS))
+            yield _meeting(state, steady) if steady else state
 
     def mean_values(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -62,12 +63,12 @@ class BoxedMotion:
         """
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
+            mean = self._by_mean_values(digits)
             with _saying(time):
-                precision.check()
-            found = self._by_mean_values(digits).state(time)
-            if found is None:
+                state, is_found = mean.state(time, precision.check)
+            if not is_found:
                 raise self._too_uncertain(time, digits)
-            yield found[0]
+            yield state
 
     def sensitivities(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -91,9 +92,26 @@ class BoxedMotion:
         for time in times:
             yield self._by_flow(precision, time)
 
-    def _by_flow(self, precision: AdaptivePrecision, time: Fraction) -> State:
+    def _by_flow(
+        self, precision: AdaptivePrecision, time: Fraction, most: int = MOST_STEPS
+    ) -> State:
         with _saying(time):
-            return self._flowing(precision).state(time, precision.check)
+            return self._flowing(precision).state(time, precision.check, most)
+
+    def _by_regime(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
+        """By the formulas of constant rates; None where they do not hold for all of the box."""
+        try:
+            return self._steady.read(precision, time) if self._steady else None
+        except TooUncertainError:
+            return None
+
+    @cached_property
+    def _steady(self) -> PreciseMotion | None:
+        motion = PreciseMotion(self.inertia, self.omega0, self.attitude0)
+        try:
+            return motion if motion.polhode.regime.steady else None
+        except InputError:
+            return None
 
     def _by_mean_values(self, digits: int) -> MeanStates:
         bits = self._bits(digits)
@@ -105,22 +123,6 @@ class BoxedMotion:
     def _too_uncertain(self, time: Fraction, digits: int) -> TooUncertainError:
         reason = self._by_mean_values(digits).reason
         return TooUncertainError(f"t = {written(time)}: {reason}")
-
-    def _by_formulas(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
-        """None where they do not hold for all of the box, or say nothing."""
-        try:
-            return self._formulas.read(precision, time) if self._formulas else None
-        except TooUncertainError:
-            return None
-
-    @cached_property
-    def _formulas(self) -> PreciseMotion | None:
-        motion = PreciseMotion(self.inertia, self.omega0, self.attitude0, BY_REGIME)
-        try:
-            _ = motion.polhode
-        except InputError:
-            return None
-        return motion
 
     def _flowing(self, precision: AdaptivePrecision) -> Flowing:
         """The flow at a precision for so many digits, with the steps it has made."""

@@ -59,25 +59,26 @@ class Flowing:
             first = start([ball(middle(x) / self.scale) for x in omega0])
         self._clouds: dict[int, list[Cloud]] = {side: [first] for side in (-1, 1)}
 
-    def state(self, time: Fraction, check: Callable[[], None]) -> State:
-        """(q, omega) as balls at one time; what `check` raises ends the work, any time."""
+    def state(self, time: Fraction, check: Callable[[], None], most: int = MOST_STEPS) -> State:
+        """(q, omega) as balls at one time, by so many steps at most; what `check` raises ends the
+        work, any time."""
         self._check = check
         check()
         if time == 0:
             return self.begin
         with working(self.bits):
-            cloud = self._cloud(time * self.scale)
+            cloud = self._cloud(time * self.scale, most)
             if cloud is None:
                 return [arb(0, 1)] * 4, self.shells
             y = cloud.seen_by(multiplied(self.begin[0])).states(self.bodies).entries()
             rates = zip(y[:RATES], self.shells, strict=True)
             return y[RATES:], [(w * ball(self.scale)).intersection(limit) for w, limit in rates]
 
-    def _cloud(self, time: Fraction) -> Cloud | None:
+    def _cloud(self, time: Fraction, most: int) -> Cloud | None:
         """The set at a time, in units of the scale; None where it is lost."""
         side = 1 if time > 0 else -1
         whole = int(abs(time) / self.step)
-        if whole > MOST_STEPS:
+        if whole > most:
             return None
         clouds = self._clouds[side]
         while len(clouds) <= whole:

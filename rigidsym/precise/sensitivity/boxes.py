@@ -1,30 +1,32 @@
 """States, and sensitivities, of all motions of a box by the mean value form, attitude and all."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
-from itertools import combinations
+from functools import cached_property, partial, reduce
+from math import inf
 
+import numpy as np
 from flint import arb, arb_mat
 
 from rigidsym.inputs import Number, middle, radius
 from rigidsym.precise import balls
 from rigidsym.precise.adaptive import SAYS_NOTHING, AdaptivePrecision
-from rigidsym.precise.balls import BITS_PER_DIGIT, ball, is_within, working
+from rigidsym.precise.balls import BITS_PER_DIGIT, ball, difference, is_within, meeting, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.motion import PreciseMotion
-from rigidsym.precise.sensitivity.box import STILL, Box
+from rigidsym.precise.sensitivity.box import STILL, Box, Slab
 from rigidsym.precise.sensitivity.columns import INPUTS, NUMBERS, Columns, Named
 from rigidsym.precise.sensitivity.mean_value import ONE, MeanValue
+from rigidsym.precise.sensitivity.parts import Part, parts_of
 from rigidsym.precise.sensitivity.point import NAMES, STAYS, Point, listed
 from rigidsym.precise.sensitivity.sloped import Sloped, power
+from rigidsym.precise.shells import shells
 from rigidsym.solution.formulas import AXES, sequence
 
 # Precisions are multiples of this, so that few are kept; bits beyond those of the inputs' radii.
-STEP, GUARD_BITS = 64, 64
-# Nothing is to be gained where a ball is at most so much wider than the values in it for sure.
-NEARLY = arb("1.01")
+STEP, GUARD_BITS = 64, 128
+_TINY = 1e-300
 
 
 @dataclass(frozen=True)
@@ -37,41 +39,66 @@ class MeanStates:
     attitude0: tuple[Number, ...]
     bits: int
 
-    def state(self, time: Fraction) -> tuple[State, bool] | None:
-        """(q, omega) as balls, and whether they are hardly wider than they have to be.
+    def state(self, time: Fraction, check: Callable[[], None]) -> tuple[State, bool]:
+        """Return (q, omega) as balls, and whether every part of the box has an enclosure.
 
-        None where nothing is found.
+        Balls of a part without one are [-1, 1], and rates keep to energy and momentum.  `check` is
+        called before each part and at the end; what it raises ends the work.
         """
-        bits = self._bits(time)
-        turn, omega = self._middle_state(time, bits)
-        with working(bits):
-            found = self._at(bits).state(ball(time), turn, omega)
-            if found is None:
-                return None
-            q, rates = self._turned(found[0]), found[1]
-            known = [*q, *rates]
-            if not all(x.whole.is_finite() for x in known):
-                return None
-            state = [x.whole.intersection(ONE) for x in q], [x.whole for x in rates]
-            return state, all(map(self._is_narrow, known))
+        rounding = max(2.0**-self.bits, _TINY)
+        parts = parts_of(partial(self._part, time, check), rounding)
+        check()
+        with working(self._bits(time)):
+            known = [reduce(arb.union, x) for x in zip(*(p.state for p in parts), strict=True)]
+        return (known[:4], known[4:]), all(np.isfinite(part.first).all() for part in parts)
 
-    def _is_narrow(self, value: Sloped) -> bool:
-        rounding = arb(2) ** -self.bits
-        return bool(value.whole.rad() <= NEARLY * value.least() + rounding)
+    def _part(
+        self, time: Fraction, check: Callable[[], None], slabs: tuple[Slab, ...]
+    ) -> Part | None:
+        """Enclose the states of what some slabs leave of the box; None for nothing."""
+        check()
+        bits = self._bits(time)
+        with working(bits):
+            mean = MeanValue(Box(self.inertia, self.omega0, slabs)) if slabs else self._at(bits)
+            if mean.box.limits is None:
+                return None
+            t = ball(time)
+            amid = mean.amid(t, *self._middle_state(mean.box, time, bits))
+            turn, rates = mean.state(t, amid)
+            found = [*(self._turned(turn) if turn else [None] * 4), *(rates or [None] * 3)]
+            pairs = zip(found, self._limits, strict=True)
+            ends = [_ends(mean.box, x, limit) for x, limit in pairs]
+            return Part(
+                slabs,
+                [x for x, _ in ends],
+                np.array([first for _, first in ends]),
+                mean.bends(t, amid),
+                np.array([float(x.rad()) for x in mean.box.sides.entries()]),
+                mean.box.limits * mean.box.radii[:, None],
+            )
+
+    @cached_property
+    def _limits(self) -> list[arb]:
+        """What no state of the box leaves (7)."""
+        factors = [
+            difference(self.inertia[k - 2], self.inertia[k - 1]) / ball(self.inertia[k])
+            for k in range(3)
+        ]
+        moments, rates = list(map(ball, self.inertia)), list(map(ball, self.omega0))
+        return [*[ONE] * 4, *shells(moments, factors, rates)]
 
     def sensitivities(self, time: Fraction) -> list[arb] | None:
         """What `point.listed` lists, of all motions of the box; None where nothing is found."""
         bits = self._bits(time)
         if not any(self.omega0):
             with working(bits):
-                return Point(*self._middles, STILL).at(time, self._attitude())
-        turn, _ = self._middle_state(time, bits)
+                return Point(*self._at(bits).box.middles, STILL).at(time, self._attitude())
         with working(bits):
-            mean = self._at(bits)
-            moving = mean.moving(ball(time), turn)
-            if moving is None:
+            mean, t = self._at(bits), ball(time)
+            moving = mean.moving(t, mean.amid(t, *self._middle_state(mean.box, time, bits)))
+            if moving is None or moving.turn is None:
                 return None
-            seen = mean.box.whole.turned(ball(time), moving.rates, moving.turn)
+            seen = mean.box.whole.turned(t, moving.rates, moving.turn)
             known = {**moving.rates, **seen}
             found = {name: _ball(known[name]) for name in NAMES if name not in STAYS}
             numbers = listed(self._in_space(mean.box.point, found))
@@ -80,12 +107,14 @@ class MeanStates:
     @property
     def reason(self) -> str:
         """Why nothing is found."""
-        if all(ball(w).contains(0) for w in self.omega0):
+        if self.holds_rest:
             return "the box holds a body at rest, whose momentum has no direction"
-        moments = list(map(ball, self.inertia))
-        if all(x.overlaps(y) for x, y in combinations(moments, 2)) and len({*self._middles[0]}) > 1:
-            return "the box holds a sphere, and its middle is none"
         return SAYS_NOTHING
+
+    @property
+    def holds_rest(self) -> bool:
+        """Whether a body of the box may be at rest."""
+        return all(ball(w).contains(0) for w in self.omega0)
 
     def _attitude(self) -> list[arb]:
         """At t = 0, of length one."""
@@ -105,18 +134,13 @@ class MeanStates:
         }
         return {**found, **turned}
 
-    def _middle_state(self, time: Fraction, bits: int) -> State:
+    def _middle_state(self, box: Box, time: Fraction, bits: int) -> State:
         """The turn since t = 0, and the rates, of the middle."""
+        identity = tuple(map(Fraction, (1, 0, 0, 0)))
+        inertia, omega0 = map(tuple, box.middles)
+        middles = PreciseMotion(inertia, omega0, identity)
         digits = int(bits / BITS_PER_DIGIT)
-        return self._middle.read(AdaptivePrecision(digits, is_within, None), time)
-
-    @cached_property
-    def _middle(self) -> PreciseMotion:
-        return PreciseMotion(*self._middles, tuple(map(Fraction, (1, 0, 0, 0))))
-
-    @property
-    def _middles(self) -> tuple[tuple[Fraction, ...], tuple[Fraction, ...]]:
-        return tuple(map(middle, self.inertia)), tuple(map(middle, self.omega0))
+        return middles.read(AdaptivePrecision(digits, is_within, None), time)
 
     def _bits(self, time: Fraction) -> int:
         """As many more as the angle has, twice over: sensitivities grow with it."""
@@ -159,6 +183,22 @@ class MeanStates:
             known[f"qbar_{name}"] = Sloped(y.middle, slopes, y.whole, box)
         found = sequence("turned").evaluate(known, {"power": power})
         return [found[f"q_{name}"] for name in ("0", *AXES)]
+
+
+def _ends(box: Box, value: Sloped | None, limit: arb) -> tuple[arb, tuple[float, float]]:
+    """The ball of a number over a box, and both ends of what its first order gives."""
+    if value is None or not all(x.is_finite() for x in (value.whole, *value.slopes.entries())):
+        return limit, (inf, -inf)
+    slopes, count = value.slopes.entries(), box.sides.nrows()
+    others = value.box.entries()[count:]
+
+    def reached(rows: Sequence[arb]) -> arb:
+        rest = sum((x * y for x, y in zip(rows[count:], others, strict=True)), arb(0))
+        return value.middle + box.reach(rows[:count]) + rest
+
+    first = reached([x.mid() for x in slopes])
+    known = meeting(meeting(reached(slopes), value.whole), limit)
+    return known, (float(first.lower()), float(first.upper()))
 
 
 def _ball(value: Sloped | arb | int) -> arb:

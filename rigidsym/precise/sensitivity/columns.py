@@ -7,10 +7,10 @@ Omega3, c1 to c3.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, TypeAlias
 
-from rigidsym.language.sequence import Functions
+from rigidsym.language.sequence import FormulaSequence, Functions
 from rigidsym.solution.formulas import AXES, sequence
 from rigidsym.solution.polhode import discriminant
 from rigidsym.solution.signs import handedness
@@ -24,6 +24,8 @@ EXCESSES = tuple(f"excess_{x}" for x in AXES)
 _COEFFICIENTS = (*(f"alpha_{x}" for x in AXES), "tilt")
 _ROTATION = frozenset(f"R{i}{k}" for i in NUMBERS for k in NUMBERS)
 _PARAMETERS = ("p", "r", "apart")
+# How rates change with p and r alike, and with r alone.
+_WAYS = tuple(f"Omega_{x}_{way}" for x in AXES for way in "kr")
 
 
 @dataclass(frozen=True)
@@ -50,15 +52,40 @@ class Columns:
 
     def rates(self, t: Any, elapsed: Mapping[str, Any]) -> Named:
         """Rates and their columns, by the numbers of the axes, with the functions of elapsed time;
-        and by what the integrals of their squares exceed those of the rates at t = 0."""
-        found = self._of("sensitivity", {**self.constants, **elapsed, "t": t})
-        found |= self._excesses(t, found)
+        and by what the integrals of their squares exceed those of the rates at t = 0.
+
+        A column is  Omega1_at_c1 + p_by_c1 Omega1_k - apart_by_c1 Omega1_r,  where the first is
+        what changes with functions of elapsed time as they are.
+        """
+        ways, rest = _formulas()
+        found = ways.evaluate({**self.constants, **elapsed, "t": t}, self.functions)
+        ahead = rest.evaluate({**found, **dict.fromkeys(_WAYS, 0)}, self.functions)
+        ahead |= self._excesses(t, ahead)
         known: Named = {}
         for x, k in self._numbered:
-            known |= {f"Omega{k}": found[f"Omega_{x}"], f"excess{k}": found[f"excess_{x}"]}
-            for y, j in self._numbered:
-                known |= {f"Omega{k}_by_{z}{j}": found[f"Omega_{x}_by_{z}_{y}"] for z in KINDS}
+            known |= {f"Omega{k}": found[f"Omega_{x}"], f"excess{k}": ahead[f"excess_{x}"]}
+            known |= {f"Omega{k}_{way}": found[f"Omega_{x}_{way}"] for way in "kr"}
+        for y, j in self._numbered:
+            for z in KINDS:
+                for parameter in ("p", "apart"):
+                    known[f"{parameter}_by_{z}{j}"] = self._by(parameter, f"{z}_{y}")
+                for x, k in self._numbered:
+                    known[f"Omega{k}_at_{z}{j}"] = ahead[f"Omega_{x}_by_{z}_{y}"]
+        for k in NUMBERS:
+            for name in INPUTS:
+                known[f"Omega{k}_by_{name}"] = (
+                    known[f"Omega{k}_at_{name}"]
+                    + known[f"p_by_{name}"] * known[f"Omega{k}_k"]
+                    - known[f"apart_by_{name}"] * known[f"Omega{k}_r"]
+                )
         return known
+
+    def _by(self, parameter: str, name: str) -> Any:
+        """How p or p - r changes with an input; with rates r and p do alone."""
+        alone = {"Omega_b": 0, "Omega_a": self.constants["p_by_Omega_a"]}
+        if parameter == "apart" and name in (*alone, "Omega_d"):
+            return alone.get(name, -self.constants["r_by_Omega_d"])
+        return self.constants.get(f"{parameter}_by_{name}", 0)
 
     def _excesses(self, t: Any, found: Named) -> Named:
         """Half of a square's slope is alpha times the product of all rates: Euler's equations."""
@@ -93,6 +120,15 @@ class Columns:
 
     def _of(self, name: str, known: Mapping[str, Any]) -> Named:
         return sequence(name).evaluate(known, self.functions)
+
+
+@cache
+def _formulas() -> tuple[FormulaSequence, FormulaSequence]:
+    """Of rates, f = D_t F_t being given: how they change with p and r alone; and the others."""
+    formulas = [x for x in sequence("sensitivity").formulas if x[0] != "f"]
+    ways = FormulaSequence(formulas).up_to(frozenset([*_WAYS, *(f"Omega_{x}" for x in AXES)]))
+    names = {name for name, _ in ways.formulas}
+    return ways, FormulaSequence(x for x in formulas if x[0] not in names)
 
 
 def axes_of(inertia: Sequence[Fraction], omega0: Sequence[Fraction]) -> tuple[int, ...]:

@@ -2,9 +2,10 @@
 
 With p = lambda^2, r = m lambda^2 and 0 <= r <= p,
 
-    S = sn(lambda t | m)/lambda,    C = cn,    D = dn,    E = int S^2,    F = int S^2/D^2
+    S = sn(lambda t | m)/lambda,    C = cn,    D = dn,    E = int S^2,    f = D int S^2/D^2
 
-from 0 to t: the last two are J(u, n) = int sn^2/(1 - n sn^2) over lambda^3, with n = 0 and n = m.
+from 0 to t: the integrals are J(u, n) = int sn^2/(1 - n sn^2) over lambda^3, with n = 0 and n = m.
+Near the separatrix the second one changes much from motion to motion, but times D it hardly does.
 On the separatrix, about an axis of symmetry, and where p vanishes, they are elementary.
 """
 
@@ -16,13 +17,13 @@ from rigidsym.precise.amplitude import Functions, quarter_period
 
 
 class Elapsed(NamedTuple):
-    """S, C, D, E and F by the names that formulas use."""
+    """S, C, D, E and f by the names that formulas use."""
 
     S_t: arb
     C_t: arb
     D_t: arb
     E_t: arb
-    F_t: arb
+    f: arb
 
 
 def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
@@ -34,7 +35,8 @@ def elapsed(t: arb, p: arb, r: arb, gap: arb, functions: Functions) -> Elapsed:
     u = rate * t
     s, c, d = functions.jacobi(u, mc)
     integrals = _integrals(u, (zero, m), mc, functions)
-    return Elapsed(s / rate, c, d, *(x / (rate * p) for x in integrals))
+    first, second = (x / (rate * p) for x in integrals)
+    return Elapsed(s / rate, c, d, first, d * second)
 
 
 def until_quarter(t: arb, p: arb, r: arb, gap: arb) -> bool:

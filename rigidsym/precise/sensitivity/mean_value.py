@@ -10,35 +10,45 @@ attitude, so it is guessed, as `over_box` has it.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from math import exp, log, pi, sqrt
 
+import numpy as np
 from flint import arb, arb_mat
 
 from rigidsym.precise.balls import ball, meeting
 from rigidsym.precise.sensitivity.box import Box
 from rigidsym.precise.sensitivity.columns import NUMBERS
 from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed, until_quarter
-from rigidsym.precise.sensitivity.over_box import REFINED, TRIES, Range, wider
+from rigidsym.precise.sensitivity.over_box import TRIES, Range, wider
 from rigidsym.precise.sensitivity.sloped import Sloped
-from rigidsym.precise.sensitivity.turning import changes
+from rigidsym.precise.sensitivity.turning import Turning
 from rigidsym.precise.theta import Theta
 
 ONE = arb(0, 1)
+_TINY = 1e-300
 Rows = list[list[arb]]
-SlopedState = tuple[list[Sloped], list[Sloped]]
 
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """The turn since t = 0 (4), with what it changes by (4, n), and the rates with their columns,
-    by name."""
+    """Rates with their columns, by name, and what they change by along the sides (3, m); the turn
+    since t = 0 (4) with its changes (4, m), None where these are not found."""
 
-    turn: list[Sloped]
-    changes: list[list[Sloped]]
     rates: Mapping[str, Sloped]
+    of_rates: list[list[Sloped]]
+    turn: list[Sloped] | None
+    changes: list[list[Sloped]] | None
 
-    def wholes(self) -> Rows:
-        """The changes as balls (4, n)."""
-        return [[x.whole for x in row] for row in self.changes]
+
+@dataclass(frozen=True, slots=True)
+class Amid:
+    """The middle of a box at a time: functions of elapsed time, the turn (4) and the rates (3), and
+    their changes along the sides (7, m)."""
+
+    functions: Elapsed
+    turn: Sequence[arb]
+    omega: Sequence[arb]
+    changes: Rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,66 +57,73 @@ class MeanValue:
 
     box: Box
 
-    def state(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> SlopedState | None:
-        """The turn since t = 0 (4) and the rates (3), of which those of the middle are given."""
-        moving = self.moving(t, turn)
+    def amid(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> Amid:
+        """With what else there is to know of the middle."""
+        functions = elapsed(t, *map(ball, self.box.parameters), Theta())
+        rates = self.box.point.rates(t, functions._asdict())
+        turning = Turning(self.box.point, t, rates, self.box.directions)
+        return Amid(functions, turn, omega, [*turning.of(turn), *turning.of_rates])
+
+    def state(self, t: arb, amid: Amid) -> tuple[list[Sloped] | None, list[Sloped] | None]:
+        """The turn since t = 0 (4) and the rates (3); None for what is not found."""
+        moving = self.moving(t, amid)
         if moving is None:
-            return None
-        found = [*moving.turn, *(moving.rates[f"Omega{k}"] for k in NUMBERS)]
-        rows = [
-            *moving.changes,
-            *([moving.rates[f"Omega{k}_by_{y}"] for y in self.box.names] for k in NUMBERS),
-        ]
-        given = zip((*turn, *omega), rows, found, strict=True)
-        numbers = [self._moved(start, row, x.whole) for start, row, x in given]
-        return numbers[:4], numbers[4:]
+            return None, None
+        wholes = [moving.rates[f"Omega{k}"].whole for k in NUMBERS]
+        given = zip(amid.omega, moving.of_rates, wholes, strict=True)
+        rates = [self._moved(*x) for x in given]
+        if moving.turn is None or moving.changes is None:
+            return None, rates
+        given = zip(amid.turn, moving.changes, (x.whole for x in moving.turn), strict=True)
+        return [self._moved(*x) for x in given], rates
 
     def _moved(self, start: arb, row: Sequence[Sloped], whole: arb) -> Sloped:
         """What derivatives in a box move a number to: on the straight line from the middle half of
         what they leave open."""
         slopes = [meeting(x.middle + x.apart() / 2, x.whole) for x in row]
-        return Sloped.of(start, arb_mat([slopes]), whole, self.box.sides)
+        known = meeting(start + self.box.reach(slopes), whole)
+        return Sloped.of(start, arb_mat([slopes]), known, self.box.sides)
 
-    def moving(self, t: arb, turn: Sequence[arb]) -> Moving | None:
-        """At a time, with the turn since t = 0 of the middle; None where no guess is found."""
-        functions = self._elapsed(t)
+    def moving(self, t: arb, amid: Amid) -> Moving | None:
+        """At a time; None where not even the rates are found."""
+        functions = self._elapsed(t, amid.functions)
         if functions is None:
             return None
         rates = self.box.whole.rates(t, functions)
-        image = self._at_middle(t, functions, turn)
+        turning = Turning(self.box.whole, t, rates, self.box.directions)
+        turn, changes = self._guessed(turning, amid) or (None, None)
+        return Moving(rates, turning.of_rates, turn, changes)
+
+    def _guessed(
+        self, turning: Turning, amid: Amid
+    ) -> tuple[list[Sloped], list[list[Sloped]]] | None:
+        """The turn and its changes; None where no guess is found."""
+        image = amid.changes[:4]
         for _ in range(TRIES):
             guess = [list(map(wider, row)) for row in image]
-            moving = self._image(t, rates, turn, guess)
-            image = moving.wholes()
+            _, changes = self._image(turning, amid, guess)
+            image = [[x.whole for x in row] for row in changes]
             if not all(x.is_finite() for x in _flat(image)):
                 return None
             if all(map(arb.contains_interior, _flat(guess), _flat(image))):
-                for _ in range(REFINED):
-                    moving = self._image(t, rates, turn, moving.wholes())
-                return moving
+                return self._image(turning, amid, image)
         return None
 
-    def _at_middle(self, t: arb, functions: Mapping[str, Sloped], turn: Sequence[arb]) -> Rows:
-        """What the turn changes by (4, n) there."""
-        middles = {name: x.middle for name, x in functions.items()}
-        return changes(self.box.point, t, self.box.point.rates(t, middles), turn, self.box.names)
-
     def _image(
-        self, t: arb, rates: Mapping[str, Sloped], turn: Sequence[arb], guess: Rows
-    ) -> Moving:
-        """What a guess of the turn's changes (4, n) leads to."""
-        sides = self.box.sides
-        turns = [
-            Sloped.of(x, arb_mat([row]), ONE, sides) for x, row in zip(turn, guess, strict=True)
-        ]
-        found = changes(self.box.whole, t, rates, turns, self.box.names)
-        return Moving(turns, found, rates)
+        self, turning: Turning, amid: Amid, guess: Rows
+    ) -> tuple[list[Sloped], list[list[Sloped]]]:
+        """The turn by a guess of its changes (4, m), and the changes that it leads to."""
+        turn = []
+        for start, row in zip(amid.turn, guess, strict=True):
+            whole = meeting(start + self.box.reach(row), ONE)
+            turn.append(Sloped.of(start, arb_mat([row]), whole, self.box.sides))
+        return turn, turning.of(turn)
 
-    def _elapsed(self, t: arb) -> dict[str, Sloped] | None:
+    def _elapsed(self, t: arb, middles: Elapsed) -> dict[str, Sloped] | None:
         """The functions of elapsed time over the box; None where nothing is found."""
-        middles = elapsed(t, *map(ball, self.box.parameters), Theta())
         if self.box.is_sphere:
-            return self._sloped(middles, arb_mat(len(middles), len(self.box.open)), middles)
+            still = arb_mat(len(middles), self.box.sides.nrows())
+            return self._sloped(middles, still, middles)
         p, r, gap = (self.box.whole.constants[name] for name in ("p", "r", "apart"))
         apart = arb_mat([[x.apart()] for x in (p, gap)])
         grows = until_quarter(t, *map(ball, self.box.parameters))
@@ -123,6 +140,31 @@ class MeanValue:
             name: Sloped.of(x, arb_mat([row]), whole, self.box.sides)
             for name, x, row, whole in named
         }
+
+    def bends(self, t: arb, amid: Amid) -> np.ndarray:
+        """Return by how much phases change along the sides of the box (6, s + n), rad.
+
+        These are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
+        of a period, log(16 p/(p - r))/2 near the separatrix.
+        """
+        p, gap = (self.box.whole.constants[x] for x in ("p", "apart"))
+        rate, near = float(abs(p.middle) + p.apart().rad()), abs(float(gap.middle))
+        by_rate = by_quarter = 0.0
+        if rate > 0:
+            u = abs(float(t)) * sqrt(rate)
+            near = max(near, 16 * rate * exp(-2 * u), _TINY)
+            quarters = u / max(pi / 2, log(16 * rate / near) / 2)
+            by_rate, by_quarter = 3 * u / (2 * rate), 3 * max(1, quarters) / (2 * near)
+        rows = [2 * _doubles(row) for row in amid.changes[:4]]
+        angle = abs(float(t)) * max(abs(float(x)) for x in amid.omega)
+        for x in ("alpha_a", "alpha_b", "alpha_d"):
+            rows.append(angle * _doubles(self.box.whole.constants[x].slopes.entries()))
+        rows += [_doubles(x.slopes.entries()) * y for x, y in ((p, by_rate), (gap, by_quarter))]
+        return np.array(rows)
+
+
+def _doubles(row: Sequence[arb]) -> np.ndarray:
+    return np.array([float(x.mid()) for x in row])
 
 
 def _flat(rows: Rows) -> list[arb]:

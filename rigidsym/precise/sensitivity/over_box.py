@@ -6,7 +6,7 @@ into its own interior is right: along the straight line from the middle to a poi
 functions start inside of the guess, and where they first met its border they would be inside.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from flint import arb, arb_mat
@@ -16,7 +16,9 @@ from rigidsym.precise.balls import meeting, power
 from rigidsym.precise.sensitivity.elapsed import Elapsed
 from rigidsym.solution.formulas import sequence
 
-PARTS, TRIES, REFINED = 8, 12, 2
+# In how many parts a box grows: more where few do not serve.
+PARTS, MORE_PARTS = 4, 16
+TRIES, REFINED = 12, 2
 # By how much a guess is wider than the image of the one before: a part of it, and a little.
 MORE, LEAST = arb("0.25"), arb(2) ** -64
 POWER = {"power": power}
@@ -42,15 +44,18 @@ class Range:
         The box grows part by part, as slopes are smaller in its inner parts.  None where no guess
         is found.
         """
-        part, summed, image = apart / PARTS, arb_mat(5, 2), middle
-        for _ in range(PARTS):
+        return self._over(middle, apart, PARTS) or self._over(middle, apart, MORE_PARTS)
+
+    def _over(self, middle: Elapsed, apart: arb_mat, parts: int) -> tuple[Elapsed, arb_mat] | None:
+        part, summed, image = apart / parts, arb_mat(5, 2), middle
+        for _ in range(parts):
             start = Elapsed(*(arb_mat([[x] for x in middle]) + summed * part).entries())
             found = self._grown(start, image, part)
             if found is None:
                 return None
             image, slopes = found
             summed += slopes
-        return image, summed / PARTS
+        return image, summed / parts
 
     def _grown(
         self, start: Elapsed, inner: Elapsed, part: arb_mat
@@ -73,18 +78,23 @@ class Range:
 
     def slopes(self, values: Elapsed) -> arb_mat:
         """The derivatives (5, 2) by p and p - r at all values."""
+        known = {**values._asdict(), "F_t": values.f / values.D_t}
         found = sequence("elapsed_slopes").evaluate(
-            {"p": self.p, "r": self.r, **values._asdict(), **self._fourths(values)}, POWER
+            {"p": self.p, "r": self.r, **known, **self._fourths(values, known)}, POWER
         )
+        for way in ("k", "r"):
+            found[f"f_{way}"] = found[f"D_{way}"] * known["F_t"] + values.D_t * found[f"F_{way}"]
         names = [name[0] for name in Elapsed._fields]
         return arb_mat([[found[f"{x}_k"], -found[f"{x}_r"]] for x in names])
 
-    def _fourths(self, values: Elapsed) -> dict[str, arb]:
+    def _fourths(self, values: Elapsed, known: Mapping[str, arb]) -> dict[str, arb]:
         """The integrals of fourth powers: by formulas, and between bounds."""
-        known = {"t": self.t, "p": self.p, "r": self.r, **values._asdict()}
-        found = sequence("fourth_powers").evaluate(known, POWER)
+        found = sequence("fourth_powers").evaluate(
+            {"t": self.t, "p": self.p, "r": self.r, **known}, POWER
+        )
         most, steepest = self._largest(values)
-        limits = {"U_t": most * values.E_t, "V_t": most * values.F_t, "W_t": steepest * values.F_t}
+        by_e, by_f = values.E_t, known["F_t"]
+        limits = {"U_t": most * by_e, "V_t": most * by_f, "W_t": steepest * by_f}
         return {name: meeting(found[name], arb(0).union(x)) for name, x in limits.items()}
 
     def _largest(self, values: Elapsed) -> tuple[arb, arb]:

@@ -30,8 +30,9 @@ def test_two_methods_agree_and_rates_are_theirs(p, r, t):
             assert one.overlaps(other)
             assert one.rad() < 1e-30
         before, after = (found(Fraction(t) + x, p, r, Theta()) for x in (-step, step))
-        s, c, d, _, _ = now
-        rates = c * d, -ball(Fraction(p)) * s * d, -ball(Fraction(r)) * s * c, s * s, (s / d) ** 2
+        s, c, d, _, f = now
+        by_p, by_r = -ball(Fraction(p)) * s * d, -ball(Fraction(r)) * s * c
+        rates = c * d, by_p, by_r, s * s, (s * s + by_r * f) / d
         for rate, x, y in zip(rates, before, after, strict=True):
             assert abs((y - x) / (2 * ball(step)) - rate) < 1e-40 * (1 + abs(rate))
 
