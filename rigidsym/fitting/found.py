@@ -14,6 +14,7 @@ from rigidsym.fitting.observability import Observability, lose, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
 from rigidsym.fitting.problem import Problem
+from rigidsym.fitting.quantities import Quantities
 from rigidsym.fitting.states import motion, sensitivities, states
 from rigidsym.fitting.tumbling import Periods, periods
 from rigidsym.fitting.turned import is_bent
@@ -27,10 +28,6 @@ if TYPE_CHECKING:
 _SMALL = 0.1
 # Of the largest moment: what is left to the triangle inequality of a flat body.
 _THIN = 1e-4
-NAMES = (
-    *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
-    *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,19 +101,9 @@ class Found(Alternative):
         """What the observations tell, and what they do not."""
         return observability(self.problem, self.point)
 
-    def _own(self, point: Point) -> np.ndarray:
-        """How the quantities of `names` go with the parameters at a point, (9, p) or (12, p), the
-        unit of moments kept at what is the largest of the best, where nothing tells their scale."""
-        found = self.problem.parameters.linear(point)
-        zero = np.array([-self.problem.epoch])
-        _, _, since = sensitivities(point, zero, self.problem.engine)
-        found[:6] = since[0] @ found[:9]
-        if self.problem.prior is None:
-            largest = int(np.argmax(self.moments))
-            unit = self.moments[largest] / point.moments[largest]
-            share = point.moments / point.moments[largest]
-            found[6:9] = unit * (found[6:9] - np.outer(share, found[6 + largest]))
-        return found[: len(self.names)]
+    @cached_property
+    def _quantities(self) -> Quantities:
+        return Quantities(self.problem, self.point)
 
     @cached_property
     def periods_sigma(self) -> Periods:
@@ -135,7 +122,7 @@ class Found(Alternative):
     @property
     def names(self) -> tuple[str, ...]:
         """Of the rows of `covariance`."""
-        return NAMES if self.problem.parameters.axes else NAMES[:9]
+        return self._quantities.names
 
     @cached_property
     def covariance(self) -> np.ndarray:
@@ -144,7 +131,8 @@ class Found(Alternative):
 
         The variance of what the observations do not tell is infinite, and its covariances are NaN.
         """
-        found = self.observability.covariance(self._own)
+        linear = self.problem.parameters.linear
+        found = self.observability.covariance(lambda at: self._quantities.rows(at, linear(at)))
         if self.problem.parameters.axes:
             bent = is_bent(np.sqrt(np.diag(found)), self.point.omega)
             lose(found, bent)
