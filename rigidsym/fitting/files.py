@@ -226,10 +226,6 @@ def _columns(
     names, own = _COLUMNS[kind], _SIGMAS[kind]
     lines = [(k, row) for k, row in rows if any(row.get(name) for name in names)]
     times = [_number(k, row, "t") for k, row in lines]
-    for (k, _), before, time in zip(lines[1:], times, times[1:], strict=False):
-        if time <= before:
-            rule = f"must be later than the time of {kind} before it, {before!r}: sort the lines"
-            raise InputError(f"line {k}, t", time, rule)
     values = [[_number(k, row, name) for name in names] for k, row in lines]
     if not lines or own not in lines[0][1]:
         return times, values, sigma.get(kind)

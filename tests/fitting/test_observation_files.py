@@ -107,7 +107,7 @@ def test_older_messages_say_where_the_scalar_is():
         (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n1,,,,\n", {"attitudes": 1}),
          "line 3 = 1,,,,: has neither an attitude nor rates"),
         (lambda: parse_csv("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n", {"attitudes": 1}),
-         "line 3, t = 0.0: must be later than the time of attitudes before it, 0.0"),
+         "attitudes.times[1] = 0.0: must be later than the time before it"),
         (lambda: parse_csv("t,q0,q1,q2,q3\nnan,1,0,0,0\n", {"attitudes": 1}), "line 2, t = 'nan'"),
         (lambda: parse_csv("t,q0,q1,q2,q3\n0,1_0,0,0,0\n", {"attitudes": 1}), "line 2, q0 = '1_0'"),
         (lambda: parse_csv("t,q0,q1,q2,q3,sigma_omega\n0,1,0,0,0,1\n", {"attitudes": 1}),
