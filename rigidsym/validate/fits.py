@@ -11,6 +11,7 @@ from functools import partial
 from random import Random
 
 import numpy as np
+
 from rigidsym.fitting import Fit, fit
 from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import conjugate, of_rotation_vectors, product, rotation_vectors
