@@ -4,7 +4,7 @@ from argparse import Namespace
 from typing import Any
 
 from rigidsym.cli.arguments import Command, as_count, as_path
-from rigidsym.cli.output import packages, progress, say_written, table
+from rigidsym.cli.output import packages, progress, say, say_written, table
 
 # Arguments of `rigidsym.fit` that are options too.
 _NAMES = ("inertia", "moments", "loss", "starts", "fastest", "delta_chi2")
@@ -56,9 +56,11 @@ def _fit(options: Namespace) -> int:
         written = found.write(options.output) if options.output else []
     if options.json:
         print(found.to_json(), end="")
+        if found.agreement.message or found.nonlinearity.flagged:
+            say(title(found))
     else:
         print(title(found))
         for one in found.tables():
             table(*one)
     say_written(written)
-    return 0 if found.converged else 1
+    return 0 if found.converged and not found.agreement.hopeless else 1

@@ -17,7 +17,7 @@ _LONGEST = 2.0
 
 def chi2(problem: Problem, point: Point, robust: bool = False) -> np.ndarray:
     """Of motions (B,); infinite where there are no states."""
-    parts = [_sum(problem.residuals(some), robust) for some in _blocks(problem, point)]
+    parts = [_sum(problem.residuals(some), robust) for some in blocks(problem, point)]
     return np.concatenate(parts)
 
 
@@ -28,7 +28,7 @@ def refine(
 
     robust: sums of log(1 + r^2), so that outliers lead nobody astray.
     """
-    found = [_refined(problem, some, rounds, robust) for some in _blocks(problem, point)]
+    found = [_refined(problem, some, rounds, robust) for some in blocks(problem, point)]
     return joined(one for one, _ in found), np.concatenate([cost for _, cost in found])
 
 
@@ -96,6 +96,7 @@ def _sum(residuals: np.ndarray, robust: bool) -> np.ndarray:
     return np.where(np.isfinite(found), found, np.inf)
 
 
-def _blocks(problem: Problem, point: Point) -> list[Point]:
+def blocks(problem: Problem, point: Point) -> list[Point]:
+    """Motions (B,) in groups whose states with sensitivities fit into memory."""
     size = max(1, _BLOCK // problem.times.size)
     return [point[k : k + size] for k in range(0, point.count, size)]

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -98,8 +99,9 @@ def fit(
     range_ = _positive("delta_chi2", delta_chi2)
     checked_loss(loss)
     size = None if scale is None else _positive("scale", scale)
+    again = partial(search, known=known, count=count, fastest=limit, within=range_, loss=loss)
     if guess is None:
-        minima = search(posed, known, count, limit, range_, loss, progress)
+        minima = again(posed, progress=progress)
     else:
         posed, start = started(posed, guess, known)
         minima = [local(posed, start, loss)]
@@ -119,6 +121,7 @@ def fit(
         chosen.reason,
         only is not None,
         tuple(solved(posed, x.point, size) for x in others),
+        again,
     )
 
 

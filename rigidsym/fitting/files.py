@@ -1,6 +1,7 @@
 """Files of observations: TOML for all kinds, CSV for attitudes and rates, CCSDS messages."""
 
 import csv
+import math
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,7 +14,7 @@ from rigidsym.engines import batches
 from rigidsym.errors import InputError
 from rigidsym.fitting.angles import euler_313
 from rigidsym.fitting.observations import Attitudes, Directions, Observations, Rates
-from rigidsym.fitting.published import TOUTATIS_EPOCH, text, toutatis, without_comments
+from rigidsym.fitting.published import TOUTATIS_EPOCH, text, toutatis
 from rigidsym.io import attitude_messages, epochs
 from rigidsym.io import toml as toml_file
 from rigidsym.io.files import read_text
@@ -33,6 +34,9 @@ _COLUMNS = {
     "rates": ("omega1", "omega2", "omega3"),
 }
 _SIGMAS = {"attitudes": "sigma_q", "rates": "sigma_omega"}
+
+# Of a table: the numbers of its lines, and their cells by column.
+Rows = list[tuple[int, dict[str, str]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,14 +59,16 @@ def load(name: str, sigma: Mapping[str, float] | None = None) -> File:
     thing that is wrong.
     """
     given = sigma or {}
+    path = Path(name)
+    ending = path.suffix.lower()
+    if name == "toutatis" or ending == ".toml":
+        check_sigma((), given, f"{name} has errors of its own: leave it")
     if name == "toutatis":
         looks = toutatis()
         seen = Attitudes(looks.times, looks.q, looks.sigma)
         return File({"attitudes": [seen]}, epoch=TOUTATIS_EPOCH)
     if name == "t-handle":
         return parse_csv(text("t-handle.csv"), given)
-    path = Path(name)
-    ending = path.suffix.lower()
     if ending == ".toml":
         return parse_toml(read_text("observations", path))
     if ending == ".csv":
@@ -160,61 +166,93 @@ def _attitudes(where: str, table: Mapping[str, Any]) -> np.ndarray:
 
 
 def parse_csv(content: str, sigma: Mapping[str, float]) -> File:
-    """Columns t, q0 ... q3, omega1 ... omega3, and errors sigma_q, sigma_omega; cells may be empty.
+    """Columns t, q0 ... q3, omega1 ... omega3, and errors sigma_q, sigma_omega, each once.
 
-    In s, rad and rad/s.  sigma: of what has no column of errors.
+    In s, rad and rad/s.  A line has the cells of attitudes, of rates, or of both; those of the
+    other kind are empty.  sigma: of what has no column of errors.
     """
-    rows = list(csv.DictReader(without_comments(content), skipinitialspace=True))
-    header = list(rows[0]) if rows else []
+    lines = [
+        (number, next(csv.reader([line], skipinitialspace=True)))
+        for number, line in enumerate(content.removeprefix("\ufeff").splitlines(), 1)
+        if line.strip() and not line.startswith("#")
+    ]
+    header = [name.strip() for name in lines[0][1]] if lines else []
+    _check_names(header)
+    for number, cells in lines[1:]:
+        if len(cells) > len(header):
+            rule = f"a line has more cells: line {number} has {len(cells)}; name or remove them"
+            raise InputError("header", f"{len(header)} columns", rule)
+        if len(cells) < len(header):
+            rule = f"must be {len(header)} as in the header: fill in cells, or leave them empty"
+            raise InputError(f"line {number}", f"{len(cells)} cells", rule)
+    _check_groups(header)
+    rows: Rows = []
+    for number, cells in lines[1:]:
+        row = {name: cell.strip() for name, cell in zip(header, cells, strict=True)}
+        if not any(row.get(name) for names in _COLUMNS.values() for name in names):
+            rule = "has neither an attitude nor rates: fill it in, or remove the line"
+            raise InputError(f"line {number}", ",".join(cells), rule)
+        rows.append((number, row))
+    kinds: dict[str, type[Observations]] = {"attitudes": Attitudes, "rates": Rates}
+    found = {kind: _columns(kind, rows, sigma) for kind in kinds}
+    check_sigma([kind for kind, (times, *_) in found.items() if len(times)], sigma)
+    return File({kind: [kinds[kind](*x)] for kind, x in found.items() if len(x[0])})
+
+
+def _check_names(header: list[str]) -> None:
+    """Raise InputError for columns that are unknown or given twice."""
     known = ("t", *_COLUMNS["attitudes"], *_COLUMNS["rates"], *_SIGMAS.values())
-    for name in header:
-        if name is None:
-            raise InputError("header", f"{len(header) - 1} columns", "a line has more cells")
+    for place, name in enumerate(header):
         if name not in known:
             raise InputError("header", name, f"is not one of: {', '.join(known)}")
-    found = {
-        kind: _columns(kind, rows, sigma)
-        for kind, names in _COLUMNS.items()
-        if _has(header, ("t", *names), names)
-    }
-    kinds: dict[str, type[Observations]] = {"attitudes": Attitudes, "rates": Rates}
-    sets: dict[str, list[Observations]] = {
-        kind: [kinds[kind](times, values, errors)]
-        for kind, (times, values, errors) in found.items()
-        if len(times)
-    }
-    return File(sets)
+        if name in header[:place]:
+            rule = "is the name of two columns: remove or rename one of them"
+            raise InputError("header", name, rule)
 
 
-def _has(header: list[str], needed: Collection[str], names: Collection[str]) -> bool:
-    """Whether a table has some columns; raises InputError where it has a part of them."""
-    if not any(name in header for name in names):
-        return False
-    for name in needed:
-        if name not in header:
-            raise InputError("header", f"no {name}", f"is needed with {', '.join(names)}")
-    return True
+def _check_groups(header: list[str]) -> None:
+    """Raise InputError for columns that lack others they need."""
+    for kind, names in _COLUMNS.items():
+        has = [name for name in (*names, _SIGMAS[kind]) if name in header]
+        for name in ("t", *names):
+            if has and name not in header:
+                raise InputError("header", f"no {name}", f"is needed with {', '.join(has)}")
 
 
 def _columns(
-    kind: str, rows: list[dict[str, str]], sigma: Mapping[str, float]
-) -> tuple[np.ndarray, np.ndarray, np.ndarray | float | None]:
-    """Times, values and errors of the rows that have values of a kind."""
+    kind: str, rows: Rows, sigma: Mapping[str, float]
+) -> tuple[list[float], list[list[float]], list[float] | float | None]:
+    """Times, values and errors of the lines that have values of a kind; all of them or none."""
     names, own = _COLUMNS[kind], _SIGMAS[kind]
-    lines = [(k, row) for k, row in enumerate(rows, 2) if (row.get(names[0]) or "").strip()]
-    times = np.array([_number(k, row, "t") for k, row in lines])
-    values = np.array([[_number(k, row, name) for name in names] for k, row in lines])
-    if rows and own in rows[0]:
-        return times, values, np.array([_number(k, row, own) for k, row in lines])
-    return times, values, sigma.get(kind)
+    lines = [(k, row) for k, row in rows if any(row.get(name) for name in names)]
+    times = [_number(k, row, "t") for k, row in lines]
+    values = [[_number(k, row, name) for name in names] for k, row in lines]
+    if not lines or own not in lines[0][1]:
+        return times, values, sigma.get(kind)
+    if kind in sigma:
+        rule = f"the file has errors of its own, {own}: give one of the two"
+        raise InputError(f"sigma.{kind}", sigma[kind], rule)
+    return times, values, [_number(k, row, own) for k, row in lines]
 
 
 def _number(line: int, row: Mapping[str, str], name: str) -> float:
-    cell = row.get(name)
+    cell = row[name]
     try:
-        return float(cell or "")
+        number = float(cell)
     except ValueError:
-        raise InputError(f"line {line}, {name}", repr(cell), "must be a number") from None
+        number = math.nan
+    if not math.isfinite(number) or "_" in cell:
+        filled = ", ".join(x for x in row if row[x])
+        rule = f"must be a number where the line has {filled}"
+        raise InputError(f"line {line}, {name}", repr(cell), rule)
+    return number
+
+
+def check_sigma(kinds: Collection[str], sigma: Mapping[str, float], rule: str = "") -> None:
+    """Raise InputError for errors of kinds that a file does not have, or has errors of."""
+    for kind, value in sigma.items():
+        if kind not in kinds:
+            raise InputError(f"sigma.{kind}", value, rule or f"the file has no {kind}: leave it")
 
 
 def parse_message(content: str, sigma: Mapping[str, float]) -> File:
@@ -223,6 +261,8 @@ def parse_message(content: str, sigma: Mapping[str, float]) -> File:
     Messages have no errors: sigma gives them.
     """
     found = attitude_messages.read(content)
+    kinds = ("attitudes",) if found.rates is None else ("attitudes", "rates")
+    check_sigma(kinds, sigma)
     sets: dict[str, list[Observations]] = {
         "attitudes": [Attitudes(found.times, found.q, sigma.get("attitudes"))]
     }

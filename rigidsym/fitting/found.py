@@ -10,10 +10,20 @@ from scipy.stats import chi2 as chi2_law
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
+from rigidsym.fitting.agreement import Agreement, Search, agreement
+from rigidsym.fitting.nonlinearity import (
+    LEVEL,
+    NONE,
+    Likelihood,
+    Nonlinearity,
+    nonlinearity,
+    profile,
+)
 from rigidsym.fitting.observability import Observability, lose, observability
 from rigidsym.fitting.outliers import against_others, outliers
 from rigidsym.fitting.parameters import Point, observed
 from rigidsym.fitting.problem import Problem
+from rigidsym.fitting.quantities import Quantities
 from rigidsym.fitting.states import motion, sensitivities, states
 from rigidsym.fitting.tumbling import Periods, periods
 from rigidsym.fitting.turned import is_bent
@@ -27,10 +37,6 @@ if TYPE_CHECKING:
 _SMALL = 0.1
 # Of the largest moment: what is left to the triangle inequality of a flat body.
 _THIN = 1e-4
-NAMES = (
-    *("attitude 1", "attitude 2", "attitude 3", "omega 1", "omega 2", "omega 3"),
-    *("moment 1", "moment 2", "moment 3", "axes 1", "axes 2", "axes 3"),
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +93,8 @@ class Found(Alternative):
     unit, unless a prior or `scale` says more: without torque their scale is unobservable.
     alternatives: other minima, by chi2, within `delta_chi2` of the best.  converged, reason:
     whether this is a minimum, and why not.  spinning: whether the observations show no more than a
-    spin about an axis of the body, whatever its moments.
+    spin about an axis of the body, whatever its moments.  search: minima of other readings of the
+    observations.
     """
 
     problem: Problem
@@ -98,29 +105,31 @@ class Found(Alternative):
     reason: str
     spinning: bool
     alternatives: tuple[Alternative, ...]
+    search: Search
+
+    @cached_property
+    def agreement(self) -> Agreement:
+        """Whether residuals are errors; other readings of the data that fit where they are not.
+
+        A normal fit costs nothing more; where model and data disagree, each reading is searched.
+        """
+        return agreement(self.problem, self.point, self.degrees_of_freedom, self.search)
 
     @cached_property
     def observability(self) -> Observability:
         """What the observations tell, and what they do not."""
         return observability(self.problem, self.point)
 
-    def _own(self, point: Point) -> np.ndarray:
-        """How the quantities of `names` go with the parameters at a point, (9, p) or (12, p), the
-        unit of moments kept at what is the largest of the best, where nothing tells their scale."""
-        found = self.problem.parameters.linear(point)
-        zero = np.array([-self.problem.epoch])
-        _, _, since = sensitivities(point, zero, self.problem.engine)
-        found[:6] = since[0] @ found[:9]
-        if self.problem.prior is None:
-            largest = int(np.argmax(self.moments))
-            unit = self.moments[largest] / point.moments[largest]
-            share = point.moments / point.moments[largest]
-            found[6:9] = unit * (found[6:9] - np.outer(share, found[6 + largest]))
-        return found[: len(self.names)]
+    @cached_property
+    def _quantities(self) -> Quantities:
+        return Quantities(self.problem, self.point)
 
     @cached_property
     def periods_sigma(self) -> Periods:
-        """Linear standard deviations of the periods, s; None where there are no periods."""
+        """Linear standard deviations of the periods, s; None where there are no periods, and where
+        model and data disagree."""
+        if self.agreement.hopeless:
+            return Periods(None, None)
         ends = [
             [self._periods(side * _SMALL * one) for side in (1, -1)]
             for one in self.observability.here.told.T
@@ -135,7 +144,7 @@ class Found(Alternative):
     @property
     def names(self) -> tuple[str, ...]:
         """Of the rows of `covariance`."""
-        return NAMES if self.problem.parameters.axes else NAMES[:9]
+        return self._quantities.names
 
     @cached_property
     def covariance(self) -> np.ndarray:
@@ -143,8 +152,12 @@ class Found(Alternative):
         are estimated, of the axes, rad: (9, 9) or (12, 12), in the order of `names`.
 
         The variance of what the observations do not tell is infinite, and its covariances are NaN.
+        All is NaN where model and data disagree: see `agreement`.
         """
-        found = self.observability.covariance(self._own)
+        linear = self.problem.parameters.linear
+        if self.agreement.hopeless:
+            return np.full((len(self.names),) * 2, np.nan)
+        found = self.observability.covariance(lambda at: self._quantities.rows(at, linear(at)))
         if self.problem.parameters.axes:
             bent = is_bent(np.sqrt(np.diag(found)), self.point.omega)
             lose(found, bent)
@@ -154,6 +167,61 @@ class Found(Alternative):
     def sigma(self) -> np.ndarray:
         """Standard deviations, in the order of `names`."""
         return np.sqrt(np.diag(self.covariance))
+
+    def intervals(self, level: float = LEVEL) -> np.ndarray:
+        """Return profile-likelihood intervals (k, 2) of the quantities in `names`.
+
+        Parameters
+        ----------
+        level : float
+            The chance that an interval holds the true value, between 0 and 1.
+
+        Returns
+        -------
+        array, (k, 2)
+            Lower and upper ends: turns from the estimate, rad, rates and moments themselves.
+            Infinite where the observations do not bound a quantity; NaN where model and data
+            disagree.  Linear for a spin.
+
+        Raises
+        ------
+        InputError
+            For a level that is not between 0 and 1.
+        """
+        if not 0 < level < 1:
+            raise InputError("level", level, "must be between 0 and 1, as 0.95 is")
+        values = np.zeros(len(self.names))
+        values[3:9] = *map(float, self.motion.exact["omega0"]), *self.moments
+        return values[:, None] + self._ends(level)
+
+    def _ends(self, level: float) -> np.ndarray:
+        """Ends of intervals, less the estimates."""
+        wide = np.sqrt(chi2_law.ppf(level, 1)) * self.sigma
+        ends = wide[:, None] * np.array([-1.0, 1.0])
+        told = np.flatnonzero(self._told)
+        if told.size and not self.spinning:
+            ends[told] = profile(self._likelihood, told, level)
+        return ends
+
+    @property
+    def _told(self) -> np.ndarray:
+        """Which of the quantities have standard deviations, and are not fixed."""
+        return np.isfinite(self.sigma) & (self.sigma > 0)
+
+    @property
+    def _likelihood(self) -> Likelihood:
+        residuals = self.observability.residuals
+        # Elsewhere than at a minimum of chi2 observations are taken as they are computed there.
+        least = self.converged and self.loss == "linear"
+        return Likelihood(self._quantities, residuals * (not least))
+
+    @cached_property
+    def nonlinearity(self) -> Nonlinearity:
+        """How far the covariance can be trusted; see `Nonlinearity`."""
+        if self.spinning or not self._told.any():
+            return NONE
+        ends = np.where(self._told[:, None], self._ends(LEVEL), np.nan)
+        return nonlinearity(self._likelihood, self.observability.here, self.covariance, ends)
 
     @property
     def unobservable(self) -> tuple[str, ...]:
@@ -212,7 +280,8 @@ class Found(Alternative):
         every = np.atleast_1d(times)
         since = every - self.problem.epoch
         seen = self.point.seen(*states(self.point, since, self.problem.engine))
-        found = *seen, self.observability.widest(lambda point: self._rows(point, since))
+        covariance = self.observability.widest(lambda point: self._rows(point, since))
+        found = *seen, covariance * (np.nan if self.agreement.hopeless else 1.0)
         return Prediction(*(x[0] if times.ndim == 0 else x for x in found))
 
     def _rows(self, point: Point, since: np.ndarray) -> np.ndarray:

@@ -75,6 +75,7 @@ class _Evaluated:
     at: bytes = b""
     found: tuple[np.ndarray, np.ndarray] = (np.empty(0), np.empty(0))
 
+    @np.errstate(all="ignore")
     def __call__(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         if z.tobytes() != self.at:
             x = self.basis @ z

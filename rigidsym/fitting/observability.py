@@ -18,6 +18,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from rigidsym.fitting.batch import blocks
 from rigidsym.fitting.parameters import Point
 from rigidsym.fitting.problem import Problem
 
@@ -68,16 +69,6 @@ class Errors:
         return both @ np.swapaxes(both, -2, -1)
 
 
-@dataclass(frozen=True, slots=True)
-class _Place:
-    """Where errors lead: derivatives there, and the volume, with its sign, of what one error each
-    way makes of the residuals along what it makes at the minimum."""
-
-    point: Point
-    slopes: np.ndarray
-    volume: float
-
-
 @dataclass(frozen=True)
 class Observability:
     """At a minimum: errors, residuals (M,) and their derivatives (M, p)."""
@@ -94,28 +85,38 @@ class Observability:
 
     @cached_property
     def ends(self) -> tuple[Errors, ...]:
-        """Errors where those at the minimum lead, as far as there are motions."""
-        found = [x for side in (1, -1) for one in self.here.told.T for x in self._along(side * one)]
-        found += [self._at(side * one) for side in (_HALF, -_HALF) for one in self.here.blind.T]
-        return tuple(_errors(self.problem, x.point, x.slopes) for x in found if x)
+        """Errors where those at the minimum lead, as far as there are motions: one and two of them
+        to both sides, where derivatives change their sign before that, and along null directions.
+        """
+        told, sides = self.here.told.T, (1.0, -1.0)
+        ways = np.array([side * one for side in sides for one in told]).reshape(-1, told.shape[1])
+        blind = [side * _HALF * one for side in sides for one in self.here.blind.T]
+        found = list(self._at([*(reach * x for reach in _REACH for x in ways), *blind]))
+        start = np.linalg.det(self.moved.T @ self.moved) if len(told) else 0.0
+        turned = []
+        for k, way in enumerate(ways):
+            volumes = [start, *(found[k + place * len(ways)][1] for place in range(len(_REACH)))]
+            for (a, one), (b, other) in pairwise(zip((0.0, *_REACH), volumes, strict=True)):
+                if one * other < 0:
+                    turned.append((a + one / (one - other) * (b - a)) * way)
+        return tuple(one for one, _ in (*found, *self._at(turned)) if one)
 
-    def _along(self, column: np.ndarray) -> "Iterator[_Place | None]":
-        """Where a column leads, and where derivatives change their sign before that."""
-        places = [self._at(reach * column) for reach in (0.0, *_REACH)]
-        yield from places[1:]
-        for (a, one), (b, other) in pairwise(zip((0.0, *_REACH), places, strict=True)):
-            if one and other and one.volume * other.volume < 0:
-                share = one.volume / (one.volume - other.volume)
-                yield self._at((a + share * (b - a)) * column)
-
-    def _at(self, step: np.ndarray) -> "_Place | None":
-        """None where there are no states."""
-        point = self.problem.parameters.stepped(self.here.point, step)
-        _, slopes = self.problem.linearised(point, self.problem.parameters.linear(point))
-        if not np.isfinite(slopes).all():
-            return None
-        turned = self.moved.T @ slopes @ self.here.told
-        return _Place(point, slopes, float(np.linalg.det(turned)))
+    def _at(self, steps: list[np.ndarray]) -> "Iterator[tuple[Errors | None, float]]":
+        """Errors some steps of the parameters away, and the volume, with its sign, of what one
+        error each way makes of the residuals along what it makes at the minimum; None and NaN
+        where there are no states."""
+        if not steps:
+            return
+        start = self.here.point.repeated(len(steps))
+        for some in blocks(self.problem, self.problem.parameters.stepped(start, np.array(steps))):
+            own = self.problem.parameters.linear(some)
+            _, slopes = self.problem.linearised(some, own)
+            for k, one in enumerate(slopes):
+                if not np.isfinite(one).all():
+                    yield None, np.nan
+                    continue
+                turned = self.moved.T @ one @ self.here.told
+                yield _errors(self.problem, some[k], one), float(np.linalg.det(turned))
 
     @cached_property
     def null(self) -> np.ndarray:
@@ -163,15 +164,18 @@ def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
 
 
 def _widened(covariance: np.ndarray, variances: Iterator[np.ndarray]) -> np.ndarray:
-    """A covariance (..., k, k) with the same correlations and variances (..., k) as large as any
-    of those that are larger by the square of a factor that counts."""
+    """A covariance (..., k, k) with variances (..., k) as large as any of those that are larger by
+    the square of a factor that counts.
+
+    What is added is independent, so that no combination of quantities has a smaller variance.
+    """
     own = np.einsum("...ii->...i", covariance)
     most = own.copy()
     for found in variances:
         np.fmax(most, found, out=most)
-    larger = (most > _LARGER**2 * own) & (own > 0)
-    factors = np.sqrt(np.where(larger & np.isfinite(most), most / np.where(larger, own, 1.0), 1.0))
-    found = covariance * factors[..., :, None] * factors[..., None, :]
+    larger = (most > _LARGER**2 * own) & (own > 0) & np.isfinite(most)
+    more = np.where(larger, most, 0.0) - np.where(larger, own, 0.0)
+    found = covariance + more[..., None] * np.eye(more.shape[-1])
     if found.ndim == 2:
         lose(found, np.isinf(most))
     return found

@@ -69,6 +69,11 @@ class Observations(ABC):
     def width(self) -> int:
         """How many numbers each of them tells."""
 
+    @property
+    @abstractmethod
+    def unrelated(self) -> float:
+        """The mean square of residuals of a motion that has nothing to do with them."""
+
     @abstractmethod
     def _read(self, values: np.ndarray) -> np.ndarray:
         """The values as they are kept; raises InputError for other shapes."""
@@ -87,9 +92,13 @@ class Observations(ABC):
 
     def some(self, index: np.ndarray) -> Self:
         """Those of an index."""
+        return self.changed(**{name: getattr(self, name)[index] for name in self._by_row})
+
+    def changed(self, **fields: object) -> Self:
+        """The same with other values of some fields, as they are kept."""
         found = copy(self)
-        for name in self._by_row:
-            found._keep(name, getattr(self, name)[index])
+        for name, value in fields.items():
+            found._keep(name, value)
         return found
 
     @property
@@ -112,6 +121,8 @@ class Attitudes(Observations):
 
     kind: ClassVar[str] = "attitudes"
     width: ClassVar[int] = 3
+    # Of the angle of random rotations.
+    unrelated: ClassVar[float] = np.pi**2 / 3 + 2
 
     def _read(self, values: np.ndarray) -> np.ndarray:
         return _unit(self.kind, self._rows(values, 4))
@@ -134,6 +145,11 @@ class Rates(Observations):
 
     kind: ClassVar[str] = "rates"
     width: ClassVar[int] = 3
+
+    @property
+    def unrelated(self) -> float:
+        """That of no rates."""
+        return _mean_square(self.seen)
 
     def _read(self, values: np.ndarray) -> np.ndarray:
         return self._rows(values, 3)
@@ -160,6 +176,8 @@ class Directions(Observations):
 
     kind: ClassVar[str] = "vectors"
     width: ClassVar[int] = 2
+    # Of the angle between random directions.
+    unrelated: ClassVar[float] = np.pi**2 / 2 - 2
     known: ArrayLike = (0.0, 0.0, 1.0)
     seen_in: str = "body"
     tangents: np.ndarray = field(init=False, repr=False)
@@ -237,6 +255,11 @@ class Modelled(Observations):
         """k."""
         return self.seen.shape[1]
 
+    @property
+    def unrelated(self) -> float:
+        """The variance of the values."""
+        return _mean_square(self.seen - np.mean(self.seen, axis=0))
+
     def _read(self, values: np.ndarray) -> np.ndarray:
         if not callable(self.model):
             raise InputError("models.model", repr(self.model), "must be a function of q and omega")
@@ -279,6 +302,11 @@ def middle(sets: Iterable[Observations]) -> float:
     """Of the first time of all and the last, s."""
     times = np.concatenate([one.t for one in sets])
     return float(np.min(times) / 2 + np.max(times) / 2)
+
+
+def _mean_square(rows: np.ndarray) -> float:
+    """Of the lengths of rows; never zero."""
+    return float(np.mean(np.sum(rows**2, axis=-1))) or np.finfo(float).tiny
 
 
 def _times(name: str, values: ArrayLike) -> np.ndarray:

@@ -51,6 +51,11 @@ class Point:
         """How many motions, of those that have a leading shape (B,)."""
         return len(self.omega)
 
+    def repeated(self, count: int = 1) -> "Point":
+        """One motion as many equal ones, (B,)."""
+        parts = (self.attitude, self.omega, self.moments, self.mount)
+        return Point(*(np.tile(x, (count, 1)) for x in parts))
+
     def seen(self, q: np.ndarray, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """States (..., N, 4), (..., N, 3) of the principal axes as those of the axes observed."""
         if np.all(self.mount == IDENTITY):
@@ -113,14 +118,14 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """The point that x (count,) stands for as `linear` counts it: shapes are steps of the
-        moments, to where bodies end at most."""
+        """The points that x (..., count) stands for as `linear` counts it, from one point or from
+        as many: shapes are steps of the moments, to where bodies end at most."""
         level = np.array(x)
-        level[self._places("shape") + self._places("scale")] = 0.0
-        moments = point.moments + self.linear(point)[6:9] @ x
+        level[..., self._places("shape") + self._places("scale")] = 0.0
+        moments = point.moments + (self.linear(point)[..., 6:9, :] @ x[..., None])[..., 0]
         if np.any(moments != point.moments):
             own, _ = _second_moments(np.abs(moments))
-            moments = np.sum(own) - own
+            moments = np.sum(own, axis=-1, keepdims=True) - own
         return replace(self.moved(point, level), moments=moments)
 
     def inner(self, point: Point) -> Point:
@@ -151,15 +156,16 @@ class Parameters:
         return found
 
     def linear(self, point: Point) -> np.ndarray:
-        """The same rows (12, count) of one motion by parameters that errors are told of.
+        """The same rows (..., 12, count) by parameters that errors are told of.
 
         Shapes are two directions of the moments across their scale, of the size of the moments:
         unlike logarithms they do not end at flat bodies.
         """
         found = self.own(point)
         if self.shape:
-            across = np.linalg.svd(point.moments[None])[2][1:]
-            found[6:9, self._places("shape")] = np.linalg.norm(point.moments) * across.T
+            size = np.linalg.norm(point.moments, axis=-1)[..., None, None]
+            across = np.linalg.svd(point.moments[..., None, :])[2][..., 1:, :]
+            found[..., 6:9, self._places("shape")] = size * np.swapaxes(across, -2, -1)
         return found
 
 

@@ -1,7 +1,7 @@
 """Observations that the package has: Toutatis by radar, and a T-handle, which is simulated."""
 
 import csv
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from dataclasses import dataclass
 from importlib import resources
 
@@ -35,11 +35,6 @@ def text(name: str) -> str:
     return resources.files("rigidsym.fitting").joinpath("data", name).read_text("utf-8")
 
 
-def without_comments(text: str) -> Iterator[str]:
-    """The lines of a table that do not begin with #."""
-    return (line for line in text.splitlines() if not line.startswith("#"))
-
-
 def toutatis(years: Collection[int] = (1992,)) -> Looks:
     """Radar's attitudes and spin vectors of (4179) Toutatis in some of YEARS.
 
@@ -50,7 +45,8 @@ def toutatis(years: Collection[int] = (1992,)) -> Looks:
     for year in years:
         if year not in YEARS:
             raise InputError("years", year, f"must be of: {', '.join(map(str, YEARS))}")
-    rows = list(csv.DictReader(without_comments(text("toutatis.csv"))))
+    lines = (x for x in text("toutatis.csv").splitlines() if not x.startswith("#"))
+    rows = list(csv.DictReader(lines))
     rows = [row for row in rows if int(row["date"][:4]) in years]
     zero = epochs.parse("epoch", TOUTATIS_EPOCH, "UTC")
     ticks = [epochs.parse("date", row["date"], "UTC") - zero for row in rows]

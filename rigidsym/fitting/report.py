@@ -2,17 +2,21 @@
 
 import json
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rigidsym import inputs
+from rigidsym.fitting.nonlinearity import LEVEL
 
 if TYPE_CHECKING:
     from rigidsym.fitting.found import Alternative, Found
 
 SCHEMA = "rigidsym.fit/1"
 _DAY, _HOUR = 86400.0, 3600.0
+
+_COLUMNS = ("", "estimate", "standard deviation", f"{LEVEL:.0%} interval", "unit")
 
 Rows = list[tuple[str, ...]]
 Table = tuple[str, tuple[str, ...], Rows]
@@ -24,6 +28,12 @@ def title(fit: "Found") -> str:
     said = [f"chi2 {fit.chi2:.6g} of {fit.degrees_of_freedom} degrees of freedom"]
     if not fit.converged:
         said.append(f"NOT CONVERGED: {fit.reason}")
+    if fit.agreement.hopeless:
+        said.append(f"MODEL AND DATA DISAGREE: {fit.agreement.message}")
+    elif fit.agreement.message:
+        said.append(fit.agreement.message)
+    if fit.nonlinearity.flagged:
+        said.append(f"NONLINEAR: {fit.nonlinearity.message}")
     if fit.spinning:
         said.append("no more than a spin is seen")
     if fit.unobservable:
@@ -40,7 +50,7 @@ def tables(fit: "Found") -> list[Table]:
     """The motion, its parameters, the motions that are left, the observations, correlations."""
     return [
         ("motion", ("", "best"), _motion(fit)),
-        ("parameters at t = 0", ("", "estimate", "standard deviation", "unit"), _parameters(fit)),
+        ("parameters at t = 0", _COLUMNS, _parameters(fit)),
         (
             "motions by chi2",
             ("", "chi2", "mode", "rotation", "precession", "moments"),
@@ -68,18 +78,28 @@ def _parameters(fit: "Found") -> Rows:
     point = fit.motion.exact
     values = [*np.zeros(3), *point["omega0"], *point["inertia"], *np.zeros(3)]
     unit = dict(_UNITS) if fit.scaled else {**_UNITS, "moment": "the largest"}
+    ends = fit.intervals() - np.array(values, float)[: len(fit.names), None]
     rows = [
-        (name, f"{float(value):.9g}", _deviation(sigma), unit[name.split()[0]])
-        for name, value, sigma in zip(fit.names, values, fit.sigma, strict=False)
+        (name, f"{float(value):.9g}", _deviation(s), _interval(*end), unit[name.split()[0]])
+        for name, value, s, end in zip(fit.names, values, fit.sigma, ends, strict=False)
     ]
     attitude = ", ".join(f"{float(x):.9g}" for x in point["attitude0"])
-    return [("attitude0", f"[{attitude}]", "", ""), *rows[:]]
+    return [("attitude0", f"[{attitude}]", "", "", ""), *rows]
 
 
 def _deviation(sigma: float) -> str:
+    if np.isnan(sigma):
+        return "not known"
     if np.isinf(sigma):
         return "not observable"
     return f"{sigma:.3g}" if sigma else "fixed"
+
+
+def _interval(lower: float, upper: float) -> str:
+    """About the estimate; empty where there is none."""
+    if np.isnan(lower) or lower == upper or (np.isinf(lower) and np.isinf(upper)):
+        return ""
+    return ", ".join("no end" if np.isinf(x) else f"{x:+.2g}" for x in (lower, upper))
 
 
 def _minimum(place: int, one: "Alternative") -> tuple[str, ...]:
@@ -141,10 +161,20 @@ def to_json(fit: "Found") -> str:
         "chi2": _finite(fit.chi2),
         "degrees_of_freedom": fit.degrees_of_freedom,
         "probability": fit.probability,
+        "agreement": {**asdict(fit.agreement), "scale": _finite(fit.agreement.scale)},
+        "nonlinearity": {
+            "flagged": fit.nonlinearity.flagged,
+            "message": fit.nonlinearity.message,
+            "beyond": fit.nonlinearity.beyond,
+            "off": fit.nonlinearity.off,
+            "single": list(fit.nonlinearity.single),
+            "joint": list(fit.nonlinearity.joint),
+        },
         "spin": fit.spinning,
         "scale_known": fit.scaled,
         "names": list(fit.names),
         "covariance": _matrix(fit.covariance),
+        "intervals": _matrix(fit.intervals()),
         "unobservable": list(fit.unobservable),
         "parameters": list(fit.problem.parameters.names),
         "null_directions": _matrix(fit.null_directions),

@@ -83,12 +83,8 @@ def distinct(problem: Problem, found: list[Local], within: float) -> list[Local]
     best, *others = order
     near = [x for x in others if x.converged and x.cost <= best.cost + within]
     listed = [best, *near]
-    points = joined(_alone(x.point) for x in listed)
+    points = joined(x.point.repeated() for x in listed)
     return [listed[k] for k in _different(problem, points)]
-
-
-def _alone(point: Point) -> Point:
-    return Point(*(x[None] for x in (point.attitude, point.omega, point.moments, point.mount)))
 
 
 def _best(

@@ -33,8 +33,7 @@ def spin(problem: Problem, best: Local, loss: str) -> Local | None:
     across = [3 + k for k in range(3) if k != axis]
     kept = [k for k, x in enumerate(names) if not x.startswith("shape") and k not in across]
     start = _about(axis, best.point, problem.parameters.axes)
-    one = Point(*(x[None] for x in (start.attitude, start.omega, start.moments, start.mount)))
-    start = aligned(problem, one)[0]
+    start = aligned(problem, start.repeated())[0]
     found = local(problem, start, loss, np.eye(len(names))[:, kept])
     free = len(names) - len(kept) - (2 if problem.parameters.axes else 0)
     trials = max(1.0, float(np.linalg.norm(start.omega)) * problem.span / np.pi)

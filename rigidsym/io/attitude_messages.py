@@ -68,9 +68,12 @@ def _states(text: str) -> Iterator[tuple[int, dict[str, str], str]]:
                 raise InputError("REF_FRAME_A", own[0], "must be the same in all segments")
         elif inside and line and not line.startswith("COMMENT"):
             yield number, metadata, line
-        elif "=" in line and not inside:
-            keyword, _, value = line.partition("=")
-            metadata[keyword.strip()] = value.strip()
+        elif "=" in line and not inside and not line.startswith("COMMENT"):
+            keyword, value = (x.strip() for x in line.split("=", 1))
+            if keyword in metadata:
+                rule = "is given twice in a segment: remove one of them"
+                raise InputError(f"line {number}, {keyword}", value, rule)
+            metadata[keyword] = value
 
 
 def _row(where: str, values: list[str], metadata: dict[str, str], width: int) -> list[float]:

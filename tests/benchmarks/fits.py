@@ -93,6 +93,10 @@ def main():
     motion = TUMBLING.replace(engine=asked.engine)
     one, _ = best_of(runs, lambda: motion.sensitivity(t))
     print(f"in calls of motion.sensitivity at these times: {own / one:.0f}")
+    fits = [rigidsym.fit(attitudes=seen, guess=guess, engine=asked.engine) for _ in range(9)]
+    for name in ("covariance", "nonlinearity"):
+        times = [best_of(1, lambda fit=fit, name=name: getattr(fit, name))[0] for fit in fits]
+        print(f"{name} of a fit: {min(times) * 1e3:.3g} ms")
     at_zero, start = started(replace(problem, epoch=0.0), guess, None)
     theirs, (point, cost) = best_of(1, lambda: integrated(at_zero, start))
     omega = np.array(solved(problem, found.point, None).motion.omega0, float)

@@ -49,7 +49,8 @@ NOT_RUN = {
          "pytest -m slow tests/derivations/test_specification.py",
          "pytest -m slow tests/notebooks/test_notebooks.py",
          "pytest -m slow tests/fitting/test_simulated_strata.py",
-         "pytest -m slow tests/precise/test_mpmath.py"),
+         "pytest -m slow tests/precise/test_mpmath.py",
+         "pytest -m slow tests/validate/test_fits.py"),
         TESTS,
     ),
     **dict.fromkeys(
@@ -103,7 +104,7 @@ SMALL = {
     r"python tests/benchmarks/": "--quick",
     r"python notebooks/site/export.py": "howto_fifty_digits -o exported",
     r"rigidsym validate(?!.* --case )": "--cases 1 --stratum uniform",
-    r"rigidsym validate(?!.* --(case|sensitivity))": "--workers 1",
+    r"rigidsym validate(?!.* --(case|fits|sensitivity))": "--workers 1",
     r"rigidsym fit": "--starts 200",
     r"rigidsym export": "--ledger part.json",
     r"rigidsym derive(?! --show \w)(?!.*--lagrangian)": "lie_algebra",

@@ -1,0 +1,233 @@
+"""Nonlinearity of a fit: profile-likelihood intervals, and where its covariance is overconfident.
+
+The observations allow a quantity up to where the least chi2 with that value is larger than the
+best by the quantile of chi2 of one degree of freedom.  Each end of such an interval is the extreme
+of the quantity on that level of chi2.  Steps of Gauss and Newton find it: each goes to the end of
+the linearised problem.  All ends of a fit advance in one batch.
+
+Source: Venzon and Moolgavkar, Applied Statistics 37 (1988), 87-94.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.stats import chi2 as chi2_law
+
+from rigidsym.fitting.batch import blocks
+from rigidsym.fitting.observability import Errors
+from rigidsym.fitting.parameters import Point
+from rigidsym.fitting.problem import Problem
+from rigidsym.fitting.quantities import Quantities
+
+LEVEL = 0.95
+_MOST_STEPS = 40
+# Of an end: what the next step may still change; of chi2: how near it has to be to its level.
+_NEAR, _ON_LEVEL = 0.02, 0.05
+# The same where bodies end before chi2 reaches the level.
+_STALLED = 1e-3
+# The longest step, in units of errors, and what chi2 may exceed its prediction by.
+_LONGEST, _BEYOND = 8.0, 2.0
+# How many times an end may be off, either way, and what part of the directions; by how much of a
+# distance the distances by covariance and by chi2 may differ.
+_OFF, _MANY, _APART = 1.25, 0.15, 0.5
+_DIRECTIONS = 64
+# Of the largest eigenvalue of a correlation matrix, and of the largest part of a direction.
+_RANK, _PART = 1e-11, 0.5
+
+Ends = tuple[np.ndarray, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Nonlinearity:
+    """How much of a covariance the likelihood bears out.
+
+    ratios (k, 2): distance of both ends of each 95 % interval from the estimate, over that by the
+    standard deviation; NaN where there is none.  beyond: share of directions in which the
+    covariance excludes motions that the observations allow; off: share in which chi2 grows
+    otherwise than its linear prediction; both on the edge of the region of 95 %.
+    single: quantities whose interval is not that of the standard deviation.  joint: quantities of
+    the combination that the covariance as a whole is most overconfident of.
+    """
+
+    ratios: np.ndarray
+    beyond: float
+    off: float
+    single: tuple[str, ...]
+    joint: tuple[str, ...]
+
+    @property
+    def flagged(self) -> bool:
+        """Whether covariance and standard deviations must not be taken for the errors."""
+        return bool(self.single) or max(self.beyond, self.off) > _MANY
+
+    @property
+    def message(self) -> str:
+        """One line on what is wrong and what to use instead; empty where nothing is."""
+        said = []
+        if self.single:
+            said.append(f"the standard deviation misleads for {', '.join(self.single)}")
+        if self.beyond > _MANY:
+            said.append(f"the covariance is overconfident along {' with '.join(self.joint)}")
+        elif self.off > _MANY:
+            said.append("the covariance is overconfident as a whole")
+        return f"{'; '.join(said)}: use the intervals" if said else ""
+
+
+NONE = Nonlinearity(np.empty((0, 2)), 0.0, 0.0, (), ())
+"That of a fit whose errors are not told, or of a spin."
+
+
+@dataclass(frozen=True, slots=True)
+class Likelihood:
+    """chi2 of motions less that of the best, after `offset` (M,) is taken off all residuals."""
+
+    quantities: Quantities
+    offset: np.ndarray
+
+    @property
+    def problem(self) -> Problem:
+        """The observations and parameters."""
+        return self.quantities.problem
+
+    @property
+    def best(self) -> Point:
+        """The point at which chi2 is least."""
+        return self.problem.parameters.inner(self.quantities.best)
+
+    def rise(self, points: Point) -> np.ndarray:
+        """Return chi2 of motions (B,); NaN where there are no states."""
+        every = [points, self.quantities.best.repeated()]
+        *found, least = (
+            np.sum((self.problem.residuals(some) - self.offset) ** 2, axis=-1)
+            for one in every
+            for some in blocks(self.problem, one)
+        )
+        return np.concatenate(found) - least
+
+    def normal(self, points: Point) -> Ends:
+        """Return chi2 (B,), half its first and second derivatives (B, p) and (B, p, p), and the
+        quantities (B, k) with their derivatives (B, k, p), at motions (B,)."""
+        found = []
+        for some in blocks(self.problem, points):
+            own = self.problem.parameters.own(some)
+            residuals, slopes = self.problem.linearised(some, own)
+            residuals = residuals - self.offset
+            transposed = np.swapaxes(slopes, 1, 2)
+            slope = (transposed @ residuals[..., None])[..., 0]
+            chi2 = np.sum(residuals**2, axis=-1)
+            found.append((chi2, slope, transposed @ slopes, *self.quantities.near(some, own)))
+        return tuple(np.concatenate(x) for x in zip(*found, strict=True))
+
+
+def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> np.ndarray:
+    """Return the ends (n, 2) of the intervals of quantities `which` (n,), less their estimates.
+
+    An end is infinite where no level of chi2 bounds the quantity.
+    """
+    parameters, best = likelihood.problem.parameters, likelihood.best
+    quantity, sign = np.repeat(which, 2), np.tile([-1.0, 1.0], len(which))
+    floor = np.diag(1 / parameters.natural(best, likelihood.problem.span) ** 2)
+    state = tuple(np.repeat(x, len(sign), axis=0) for x in likelihood.normal(best.repeated()))
+    level = state[0] + chi2_law.ppf(level, 1)
+    points = best.repeated(len(sign))
+    longest = np.full(len(sign), _LONGEST)
+    ends = np.inf * sign
+    going = np.arange(len(sign))
+    for _ in range(_MOST_STEPS):
+        cost, slope, matrix, apart, rows = (x[going] for x in state)
+        every = np.arange(len(going)), quantity[going]
+        left = level[going] - cost
+        step, gain, reach = _step(left, slope, matrix + floor, sign[going, None] * rows[every])
+        value, allowed = np.abs(apart[every]), chi2_law.ppf(LEVEL, 1)
+        more = np.abs(gain)
+        ended = (more < _NEAR * np.maximum(reach, value)) & (np.abs(left) < _ON_LEVEL * allowed)
+        ended |= (more < _STALLED * value) & (left > 0)
+        ends[going[ended]] = (apart[every] + sign[going] * gain)[ended]
+        going, step = going[~ended], step[~ended]
+        if not going.size:
+            break
+        cost, slope, matrix = cost[~ended], slope[~ended], matrix[~ended]
+        size = np.sqrt(_product(step, matrix + floor))
+        step *= np.minimum(1, longest[going] / size)[:, None]
+        tried = parameters.moved(points[going], step)
+        new = likelihood.normal(tried)
+        rise = 2 * np.sum(slope * step, axis=-1) + _product(step, matrix)
+        good = new[0] - cost - rise < _BEYOND + np.abs(rise) / 2
+        for x in new[1:]:
+            good &= np.isfinite(x.reshape(len(x), -1)).all(axis=1)
+        own = np.where(good, 2 * longest[going], np.minimum(longest[going], size) / 4)
+        longest[going] = np.minimum(own, _LONGEST)
+        for old, x in zip((*state, *_parts(points)), (*new, *_parts(tried)), strict=True):
+            old[going[good]] = x[good]
+    return ends.reshape(-1, 2)
+
+
+def _step(
+    left: np.ndarray, slope: np.ndarray, metric: np.ndarray, ways: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the steps (B, p) to the ends of linearised problems, what quantities that go `ways`
+    (B, p) gain, and how far they are from the middle to the end of their intervals.
+
+    The largest w.d with 2 s.d + d.A d = left, by one multiplier: d = l A^-1 w - A^-1 s.
+    """
+    both = np.linalg.solve(metric, np.stack([slope, ways], axis=-1))
+    back, along = both[..., 0], both[..., 1]
+    width = np.sum(ways * along, axis=-1)
+    radius = np.sqrt(np.maximum(left + np.sum(slope * back, axis=-1), 0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        step = np.nan_to_num(radius / np.sqrt(width))[:, None] * along - back
+    return step, np.sum(ways * step, axis=-1), radius * np.sqrt(width)
+
+
+def _product(step: np.ndarray, matrix: np.ndarray) -> np.ndarray:
+    return np.sum(step * (matrix @ step[..., None])[..., 0], axis=-1)
+
+
+def _parts(point: Point) -> tuple[np.ndarray, ...]:
+    return point.attitude, point.omega, point.moments, point.mount
+
+
+def nonlinearity(
+    likelihood: Likelihood, here: Errors, covariance: np.ndarray, ends: np.ndarray
+) -> Nonlinearity:
+    """Compare a covariance (k, k) with the likelihood: with the `ends` (k, 2) of intervals, and in
+    directions spread evenly over the linear errors `here`.
+
+    Each direction is followed to the edge of the region that holds 95 % of the truths.  There the
+    Mahalanobis distance of the quantities and chi2 are compared with what linear errors say.
+    """
+    quantities, names = likelihood.quantities, likelihood.quantities.names
+    sigma = np.sqrt(np.diag(covariance))
+    told: np.ndarray = ~np.isnan(ends[:, 0])
+    ratios = np.full(ends.shape, np.nan)
+    ratios[told] = np.abs(ends[told]) / (np.sqrt(chi2_law.ppf(LEVEL, 1)) * sigma[told, None])
+    right = ((ratios > 1 / _OFF) & (ratios < _OFF)).all(axis=1)
+    single = tuple(names[k] for k in np.flatnonzero(told & ~right))
+    count = here.told.shape[1]
+    # The same for every fit: what is said of one does not depend on chance.
+    z = np.random.default_rng(0).normal(size=(_DIRECTIONS, count))
+    square = float(chi2_law.ppf(LEVEL, count))
+    z *= np.sqrt(square) / np.linalg.norm(z, axis=1)[:, None]
+    parameters, best = likelihood.problem.parameters, quantities.best
+    points = parameters.stepped(best.repeated(_DIRECTIONS), z @ here.told.T)
+    linear = z @ (quantities.rows(best, parameters.linear(best)) @ here.told).T
+    axes = _axes(covariance, told)
+    said, true = ((x[:, told] @ axes) ** 2 for x in (linear, quantities.apart(points)))
+    excess = np.nan_to_num(true - said, nan=np.inf)
+    beyond = float(np.mean(~(np.sum(excess, axis=1) <= _APART * square)))
+    off = float(np.mean(~(np.abs(likelihood.rise(points) - square) <= _APART * square)))
+    joint: tuple[str, ...] = ()
+    if beyond > _MANY:
+        worst = axes[:, np.argmax(np.median(excess, axis=0))] * sigma[told]
+        part = np.abs(worst) >= _PART * np.max(np.abs(worst))
+        joint = tuple(np.array(names)[told][part].tolist())
+    return Nonlinearity(ratios, beyond, off, single, joint)
+
+
+def _axes(covariance: np.ndarray, told: np.ndarray) -> np.ndarray:
+    """Return columns (n, r) that make quantities told (..., n) independent and of variance one."""
+    own = covariance[np.ix_(told, told)]
+    sigma = np.sqrt(np.diag(own))
+    sizes, vectors = np.linalg.eigh(own / np.outer(sigma, sigma))
+    kept = sizes > _RANK * np.max(sizes)
+    return vectors[:, kept] / np.sqrt(sizes[kept]) / sigma[:, None]
