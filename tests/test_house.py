@@ -46,6 +46,7 @@ ALLOWED = {
     "rigidsym.codegen.seal": f"{FOUNDATION} codegen solution proof.kernel",
     "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
+    "rigidsym.validate.torques": "errors quaternions splitting validate",
     "rigidsym.splitting": "engines errors generated inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
     "rigidsym.fitting": f"{NUMBERS} engines io motion view",

@@ -18,7 +18,10 @@ _NOT_WITH = {
     "case": ("cases", "stratum", "workers", "scheduler", "record"),
     "faults": ("peer", "workers", "scheduler", "record"),
     "sensitivity": ("digits", "peer", "workers", "scheduler", "record", "output", "json"),
+    "torques": ("targets", "digits", "peer", "workers", "scheduler", "record", "output", "json"),
 }
+# Applications by the options that measure them.
+_APPLICATIONS = {"torques": "rigidsym.validate.torques"}
 
 
 def add(command: Command) -> None:
@@ -66,6 +69,9 @@ def add(command: Command) -> None:
     instead.add_argument(
         "--sensitivity", action="store_true", help="what states change by, column by column"
     )
+    instead.add_argument(
+        "--torques", action="store_true", help="tolerances of integrate, torque by torque"
+    )
     instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
     where = validate.add_mutually_exclusive_group()
     where.add_argument(
@@ -111,12 +117,14 @@ def _validate(options: Namespace) -> int:
 
     mode = next((name for name in _NOT_WITH if getattr(options, name)), "")
     for name in _NOT_WITH.get(mode, ()):
-        if getattr(options, name) not in (None, False):
+        if getattr(options, name) not in (None, False, []):
             raise InputError(name, "given", f"is not for --{mode}")
     if options.output and not options.resume:
         probe(options.output)
     # What a batch system sends is an interrupt, too.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
+    if mode in _APPLICATIONS:
+        return _validate_application(mode, options)
     campaign, done = session.begin(
         _chosen(options), None if mode else options.output, options.resume
     )
@@ -227,6 +235,29 @@ def _validate_sensitivity(campaign: "Campaign") -> int:
         for stratum in dict.fromkeys(found.stratum for _, found in worst):
             if stratum in WIDER:
                 print(f"{stratum}: {WIDER[stratum].why}")
+    return 1 if broken else 0
+
+
+def _validate_application(name: str, options: Namespace) -> int:
+    from importlib import import_module
+
+    from rigidsym.validate.applications import HEADS, Application
+    from rigidsym.validate.campaign import CASES, SEED
+
+    application: Application[object] = import_module(_APPLICATIONS[name]).APPLICATION
+    cases = options.cases or CASES
+    seed = SEED if options.seed is None else options.seed
+    strata = options.stratum or list(application.strata)
+    show, outcomes = progress(f"validate --{name}"), []
+    for outcome in application.outcomes(cases, seed, strata):
+        outcomes.append(outcome)
+        show(len(outcomes), cases * len(strata))
+    broken = list(application.goal.broken(outcomes))
+    for sentence in broken:
+        say(f"broken: {sentence}")
+    with reader_may_leave():
+        title = f"rigidsym validate --{name}: true error over the promised one"
+        table(title, HEADS, list(application.rows(outcomes)))
     return 1 if broken else 0
 
 

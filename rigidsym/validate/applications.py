@@ -1,0 +1,96 @@
+"""Campaigns about what is built on the motions: random cases in strata, and whether what a result
+says of its own error is true.
+
+An application is a table of strata, a function that draws a case, and one that measures it.
+"""
+
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+from random import Random
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from rigidsym.errors import InputError
+
+Case = TypeVar("Case")
+HEADS = ("stratum", "cases", "refused", "median", "worst", "worst case", "far off")
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One case: its true error over the error that was promised; None where it was refused."""
+
+    stratum: str
+    index: int
+    share: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """How often a case may be refused, and how far errors may be above what was promised: in
+    most cases, in this part of them, and in all."""
+
+    refused: float
+    most: float
+    part: float
+    worst: float
+
+    def broken(self, outcomes: Sequence[Outcome]) -> Iterator[str]:
+        """Yield a sentence for each part of the goal that is not reached."""
+        shares = [x.share for x in outcomes if x.share is not None]
+        refused = len(outcomes) - len(shares)
+        if refused > self.refused * len(outcomes):
+            yield f"{refused} of {len(outcomes)} cases are refused, above {self.refused:.0%}"
+        above = sum(not share <= self.most for share in shares)
+        if above > (1 - self.part) * len(shares):
+            yield f"{above} of {len(shares)} errors are above {self.most:g} times the promised"
+        worst = float(np.max(shares, initial=0.0))
+        if not worst <= self.worst:
+            yield f"the worst error is {worst:.3g} times the promised, above {self.worst:g}"
+
+
+@dataclass(frozen=True, slots=True)
+class Application(Generic[Case]):
+    """Strata by name with the functions that draw their cases, a measure, and a goal.
+
+    measure: of a case, the true error over the promised one, None where the case was refused.
+    """
+
+    name: str
+    strata: dict[str, Callable[[Random], Case]]
+    measure: Callable[[Case], float | None]
+    goal: Goal
+
+    def draw(self, stratum: str, index: int, seed: int) -> Case:
+        """Return the case of an index, which is the same in every campaign of a seed."""
+        return self.strata[stratum](Random(f"{self.name}:{stratum}:{index}:{seed}"))
+
+    def outcomes(self, cases: int, seed: int, strata: Collection[str] = ()) -> Iterator[Outcome]:
+        """Yield the outcomes of so many cases in each stratum, or in those named.
+
+        Raises InputError for a stratum that does not exist.
+        """
+        for name in strata:
+            if name not in self.strata:
+                rule = f"must be one of: {', '.join(map(repr, self.strata))}"
+                raise InputError("stratum", name, rule)
+        for stratum in strata or self.strata:
+            for index in range(cases):
+                share = self.measure(self.draw(stratum, index, seed))
+                yield Outcome(stratum, index, share)
+
+    def rows(self, outcomes: Sequence[Outcome]) -> Iterator[tuple[str, ...]]:
+        """Yield a row of a table for each stratum, under `HEADS`."""
+        for stratum in dict.fromkeys(x.stratum for x in outcomes):
+            every = [x for x in outcomes if x.stratum == stratum]
+            found = sorted((x.share, x.index) for x in every if x.share is not None)
+            counts = str(len(every)), str(len(every) - len(found))
+            if not found:
+                yield stratum, *counts, "", "", "", ""
+                continue
+            worst, index = found[-1]
+            above = sum(not share <= self.goal.most for share, _ in found)
+            shares = f"{found[len(found) // 2][0]:.2g}", f"{worst:.3g}"
+            far = f"{above} above {self.goal.most:g}"
+            yield stratum, *counts, *shares, f"{stratum}:{index}", far
