@@ -96,6 +96,7 @@ class Panels(Mesh):
         self._least_moment = np.min(splitting.bodies.inertia, axis=-1)
         self._row_begin, self._in_row, self._not_smooth = float(stops[0]), 0, 0
         self.rough: list[float] = []
+        self.moves = False
         self.turned = self._kicks = 0.0
         self.differences = np.zeros(2)
 
@@ -287,6 +288,13 @@ class Panels(Mesh):
             found = found + np.tensordot(kicks[part], torques, 1)
         return step * found
 
+    def _is_moving(self, path: Path, times: np.ndarray, steps: float, weight: np.ndarray) -> bool:
+        """Whether a jump or kink is where the attitude says, and not by the clock: with the first
+        state of three it is not seen."""
+        first = path(times[[0, 0, 0]])
+        found = np.diff(self._splitting.probe(times, first.q, first.omega), 2, axis=0)
+        return bool(_lengths(found * weight).max() < steps / 2)
+
     def _located(
         self, path: Path, times: np.ndarray, torques: np.ndarray, weight: np.ndarray, unseen: float
     ) -> Panel | None:
@@ -300,6 +308,8 @@ class Panels(Mesh):
             part = float(times[k]), float(times[k + 2])
             steps = _lengths(np.diff(torques[k : k + 3], 2, axis=0) * weight).max()
             if (part[1] - part[0]) * steps <= unseen / 4 or part[1] - part[0] <= self._least:
+                if not self.moves:
+                    self.moves = self._is_moving(path, times[k : k + 3], steps, weight)
                 return part
             times = np.linspace(*part, _DEGREE + 1)
             torques = self._at(path, times)

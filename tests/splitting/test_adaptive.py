@@ -6,7 +6,7 @@ import pytest
 import rigidsym
 from rigidsym.errors import InputError, PrecisionError
 from rigidsym.splitting import METHODS, FieldPotential, GravityGradient, KeplerOrbit
-from rigidsym.validate.torques import Case, error
+from rigidsym.validate.torques import APPLICATION, Case, error, measured
 
 
 def rotation(p, q):
@@ -179,6 +179,13 @@ def test_an_order_below_the_methods_is_said():
     found = adaptive(trembling, (0.0, 10.0))
     assert found.order < 1.9
     assert found.error <= 1e-6
+
+
+def test_a_jump_by_the_attitude_is_where_the_last_run_has_it():
+    """And not where the first, coarse run had it, around which the short panels are."""
+    drawn = APPLICATION.draw("facing", 60, 1)
+    assert drawn.method == "strang"
+    assert measured(drawn) < 3
 
 
 def test_calls_are_evaluations_and_probes():
