@@ -91,7 +91,9 @@ class _Search:
             if error <= self.tolerance and (k or apart <= 8 * self.tolerance):
                 # Jumps by the attitude have moved as far as the motion, away from short panels.
                 moved = gap(coarsest, last) if panels.moves else 0.0
-                return last if moved <= self.tolerance else replace(last, error=moved)
+                if moved > self.tolerance:
+                    last = self.best = replace(last, error=moved)
+                return last
             self._refuse_rounding(count * (error / self.tolerance) ** (1 / np.log2(most)), panels)
             if ratio <= 2 or apart > _FAR:
                 self._refuse_chaos(coarsest)
