@@ -47,6 +47,7 @@ ALLOWED = {
     "rigidsym.engines": f"{FOUNDATION} generated inputs io.files solution",
     "rigidsym.validate": f"{NUMBERS} codegen engines generated io motion view",
     "rigidsym.validate.fits": f"{FOUNDATION} fitting motion validate",
+    "rigidsym.validate.torques": "errors quaternions splitting validate",
     "rigidsym.splitting": "engines errors generated inputs motion quaternions",
     "rigidsym.manoeuvre": f"{NUMBERS} engines io motion splitting validate.executors view",
     "rigidsym.fitting": f"{NUMBERS} engines io motion view",

@@ -63,8 +63,8 @@ q_then, omega_then = pushed(1234.5)
 print(q.shape, omega.shape, q_then.round(4))
 
 # %% [markdown]
-# With `step=None` a tolerance chooses the step, in radians: it is halved until what parts two runs
-# says that the error is below it. `error` is that estimate.
+# With `step=None` a tolerance, in radians, chooses the steps: they are halved until the differences of
+# runs show that the error is below it. `error` is the estimate, `step` the longest of the steps.
 
 # %%
 chosen = rigidsym.integrate(

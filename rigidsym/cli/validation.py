@@ -19,9 +19,10 @@ _NOT_WITH = {
     "faults": ("peer", "workers", "scheduler", "record"),
     "sensitivity": ("digits", "peer", "workers", "scheduler", "record", "output", "json"),
     "fits": ("targets", "digits", "peer", "workers", "scheduler", "record", "output", "json"),
+    "torques": ("targets", "digits", "peer", "workers", "scheduler", "record", "output", "json"),
 }
 # Applications by the options that measure them.
-_APPLICATIONS = {"fits": "rigidsym.validate.fits"}
+_APPLICATIONS = {"fits": "rigidsym.validate.fits", "torques": "rigidsym.validate.torques"}
 
 
 def add(command: Command) -> None:
@@ -71,6 +72,9 @@ def add(command: Command) -> None:
     )
     instead.add_argument(
         "--fits", action="store_true", help="errors of fits, where linear ones bend"
+    )
+    instead.add_argument(
+        "--torques", action="store_true", help="tolerances of integrate, torque by torque"
     )
     instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
     where = validate.add_mutually_exclusive_group()

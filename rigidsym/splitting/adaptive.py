@@ -1,49 +1,149 @@
-"""The step that a tolerance asks for."""
+"""The steps that a tolerance asks for."""
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from rigidsym.errors import PrecisionError
 from rigidsym.quaternions import conjugate, product, rotation_vectors
+from rigidsym.splitting.panels import HopelessError, Panels, rounding
 from rigidsym.splitting.running import run
 from rigidsym.splitting.state import State
 from rigidsym.splitting.stepping import Splitting
-from rigidsym.splitting.trajectory import Trajectory
+from rigidsym.splitting.trajectory import Mesh, Trajectory
 
-# The first step, which is halved, of the fastest body, rad.
-_FIRST = 1.0
-_MOST_HALVINGS = 24
-# So many in a row that gain less than half: errors fall by four in the limit of short steps, unless
-# rounding, noise or chaos is as large.
-_IN_VAIN = 4
+# The first run may be off by this, rad, or by the tolerance times this to the power of the order.
+_FIRST, _LOOSE = 0.02, 3.0
+# Meshes, each looking closer than the one before, and halvings of the steps of each.
+_MESHES, _HALVINGS = 4, 20
+# A change of the start that is as small as its rounding, rad.
+_NOTHING = 1e-15
+# Runs that are farther apart tell nothing about their order, rad.
+_FAR = 0.1
+# Steps that show how far a torque can be followed that is not smooth.
+_COARSE = 128
 
 
-def chosen(splitting: Splitting, start: State, times: np.ndarray, tolerance: float) -> Trajectory:
-    """The first of runs, each with half the step of the one before, below the tolerance.
+def chosen(
+    splitting: Splitting, start: State, times: np.ndarray, tolerance: float, stops: np.ndarray
+) -> Trajectory:
+    """Return the first of runs, each with half the steps of the one before, below the tolerance.
 
-    The error of a run is what parts it from the one before, over 2^order - 1, as it is in the limit
-    of short steps.  All runs before the last take as many evaluations as that does.  Raises
-    PrecisionError where halving no longer helps; its `trajectory` is the best.
+    The first run chooses its steps by local errors (`Panels`).  The error of a run is its
+    difference from the one before, over the ratio at which these differences fall, less 1.  Where
+    they fall too slowly another first run looks closer.  stops: where steps begin anew, s, from
+    times[0] to times[-1].  Raises PrecisionError with the reason where no step reaches the
+    tolerance; its `trajectory` is the best.
     """
-    runs = [run(splitting, start, times, _first_step(start, times))]
-    best, in_vain = replace(runs[0], error=np.inf), 0
-    for _ in range(_MOST_HALVINGS):
-        runs = [runs[-1], run(splitting, start, times, runs[-1].step / 2)]
-        error = gap(*runs) / (2**splitting.method.order - 1)
-        if error <= tolerance:
-            return replace(runs[1], error=error)
-        in_vain = 0 if error < _error(best) / 2 else in_vain + 1
-        if error < _error(best):
-            best = replace(runs[1], error=error)
-        if in_vain == _IN_VAIN:
-            break
-    refused = PrecisionError(
-        f"tolerance = {tolerance:g}: no step reaches it, the best is {best.step:g} s with "
-        f"{_error(best):.1e} rad"
-    )
-    vars(refused)["trajectory"] = best
-    raise refused
+    if times.size == 1:
+        return replace(run(splitting, start, times, Mesh(times.tolist(), [1.0])), error=0.0)
+    return _Search(splitting, start, times, tolerance, stops).found()
+
+
+@dataclass(slots=True)
+class _Search:
+    splitting: Splitting
+    start: State
+    times: np.ndarray
+    tolerance: float
+    stops: np.ndarray
+    best: Trajectory | None = None
+    is_stable: bool = False
+
+    def found(self) -> Trajectory:
+        """Return the trajectory, or raise PrecisionError."""
+        order = self.splitting.method.order
+        first = max(self.tolerance, min(self.tolerance * _LOOSE**order, _FIRST))
+        share = 1.0
+        for _ in range(_MESHES):
+            panels = Panels(self.splitting, self.start, self.stops, self.tolerance, first, share)
+            self._refuse_rounding(1, panels)
+            try:
+                found = self._halved(self._run(panels), panels)
+            except HopelessError as hopeless:
+                self._follow_coarsely()
+                raise self._refused(str(hopeless)) from None
+            if found.error is not None and found.error <= self.tolerance:
+                return found
+            share *= min(self.tolerance / (4 * (found.error or 0)), 0.1)
+        raise self._refused("runs with ever shorter steps do not come closer to each other")
+
+    def _halved(self, last: Trajectory, panels: Panels) -> Trajectory:
+        """The last of runs, each with half the steps of the one before: it is below the tolerance,
+        or the runs do not come closer as they should."""
+        most, coarsest = 2.0**self.splitting.method.order, last
+        ratio, before = min(panels.ratio, most), 0.0
+        for k in range(_HALVINGS):
+            count = self.splitting.evaluations
+            last, other = self._run(last.mesh.halved), last
+            apart, count = gap(other, last), self.splitting.evaluations - count
+            least = rounding(count, panels.turned)
+            if apart <= least:
+                ratio = most
+            elif k:
+                ratio = min(before / apart, most)
+            error = least + (apart / (ratio - 1) if ratio > 2 else max(before, apart))
+            seen = {"order": float(np.log2(max(ratio, 1.0))), "rough": tuple(sorted(panels.rough))}
+            last = replace(last, error=error, **seen)
+            if self.best is None or error <= (self.best.error or 0):
+                self.best = last
+            # A single difference is only trusted near the tolerance.
+            if error <= self.tolerance and (k or apart <= 8 * self.tolerance):
+                # Jumps by the attitude have moved as far as the motion, away from short panels.
+                moved = gap(coarsest, last) if panels.moves else 0.0
+                if moved > self.tolerance:
+                    last = self.best = replace(last, error=moved)
+                return last
+            self._refuse_rounding(count * (error / self.tolerance) ** (1 / np.log2(most)), panels)
+            if ratio <= 2 or apart > _FAR:
+                self._refuse_chaos(coarsest)
+            if apart > _FAR or (k and ratio < most**0.5):
+                break
+            before = apart
+        return last
+
+    def _run(self, mesh: Mesh, start: State | None = None) -> Trajectory:
+        return run(self.splitting, start or self.start, self.times, mesh)
+
+    def _refuse_rounding(self, count: float, panels: Panels) -> None:
+        """Raise PrecisionError if the rounding of so many steps is above the tolerance."""
+        least = rounding(count, panels.turned)
+        if least > self.tolerance:
+            if self.best is None:
+                self._follow_coarsely()
+            raise self._refused(f"rounding alone amounts to {least:.0e} rad")
+
+    def _refuse_chaos(self, found: Trajectory) -> None:
+        """Raise PrecisionError if a change of the start as small as rounding is above the
+        tolerance at the end."""
+        if self.is_stable:
+            return
+        q, omega = self.start.q, self.start.omega
+        turned = q + _NOTHING / 2 * q[..., [1, 0, 3, 2]] * [-1.0, 1.0, -1.0, 1.0]
+        other = self._run(found.mesh, State(turned, omega * (1 + _NOTHING)))
+        apart = gap(found, other)
+        if apart > self.tolerance:
+            raise self._refused(
+                f"motions that begin {_NOTHING:.0e} rad apart are {apart:.1e} rad apart in the end"
+            )
+        self.is_stable = True
+
+    def _follow_coarsely(self) -> None:
+        """Keep the second of two runs with equal steps as the best."""
+        fastest = np.max(np.linalg.norm(self.start.omega, axis=-1))
+        lengths = np.diff(self.stops)
+        steps = lengths / (_COARSE * np.ceil(1 + lengths * fastest / 8))
+        coarse = self._run(Mesh(self.stops[:-1].tolist(), steps.tolist()))
+        fine = self._run(coarse.mesh.halved)
+        self.best = replace(fine, error=gap(coarse, fine), order=0.0)
+
+    def _refused(self, reason: str) -> PrecisionError:
+        refused = PrecisionError(f"tolerance = {self.tolerance:g}: no step reaches it: {reason}")
+        if self.best:
+            best = f"the best is {self.best.step:g} s with {self.best.error:.1e} rad"
+            refused = PrecisionError(f"{refused}; {best}")
+            vars(refused)["trajectory"] = self.best
+        return refused
 
 
 def gap(one: Trajectory, other: Trajectory) -> float:
@@ -54,13 +154,3 @@ def gap(one: Trajectory, other: Trajectory) -> float:
     sizes = np.max(np.linalg.norm(other.omega, axis=-1), axis=-1, keepdims=True)
     parts = np.divide(rates, sizes, out=np.zeros_like(rates), where=sizes > 0)
     return float(max(np.max(turns), np.max(parts)))
-
-
-def _error(trajectory: Trajectory) -> float:
-    return np.inf if trajectory.error is None else trajectory.error
-
-
-def _first_step(start: State, times: np.ndarray) -> float:
-    fastest = float(np.max(np.linalg.norm(start.omega, axis=-1)))
-    span = float(times[-1] - times[0]) or 1.0
-    return min(span, _FIRST / fastest) if fastest else span

@@ -14,7 +14,7 @@ from rigidsym.splitting.running import run
 from rigidsym.splitting.state import State
 from rigidsym.splitting.stepping import Bodies, Splitting
 from rigidsym.splitting.torques import Torque
-from rigidsym.splitting.trajectory import Trajectory
+from rigidsym.splitting.trajectory import Mesh, Trajectory
 
 TOLERANCE = 1e-6
 
@@ -29,6 +29,7 @@ def integrate(
     step: float | None,
     method: str = "saba2",
     tolerance: float | None = None,
+    discontinuities: ArrayLike = (),
     rate_dependent: bool = False,
     engine: str = "numpy",
     allow_nonphysical: bool = False,
@@ -44,15 +45,20 @@ def integrate(
     method: "strang", "saba2", "aba84", "bm4" or "bm6" (`rigidsym.splitting.METHODS` has their
     coefficients, orders and sources): free motions, which are exact, and kicks by the torque in
     turn.  So errors are those of the torque alone: a weak one bears steps of a radian.  All are
-    symplectic and symmetric; with a torque from a potential the energy does not drift.  step: s,
-    the same throughout, counted from times[0]; None halves steps until the error is below
-    `tolerance` (rad, 1e-6 by default): the largest rotation, or change of rates as a part of the
-    body's largest, at any of `times` between a run and one with half the step, over 2^order - 1.
+    symplectic and symmetric; with a torque from a potential the energy does not drift.
+
+    step: s, the same throughout, counted from times[0].  None chooses steps, shorter where the
+    torque asks for it, until the error is below `tolerance`, 1e-6 by default: the largest rotation,
+    rad, or change of rates as a part of the body's largest, at any of `times`.  The error is
+    estimated from runs with steps halved, by the order of convergence that is observed.  The torque
+    is probed at a thousand times or more, so that jumps, kinks and pulses of 1/200 of the span or
+    more are found; narrower pulses may be missed.  discontinuities: (D,), s, times at which steps
+    begin anew; those outside of `times` are ignored.
 
     Returns a `Trajectory`: `q, omega = integrate(...)` has (..., N, 4) and (..., N, 3), and it can
     be called with other times.  Whatever stops an integration, Ctrl-C or a torque that is not
     finite, has the states until then as the exception's attribute `trajectory`.  Raises InputError,
-    and PrecisionError where no step reaches the tolerance.
+    and PrecisionError with the reason where no step reaches the tolerance.
 
     >>> from rigidsym.splitting import GravityGradient, KeplerOrbit
     >>> inertia = (0.0109, 0.04, 0.0506)
@@ -70,12 +76,14 @@ def integrate(
     at = _times(times)
     if not with_rates:
         _refuse_rate_dependence(splitting, start, float(at[0]))
+    stops = _stops(discontinuities, at)
     if step is None:
         goal = TOLERANCE if tolerance is None else _positive("tolerance", tolerance)
-        return chosen(splitting, start, at, goal)
+        return chosen(splitting, start, at, goal, stops)
     if tolerance is not None:
         raise InputError("tolerance", tolerance, "is for step=None, and a step is given")
-    return run(splitting, start, at, _step(step, at))
+    edges = stops[: max(1, stops.size - 1)].tolist()
+    return run(splitting, start, at, Mesh(edges, [_step(step, at)] * len(edges)))
 
 
 def _started(
@@ -118,6 +126,16 @@ def _times(times: ArrayLike) -> np.ndarray:
     for k in np.flatnonzero(np.diff(array) <= 0)[:1] + 1:
         raise InputError(f"times[{k}]", array[k], f"must be after times[{k - 1}] = {array[k - 1]}")
     return array
+
+
+def _stops(discontinuities: ArrayLike, times: np.ndarray) -> np.ndarray:
+    """The first of `times`, the discontinuities before the last, and the last, s, rising."""
+    array = batches.array("discontinuities", discontinuities)
+    if array.ndim != 1:
+        rule = "must be one-dimensional"
+        raise InputError("discontinuities", f"an array of shape {array.shape}", rule)
+    inside = (array > times[0]) & (array < times[-1])
+    return np.unique([*times[[0, -1]], *array[inside]])
 
 
 def _positive(field: str, value: float) -> float:

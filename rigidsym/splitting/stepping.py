@@ -1,6 +1,6 @@
 """Steps of a splitting method over a batch of bodies: free motions and kicks in turn."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from rigidsym import engines
 from rigidsym.engines import arrays, batches
 from rigidsym.errors import InputError
+from rigidsym.quaternions import rotated
 from rigidsym.splitting import compiled
 from rigidsym.splitting.methods import Method
 from rigidsym.splitting.state import State
@@ -47,12 +48,16 @@ class Bodies:
         return State(after.q.reshape(*shape, 4), after.omega.reshape(*shape, 3))
 
     def _propagated(self, state: State, dt: float) -> State:
+        found = self.drifts(state, np.array([dt]))
+        return State(found.q[..., 0, :], found.omega[..., 0, :])
+
+    def drifts(self, state: State, dt: np.ndarray) -> State:
+        """Return the free motion over each of M times, s: q (..., M, 4), omega (..., M, 3)."""
         moved = engines.engine(self.engine).propagate
         try:
-            q, omega = moved(self.inertia, state.omega, state.q, np.array([dt]))
+            return State(*moved(self.inertia, state.omega, state.q, dt))
         except engines.EngineError as error:
             raise _refused(error) from None
-        return State(q[..., 0, :], omega[..., 0, :])
 
 
 def _refused(error: engines.EngineError) -> InputError:
@@ -64,7 +69,8 @@ class Splitting:
     """Bodies, a torque, and a method that takes them forward in time.
 
     Kicks change the momentum at fixed attitude.  By a torque of attitude and time they are exact;
-    by a `rate_dependent` one they follow Runge and Kutta's method of order four.
+    by a `rate_dependent` one they follow Runge and Kutta's method of order four.  evaluations and
+    probes: calls of the torque, in steps and between them.
     """
 
     bodies: Bodies
@@ -72,6 +78,7 @@ class Splitting:
     method: Method
     rate_dependent: bool
     evaluations: int = field(default=0, init=False)
+    probes: int = field(default=0, init=False)
 
     def advance(self, state: State, begin: float, step: float, first: int, last: int) -> State:
         """From begin + first step to begin + last step, s; drifts that meet are one."""
@@ -126,6 +133,29 @@ class Splitting:
         self.evaluations += 1
         return _checked(self.torque(t, q, omega), t, omega.shape) / self.bodies.inertia
 
+    def probe(self, times: np.ndarray, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """Return the torque at times (M,) on attitudes (..., M, 4) and rates (..., M, 3), N m in
+        inertial axes, (M, ..., 3); raises InputError for one that is not finite."""
+        self.probes += times.size
+        found = [
+            self._probed(t, State(q[..., k, :], omega[..., k, :]))
+            for k, t in enumerate(times.tolist())
+        ]
+        return rotated(np.moveaxis(q, -2, 0), np.array(found))
+
+    def _probed(self, t: float, state: State) -> np.ndarray:
+        if (kicks := self._compiled(state)) is not None:
+            # Bodies at rest have, after a kick of a second, the rates that the torque gives them.
+            alone = replace(kicks, drifts=np.zeros(2), kicks=np.ones(1))
+            resting = State(state.q, np.zeros_like(state.omega))
+            try:
+                after = compiled.advance(alone, resting, t, 1.0, (0, 1))
+            except engines.EngineError:
+                pass
+            else:
+                return self.bodies.inertia * after.omega
+        return _checked(self.torque(t, state.q, state.omega), t, state.omega.shape)
+
 
 def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
     """A torque of finite numbers, one vector for each body."""
@@ -133,6 +163,8 @@ def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
     if array.shape != shape:
         rule = f"must be of shape {shape}, as omega is (t = {t:.17g} s)"
         raise InputError("torque", f"an array of shape {array.shape}", rule)
+    if np.isfinite(array).all():
+        return array
     for place in np.argwhere(~np.isfinite(array))[:1]:
         *body, axis = map(int, place)
         where = f"body {', '.join(map(str, body))}, " if body else ""

@@ -35,6 +35,11 @@ class DirectionTorque:
     def __init__(self, source: np.ndarray | KeplerOrbit, coefficients: np.ndarray) -> None:
         self.source, self.coefficients = source, coefficients
 
+    @property
+    def is_steady(self) -> bool:
+        """Whether the torque depends on the attitude alone, and smoothly."""
+        return isinstance(self.source, np.ndarray) and self.more == (None, None)
+
     def vector(self, t: float) -> np.ndarray:
         """In inertial axes, (..., 3)."""
         return self.source.tide(t) if isinstance(self.source, KeplerOrbit) else self.source

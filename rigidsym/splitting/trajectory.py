@@ -1,5 +1,6 @@
-"""States of a pushed body at the times asked for, and between them."""
+"""States of a body under a torque at the times asked for, and between them."""
 
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -11,25 +12,64 @@ from rigidsym.errors import InputError
 from rigidsym.splitting.state import State
 from rigidsym.splitting.stepping import Splitting
 
-# Of what a time is rounded by: nearer to the end of a step, it is that end.
+# Times are rounded: nearer to the end of a step than this, a time is that end.
 _NEAR = 4 * float(np.finfo(float).eps)
+
+
+@dataclass(slots=True, eq=False)
+class Mesh:
+    """Pieces of time with equal steps in each.
+
+    edges (P,): where pieces begin, s, rising; steps (P,), s.  The last piece has no end.  Steps are
+    counted from the edge, and the last one of a piece is shorter where they do not fit.
+    """
+
+    edges: list[float]
+    steps: list[float]
+
+    def piece(self, t: float, state: State) -> tuple[float, float]:
+        """Return the end of the piece that contains t, and its step, s."""
+        k = bisect_right(self.edges, t)
+        end = self.edges[k] if k < len(self.edges) else np.inf
+        return end, self.steps[max(k, 1) - 1]
+
+    @property
+    def halved(self) -> "Mesh":
+        """The mesh with half the steps, pieces with equal steps made one."""
+        found = Mesh([], [])
+        for edge, step in zip(self.edges, self.steps, strict=True):
+            if not found.steps or abs(found.steps[-1] - step / 2) > _NEAR * step:
+                found.edges.append(edge)
+                found.steps.append(step / 2)
+        return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Trajectory:
-    """What `integrate` returns: `q, omega = trajectory`, or a function of time.
+    """States that `integrate` returns: `q, omega = trajectory`, or a function of time.
 
-    times (N,), s; q (..., N, 4); omega (..., N, 3), rad/s; step, s; evaluations: calls of the
-    torque, each for all bodies; error: what `step=None` estimates, rad, else None.
+    times (N,), s; q (..., N, 4); omega (..., N, 3), rad/s; mesh: the steps taken; evaluations:
+    calls of the torque in steps, each for all bodies.  With `step=None` also probes: calls of the
+    torque between kicks, in search of jumps and pulses; error: the estimate, rad; order: the order
+    of convergence that was observed, at most the method's; rough: times, s, around which the torque
+    was found not to be smooth.
     """
 
     times: np.ndarray
     q: np.ndarray
     omega: np.ndarray
-    step: float
+    mesh: Mesh
     evaluations: int
     splitting: Splitting
     error: float | None = None
+    order: float | None = None
+    rough: tuple[float, ...] = ()
+    probes: int = 0
+
+    @property
+    def step(self) -> float:
+        """The step, s; the longest where steps differ."""
+        return max(self.mesh.steps, default=np.nan)
 
     def __iter__(self) -> Iterator[np.ndarray]:
         yield self.q
@@ -59,7 +99,7 @@ class Trajectory:
             places = np.flatnonzero(intervals == k)
             places = places[np.argsort(wanted[places], kind="stable")]
             known = State(self.q[..., k, :], self.omega[..., k, :])
-            found = states(self.splitting, known, self.times[k], wanted[places], self.step)
+            found = states(self.splitting, known, self.times[k], wanted[places], self.mesh)
             yield from zip(places, found, strict=True)
 
     def _refuse_beyond(self, wanted: np.ndarray) -> None:
@@ -76,18 +116,35 @@ class Trajectory:
 
 
 def states(
-    splitting: Splitting, state: State, begin: float, times: np.ndarray, step: float
+    splitting: Splitting, state: State, begin: float, times: np.ndarray, mesh: Mesh
 ) -> Iterator[State]:
-    """States at times that do not fall, from one at `begin`, by equal steps from there.
+    """Yield the states at times that do not fall, from one at `begin`.
 
     Which times are asked for changes no step: each is reached by a shorter one aside.
     """
-    done = 0
-    for t in times:
-        count, rest = _steps(float(t), begin, step)
+    end, step, done = begin, 0.0, 0
+    for t in times.tolist():
+        while t > end:
+            if step:
+                state = _reach(splitting, state, begin, end, step, done)
+                begin, done = end, 0
+            end, step = mesh.piece(begin, state)
+        if t == begin and not done:
+            yield state
+            continue
+        count, _ = _steps(t, begin, step)
         state = splitting.advance(state, begin, step, done, count)
         done = count
-        yield splitting.advance(state, begin + count * step, rest, 0, 1) if rest else state
+        yield _reach(splitting, state, begin, t, step, done)
+
+
+def _reach(
+    splitting: Splitting, state: State, begin: float, t: float, step: float, done: int
+) -> State:
+    """The state at t by whole steps from begin, of which some are done, and a shorter one."""
+    count, rest = _steps(t, begin, step)
+    state = splitting.advance(state, begin, step, done, count)
+    return splitting.advance(state, begin + count * step, rest, 0, 1) if rest else state
 
 
 def _steps(t: float, begin: float, step: float) -> tuple[int, float]:

@@ -190,6 +190,12 @@ BAD = {
     "an unknown engine": ({"engine": "fortran"}, "^engine = "),
     "a tolerance beside a step": ({"tolerance": 1e-3}, "^tolerance = 0.001: is for step=None"),
     "a tolerance of zero": ({"step": None, "tolerance": 0.0}, "^tolerance = 0.0: must be positive"),
+    "a discontinuity": ({"discontinuities": 0.5}, r"^discontinuities = an array of shape \(\)"),
+    "no discontinuities": ({"discontinuities": None}, "^discontinuities = None: must be an array"),
+    "a discontinuity at no time": (
+        {"discontinuities": [0.5, np.nan]},
+        r"^discontinuities\[1\] = nan: must be finite",
+    ),
     "a switch that is none": ({"rate_dependent": 1}, "^rate_dependent = 1: must be true or false"),
 }
 
