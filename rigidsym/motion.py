@@ -185,7 +185,7 @@ class TorqueFreeMotion:
             raise _refused(error, {"t": times, "errors": errors}) from None
 
     def sensitivity(
-        self, t: ArrayLike, errors: str = "raise"
+        self, t: ArrayLike, errors: str = "raise", columns: Iterable[str] | None = None
     ) -> tuple[np.ndarray, np.ndarray, Sensitivity]:
         """Return q and omega at t (s), as a call does, and their derivatives by all inputs.
 
@@ -200,15 +200,20 @@ class TorqueFreeMotion:
         the middle axis has derivatives whose squares leave binary64; with errors="nan" there are
         no numbers then.
 
+        columns: some of "attitude0", "omega0", "inertia" and "t"; there are no others then, and
+        only these are refused for growth.
+
         >>> motion = TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
         >>> q, omega, S = motion.sensitivity([0.0, 180.0])
         >>> S.attitude.shape, S.rates_t.shape
         ((2, 3, 9), (2, 3))
+        >>> motion.sensitivity([0.0, 180.0], columns=["omega0"])[2].rates.shape
+        (2, 3, 3)
         """
-        prepared = self._prepared
+        prepared, asked = self._prepared, _columns(columns)
         times = t if type(t) is float and math.isfinite(t) else _doubles(t, errors)
         found = _refusing(
-            lambda: _sensitive(self._engine).sensitivities(prepared, times, errors),
+            lambda: _sensitive(self._engine).sensitivities(prepared, times, errors, asked),
             t=times,
             errors=errors,
             engine=self.engine,
@@ -216,8 +221,9 @@ class TorqueFreeMotion:
         if not self._in_doubles:
             from rigidsym.engines.sensitivities import by_exact_moments
 
-            by_exact_moments(found, self.exact["inertia"])
-        return found[0], found[1], Sensitivity(*found[2:])
+            if "inertia" in asked:
+                by_exact_moments(found, self.exact["inertia"])
+        return found[0], found[1], Sensitivity(*found[2:], asked)
 
     def state_transition(self, t0: float, t: ArrayLike) -> np.ndarray:
         """(..., 6, 6): what a small turn in space and a change of the rates at t0 (s) are at t.
@@ -620,6 +626,7 @@ def propagate(
     errors: str = "raise",
     degrees: bool = False,
     sensitivity: Literal[False] = False,
+    columns: None = None,
 ) -> tuple[np.ndarray, np.ndarray]: ...
 @overload
 def propagate(
@@ -634,6 +641,7 @@ def propagate(
     errors: str = "raise",
     degrees: bool = False,
     sensitivity: Literal[True],
+    columns: Iterable[str] | None = None,
 ) -> tuple[np.ndarray, np.ndarray, Sensitivity]: ...
 def propagate(
     inertia: ArrayLike,
@@ -647,6 +655,7 @@ def propagate(
     errors: str = "raise",
     degrees: bool = False,
     sensitivity: bool = False,
+    columns: Iterable[str] | None = None,
 ) -> tuple[np.ndarray, np.ndarray] | tuple[np.ndarray, np.ndarray, Sensitivity]:
     """Many bodies at once: inertia (B, 3), omega0 (B, 3), t (N,) -> q (B, N, 4), omega (B, N, 3).
 
@@ -657,8 +666,9 @@ def propagate(
     pair of arrays of the shapes returned, to fill, which share no memory with each other or an
     input.  errors: "raise" InputError for the first body or time that is refused, named by its
     index, or "nan" for their states.  degrees: omega0 is in deg/s.  sensitivity: also return a
-    `Sensitivity`, as `TorqueFreeMotion.sensitivity` does, by omega0 in rad/s; then there is no
-    `out`.  Units, conventions and engines are those of `TorqueFreeMotion`.
+    `Sensitivity`, as `TorqueFreeMotion.sensitivity` does, by omega0 in rad/s and with its
+    `columns`; then there is no `out`.  Units, conventions and engines are those of
+    `TorqueFreeMotion`.
     """
     arrays = {"inertia": inertia, "omega0": omega0, "attitude0": attitude0}
     lenient = _is_lenient(errors)
@@ -671,11 +681,20 @@ def propagate(
     if inputs.is_true("sensitivity", sensitivity):
         if out is not None:
             raise InputError("out", "given", "sensitivities have arrays of their own")
+        asked = _columns(columns)
         found = _refusing(
-            lambda: _sensitive(chosen).propagate(*arguments, times, errors), engine=engine, **said
+            lambda: _sensitive(chosen).propagate(*arguments, times, errors, asked),
+            engine=engine,
+            **said,
         )
-        return found[0], found[1], Sensitivity(*found[2:])
+        return found[0], found[1], Sensitivity(*found[2:], asked)
+    if columns is not None:
+        raise InputError("columns", repr(columns), "are of sensitivities: set sensitivity=True")
     return _refusing(lambda: chosen.propagate(*arguments, times, out, errors), **said)
+
+
+def _columns(columns: Iterable[str] | None) -> tuple[str, ...]:
+    return _refusing(lambda: engines.columns(columns), columns=repr(columns))
 
 
 def _sensitive(engine: engines.Engine) -> "Sensitive":
@@ -704,9 +723,10 @@ def _with_sensitivities(
     for k, row in enumerate(listed):
         table[k] = row
     table = table[0] if single else table
-    q, omega, turns, rates, *by_time = np.split(table, np.cumsum(_WIDTHS)[:-1], axis=-1)
+    parts = np.split(table, np.cumsum(_WIDTHS)[:-1], axis=-1)
+    q, omega, turns, rates, turns_t, rates_t = parts
     attitude, changes = (x.reshape(*x.shape[:-1], 3, 9) for x in (turns, rates))
-    return q, omega, Sensitivity(attitude, changes, *by_time)
+    return q, omega, Sensitivity(attitude, changes, turns_t, rates_t)
 
 
 @dataclass(frozen=True, slots=True)

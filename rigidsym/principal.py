@@ -68,6 +68,8 @@ class PrincipalAxes:
         >>> body.sensitivity(motion(0.0), *motion.sensitivity([0.0, 5.0])).attitude.shape
         (2, 3, 12)
         """
+        if len(found.columns) < 4:
+            raise InputError("columns", ", ".join(found.columns), "all are needed for a tensor's")
         turns, moments = self._by_tensor()
         q0, omega0 = _array("start[0]", start[0], 4), _array("start[1]", start[1], 3)
         rates = _array("omega", omega, 3)

@@ -15,7 +15,7 @@ ALLOWED = {
     "rigidsym._version": "",
     "rigidsym.errors": "",
     "rigidsym.quaternions": "",
-    "rigidsym.sensitivity": "",
+    "rigidsym.sensitivity": "errors",
     "rigidsym.language": "",
     "rigidsym.generated": "",
     "rigidsym.inputs": "errors",

@@ -1,13 +1,14 @@
 """Sensitivities of motions: shapes, frames, and strata against differences of many digits."""
 
 from fractions import Fraction
+from itertools import combinations
 
 import numpy as np
 import pytest
 from sensitivity_oracle import differences, errors
 
 from rigidsym import InputError, TorqueFreeMotion, propagate
-from rigidsym.engines import ENGINES
+from rigidsym.engines import ENGINES, arrays
 from rigidsym.validate.strata.table import STRATA, draw
 
 PAPER = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
@@ -177,3 +178,105 @@ def test_what_grows_beyond_binary64_is_refused(engine):
         spin.sensitivity(np.inf)
     with pytest.raises(InputError, match="out = given: sensitivities have arrays of their own"):
         propagate(*PAPER, 1.0, sensitivity=True, out=(np.empty(4), np.empty(3)))
+
+
+COLUMNS = ("attitude0", "omega0", "inertia", "t")
+SOME = [names for count in range(1, 5) for names in combinations(COLUMNS, count)]
+
+
+def _chosen(whole, names):
+    """What the whole has of some columns."""
+    wanted = [3 * COLUMNS.index(name) + k for name in names if name != "t" for k in range(3)]
+    by_t = slice(None) if "t" in names else slice(0)
+    q, omega, attitude, rates, attitude_t, rates_t = whole
+    some = attitude[..., wanted], rates[..., wanted], attitude_t[..., by_t], rates_t[..., by_t]
+    return q, omega, *some
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize("names", SOME, ids="+".join)
+def test_some_columns_have_the_bits_of_all(engine, names):
+    times = np.append(np.linspace(-50.0, 300.0, 70), 0.0)
+    motions = [(PAPER[0], PAPER[1]), ((3, 2, 1), (0, 1, 0)), ((1, 1, 2), (0, 0, 0))]
+    for inertia, omega0 in motions:
+        one = TorqueFreeMotion(inertia, omega0, engine=engine)
+        found = one.sensitivity(times, columns=names[::-1])
+        assert found[2].columns == names
+        for part, true in zip(
+            _parts(found), _chosen(_parts(one.sensitivity(times)), names), strict=True
+        ):
+            np.testing.assert_array_equal(part, true)
+        at = one.sensitivity(times[3], columns=names)
+        for part, true in zip(_parts(at), _parts(found), strict=True):
+            np.testing.assert_array_equal(part, true[3])
+    bodies = np.array([x[0] for x in motions]), np.array([x[1] for x in motions])
+    whole = propagate(*bodies, times, engine=engine, sensitivity=True)
+    found = propagate(*bodies, times, engine=engine, sensitivity=True, columns=names)
+    assert found[2].columns == names
+    for part, true in zip(_parts(found), _chosen(_parts(whole), names), strict=True):
+        np.testing.assert_array_equal(part, true)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_columns_of_exact_inputs(engine):
+    exact = TorqueFreeMotion(("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"), engine=engine)
+    whole = exact.sensitivity([1.0, 9.0])
+    for names in SOME:
+        found = exact.sensitivity([1.0, 9.0], columns=names)
+        for part, true in zip(_parts(found), _chosen(_parts(whole), names), strict=True):
+            np.testing.assert_array_equal(part, true)
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+def test_only_columns_that_are_asked_for_are_refused(engine):
+    spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0), engine=engine)
+    late = [1.0, 1e4]
+    for name in COLUMNS[:3]:
+        found = spin.sensitivity(late, errors="nan", columns=name)[2]
+        lost = np.isnan(found.attitude[1]).any() or np.isnan(found.rates[1]).any()
+        assert found.attitude.shape == (2, 3, 3)
+        assert np.isfinite(found.attitude[0]).all()
+        if lost:
+            with pytest.raises(InputError, match=r"t\[1\] = 10000\.0: .*squares"):
+                spin.sensitivity(late, columns=[name])
+    assert np.isfinite(spin.sensitivity(late, columns=["attitude0", "t"])[2].rates).all()
+
+
+@pytest.mark.parametrize("engine", ENGINES)
+@pytest.mark.parametrize(
+    "bad", ["omega", ["omega0", "omega0"], [], ["attitude0", "moments"], 5, [None], ""]
+)
+def test_columns_that_are_none(engine, bad):
+    rule = "columns = .*must be some of attitude0, omega0, inertia, t, each once"
+    with pytest.raises(InputError, match=rule):
+        TorqueFreeMotion(*PAPER, engine=engine).sensitivity(1.0, columns=bad)
+    with pytest.raises(InputError, match=rule):
+        propagate(*PAPER, 1.0, engine=engine, sensitivity=True, columns=bad)
+
+
+def test_columns_are_of_sensitivities():
+    with pytest.raises(InputError, match=r"columns = .*set sensitivity=True"):
+        propagate(*PAPER, 1.0, columns=["t"])
+    found = TorqueFreeMotion(*PAPER).sensitivity(1.0, columns=["omega0", "t"])[2]
+    with pytest.raises(InputError, match="columns = omega0, t: a transition needs"):
+        found.transition  # noqa: B018
+
+
+def test_memory_is_handed_on_when_nobody_looks_at_it():
+    arrays.sensitivities((20_000,))
+    one = arrays.sensitivities((20_000,))
+    part = one[3][5:]
+    two = arrays.sensitivities((20_000,))
+    assert not any(np.shares_memory(x, y) for x in one for y in two)
+    del one
+    assert not np.shares_memory(arrays.sensitivities((20_000,))[3], part)
+    del two, part
+    assert arrays._kept
+    again = arrays.sensitivities((19_000,))
+    assert not arrays._kept
+    del again
+    # Nobody who asks for little, or for very much, holds on to it.
+    for size in (9_200, 500_000):
+        other = arrays.sensitivities((size,))
+        assert not arrays._kept or arrays._kept[0].size <= 60 * 100_000
+        del other

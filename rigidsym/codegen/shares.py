@@ -17,8 +17,8 @@ def _of_c(names: str) -> tuple[str, ...]:
 RUNTIMES = {
     "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
     "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
-    "c": _of_c("runtime exact arithmetic rounding quotients double_double"),
-    "c-step": _of_c("step kick step_arithmetic rounding quotients double_double"),
+    "c": _of_c("runtime bodies exact arithmetic rounding quotients double_double"),
+    "c-step": _of_c("step kick bodies step_arithmetic rounding quotients double_double"),
 }
 # And what the theta form has beside them.
 SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}

@@ -4,7 +4,7 @@ Both follow one protocol, and their states at given times agree within the error
 to have.
 """
 
-from rigidsym.engines.arrays import SIZES, is_lenient
+from rigidsym.engines.arrays import SIZES, columns, is_lenient
 from rigidsym.engines.choice import (
     ENGINES,
     EVERY,
@@ -32,6 +32,7 @@ __all__ = [
     "States",
     "Stepper",
     "checked",
+    "columns",
     "engine",
     "exact_stepper",
     "exactly",

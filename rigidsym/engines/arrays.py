@@ -1,17 +1,20 @@
 """Arrays as engines take and give them: times, batches of bodies, and outputs."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines.protocol import EngineError, Outputs, Sensitivities, States
+from rigidsym.generated import torque_free
 
 BAD_TIMES = "times must be one finite number or a one-dimensional array of them"
-# The last axes of states and what they change by.
-SENSITIVITIES = ((4,), (3,), (3, 9), (3, 9), (3,), (3,))
-_CHANGES = sum(map(math.prod, SENSITIVITIES[2:]))
+# What states change by: the columns of sensitivities, three for each but the time.
+COLUMNS = torque_free.COLUMNS
+# Doubles of the pieces of memory that are kept for the next sensitivities: at 100 000 times.
+_LEAST, _MOST = 1 << 19, 60 * 100_000
+_kept: list[np.ndarray] = []
 SIZES = {"inertia": 3, "differences": 3, "omega0": 3, "attitude0": 4}
 ERRORS = ("raise", "nan")
 _DOUBLE = np.dtype(np.float64)
@@ -132,20 +135,62 @@ def _are_apart(q: np.ndarray, omega: np.ndarray, read: list[np.ndarray]) -> bool
     return True
 
 
-def sensitivities(shape: tuple[int, ...]) -> Sensitivities:
-    """New arrays for states of this shape and what they change by.
+def columns(names: Iterable[str] | None) -> tuple[str, ...]:
+    """The columns that are asked for, in the order of COLUMNS; all where None."""
+    if names is None or names is COLUMNS:
+        return COLUMNS
+    try:
+        given = (names,) if isinstance(names, str) else tuple(names)
+    except TypeError:
+        given = (None,)
+    found = tuple(name for name in COLUMNS if name in given)
+    if not given or len(found) != len(given):
+        raise EngineError("columns", f"must be some of {', '.join(COLUMNS)}, each once")
+    return found
 
-    Those of changes are one piece of memory, which allocators keep where they would give pieces
-    back to the system, and have them anew page by page.
-    """
-    count = math.prod(shape)
-    piece, begin, changes = np.empty(_CHANGES * count), 0, []
-    for last in SENSITIVITIES[2:]:
-        changes.append(np.ndarray((*shape, *last), float, piece, begin))
-        begin += changes[-1].nbytes
+
+def sensitivity_shapes(asked: tuple[str, ...]) -> tuple[tuple[int, ...], ...]:
+    """The last axes of states and what they change by, of these columns."""
+    by_t = (3 if "t" in asked else 0,)
+    changes = (3, 3 * (len(asked) - ("t" in asked)))
+    return (4,), (3,), changes, changes, by_t, by_t
+
+
+def sensitivities(shape: tuple[int, ...], asked: tuple[str, ...] = COLUMNS) -> Sensitivities:
+    """New arrays for states of this shape and what they change by."""
+    count, ends = math.prod(shape), sensitivity_shapes(asked)
+    piece, begin, changes = _memory(count * sum(map(math.prod, ends[2:]))), 0, []
+    for last in ends[2:]:
+        size = count * math.prod(last)
+        changes.append(piece[begin : begin + size].reshape(*shape, *last))
+        begin += size
     attitude, rates, attitude_t, rates_t = changes
-    q, omega = (np.empty((*shape, *last)) for last in SENSITIVITIES[:2])
+    q, omega = (np.empty((*shape, *last)) for last in ends[:2])
     return q, omega, attitude, rates, attitude_t, rates_t
+
+
+class _Loan:
+    """Memory that is there for the next who asks once no array looks at it."""
+
+    def __init__(self, room: np.ndarray) -> None:
+        self.room, self.__array_interface__ = room, room.__array_interface__
+
+    def __del__(self, kept: list[np.ndarray] = _kept) -> None:
+        kept[:] = [self.room]
+
+
+def _memory(size: int) -> np.ndarray:
+    """Room for so many doubles.
+
+    The system clears memory before it gives it, which takes as long as to compute what it is for:
+    the last piece of up to 48 MB is kept for the next call.  Of pieces below 4 MB allocators keep
+    enough.
+    """
+    if not _LEAST <= size <= _MOST:
+        return np.empty(size)
+    kept, _kept[:] = _kept[:], []
+    fits = kept and size <= kept[0].size <= 2 * size
+    return np.asarray(_Loan(kept[0] if fits else np.empty(size)))[:size]
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:

@@ -11,12 +11,7 @@ from pathlib import Path
 from rigidsym.engines import cache
 from rigidsym.engines.cache import CacheError
 from rigidsym.engines.compiler import FLAGS, Compiler, CompilerError, compile_library, find
-from rigidsym.engines.library import (
-    AnyLibrary,
-    LibraryError,
-    check_arithmetic,
-    load,
-)
+from rigidsym.engines.library import Library, LibraryError, check_arithmetic, load
 
 # The C module of each engine that runs one.
 FILES = {
@@ -28,7 +23,7 @@ FILES = {
 _TELLING = {"model name", "flags", "Features", "CPU implementer", "CPU architecture", "CPU part"}
 
 
-def library(remarks: list[str], engine: str = "c") -> AnyLibrary:
+def library(remarks: list[str], engine: str = "c") -> Library:
     """Load or build that of an engine; what the user should hear of is added to `remarks`.
 
     Raises CompilerError and LibraryError where there is no library to be had.
@@ -68,7 +63,7 @@ def processor() -> list[str]:
     return telling
 
 
-def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> AnyLibrary | None:
+def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library | None:
     for path in cache.kept(key):
         try:
             if not cache.is_whole(path):
@@ -80,9 +75,7 @@ def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> AnyLibr
     return None
 
 
-def _built(
-    sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]
-) -> AnyLibrary:
+def _built(sources: Mapping[str, str], compiler: Compiler, key: str, remarks: list[str]) -> Library:
     """Compile in a temporary directory, and keep the library where that can be done."""
     try:
         with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
@@ -97,7 +90,7 @@ def _built(
         raise CompilerError(f"there is no place to compile in ({error})") from None
 
 
-def _kept(sources: Mapping[str, str], key: str, built: Path) -> AnyLibrary:
+def _kept(sources: Mapping[str, str], key: str, built: Path) -> Library:
     path = cache.keep(key, built)
     try:
         return load(path, sources)

@@ -21,8 +21,6 @@ _DOUBLE = ctypes.sizeof(c_double)
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
 # A prepared motion takes as long as this many states.
 PREPARATION = 256
-# Codes of torque_free.h that many inputs can be meant by, and those of times.
-_NOT_FINITE, _SEPARATRIX, _TIME = 1, 5, 6
 
 
 class CEngine:
@@ -31,10 +29,10 @@ class CEngine:
     __slots__ = ("_prepared_type", "_state_at", "library")
 
     def __init__(self, library: Library) -> None:
-        self.library = library
-        self._state_at = library.state_at
+        self.library = library.raw
+        self._state_at = library.raw.state_at
         # An array of doubles is aligned as a prepared motion has to be.
-        self._prepared_type = c_double * -(-library.motion_size() // _DOUBLE)
+        self._prepared_type = c_double * -(-self.library.motion_size() // _DOUBLE)
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
@@ -88,7 +86,7 @@ class CEngine:
     ) -> EngineError:
         """What a code of torque_free.h means for these inputs."""
         endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
-        if code == _NOT_FINITE and endless:
+        if code == self.library.NOT_FINITE and endless:
             return EngineError(endless[0], "every number must be finite", body)
         field, _, rule = self.library.message(code).decode().rpartition(": ")
         return EngineError(field or "engine", rule, body)
@@ -100,7 +98,7 @@ class CEngine:
         if endless.size:
             return EngineError("t", arrays.BAD_TIMES, time=int(endless[0]))
         rule = self.library.message(code).decode().partition(": ")[2]
-        if code == _SEPARATRIX:
+        if code == self.library.SEPARATRIX:
             rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
         return EngineError("t", rule, time=int(late[0]) if late.size else None)
 

@@ -109,12 +109,12 @@ def _obtained(name: str) -> tuple[Engine | Stepper | str, list[str]]:
     from rigidsym.engines.build import library
     from rigidsym.engines.c_engine import CEngine
     from rigidsym.engines.compiler import CompilerError
-    from rigidsym.engines.library import Library, LibraryError
+    from rigidsym.engines.library import LibraryError
 
     remarks: list[str] = []
     try:
         found = library(remarks, name)
-        engine = CEngine(found) if isinstance(found, Library) else CStepper(found)
+        engine = CStepper(found) if name in STEPPERS else CEngine(found)
         return engine, remarks
     except (CompilerError, LibraryError) as error:
         remarks.append(f"engine: {error}: states are computed by NumPy")

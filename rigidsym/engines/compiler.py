@@ -11,6 +11,8 @@ from pathlib import Path
 NAMES = ("cc", "gcc", "clang")
 # gcc prefers 256 bits where it has 512, and the loops gain a fifth by them.
 NATIVE = ("-march=native", "-mprefer-vector-width=512")
+# Python has asked already whether a body can have its moments, and may have been told to pass any.
+ANY_MOMENTS = "-DALLOW_NONPHYSICAL"
 # Contraction is off because the sources write every fused product themselves: else their exact
 # error terms, and with them the last digits, would depend on the compiler.
 FLAGS = (
@@ -20,6 +22,7 @@ FLAGS = (
     "-ffp-contract=off",
     "-fno-math-errno",
     "-fno-trapping-math",
+    ANY_MOMENTS,
     "-fPIC",
     "-shared",
 )

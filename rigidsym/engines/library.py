@@ -1,60 +1,23 @@
-"""The compiled functions of torque_free.h, as ctypes calls them."""
+"""The compiled functions of a generated module, by the prototypes in its header."""
 
 import ctypes
+import operator
 import re
 from collections.abc import Callable, Mapping
 from ctypes import c_char_p, c_double, c_int, c_size_t, c_void_p
 from dataclasses import dataclass
+from math import prod
 from pathlib import Path, PurePath
-from typing import Any, TypeAlias
+from types import SimpleNamespace
+from typing import Any
 
-_Type = type[c_char_p | c_double | c_int | c_size_t | c_void_p]
-_BODY = (c_void_p,) * 3
-_OUT = (c_void_p,) * 2
-_ARITHMETIC, _STEP_ARITHMETIC = 8, 6
-_CHANGES = (c_void_p,) * 4
-# Name after the prefix, result, arguments.
-_SIGNATURES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
-    "digest": (c_char_p, ()),
-    "message": (c_char_p, (c_int,)),
-    "motion_size": (c_size_t, ()),
-    "motion_init": (c_int, (c_void_p, *_BODY)),
-    "motion_init_double_doubles": (c_int, (c_void_p, *_BODY, *(c_void_p,) * 2, c_double)),
-    "state_at": (c_int, (c_void_p, c_double, *_OUT)),
-    "states_at": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT)),
-    "states_on_grid": (c_int, (c_void_p, c_double, c_double, c_size_t, c_size_t, *_OUT)),
-    "propagate": (
-        c_int,
-        (c_size_t, *_BODY, c_size_t, c_void_p, c_size_t, *_OUT, c_void_p, c_void_p),
-    ),
-    "last_time": (c_double, (c_void_p,)),
-}
-# Of the theta form alone.
-_SENSITIVITIES: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
-    "states_with_sensitivity": (c_int, (c_void_p, c_size_t, c_void_p, *_OUT, *_CHANGES)),
-    "propagate_with_sensitivity": (
-        c_int,
-        (c_size_t, *_BODY, c_size_t, c_void_p, c_size_t, *_OUT, *_CHANGES, c_void_p, c_void_p),
-    ),
-}
-_STEPS: dict[str, tuple[_Type, tuple[_Type, ...]]] = {
-    "step_digest": (c_char_p, ()),
-    "step_message": (c_char_p, (c_int,)),
-    "body_size": (c_size_t, ()),
-    "body_init": (c_int, (c_void_p, c_void_p)),
-    "step": (c_int, (c_void_p, *_OUT, c_double)),
-    "steps": (
-        c_int,
-        (c_size_t, c_void_p, c_size_t, *_BODY, c_size_t, *_OUT, c_void_p),
-    ),
-    "integrate": (
-        c_int,
-        (
-            *(c_size_t, c_void_p, c_size_t, c_void_p, c_void_p),
-            *(c_double, c_double, c_size_t, c_size_t, *_OUT, c_void_p),
-        ),
-    ),
-}
+import numpy as np
+
+_PROTOTYPE = re.compile(r"^(const char \*|[a-z_]+ )(\w+)\(([^(){}]*)\);", re.MULTILINE)
+_PARAMETER = re.compile(r"(const )?(\w+) (\*?)(\w+)((?:\[\d+\])*)( OR_NULL)?")
+_CONSTANT = re.compile(r"^ +([A-Z_0-9]+) = (\d+)", re.MULTILINE)
+_PLAIN = {"double": c_double, "int": c_int, "size_t": c_size_t}
+_ELEMENTS = {"double": np.dtype(np.float64), "int": np.dtype(np.intc), "size_t": np.dtype(np.uintp)}
 
 
 class LibraryError(Exception):
@@ -62,65 +25,182 @@ class LibraryError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Library:
-    """The functions of torque_free.h; pointers are addresses or ctypes arrays."""
+class Parameter:
+    """A parameter as a prototype declares it; `least`: elements that a pointer must have."""
 
-    digest: Callable[..., bytes]
-    message: Callable[..., bytes]
-    motion_size: Callable[..., int]
-    motion_init: Callable[..., int]
-    motion_init_double_doubles: Callable[..., int]
-    state_at: Callable[..., int]
-    states_at: Callable[..., int]
-    states_on_grid: Callable[..., int]
-    propagate: Callable[..., int]
-    last_time: Callable[..., float]
-    states_with_sensitivity: Callable[..., int] | None = None
-    propagate_with_sensitivity: Callable[..., int] | None = None
+    text: str
+    name: str
+    type: str
+    is_pointer: bool
+    is_const: bool
+    least: int
+    may_be_null: bool
+
+    def given(self, value: Any, sizes: Mapping[str, int]) -> Any:
+        """The value as ctypes passes it; raises TypeError where it is not what is declared.
+
+        A pointer is an array of NumPy, contiguous and of this type, or an object of ctypes.
+        """
+        if not self.is_pointer:
+            return self._number(value)
+        if value is None and self.may_be_null:
+            return None
+        if isinstance(value, np.ndarray) and self._is_memory_of(value):
+            return value.ctypes.data
+        known = isinstance(value, ctypes.Array | ctypes.Structure | ctypes._SimpleCData)
+        if known and self._is_of_type(value) and ctypes.sizeof(value) >= self._bytes(sizes):
+            return ctypes.addressof(value)
+        raise self._refused(value)
+
+    def _is_memory_of(self, value: np.ndarray) -> bool:
+        if self.type not in _ELEMENTS:
+            return False
+        flags = value.flags
+        fits = flags.c_contiguous and flags.aligned and (flags.writeable or self.is_const)
+        return fits and value.dtype == _ELEMENTS[self.type] and value.size >= self.least
+
+    def _number(self, value: Any) -> float | int:
+        try:
+            if isinstance(value, bool | str):
+                raise TypeError
+            if self.type == "double":
+                return float(value)
+            whole = operator.index(value)
+        except TypeError:
+            raise self._refused(value) from None
+        bits = 8 * ctypes.sizeof(_PLAIN[self.type])
+        least = 0 if self.type == "size_t" else -(1 << bits - 1)
+        if not least <= whole < least + (1 << bits):
+            raise self._refused(value)
+        return whole
+
+    def _bytes(self, sizes: Mapping[str, int]) -> int:
+        if self.type in _PLAIN:
+            return self.least * ctypes.sizeof(_PLAIN[self.type])
+        return sizes.get(self.type, 1)
+
+    def _is_of_type(self, value: Any) -> bool:
+        """Whether elements have the type; of a struct, memory of any kind will do."""
+        wanted = _PLAIN.get(self.type)
+        return wanted is None or isinstance(value, wanted) or getattr(value, "_type_", 0) is wanted
+
+    def _refused(self, value: Any) -> TypeError:
+        shown = f"{type(value).__name__}"
+        if isinstance(value, np.ndarray):
+            shown = f"{value.dtype} of shape {value.shape}"
+        return TypeError(f"{self.name}: {shown} is given: must be {self.text}")
 
 
 @dataclass(frozen=True, slots=True)
-class StepLibrary:
-    """The functions of torque_free_step.h; pointers are addresses or ctypes arrays."""
+class Signature:
+    """A function as its prototype declares it."""
 
-    digest: Callable[..., bytes]
-    message: Callable[..., bytes]
-    body_size: Callable[..., int]
-    body_init: Callable[..., int]
-    step: Callable[..., int]
-    steps: Callable[..., int]
-    integrate: Callable[..., int]
+    name: str
+    result: type[c_char_p | c_double | c_int | c_size_t]
+    parameters: tuple[Parameter, ...]
+
+    def arguments(self, given: tuple[Any, ...], sizes: Mapping[str, int]) -> list[Any]:
+        """The arguments as ctypes passes them; raises TypeError for a wrong number or type."""
+        if len(given) != len(self.parameters):
+            names = ", ".join(x.name for x in self.parameters)
+            rule = f"{self.name} takes {len(self.parameters)} arguments ({names})"
+            raise TypeError(f"{rule}, {len(given)} are given")
+        return [x.given(value, sizes) for x, value in zip(self.parameters, given, strict=True)]
 
 
-AnyLibrary: TypeAlias = Library | StepLibrary
+def signatures(header: str) -> dict[str, Signature]:
+    """What a generated header declares, by name.
+
+    >>> found = signatures("int f(size_t n, const double x[3], int *codes /* or NULL */);")
+    >>> [x.text for x in found["f"].parameters]
+    ['size_t n', 'const double x[3]', 'int *codes or NULL']
+    """
+    text = re.sub(r"/\*.*?\*/", "", header.replace("/* or NULL */", "OR_NULL"), flags=re.DOTALL)
+    return {
+        name: Signature(name, _PLAIN.get(result.strip(), c_char_p), _parameters(parameters))
+        for result, name, parameters in _PROTOTYPE.findall(text)
+    }
 
 
-def load(path: Path, sources: Mapping[str, str]) -> AnyLibrary:
+def _parameters(text: str) -> tuple[Parameter, ...]:
+    found = []
+    for one in "".join(text.split("\n")).split(",") if text != "void" else ():
+        whole = " ".join(one.split())
+        match = _PARAMETER.fullmatch(whole)
+        if match is None:
+            raise LibraryError(f"{whole}: a parameter of no kind that is called here")
+        const, kind, star, name, sizes, null = match.groups()
+        least = prod(map(int, re.findall(r"\d+", sizes))) if sizes else 0
+        said = whole.replace("OR_NULL", "or NULL")
+        pointer = bool(star or sizes)
+        found.append(Parameter(said, name, kind, pointer, bool(const), least, bool(null)))
+    return tuple(found)
+
+
+class Library:
+    """The functions of a header, as attributes by their names without the module's prefix.
+
+    A call with a wrong number of arguments, or a wrong one, raises TypeError.  `raw` has the same
+    functions for engines, which hand over addresses, of arrays that are known to be right: what is
+    no address raises there, too.  It also has the header's constants, in capitals.
+    """
+
+    def __init__(self, shared: ctypes.CDLL, header: str, stem: str) -> None:
+        self.signatures: dict[str, Signature] = {}
+        self.raw: Any = SimpleNamespace()
+        for name, signature in signatures(header).items():
+            function = getattr(shared, name)
+            function.restype = signature.result
+            function.argtypes = [
+                c_void_p if x.is_pointer else _PLAIN[x.type] for x in signature.parameters
+            ]
+            # The steps' module has a prefix of its own only where another module has the name.
+            short = name.removeprefix(f"{stem}_").removeprefix("torque_free_")
+            self.signatures[short] = signature
+            setattr(self.raw, short, function)
+        for name, value in _CONSTANT.findall(header):
+            setattr(self.raw, name.removeprefix(f"{stem.upper()}_"), int(value))
+        prefix = "torque_free_" if "body_size" in self.signatures else f"{stem}_"
+        self._sizes = {
+            prefix + short.removesuffix("_size"): getattr(self.raw, short)()
+            for short in self.signatures
+            if short.endswith("_size")
+        }
+
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        if name not in vars(self).get("signatures", ()):
+            raise AttributeError(name)
+        signature, function = self.signatures[name], getattr(self.raw, name)
+
+        def checked(*given: Any) -> Any:
+            return function(*signature.arguments(given, self._sizes))
+
+        return checked
+
+
+def load(path: Path, sources: Mapping[str, str]) -> Library:
     """The library in a file; raises LibraryError where it was not built from the sources."""
-    makes_steps = "torque_free_step.h" in sources
+    header = next(name for name in sources if name.endswith(".h"))
     try:
-        shared = ctypes.CDLL(str(path))
-        functions = _step_functions(shared) if makes_steps else _functions(shared, _prefix(sources))
+        library = Library(ctypes.CDLL(str(path)), sources[header], PurePath(header).stem)
+        digest = library.raw.digest().decode("ascii", "replace")
     except (OSError, AttributeError) as error:
         raise LibraryError(f"{path} cannot be loaded ({_reason(error, path)})") from None
     expected = written_digest(sources)
-    if expected and functions.digest().decode("ascii", "replace") != expected:
+    if expected and digest != expected:
         raise LibraryError(f"{path} was built from other sources")
-    return functions
+    return library
 
 
-def check_arithmetic(library: AnyLibrary) -> None:
+def check_arithmetic(library: Library) -> None:
     """Raise LibraryError where none will be prepared: options in $CC can do that."""
-    one = (c_double * 4)(1.0, 1.0, 1.0, 1.0)
-    if isinstance(library, Library):
-        code, refused = (
-            library.motion_init(_room(library.motion_size()), one, one, one),
-            _ARITHMETIC,
-        )
+    one = np.ones(4)
+    if "body_init" in library.signatures:
+        code = library.body_init(_room(library.body_size()), one)
     else:
-        code, refused = library.body_init(_room(library.body_size()), one), _STEP_ARITHMETIC
-    if code == refused:
-        raise LibraryError(f"the C module refuses: {library.message(refused).decode()}")
+        code = library.motion_init(_room(library.motion_size()), one, one, one)
+    if code == library.raw.ARITHMETIC:
+        raise LibraryError(f"the C module refuses: {library.message(code).decode()}")
 
 
 def _room(size: int) -> ctypes.Array[c_double]:
@@ -132,32 +212,6 @@ def written_digest(sources: Mapping[str, str]) -> str | None:
     text = "\n".join(sources.values())
     found = re.search(r"^\W*digest ([0-9a-f]{64})\b", text, re.MULTILINE)
     return found[1] if found else None
-
-
-def _prefix(sources: Mapping[str, str]) -> str:
-    """What names begin with: a module's own, as its header's does."""
-    return next(PurePath(name).stem for name in sources if name.endswith(".h"))
-
-
-def _functions(shared: ctypes.CDLL, prefix: str) -> Library:
-    declared = _declared(shared, prefix, _SIGNATURES)
-    if hasattr(shared, f"{prefix}_{next(iter(_SENSITIVITIES))}"):
-        declared |= _declared(shared, prefix, _SENSITIVITIES)
-    return Library(**declared)
-
-
-def _step_functions(shared: ctypes.CDLL) -> StepLibrary:
-    declared = _declared(shared, "torque_free", _STEPS).items()
-    return StepLibrary(**{name.removeprefix("step_"): value for name, value in declared})
-
-
-def _declared(
-    shared: ctypes.CDLL, prefix: str, signatures: Mapping[str, tuple[_Type, tuple[_Type, ...]]]
-) -> dict[str, Any]:
-    functions = {name: getattr(shared, f"{prefix}_{name}") for name in signatures}
-    for name, (result, arguments) in signatures.items():
-        functions[name].restype, functions[name].argtypes = result, arguments
-    return functions
 
 
 def _reason(error: Exception, path: Path) -> str:

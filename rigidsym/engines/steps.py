@@ -14,7 +14,7 @@ from typing import Protocol
 import numpy as np
 
 from rigidsym.engines import threads
-from rigidsym.engines.library import StepLibrary
+from rigidsym.engines.library import Library
 from rigidsym.engines.protocol import EngineError, Outputs, States
 from rigidsym.generated import torque_free_step
 
@@ -184,9 +184,9 @@ class CStepper:
 
     __slots__ = ("_body", "_library", "_put", "_room", "_step")
 
-    def __init__(self, library: StepLibrary) -> None:
-        self._library = library
-        self._step = library.step
+    def __init__(self, library: Library) -> None:
+        self._library = library.raw
+        self._step = self._library.step
         self._body = lru_cache(_KEPT)(self._prepared)
         self._room, self._put = _Room(), struct.Struct("7d").pack_into
 
@@ -265,8 +265,10 @@ class CStepper:
             failed, torque = ctypes.c_size_t(0), kicks.torque(start)
             code = self._library.integrate(
                 *(end - start, *_from(kicks.inertia, start)),
-                *(ctypes.byref(splitting), ctypes.byref(torque), begin, step, first, last),
-                *(q[start:end].ctypes.data, omega[start:end].ctypes.data, ctypes.byref(failed)),
+                *(ctypes.addressof(splitting), ctypes.addressof(torque)),
+                *(begin, step, first, last),
+                *(q[start:end].ctypes.data, omega[start:end].ctypes.data),
+                ctypes.addressof(failed),
             )
             return (code, start + failed.value) if code else None
 

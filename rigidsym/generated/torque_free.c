@@ -9,9 +9,9 @@
 #define restrict __restrict
 #endif
 
-/* What loops call has to be in them, or they are not vectorised. */
+/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
 #ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline))
+#define INLINED inline __attribute__((always_inline, unused))
 #else
 #define INLINED inline
 #endif
@@ -2951,6 +2951,29 @@ static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
+/* Of a motion that was prepared; a number that memory has by no chance. */
+enum { PREPARED = 0x7f4a7c15 };
+
+/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
+   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+static int can_exist(const double_double c[3])
+{
+#ifdef ALLOW_NONPHYSICAL
+    (void)c;
+    return 1;
+#else
+    int high = 0;
+    for (int k = 1; k < 3; k++)
+        if (c[k].hi > c[high].hi || (c[k].hi >= c[high].hi && c[k].lo > c[high].lo))
+            high = k;
+    const double_double one = c[(high + 1) % 3], other = c[(high + 2) % 3], total = dd_add_xx(one, other);
+    const double_double beyond = two_sum(c[high].hi - total.hi, c[high].lo - total.lo);
+    const double allowed = 8.881784197001252e-16 * (one.hi < other.hi ? one.hi : other.hi);
+    return c[high].hi < total.hi || (c[high].hi <= total.hi && c[high].lo <= 0.0) || beyond.hi < allowed ||
+           (beyond.hi <= allowed && beyond.lo <= 0.0);
+#endif
+}
+
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
 {
@@ -3155,13 +3178,13 @@ static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
-static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
+static double log2_of(double x) { return x > 0.0 ? log2(x) : -HUGE_VAL; }
 
 /* log2(2^x + 2^y); both may be minus infinity. */
 static double log2_sum(double x, double y)
 {
-    const double most = x > y ? x : y, least = x > y ? y : x;
-    return isfinite(most) ? most + log2(1.0 + exp2(least - most)) : most;
+    const double most = x > y ? x : y, other = x > y ? y : x;
+    return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
 /* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
@@ -3178,9 +3201,9 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
     const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double over = fabs(difference(apart, axis[0], axis[1]).hi);
     const double under = fabs(difference(apart, axis[1], axis[2]).hi);
-    const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
+    const double largest = c_a > c_d ? c_a : c_d, smallest = c_a > c_d ? c_d : c_a;
     const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
-    double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
+    double part[2], gone = -HUGE_VAL, left = -HUGE_VAL, momentum = 0.0;
     for (int k = 0; k < 2; k++) {
         part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
         if (is_zero(omega[axis[2 * k]]))
@@ -3197,7 +3220,7 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
     const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
     const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
                                under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
-    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
+    const double slow = fmin(0.0, log2_of(growth) + log2(smallest / largest));
     const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
                         (is_spin ? size : distance - size);
     const double bits = log2(tolerated) + room;
@@ -3228,6 +3251,7 @@ static void begin(torque_free_motion *motion, lanes *lane, size_t i, const doubl
 {
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
     memset(motion, 0, sizeof *motion);
+    motion->prepared = PREPARED;
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
         length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
@@ -3270,13 +3294,13 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
                          const double omega0[3], const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
-    double least = inertia[0];
+    double smallest = inertia[0];
     motion->branch = 0;
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
     for (int k = 1; k < 3; k++)
-        least = inertia[k] < least ? inertia[k] : least;
-    if (!(least > 0.0))
+        smallest = inertia[k] < smallest ? inertia[k] : smallest;
+    if (!(smallest > 0.0))
         return TORQUE_FREE_INERTIA;
     const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
     const int q_scale = exponent_of(4, attitude0);
@@ -3288,7 +3312,9 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (scaled_by(least, -c_scale) < min_moment_ratio)
+    if (!can_exist(c))
+        return TORQUE_FREE_NONPHYSICAL;
+    if (scaled_by(smallest, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_THIN;
     for (int k = 0; k < 4; k++) {
         q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
@@ -3352,6 +3378,8 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
         if (fabs(rate.hi) > 4.0)
             return TORQUE_FREE_RATES;
     }
+    if (!can_exist(c))
+        return TORQUE_FREE_NONPHYSICAL;
     if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
         return TORQUE_FREE_NOT_FINITE;
     if (!(unit > 0.0))
@@ -3466,17 +3494,20 @@ static void at_initial_state(const torque_free_motion *motion, double *q, double
         omega[k] = motion->omega0[k];
 }
 
-static int too_late(const torque_free_motion *motion)
+/* Why a motion has no states at some of these times. */
+static int refusal(const torque_free_motion *motion, size_t n, const double *t)
 {
+    if (!all_finite(n, t))
+        return TORQUE_FREE_NOT_FINITE;
     return motion->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
 }
 
 static void no_states(size_t n, double *q, double *omega)
 {
     for (size_t i = 0; i < 4 * n; i++)
-        q[i] = NAN;
+        q[i] = (double)NAN;
     for (size_t i = 0; i < 3 * n; i++)
-        omega[i] = NAN;
+        omega[i] = (double)NAN;
 }
 
 /* The states at n times; times that are too late are refused, or have none where `lenient`. */
@@ -3487,10 +3518,10 @@ static int states_at(const torque_free_motion *motion, size_t n, const double *t
     int zero;
     for (size_t i = 0; i < n && !lenient; i += BLOCK)
         if (!scaled_times(motion, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return too_late(motion);
+            return refusal(motion, n, t);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
-    int code = TORQUE_FREE_OK;
+    int refused = 0;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         const int near = scaled_times(motion, count, t + i, inner, &zero);
@@ -3506,15 +3537,15 @@ static int states_at(const torque_free_motion *motion, size_t n, const double *t
         for (size_t k = 0; !near && k < count; k++)
             if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle))
                 no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        code = near ? code : too_late(motion);
+        refused |= !near;
     }
-    return code;
+    return refused ? refusal(motion, n, t) : TORQUE_FREE_OK;
 }
 
 int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega)
 {
-    return states_at(motion, n, t, q, omega, 0);
+    return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_UNPREPARED;
 }
 
 /* One state needs no block. */
@@ -3523,8 +3554,10 @@ int torque_free_state_at(const torque_free_motion *motion, double t, double q[4]
     const double rest = 0.0;
     double by_time[6], out[7], inner;
     int zero;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_UNPREPARED;
     if (!scaled_times(motion, 1, &t, &inner, &zero))
-        return too_late(motion);
+        return refusal(motion, 1, &t);
     if (zero) {
         at_initial_state(motion, q, omega);
         return TORQUE_FREE_OK;
@@ -3623,9 +3656,12 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
     const double begin = inner + inner_step * (double)first;
     const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
+    const double given[2] = {start, first + n > 1 ? step : 0.0};
     const size_t most = BLOCK * BLOCK;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_UNPREPARED;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
-        return too_late(motion);
+        return refusal(motion, 2, given);
     if (motion->branch >= 2) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
@@ -3697,12 +3733,14 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
 
 double torque_free_last_time(const torque_free_motion *motion)
 {
+    if (motion->prepared != PREPARED)
+        return (double)NAN;
     return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
 }
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "e4219cbac2ea737cccef24603094e0abe1400c7f2789acd03d9fe032379039e7"; }
+const char *torque_free_digest(void) { return "45fe202668460fa76cb11489386cbd9205ce65f99dcedd0893106ee2025bee74"; }
 
 const char *torque_free_message(int code)
 {
@@ -3715,8 +3753,10 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
-    case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
+    case TORQUE_FREE_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
+    case TORQUE_FREE_UNPREPARED: return "motion: torque_free_motion_init has not made it";
     default: return "no such code";
     }
 }
@@ -3801,32 +3841,71 @@ static void elapsed(const sensitive *made, size_t n, size_t s, const double *res
     }
 }
 
-/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times both factors. */
-static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
-                 double by_moment, double again)
+/* Doubles that a state has in `attitude`, as in `rates`; and in attitude_t, as in rates_t. */
+static size_t width_of(int asked)
 {
+    const size_t first = asked & TORQUE_FREE_BY_ATTITUDE0 ? 9 : 0, second = asked & TORQUE_FREE_BY_OMEGA0 ? 9 : 0;
+    return first + second + (asked & TORQUE_FREE_BY_INERTIA ? 9 : 0);
+}
+
+static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
+
+/* Three columns of a row: what is asked for of those by the turn at t = 0, omega0 and the moments is the
+   groups of a row, one after the other. */
+static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
+                            size_t i, double by_rate, double by_moment, double again)
+{
+    const int after = asked & TORQUE_FREE_BY_ATTITUDE0 ? 3 : 0;
+    const int last = after + (asked & TORQUE_FREE_BY_OMEGA0 ? 3 : 0);
     for (int k = 0; k < 3; k++) {
-        row[k] = turn[k];
-        row[3 + k] = by_rate * column[k][i];
-        row[6 + k] = again * (by_moment * column[3 + k][i]);
+        if (asked & TORQUE_FREE_BY_ATTITUDE0)
+            row[k] = turn[k];
+        if (asked & TORQUE_FREE_BY_OMEGA0)
+            row[after + k] = by_rate * column[k][i];
+        if (asked & TORQUE_FREE_BY_INERTIA)
+            row[last + k] = again * (by_moment * column[3 + k][i]);
+    }
+}
+
+/* The rows of n states, of turns by omega0 and the moments, 18, and of turns and rates by the time, six;
+   by: those of rates by omega0 and the moments. */
+static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t n, const double *restrict turned_by,
+                             const double *const by[18], double *restrict attitude, double *restrict rates,
+                             double *restrict attitude_t, double *restrict rates_t)
+{
+    enum { s = SENSITIVE };
+    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    static const double zeros[3] = {0.0, 0.0, 0.0};
+    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
+    const double part = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
+    const double rest = unit / part * over_moment;
+    const size_t width = width_of(asked) / 3;
+    const double *eta[18];
+    for (int k = 0; k < 18; k++)
+        eta[k] = turned_by + k * s;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < 3; k++) {
+            put_row(asked, attitude + 3 * width * i + width * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
+            put_row(asked, rates + 3 * width * i + width * k, zeros, by + 6 * k, i, 1.0, part, rest);
+        }
+        for (size_t k = 0; k < 3 && asked & TORQUE_FREE_BY_T; k++) {
+            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
+            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
+        }
     }
 }
 
 /* What n <= SENSITIVE states change by, at inner times t. */
-static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, size_t n,
+static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
                                 const double *restrict t, const double *restrict q, const double *restrict omega,
                                 double *restrict attitude, double *restrict rates, double *restrict attitude_t,
                                 double *restrict rates_t)
 {
     enum { s = SENSITIVE };
-    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    static const double zeros[3] = {0.0, 0.0, 0.0};
     double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
-    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
-    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
-    const double half = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
-    const double rest = unit / half * over_moment;
-    const double *by[18], *excess[3], *eta[18];
+    const double over = 1.0 / motion->unit;
+    const double *by[18], *excess[3];
     const int *axis = made->axis;
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < 4; k++)
@@ -3848,21 +3927,17 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
             by[6 * axis[x] + 3 + axis[y]] = columns + (6 * x + 3 + y) * s;
         }
     }
-    for (int k = 0; k < 18; k++)
-        eta[k] = turned_by + k * s;
     turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
                state + 6 * s, by[0], by[1], by[2], by[3], by[4], by[5], by[6], by[7], by[8], by[9], by[10], by[11], by[12], by[13], by[14], by[15], by[16], by[17], excess[0], excess[1], excess[2], t, turned_by, turned_by + s, turned_by + 2 * s, turned_by + 3 * s, turned_by + 4 * s, turned_by + 5 * s, turned_by + 6 * s, turned_by + 7 * s, turned_by + 8 * s, turned_by + 9 * s, turned_by + 10 * s, turned_by + 11 * s, turned_by + 12 * s, turned_by + 13 * s, turned_by + 14 * s, turned_by + 15 * s, turned_by + 16 * s, turned_by + 17 * s, turned_by + 18 * s, turned_by + 19 * s, turned_by + 20 * s, turned_by + 21 * s, turned_by + 22 * s, turned_by + 23 * s);
-    for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < 3; k++) {
-            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
-            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, half, rest);
-            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
-            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
-        }
+    /* All of them, which is asked for most, without a question for each number. */
+    if (asked == TORQUE_FREE_BY_ALL)
+        put_rows(TORQUE_FREE_BY_ALL, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
+    else
+        put_rows(asked, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
 }
 
 /* A body at rest begins to turn as it is given rates, and goes on; at t = 0 changes are those given. */
-static void plain_sensitivity(const torque_free_motion *motion, double t, double *restrict attitude,
+static void plain_sensitivity(const torque_free_motion *motion, double t, int asked, double *restrict attitude,
                               double *restrict rates)
 {
     const double *q = motion->q0;
@@ -3871,62 +3946,73 @@ static void plain_sensitivity(const torque_free_motion *motion, double t, double
         {2.0 * (q[1] * q[2] + q[0] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[3] * q[3]), 2.0 * (q[2] * q[3] - q[0] * q[1])},
         {2.0 * (q[1] * q[3] - q[0] * q[2]), 2.0 * (q[2] * q[3] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2])}};
     for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 9; j++) {
-            attitude[9 * k + j] = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
-            rates[9 * k + j] = j == 3 + k ? 1.0 : 0.0;
-        }
+        for (int j = 0; j < 9; j++)
+            if (asked >> j / 3 & 1) {
+                *attitude++ = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
+                *rates++ = j == 3 + k ? 1.0 : 0.0;
+            }
 }
 
 static int any_lost(size_t n, const double *x)
 {
-    int lost = 0;
+    size_t lost = 0;
     for (size_t k = 0; k < n; k++)
-        lost |= isnan(x[k]);
-    return lost;
+        lost += isnan(x[k]) ? 1 : 0;
+    return lost > 0;
 }
 
 static void no_numbers(size_t n, double *x)
 {
     for (size_t k = 0; k < n; k++)
-        x[k] = NAN;
+        x[k] = (double)NAN;
 }
 
-static void no_changes(size_t n, double *attitude, double *rates, double *attitude_t, double *rates_t)
+static void no_changes(size_t n, int asked, double *attitude, double *rates, double *attitude_t, double *rates_t)
 {
-    no_numbers(27 * n, attitude);
-    no_numbers(27 * n, rates);
-    no_numbers(3 * n, attitude_t);
-    no_numbers(3 * n, rates_t);
+    no_numbers(width_of(asked) * n, attitude);
+    no_numbers(width_of(asked) * n, rates);
+    no_numbers(width_t(asked) * n, attitude_t);
+    no_numbers(width_t(asked) * n, rates_t);
 }
 
 /* Sensitivities of n states, after these; where lenient, times that are too late have none. */
-static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
-                            double *attitude, double *rates, double *attitude_t, double *rates_t, int lenient)
+static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, int asked, double *q,
+                            double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
+                            int lenient)
 {
-    const size_t most = SENSITIVE;
+    const size_t most = SENSITIVE, width = width_of(asked), by_t = width_t(asked);
     sensitive made;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_UNPREPARED;
     int code = states_at(motion, n, t, q, omega, lenient);
     if (code != TORQUE_FREE_OK && !lenient)
         return code;
     sensitive_init(motion, &made);
     for (size_t i = 0; i < n; i += most) {
         const size_t count = n - i < most ? n - i : most;
+        double *const turns = attitude + width * i, *const changes = rates + width * i;
+        double *const turns_t = attitude_t + by_t * i, *const changes_t = rates_t + by_t * i;
         double inner[SENSITIVE];
         int zero;
-        if (!scaled_times(motion, count, t + i, inner, &zero))
-            for (size_t k = 0; k < count; k++)
-                inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
+        const int near = scaled_times(motion, count, t + i, inner, &zero);
+        for (size_t k = 0; !near && k < count; k++)
+            inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
         if (!made.at_rest)
-            block_sensitivities(motion, &made, count, inner, q + 4 * i, omega + 3 * i, attitude + 27 * i,
-                                rates + 27 * i, attitude_t + 3 * i, rates_t + 3 * i);
-        for (size_t k = i; k < i + count; k++) {
-            const int late = !(fabs(motion->unit * t[k]) <= motion->max_angle);
-            if (made.at_rest || !(t[k] < 0.0 || t[k] > 0.0))
-                plain_sensitivity(motion, t[k], attitude + 27 * k, rates + 27 * k);
-            for (size_t j = 3 * k; made.at_rest && j < 3 * k + 3; j++)
-                attitude_t[j] = rates_t[j] = 0.0;
-            if (late || any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
-                no_changes(1, attitude + 27 * k, rates + 27 * k, attitude_t + 3 * k, rates_t + 3 * k);
+            block_sensitivities(motion, &made, asked, count, inner, q + 4 * i, omega + 3 * i, turns, changes, turns_t,
+                                changes_t);
+        for (size_t k = 0; made.at_rest && k < by_t * count; k++)
+            turns_t[k] = changes_t[k] = 0.0;
+        for (size_t k = 0; (made.at_rest || zero) && k < count; k++)
+            if (made.at_rest || !(t[i + k] < 0.0 || t[i + k] > 0.0))
+                plain_sensitivity(motion, t[i + k], asked, turns + width * k, changes + width * k);
+        /* While a block is in the cache it is seen whether any number is lost. */
+        if (near && !any_lost(width * count, turns) && !any_lost(width * count, changes))
+            continue;
+        for (size_t k = 0; k < count; k++) {
+            double *const own[2] = {turns + width * k, changes + width * k};
+            const int late = !(fabs(motion->unit * t[i + k]) <= motion->max_angle);
+            if (late || any_lost(width, own[0]) || any_lost(width, own[1])) {
+                no_changes(1, asked, own[0], own[1], turns_t + by_t * k, changes_t + by_t * k);
                 code = late ? code : TORQUE_FREE_GROWTH;
             }
         }
@@ -3934,37 +4020,45 @@ static int sensitivities_at(const torque_free_motion *motion, size_t n, const do
     return code;
 }
 
+int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int asked,
+                                    double *q, double *omega, double *attitude, double *rates, double *attitude_t,
+                                    double *rates_t)
+{
+    return sensitivities_at(motion, n, t, asked, q, omega, attitude, rates, attitude_t, rates_t, 0);
+}
+
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t)
 {
-    return sensitivities_at(motion, n, t, q, omega, attitude, rates, attitude_t, rates_t, 0);
+    return sensitivities_at(motion, n, t, TORQUE_FREE_BY_ALL, q, omega, attitude, rates, attitude_t, rates_t, 0);
 }
 
-int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
-                                           const double *attitude0, size_t n, const double *t, size_t stride,
-                                           double *q, double *omega, double *attitude, double *rates,
-                                           double *attitude_t, double *rates_t, int *codes, size_t *failed)
+int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
+                                       const double *attitude0, size_t n, const double *t, size_t stride,
+                                       int asked, double *q, double *omega, double *attitude, double *rates,
+                                       double *attitude_t, double *rates_t, int *codes, size_t *failed)
 {
     torque_free_motion motion[LANES];
     int code[LANES];
     lanes lane;
     memset(&lane, 0, sizeof lane);
     const int rounded = is_rounded_once();
+    const size_t width = width_of(asked), by_t = width_t(asked);
     for (size_t first = 0; first < bodies; first += LANES) {
         const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
                                           omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
             double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
-            double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
-            double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
+            double *const attitude_k = attitude + width * n * k, *const rates_k = rates + width * n * k;
+            double *const attitude_t_k = attitude_t + by_t * n * k, *const rates_t_k = rates_t + by_t * n * k;
             if (code[i] == TORQUE_FREE_OK) {
-                code[i] = sensitivities_at(&motion[i], n, t + stride * k, q_k, omega_k, attitude_k, rates_k,
+                code[i] = sensitivities_at(&motion[i], n, t + stride * k, asked, q_k, omega_k, attitude_k, rates_k,
                                            attitude_t_k, rates_t_k, codes != NULL);
             } else if (codes) {
                 no_states(n, q_k, omega_k);
-                no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
+                no_changes(n, asked, attitude_k, rates_k, attitude_t_k, rates_t_k);
             }
             if (codes) {
                 codes[k] = code[i];
@@ -3975,4 +4069,13 @@ int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
         }
     }
     return TORQUE_FREE_OK;
+}
+
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed)
+{
+    return torque_free_propagate_with_columns(bodies, inertia, omega0, attitude0, n, t, stride, TORQUE_FREE_BY_ALL, q,
+                                              omega, attitude, rates, attitude_t, rates_t, codes, failed);
 }

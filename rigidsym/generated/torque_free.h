@@ -20,9 +20,9 @@ products, quotients, roots and reductions; exact ones of doubles are Knuth's (Th
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
     476  20 %  follow facts of the ledger, each named on its line
-    595  25 %  follow classical formulas, each with its reference
+    595  24 %  follow classical formulas, each with its reference
     102   4 %  are arithmetic: sums, products, quotients, roots, reductions
-   1182  50 %  are the runtime, written by hand
+   1257  52 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -40,7 +40,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate c --record`
 
 rigidsym 0.1.0, emitter c/2
-digest e4219cbac2ea737cccef24603094e0abe1400c7f2789acd03d9fe032379039e7
+digest 45fe202668460fa76cb11489386cbd9205ce65f99dcedd0893106ee2025bee74
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_BLOCK=8 -DTORQUE_FREE_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -124,17 +124,18 @@ typedef struct {
 
 /* What the functions return; 0 is success.  A call for one body that fails writes nothing. */
 enum {
-    TORQUE_FREE_OK = 0,
-    TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
-    TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^-200 of another */
-    TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
-                                   about the middle axis, from which binary64 cannot tell it */
-    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
-    TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
-    TORQUE_FREE_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
-    TORQUE_FREE_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
+    TORQUE_FREE_OK = 0, /* success */
+    TORQUE_FREE_NOT_FINITE = 1, /* every number must be finite; times, too */
+    TORQUE_FREE_INERTIA = 2, /* principal moments must be positive */
+    TORQUE_FREE_THIN = 3, /* principal moments differ by more than binary64 can follow; one is below 2^-200 of another */
+    TORQUE_FREE_ATTITUDE = 4, /* a zero quaternion is no attitude */
+    TORQUE_FREE_SEPARATRIX = 5, /* nearer to the separatrix than binary64 can follow so long; or to spin about the middle axis */
+    TORQUE_FREE_TIME = 6, /* beyond |omega| t = 2^46 rad the angle is lost in binary64 */
+    TORQUE_FREE_RATES = 7, /* rates beyond what binary64 can hold; 2^990 rad/s */
+    TORQUE_FREE_ARITHMETIC = 8, /* sums are reordered or not rounded to nearest; by this build's options, or by the processor */
+    TORQUE_FREE_GROWTH = 9, /* on the way to spin about the middle axis squares of changes leave binary64 */
+    TORQUE_FREE_NONPHYSICAL = 10, /* no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass) */
+    TORQUE_FREE_UNPREPARED = 11, /* torque_free_motion_init has not made it */
 };
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
@@ -142,6 +143,7 @@ typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
     int blurred;         /* whether TORQUE_FREE_SEPARATRIX is what later times are refused for */
+    int prepared;        /* what tells it from memory that torque_free_motion_init has not written */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
@@ -157,7 +159,9 @@ typedef struct {
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
-   inertial, of any length but zero.  Returns a code above. */
+   inertial, of any length but zero.  Moments that no body can have, but for rounding, are refused
+   as TORQUE_FREE_NONPHYSICAL, here and by all that takes moments, unless the source is compiled with
+   -DALLOW_NONPHYSICAL.  Returns a code above. */
 int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4]);
 
@@ -171,13 +175,13 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
                                 const double attitude0[4][2], const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_TIME
-   or TORQUE_FREE_SEPARATRIX. */
+   attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
+   TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all that follows,
+   TORQUE_FREE_UNPREPARED. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns 0, TORQUE_FREE_TIME
-   or TORQUE_FREE_SEPARATRIX. */
+   not overlap each other or t.  Returns a code as it does. */
 int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega);
 
@@ -196,9 +200,9 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
-                          double *q, double *omega, int *codes, size_t *failed);
+                          double *q, double *omega, int *codes /* or NULL */, size_t *failed);
 
-/* The largest |t| (s) that a motion has states for. */
+/* The largest |t| (s) that a motion has states for; no number where it was not prepared. */
 double torque_free_last_time(const torque_free_motion *motion);
 
 /* sizeof(torque_free_motion), and the digest of the header and the source, for who loads a library. */
@@ -208,12 +212,21 @@ const char *torque_free_digest(void);
 /* What a code means, in one line. */
 const char *torque_free_message(int code);
 
+/* What states change by, to be asked for as a sum: columns are there in this order. */
+enum {
+    TORQUE_FREE_BY_ATTITUDE0 = 1, /* three: a small turn at t = 0, in space */
+    TORQUE_FREE_BY_OMEGA0 = 2,    /* three: the rates at t = 0 */
+    TORQUE_FREE_BY_INERTIA = 4,   /* three: the principal moments */
+    TORQUE_FREE_BY_T = 8,         /* the time, which has arrays of its own */
+    TORQUE_FREE_BY_ALL = 15
+};
+
 /* The states at n times t[n] (s), as torque_free_states_at has them, and what they change by.
    attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes by [eta] times
    itself.  rates[n][3][9]: the body rates.  Their columns: the small turn at t = 0, omega0 and the
    principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; what leaves
-   binary64 is infinite.  Returns 0, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX, or TORQUE_FREE_GROWTH with
-   states at all times and changes that are NaN at some. */
+   binary64 is infinite.  Returns a code as torque_free_states_at does, or TORQUE_FREE_GROWTH with states
+   at all times and changes that are NaN at some. */
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
@@ -225,7 +238,21 @@ int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t
 int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
                                            const double *attitude0, size_t n, const double *t, size_t stride,
                                            double *q, double *omega, double *attitude, double *rates,
-                                           double *attitude_t, double *rates_t, int *codes, size_t *failed);
+                                           double *attitude_t, double *rates_t, int *codes /* or NULL */,
+                                           size_t *failed);
+
+/* Both with no other changes than `columns`, a sum of what stands above: attitude[n][3][m] and
+   rates[n][3][m] have three columns for each of the first three that is in it, attitude_t and rates_t are
+   written where TORQUE_FREE_BY_T is.  Only what is asked for can be refused by TORQUE_FREE_GROWTH. */
+int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int columns,
+                                    double *q, double *omega, double *attitude /* or NULL */,
+                                    double *rates /* or NULL */, double *attitude_t /* or NULL */,
+                                    double *rates_t /* or NULL */);
+int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
+                                       const double *attitude0, size_t n, const double *t, size_t stride,
+                                       int columns, double *q, double *omega, double *attitude /* or NULL */,
+                                       double *rates /* or NULL */, double *attitude_t /* or NULL */,
+                                       double *rates_t /* or NULL */, int *codes /* or NULL */, size_t *failed);
 #ifdef __cplusplus
 }
 #endif

@@ -22,7 +22,7 @@ Lines of code:
     475  23 %  follow facts of the ledger, each named on its line
     589  28 %  follow classical formulas, each with its reference
     102   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    902  44 %  are the runtime, written by hand
+    921  44 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -39,7 +39,7 @@ mpmath:
 Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 1657dbd2116a97d904ef738177baf2d4827e9e9f4c2a1074130397cea5c9d9ca
+digest caa83503b3b886f43ab5145033f529f4f0ee3f8b6c4213ad066366abc6cccbf7
 """
 
 # ruff: noqa
@@ -2316,10 +2316,12 @@ def _integers(x):
 
 # The changes at t = 0: of the attitude with a small turn, of the rates with those.
 _AT_ONCE = np.eye(3, 9), np.eye(3, 9, 3)
+# What there are columns for, in their order.
+COLUMNS = ("attitude0", "omega0", "inertia", "t")
 
 
 @np.errstate(all="ignore")
-def sensitivities(prepared, t, errors="raise"):
+def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
     """States at the times t in s, and what they change by with their inputs.
 
     (q, omega, attitude, rates, attitude_t, rates_t): q (..., 4) and omega (..., 3) are those of
@@ -2327,8 +2329,16 @@ def sensitivities(prepared, t, errors="raise"):
     and the body rates, by a small turn at t = 0, the rates there, and the principal moments;
     attitude_t and rates_t (..., 3): by the time.  What leaves binary64 in these units is infinite.
     Raises ValueError as `states` does, and for times at which binary64 does not hold the squares of
-    changes in any; with errors="nan" there are no numbers then.
+    changes in any; with errors="nan" there are no numbers then.  With `columns`, some of the names
+    in COLUMNS, there are no others: three for each of the first three names, in their order.
     """
+    asked = [name for name in COLUMNS if name in columns]
+    if len(asked) != len(columns):
+        raise ValueError(f"columns: must be some of {', '.join(COLUMNS)}, each once")
+    # Where in a row the columns of each begin, and which those are of all nine.
+    first = {name: 3 * k for k, name in enumerate(asked) if name != "t"}
+    chosen = [3 * COLUMNS.index(name) + k for name in first for k in range(3)]
+    by_t = (3,) if "t" in asked else (0,)
     # One time of one body as a number, which has the shortest way.
     if np.ndim(t) == 0 and prepared["shape"] == ():
         t = float(t)
@@ -2336,7 +2346,7 @@ def sensitivities(prepared, t, errors="raise"):
     given, count = np.asarray(t, float), len(prepared["unit"])
     # One row of times for all motions, or one for each.
     given = given.reshape(count if given.ndim > 1 else 1, given.shape[-1] if given.ndim else 1)
-    shapes = (4,), (3,), (3, 9), (3, 9), (3,), (3,)
+    shapes = (4,), (3,), (3, len(chosen)), (3, len(chosen)), by_t, by_t
     found = _together(omega.shape[:-1], shapes[2:])
     rows = [
         x.reshape(count, given.shape[1], *shape)
@@ -2345,9 +2355,12 @@ def sensitivities(prepared, t, errors="raise"):
     if "elapsed" not in prepared:
         prepared["elapsed"] = _elapsed(prepared)
     # While blocks are in the cache it is seen whether any number is lost.
-    lost = [_fill_sensitivities(prepared, group, given, rows) for group in prepared["elapsed"]]
-    _at_rest(prepared, given, rows)
-    _unchanged(given, rows)
+    lost = [
+        _fill_sensitivities(prepared, group, given, rows, first) for group in prepared["elapsed"]
+    ]
+    at_once = [x[:, chosen] for x in _AT_ONCE]
+    _at_rest(prepared, given, rows, first, at_once)
+    _unchanged(given, rows, at_once)
     if any(lost):
         _check_held(rows, errors)
     return (q, omega, *found)
@@ -2431,7 +2444,7 @@ def _of_one(made, number):
     }
 
 
-def _fill_sensitivities(prepared, group, t, rows):
+def _fill_sensitivities(prepared, group, t, rows, first_of):
     """Fill the rows of one group, in blocks: of times, or of bodies where times are few.
 
     Whether any number of theirs is lost.
@@ -2449,7 +2462,9 @@ def _fill_sensitivities(prepared, group, t, rows):
             units = [prepared[x][index[some], None] for x in ("unit", "moment_unit")]
             times = _of(t, index[some])
             place = (index[some],)
-            lost |= _write_sensitivities(name, order, constants, units, times, rows, place)
+            lost |= _write_sensitivities(
+                name, order, constants, units, times, rows, place, first_of
+            )
         return lost
     for number, body in enumerate(index):
         constants = made if index.size == 1 else _of_one(made, number)
@@ -2461,11 +2476,13 @@ def _fill_sensitivities(prepared, group, t, rows):
             where = some if size > 1 else 0
             times = t[body if len(t) > 1 else 0, where]
             place = body, where
-            lost |= _write_sensitivities(name, order, constants, units, times, rows, place)
+            lost |= _write_sensitivities(
+                name, order, constants, units, times, rows, place, first_of
+            )
     return lost
 
 
-def _write_sensitivities(name, order, constants, units, t, rows, place):
+def _write_sensitivities(name, order, constants, units, t, rows, place, first_of):
     """Write those of one body at a block of times, or of some bodies at all times.
 
     Whether any of them is lost.
@@ -2502,21 +2519,23 @@ def _write_sensitivities(name, order, constants, units, t, rows, place):
     lost = False
     for changed, found in (("eta", rows[2]), ("Omega", rows[3])):
         block = found[place]
-        for of, first in (("Omega", 3), ("c", 6)):
+        for of, first in (("Omega", first_of.get("omega0")), ("c", first_of.get("inertia"))):
+            if first is None:
+                continue
             factor = scales[changed, of]
             for i in range(3):
                 for j in range(3):
                     value = known[f"{changed}{i + 1}_by_{of}{j + 1}"]
                     value = value * half if (changed, of) == ("Omega", "c") else value
                     np.multiply(value, factor, out=block[..., i, first + j])
-        if changed == "eta":
+        if changed == "eta" and "attitude0" in first_of:
             for k in range(3):
                 block[..., k, k] = 1.0
         lost |= bool(np.isnan(np.min(block, initial=0.0)))
         # Of several bodies it is a copy.
         if isinstance(place[0], np.ndarray):
             found[place] = block
-    for i in range(3):
+    for i in range(rows[4].shape[-1]):
         rows[4][(*place, ..., i)] = unit * known[f"eta{i + 1}_by_t"]
         rows[5][(*place, ..., i)] = unit * (unit * known[f"Omega{i + 1}_by_t"])
     return lost
@@ -2528,7 +2547,7 @@ def _stated(entry, known, constants):
     return dict(zip(entry["results"], entry["state"](*given), strict=True))
 
 
-def _at_rest(prepared, t, rows):
+def _at_rest(prepared, t, rows, first_of, at_once):
     """A body at rest begins to turn as it is given rates, and goes on."""
     for body in np.flatnonzero(prepared["unit"] == 0):
         w, x, y, z = prepared["q0"][body]
@@ -2537,16 +2556,18 @@ def _at_rest(prepared, t, rows):
             [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
             [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
         ]
-        for found, rest in zip(rows[2:], (*_AT_ONCE, 0.0, 0.0), strict=True):
+        for found, rest in zip(rows[2:], (*at_once, 0.0, 0.0), strict=True):
             found[body] = rest
-        rows[2][body, :, :, 3:6] = t[body if len(t) > 1 else 0, :, None, None] * np.array(start)
+        if (k := first_of.get("omega0")) is not None:
+            times = t[body if len(t) > 1 else 0, :, None, None]
+            rows[2][body, :, :, k : k + 3] = times * np.array(start)
 
 
-def _unchanged(t, rows):
+def _unchanged(t, rows, at_once):
     """At t = 0 changes are those given."""
     for body, time in np.argwhere(t == 0):
         some = slice(None) if len(t) == 1 else body
-        rows[2][some, time], rows[3][some, time] = _AT_ONCE
+        rows[2][some, time], rows[3][some, time] = at_once
 
 
 def _check_held(rows, errors):

@@ -9,9 +9,9 @@
 #define restrict __restrict
 #endif
 
-/* What loops call has to be in them, or they are not vectorised. */
+/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
 #ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline))
+#define INLINED inline __attribute__((always_inline, unused))
 #else
 #define INLINED inline
 #endif
@@ -1819,6 +1819,29 @@ static const double max_angle = 70368744177664.0; /* 2^46, of |omega0 t|, rad */
 static const double max_rate = 1.0463951242053392e+298; /* 2^990, of a rate, rad/s: exact products with it are still held */
 #define BLOCK ((size_t)TORQUE_FREE_PI_BLOCK)
 
+/* Of a motion that was prepared; a number that memory has by no chance. */
+enum { PREPARED = 0x7f4a7c15 };
+
+/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
+   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+static int can_exist(const double_double c[3])
+{
+#ifdef ALLOW_NONPHYSICAL
+    (void)c;
+    return 1;
+#else
+    int high = 0;
+    for (int k = 1; k < 3; k++)
+        if (c[k].hi > c[high].hi || (c[k].hi >= c[high].hi && c[k].lo > c[high].lo))
+            high = k;
+    const double_double one = c[(high + 1) % 3], other = c[(high + 2) % 3], total = dd_add_xx(one, other);
+    const double_double beyond = two_sum(c[high].hi - total.hi, c[high].lo - total.lo);
+    const double allowed = 8.881784197001252e-16 * (one.hi < other.hi ? one.hi : other.hi);
+    return c[high].hi < total.hi || (c[high].hi <= total.hi && c[high].lo <= 0.0) || beyond.hi < allowed ||
+           (beyond.hi <= allowed && beyond.lo <= 0.0);
+#endif
+}
+
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
 {
@@ -2023,13 +2046,13 @@ static void moving_init(lanes *lane, size_t n, torque_free_pi_motion *motion, in
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
-static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
+static double log2_of(double x) { return x > 0.0 ? log2(x) : -HUGE_VAL; }
 
 /* log2(2^x + 2^y); both may be minus infinity. */
 static double log2_sum(double x, double y)
 {
-    const double most = x > y ? x : y, least = x > y ? y : x;
-    return isfinite(most) ? most + log2(1.0 + exp2(least - most)) : most;
+    const double most = x > y ? x : y, other = x > y ? y : x;
+    return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
 /* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
@@ -2046,9 +2069,9 @@ static void follow(torque_free_pi_motion *motion, const double_double c[3], cons
     const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double over = fabs(difference(apart, axis[0], axis[1]).hi);
     const double under = fabs(difference(apart, axis[1], axis[2]).hi);
-    const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
+    const double largest = c_a > c_d ? c_a : c_d, smallest = c_a > c_d ? c_d : c_a;
     const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
-    double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
+    double part[2], gone = -HUGE_VAL, left = -HUGE_VAL, momentum = 0.0;
     for (int k = 0; k < 2; k++) {
         part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
         if (is_zero(omega[axis[2 * k]]))
@@ -2065,7 +2088,7 @@ static void follow(torque_free_pi_motion *motion, const double_double c[3], cons
     const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
     const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
                                under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
-    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
+    const double slow = fmin(0.0, log2_of(growth) + log2(smallest / largest));
     const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
                         (is_spin ? size : distance - size);
     const double bits = log2(tolerated) + room;
@@ -2096,6 +2119,7 @@ static void begin(torque_free_pi_motion *motion, lanes *lane, size_t i, const do
 {
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
     memset(motion, 0, sizeof *motion);
+    motion->prepared = PREPARED;
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
         length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
@@ -2138,13 +2162,13 @@ static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, c
                          const double omega0[3], const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
-    double least = inertia[0];
+    double smallest = inertia[0];
     motion->branch = 0;
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_PI_NOT_FINITE;
     for (int k = 1; k < 3; k++)
-        least = inertia[k] < least ? inertia[k] : least;
-    if (!(least > 0.0))
+        smallest = inertia[k] < smallest ? inertia[k] : smallest;
+    if (!(smallest > 0.0))
         return TORQUE_FREE_PI_INERTIA;
     const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
     const int q_scale = exponent_of(4, attitude0);
@@ -2156,7 +2180,9 @@ static int begin_doubles(torque_free_pi_motion *motion, lanes *lane, size_t i, c
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (scaled_by(least, -c_scale) < min_moment_ratio)
+    if (!can_exist(c))
+        return TORQUE_FREE_PI_NONPHYSICAL;
+    if (scaled_by(smallest, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_PI_THIN;
     for (int k = 0; k < 4; k++) {
         q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
@@ -2220,6 +2246,8 @@ int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, con
         if (fabs(rate.hi) > 4.0)
             return TORQUE_FREE_PI_RATES;
     }
+    if (!can_exist(c))
+        return TORQUE_FREE_PI_NONPHYSICAL;
     if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
         return TORQUE_FREE_PI_NOT_FINITE;
     if (!(unit > 0.0))
@@ -2334,17 +2362,20 @@ static void at_initial_state(const torque_free_pi_motion *motion, double *q, dou
         omega[k] = motion->omega0[k];
 }
 
-static int too_late(const torque_free_pi_motion *motion)
+/* Why a motion has no states at some of these times. */
+static int refusal(const torque_free_pi_motion *motion, size_t n, const double *t)
 {
+    if (!all_finite(n, t))
+        return TORQUE_FREE_PI_NOT_FINITE;
     return motion->blurred ? TORQUE_FREE_PI_SEPARATRIX : TORQUE_FREE_PI_TIME;
 }
 
 static void no_states(size_t n, double *q, double *omega)
 {
     for (size_t i = 0; i < 4 * n; i++)
-        q[i] = NAN;
+        q[i] = (double)NAN;
     for (size_t i = 0; i < 3 * n; i++)
-        omega[i] = NAN;
+        omega[i] = (double)NAN;
 }
 
 /* The states at n times; times that are too late are refused, or have none where `lenient`. */
@@ -2355,10 +2386,10 @@ static int states_at(const torque_free_pi_motion *motion, size_t n, const double
     int zero;
     for (size_t i = 0; i < n && !lenient; i += BLOCK)
         if (!scaled_times(motion, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return too_late(motion);
+            return refusal(motion, n, t);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
-    int code = TORQUE_FREE_PI_OK;
+    int refused = 0;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         const int near = scaled_times(motion, count, t + i, inner, &zero);
@@ -2374,15 +2405,15 @@ static int states_at(const torque_free_pi_motion *motion, size_t n, const double
         for (size_t k = 0; !near && k < count; k++)
             if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle))
                 no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        code = near ? code : too_late(motion);
+        refused |= !near;
     }
-    return code;
+    return refused ? refusal(motion, n, t) : TORQUE_FREE_PI_OK;
 }
 
 int torque_free_pi_states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q,
                           double *omega)
 {
-    return states_at(motion, n, t, q, omega, 0);
+    return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_PI_UNPREPARED;
 }
 
 /* One state needs no block. */
@@ -2391,8 +2422,10 @@ int torque_free_pi_state_at(const torque_free_pi_motion *motion, double t, doubl
     const double rest = 0.0;
     double by_time[6], out[7], inner;
     int zero;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_PI_UNPREPARED;
     if (!scaled_times(motion, 1, &t, &inner, &zero))
-        return too_late(motion);
+        return refusal(motion, 1, &t);
     if (zero) {
         at_initial_state(motion, q, omega);
         return TORQUE_FREE_PI_OK;
@@ -2491,9 +2524,12 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
     const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
     const double begin = inner + inner_step * (double)first;
     const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
+    const double given[2] = {start, first + n > 1 ? step : 0.0};
     const size_t most = BLOCK * BLOCK;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_PI_UNPREPARED;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
-        return too_late(motion);
+        return refusal(motion, 2, given);
     if (motion->branch >= 1) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
@@ -2565,12 +2601,14 @@ int torque_free_pi_propagate(size_t bodies, const double *inertia, const double 
 
 double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 {
+    if (motion->prepared != PREPARED)
+        return (double)NAN;
     return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
 }
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "1bc559f432a16e290740ce5443ca10c2dfdd2153e762d69179441d04d9422084"; }
+const char *torque_free_pi_digest(void) { return "dbe4d2b2a3299793720130070d96b5281f280a398a9b3c40c3f6328423bab468"; }
 
 const char *torque_free_pi_message(int code)
 {
@@ -2583,8 +2621,10 @@ const char *torque_free_pi_message(int code)
     case TORQUE_FREE_PI_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
     case TORQUE_FREE_PI_TIME: return "t: beyond |omega| t = 2^46 rad the angle is lost in binary64";
     case TORQUE_FREE_PI_RATES: return "omega0: rates beyond what binary64 can hold";
-    case TORQUE_FREE_PI_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_PI_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_PI_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
+    case TORQUE_FREE_PI_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
+    case TORQUE_FREE_PI_UNPREPARED: return "motion: torque_free_pi_motion_init has not made it";
     default: return "no such code";
     }
 }

@@ -22,7 +22,7 @@ Lines of code:
     299  18 %  follow facts of the ledger, each named on its line
     317  19 %  follow classical formulas, each with its reference
      69   4 %  are arithmetic: sums, products, quotients, roots, reductions
-    949  58 %  are the runtime, written by hand
+    972  59 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form, that the integral gains as much in each half period by
 what starts and moves alike.  Special functions (Landen's ladder, the arithmetic-geometric mean,
@@ -38,47 +38,10 @@ said to be measured, and `pytest tests/codegen/special_functions` holds all agai
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
   exp(x), x <= 0                 relative, below 4.0e-17
 
-Worst errors measured by `rigidsym validate c-pi --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  7.0e-16  8.7e-16
-  published              8.3e-16  1.2e-15
-  axis orders and signs  8.7e-16  9.3e-16
-  uniform                9.9e-16  1.1e-15
-  near separatrix        1.4e-15  1.1e-15
-  beside separatrix      1.2e-15  5.2e-16
-  nearest separatrix     1.1e-15  6.0e-16
-  separatrix             1.1e-15  5.5e-16
-  symmetric              6.8e-16  4.2e-16
-  near prolate           2.1e-15  1.0e-15
-  near oblate            1.3e-15  1.1e-15
-  nearest symmetric      8.2e-16  9.2e-16
-  sphere                 5.9e-16  6.9e-43
-  near sphere            1.0e-15  1.6e-15
-  nearest sphere         7.7e-16  7.3e-16
-  spin                   5.2e-16  7.6e-53
-  near spin, largest     8.6e-16  7.3e-16
-  near spin, middle      1.1e-15  4.0e-16
-  near spin, smallest    7.2e-16  5.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.1e-15  1.0e-15
-  rod                    1.2e-15  1.0e-15
-  needle                 1.9e-15  1.2e-15
-  special values         1.3e-15  1.0e-15
-  special attitudes      9.8e-16  1.0e-15
-  scales                 1.3e-15  1.0e-15
-  small scales           1.0e-15  1.1e-15
-  large scales           9.1e-16  1.1e-15
-  extreme scales         9.1e-16  9.9e-16
-  decimals               1.1e-15  1.1e-15
-  long times             9.8e-16  1.0e-15
-  longest times          9.3e-16  1.0e-15
-  near separatrix, long  1.1e-15  8.6e-16
-  branch switch          1.3e-15  1.5e-15
-  zeros of the rates     1.4e-15  8.1e-16
-  quarter periods        1.2e-15  9.1e-16
+Errors: not measured since this code changed; `rigidsym validate c-pi --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 1bc559f432a16e290740ce5443ca10c2dfdd2153e762d69179441d04d9422084
+digest dbe4d2b2a3299793720130070d96b5281f280a398a9b3c40c3f6328423bab468
 
 Re-entrant, without allocation or global variables.  A call needs about 22 KB of stack, 11 KB with
 -DTORQUE_FREE_PI_BLOCK=8 -DTORQUE_FREE_PI_LANES=1, blocks of 8 times instead of 64 and one motion at a
@@ -124,17 +87,18 @@ typedef struct {
 
 /* What the functions return; 0 is success.  A call for one body that fails writes nothing. */
 enum {
-    TORQUE_FREE_PI_OK = 0,
-    TORQUE_FREE_PI_NOT_FINITE = 1, /* an input is infinite or no number */
-    TORQUE_FREE_PI_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_PI_THIN = 3,       /* a principal moment is below 2^-200 of another */
-    TORQUE_FREE_PI_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_PI_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
-                                   about the middle axis, from which binary64 cannot tell it */
-    TORQUE_FREE_PI_TIME = 6,       /* |omega0 t| beyond 2^46 rad, or t is infinite or no number */
-    TORQUE_FREE_PI_RATES = 7,      /* rates that double precision cannot hold, beyond 2^990 rad/s */
-    TORQUE_FREE_PI_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
-    TORQUE_FREE_PI_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
+    TORQUE_FREE_PI_OK = 0, /* success */
+    TORQUE_FREE_PI_NOT_FINITE = 1, /* every number must be finite; times, too */
+    TORQUE_FREE_PI_INERTIA = 2, /* principal moments must be positive */
+    TORQUE_FREE_PI_THIN = 3, /* principal moments differ by more than binary64 can follow; one is below 2^-200 of another */
+    TORQUE_FREE_PI_ATTITUDE = 4, /* a zero quaternion is no attitude */
+    TORQUE_FREE_PI_SEPARATRIX = 5, /* nearer to the separatrix than binary64 can follow so long; or to spin about the middle axis */
+    TORQUE_FREE_PI_TIME = 6, /* beyond |omega| t = 2^46 rad the angle is lost in binary64 */
+    TORQUE_FREE_PI_RATES = 7, /* rates beyond what binary64 can hold; 2^990 rad/s */
+    TORQUE_FREE_PI_ARITHMETIC = 8, /* sums are reordered or not rounded to nearest; by this build's options, or by the processor */
+    TORQUE_FREE_PI_GROWTH = 9, /* on the way to spin about the middle axis squares of changes leave binary64 */
+    TORQUE_FREE_PI_NONPHYSICAL = 10, /* no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass) */
+    TORQUE_FREE_PI_UNPREPARED = 11, /* torque_free_pi_motion_init has not made it */
 };
 
 /* The constants of one motion; written by torque_free_pi_motion_init, read by all others. */
@@ -142,6 +106,7 @@ typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
     int blurred;         /* whether TORQUE_FREE_PI_SEPARATRIX is what later times are refused for */
+    int prepared;        /* what tells it from memory that torque_free_pi_motion_init has not written */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
@@ -157,7 +122,9 @@ typedef struct {
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
-   inertial, of any length but zero.  Returns a code above. */
+   inertial, of any length but zero.  Moments that no body can have, but for rounding, are refused
+   as TORQUE_FREE_PI_NONPHYSICAL, here and by all that takes moments, unless the source is compiled with
+   -DALLOW_NONPHYSICAL.  Returns a code above. */
 int torque_free_pi_motion_init(torque_free_pi_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4]);
 
@@ -171,13 +138,13 @@ int torque_free_pi_motion_init_double_doubles(torque_free_pi_motion *motion, con
                                 const double attitude0[4][2], const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_PI_TIME
-   or TORQUE_FREE_PI_SEPARATRIX. */
+   attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
+   TORQUE_FREE_PI_NOT_FINITE, TORQUE_FREE_PI_TIME, TORQUE_FREE_PI_SEPARATRIX or, as all that follows,
+   TORQUE_FREE_PI_UNPREPARED. */
 int torque_free_pi_state_at(const torque_free_pi_motion *motion, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns 0, TORQUE_FREE_PI_TIME
-   or TORQUE_FREE_PI_SEPARATRIX. */
+   not overlap each other or t.  Returns a code as it does. */
 int torque_free_pi_states_at(const torque_free_pi_motion *motion, size_t n, const double *t, double *q,
                           double *omega);
 
@@ -196,9 +163,9 @@ int torque_free_pi_states_on_grid(const torque_free_pi_motion *motion, double st
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_pi_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
-                          double *q, double *omega, int *codes, size_t *failed);
+                          double *q, double *omega, int *codes /* or NULL */, size_t *failed);
 
-/* The largest |t| (s) that a motion has states for. */
+/* The largest |t| (s) that a motion has states for; no number where it was not prepared. */
 double torque_free_pi_last_time(const torque_free_pi_motion *motion);
 
 /* sizeof(torque_free_pi_motion), and the digest of the header and the source, for who loads a library. */

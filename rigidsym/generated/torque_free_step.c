@@ -9,9 +9,9 @@
 #define restrict __restrict
 #endif
 
-/* What loops call has to be in them, or they are not vectorised. */
+/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
 #ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline))
+#define INLINED inline __attribute__((always_inline, unused))
 #else
 #define INLINED inline
 #endif
@@ -904,6 +904,29 @@ static double scale(double largest)
 
 static double largest_of(const double x[3]) { return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))); }
 
+/* Of a body that was prepared; a number that memory has by no chance. */
+enum { PREPARED = 0x7f4a7c15 };
+
+/* Whether a body can have these moments, but for rounding: the largest is at most the sum of the others,
+   or that sum as a double, or beyond it by 2^-50 of the smallest. */
+static int can_exist(const double_double c[3])
+{
+#ifdef ALLOW_NONPHYSICAL
+    (void)c;
+    return 1;
+#else
+    int high = 0;
+    for (int k = 1; k < 3; k++)
+        if (c[k].hi > c[high].hi || (c[k].hi >= c[high].hi && c[k].lo > c[high].lo))
+            high = k;
+    const double_double one = c[(high + 1) % 3], other = c[(high + 2) % 3], total = dd_add_xx(one, other);
+    const double_double beyond = two_sum(c[high].hi - total.hi, c[high].lo - total.lo);
+    const double allowed = 8.881784197001252e-16 * (one.hi < other.hi ? one.hi : other.hi);
+    return c[high].hi < total.hi || (c[high].hi <= total.hi && c[high].lo <= 0.0) || beyond.hi < allowed ||
+           (beyond.hi <= allowed && beyond.lo <= 0.0);
+#endif
+}
+
 /* The moments of lane i, the largest first. */
 static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
 {
@@ -912,16 +935,19 @@ static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
         return isnan(inertia[0] + inertia[1] + inertia[2]) ? TORQUE_FREE_STEP_NOT_FINITE : TORQUE_FREE_STEP_INERTIA;
     if (!(largest <= DBL_MAX))
         return TORQUE_FREE_STEP_NOT_FINITE;
+    const int exponent = -(int)scale(largest);
+    const double_double c[3] = {dd_of(ldexp(inertia[0], exponent)), dd_of(ldexp(inertia[1], exponent)),
+                                dd_of(ldexp(inertia[2], exponent))};
+    if (!can_exist(c))
+        return TORQUE_FREE_STEP_NONPHYSICAL;
     if (least / largest < min_moment_ratio)
         return TORQUE_FREE_STEP_THIN;
-    const int exponent = -(int)scale(largest);
     const int first = inertia[0] >= inertia[1] ? (inertia[0] >= inertia[2] ? 0 : 2) : (inertia[1] >= inertia[2] ? 1 : 2);
     const int one = (first + 1) % 3, other = (first + 2) % 3, turned = inertia[one] < inertia[other];
     axis[0] = first;
     axis[1] = turned ? other : one;
     axis[2] = turned ? one : other;
-    const double c_a = ldexp(inertia[axis[0]], exponent), c_b = ldexp(inertia[axis[1]], exponent);
-    const double c_d = ldexp(inertia[axis[2]], exponent);
+    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double_double ab = two_sum(c_a, -c_b), ad = two_sum(c_a, -c_d), bd = two_sum(c_b, -c_d);
     x->c_a_hi[i] = c_a, x->c_a_lo[i] = 0.0, x->c_b_hi[i] = c_b, x->c_b_lo[i] = 0.0;
     x->c_d_hi[i] = c_d, x->c_d_lo[i] = 0.0, x->c_ab_hi[i] = ab.hi, x->c_ab_lo[i] = ab.lo;
@@ -1229,6 +1255,7 @@ static int body_init(torque_free_body *body, const double inertia[3])
     step_body(1, &x);
     get_body(&x, body);
     memcpy(body->axis, axis, sizeof axis);
+    body->prepared = PREPARED;
     return TORQUE_FREE_STEP_OK;
 }
 
@@ -1248,6 +1275,8 @@ int torque_free_step(const torque_free_body *body, double q[4], double omega[3],
 {
     lanes x;
     scaling of;
+    if (body->prepared != PREPARED)
+        return TORQUE_FREE_STEP_UNPREPARED;
     const int code = set_state(&x, 0, body->axis, q, omega, dt, &of);
     if (code != TORQUE_FREE_STEP_OK)
         return code;
@@ -1306,7 +1335,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "1ef41e1b28828b886ca244e6ddbd868a03a2c270447235e7c243971942406140"; }
+const char *torque_free_step_digest(void) { return "5401eede250c12fd2ca11f2e7b31a05da5ab4c874655fe52148077af7745785e"; }
 
 const char *torque_free_step_message(int code)
 {
@@ -1318,6 +1347,8 @@ const char *torque_free_step_message(int code)
     case TORQUE_FREE_STEP_ATTITUDE: return "q: a zero quaternion is no attitude";
     case TORQUE_FREE_STEP_ANGLE: return "dt: |omega dt| must be at most 8 rad";
     case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_STEP_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
+    case TORQUE_FREE_STEP_UNPREPARED: return "body: torque_free_body_init has not made it";
     default: return "no such code";
     }
 }

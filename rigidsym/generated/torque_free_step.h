@@ -18,10 +18,10 @@ that makes a theorem's hypothesis hold); then come equations of the paper that t
 products, quotients, roots and reductions; exact ones of doubles are Knuth's (The Art of Computer
 Programming, 4.2.2), Dekker's (1971) and Sterbenz's (1974).
 Lines of code:
-    144  16 %  follow facts of the ledger, each named on its line
+    144  15 %  follow facts of the ledger, each named on its line
      77   8 %  follow classical formulas, each with its reference
       6   1 %  are arithmetic: sums, products, quotients, roots, reductions
-    700  76 %  are the runtime, written by hand
+    718  76 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form.  Special functions (series for short times, sine and
 cosine) are truncated as follows, for bodies that can exist; `rigidsym.codegen.special_functions`
@@ -33,47 +33,10 @@ against mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate c-step --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  3.5e-16  1.2e-16
-  published              4.5e-16  1.4e-16
-  axis orders and signs  6.0e-16  1.6e-16
-  uniform                7.1e-16  1.9e-16
-  near separatrix        6.9e-16  2.0e-16
-  beside separatrix      6.5e-16  1.9e-16
-  nearest separatrix     6.4e-16  1.9e-16
-  separatrix             7.1e-16  1.9e-16
-  symmetric              7.4e-16  1.9e-16
-  near prolate           6.6e-16  1.9e-16
-  near oblate            6.6e-16  1.9e-16
-  nearest symmetric      6.4e-16  1.8e-16
-  sphere                 6.5e-16  2.0e-52
-  near sphere            6.1e-16  1.8e-16
-  nearest sphere         6.2e-16  5.4e-17
-  spin                   5.7e-16  7.6e-53
-  near spin, largest     5.2e-16  1.4e-16
-  near spin, middle      6.2e-16  1.8e-16
-  near spin, smallest    5.6e-16  1.8e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   6.7e-16  1.9e-16
-  rod                    7.9e-16  1.9e-16
-  needle                 6.6e-16  2.0e-16
-  special values         7.4e-16  1.8e-16
-  special attitudes      6.7e-16  2.0e-16
-  scales                 6.6e-16  1.9e-16
-  small scales           7.0e-16  2.0e-16
-  large scales           6.7e-16  1.9e-16
-  extreme scales         6.3e-16  1.9e-16
-  decimals               6.0e-16  1.7e-16
-  long times             6.3e-16  1.9e-16
-  longest times          7.1e-16  2.0e-16
-  near separatrix, long  7.9e-16  2.1e-16
-  branch switch          6.6e-16  2.0e-16
-  zeros of the rates     7.6e-16  1.9e-16
-  quarter periods        6.5e-16  2.0e-16
+Errors: not measured since this code changed; `rigidsym validate c-step --record`
 
 rigidsym 0.1.0, emitter c/2
-digest 1ef41e1b28828b886ca244e6ddbd868a03a2c270447235e7c243971942406140
+digest 5401eede250c12fd2ca11f2e7b31a05da5ab4c874655fe52148077af7745785e
 
 Re-entrant, without allocation or global variables; a call needs about 20 KB of stack,
 torque_free_integrate 30.  Compile with -O3 -fno-math-errno -fno-trapping-math for the machine it
@@ -95,23 +58,27 @@ extern "C" {
 
 /* What the functions return; 0 is success. */
 enum {
-    TORQUE_FREE_STEP_OK = 0,
-    TORQUE_FREE_STEP_NOT_FINITE = 1, /* an input is infinite or no number */
-    TORQUE_FREE_STEP_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_STEP_THIN = 3,       /* a principal moment is below 2^-200 of another */
-    TORQUE_FREE_STEP_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_STEP_ANGLE = 5,      /* |omega dt| beyond 2^3 rad, or a body that turns faster still */
-    TORQUE_FREE_STEP_ARITHMETIC = 6  /* it was compiled by options that reorder sums, see above */
+    TORQUE_FREE_STEP_OK = 0, /* success */
+    TORQUE_FREE_STEP_NOT_FINITE = 1, /* every number must be finite; times, too */
+    TORQUE_FREE_STEP_INERTIA = 2, /* principal moments must be positive */
+    TORQUE_FREE_STEP_THIN = 3, /* principal moments differ by more than binary64 can follow; one is below 2^-200 of another */
+    TORQUE_FREE_STEP_ATTITUDE = 4, /* a zero quaternion is no attitude */
+    TORQUE_FREE_STEP_ANGLE = 5, /* |omega dt| must be at most 8 rad; or a body that cannot exist turns faster still */
+    TORQUE_FREE_STEP_ARITHMETIC = 6, /* sums are reordered or not rounded to nearest; by this build's options, or by the processor */
+    TORQUE_FREE_STEP_NONPHYSICAL = 7, /* no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass) */
+    TORQUE_FREE_STEP_UNPREPARED = 8, /* torque_free_body_init has not made it */
 };
 
 /* What is of a body alone; written by torque_free_body_init, read by torque_free_step. */
 typedef struct {
-    int axis[3]; /* by moments of inertia, the largest first */
+    int axis[3];  /* by moments of inertia, the largest first */
+    int prepared; /* what tells it from memory that torque_free_body_init has not written */
     double epsilon, moments[3], alphas[6], squares[6];
 } torque_free_body;
 
 /* The constants of a body.  inertia: principal moments about the body axes, kg m^2, positive.
-   Returns a code above. */
+   Moments that no body can have, but for rounding, are refused as TORQUE_FREE_STEP_NONPHYSICAL, here and
+   by all that takes moments, unless the source is compiled with -DALLOW_NONPHYSICAL.  Returns a code above. */
 int torque_free_body_init(torque_free_body *body, const double inertia[3]);
 
 /* The free motion after dt (s), in place: q[4], scalar first, body to inertial, of any length but

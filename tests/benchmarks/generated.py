@@ -28,6 +28,7 @@ import rivals
 from mpmath import mp
 
 from rigidsym import TorqueFreeMotion, generated
+from rigidsym.engines.library import Library
 from rigidsym.generated import torque_free
 
 PAPER = rivals.Motion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
@@ -135,18 +136,19 @@ class CModule:
     """The generated source as it is, compiled with some flags."""
 
     def __init__(self, flags: tuple[str, ...] = NATIVE) -> None:
-        self.library = _compiled(SOURCE, flags)
+        header = SOURCE.with_suffix(".h").read_text("utf-8")
+        self.library = Library(_compiled(SOURCE, flags), header, SOURCE.stem)
 
     def prepare(self, motion: rivals.Motion) -> ctypes.Array:
-        self.library.torque_free_motion_size.restype = ctypes.c_size_t
-        prepared = ctypes.create_string_buffer(self.library.torque_free_motion_size())
+        prepared = ctypes.create_string_buffer(self.library.motion_size())
         start = motion.inertia, motion.omega0, (1.0, 0, 0, 0)
         self.call("motion_init", prepared, *map(np.array, start))()
         return prepared
 
     def call(self, name: str, *arguments: object) -> Work:
-        """A call of torque_free_<name> with pointers to arrays, sizes and doubles."""
-        function, given = self.library[f"torque_free_{name}"], [_given(x) for x in arguments]
+        """A call of torque_free_<name>; its arguments are checked here, not at each call."""
+        given = self.library.signatures[name].arguments(arguments, {})
+        function = getattr(self.library.raw, name)
 
         def run() -> None:
             if function(*given):
@@ -245,9 +247,9 @@ def _bodies(rounds: int, bodies: int) -> Table:
     inertia = np.ascontiguousarray(parts.sum(axis=1, keepdims=True) - parts)
     omega0, start = random.normal(size=(bodies, 3)), np.tile([1.0, 0, 0, 0], (bodies, 1))
     t, out = np.array([LATEST]), (np.empty((bodies, 1, 4)), np.empty((bodies, 1, 3)))
-    failed, codes = ctypes.c_size_t(), None
+    failed = ctypes.c_size_t()
     c = CModule()
-    given = (bodies, inertia, omega0, start, 1, t, 0, *out, codes, ctypes.byref(failed))
+    given = (bodies, inertia, omega0, start, 1, t, 0, *out, None, failed)
     works = {
         "C": c.call("propagate", *given),
         "NumPy": lambda: torque_free.states(torque_free.prepare(inertia, omega0, start), t, out),

@@ -15,7 +15,10 @@ import pytest
 from rigidsym import generate
 
 SOURCES = Path(__file__).parent / "c"
-STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror")
+STRICT = (
+    *("-std=c99", "-Werror", "-Wall", "-Wextra", "-Wpedantic"),
+    *("-Wconversion", "-Wshadow", "-Wdouble-promotion"),
+)
 OURS = ("torque_free.c",)
 X86 = platform.machine() in ("x86_64", "AMD64")
 

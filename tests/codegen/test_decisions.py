@@ -66,6 +66,7 @@ class Head(ctypes.Structure):
 
     _fields_ = (
         *(("branch", ctypes.c_int), ("axis", ctypes.c_int * 3), ("blurred", ctypes.c_int)),
+        ("prepared", ctypes.c_int),
         *(("unit", ctypes.c_double), ("max_angle", ctypes.c_double)),
         *(("q0", ctypes.c_double * 4), ("omega0", ctypes.c_double * 3)),
     )

@@ -12,14 +12,15 @@ from document_texts import FENCED, README, ROOT, TEXTS, blocks
 
 import rigidsym
 from rigidsym.cli import main, parser
-from rigidsym.engines.compiler import FLAGS, NATIVE
+from rigidsym.engines.compiler import ANY_MOMENTS, FLAGS, NATIVE
 from rigidsym.io.cases import parse_case
 from rigidsym.manoeuvre.manoeuvre import parse
 from rigidsym.manoeuvre.planning import solve
 
 KINDS = {"sh", "python", "toml", "toml manoeuvre", "c", "text", "python no-run", "c no-run"}
 # What a programme of one's own is compiled with: as the engine is, but for any machine.
-COMPILED_WITH = [flag for flag in FLAGS if flag not in (*NATIVE, "-fPIC", "-shared")]
+OF_PYTHON = (*NATIVE, ANY_MOMENTS, "-fPIC", "-shared")
+COMPILED_WITH = [flag for flag in FLAGS if flag not in OF_PYTHON]
 
 # What the programmes find, by the names they give it.
 ANSWERS = {

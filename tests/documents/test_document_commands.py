@@ -42,6 +42,7 @@ NOT_RUN = {
         ("bash .ci/run", "pytest", "pytest -m slow", "pytest tests/test_motion.py",
          "pytest tests/test_free_steps.py", "pytest tests/test_sensitivity.py",
          "pytest tests/codegen/special_functions/test_third_kind.py",
+         "pytest tests/codegen/test_c_rules.py", "pytest tests/codegen/test_c_target.py",
          "pytest tests/codegen/test_decisions.py", "pytest tests/codegen/test_pairs.py",
          "pytest tests/codegen/test_seal_edits.py",
          "pytest tests/derivations/test_sensitivities.py",

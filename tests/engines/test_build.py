@@ -1,6 +1,7 @@
 """Building and keeping the C library: what is compiled when, and what is said when it cannot be."""
 
 import os
+import re
 import shutil
 import stat
 import subprocess
@@ -21,24 +22,29 @@ SYSTEM = next(filter(None, map(shutil.which, compiler.NAMES)), None)
 OF_THE_PACKAGE = build.package_sources
 needs_compiler = pytest.mark.skipif(SYSTEM is None, reason="needs a C compiler: cc, gcc or clang")
 
-# As much of torque_free.h as a library is asked for when it is loaded, quick to compile.
+# As much of torque_free.h as an engine is made of, quick to compile.
 STUB = """/* digest {digest} */
 #include <stddef.h>
+typedef struct {{ double x; }} torque_free_motion;
 const char *torque_free_digest(void) {{ return "{digest}"; }}
 const char *torque_free_message(int code) {{ (void)code; return "inertia: refused"; }}
 size_t torque_free_motion_size(void) {{ return 8; }}
-int torque_free_motion_init(void) {{ return 2; }}
-int torque_free_motion_init_double_doubles(void) {{ return 2; }}
-int torque_free_state_at(void) {{ return 6; }}
-int torque_free_states_at(void) {{ return 6; }}
-int torque_free_states_on_grid(void) {{ return 6; }}
-int torque_free_propagate(void) {{ return 2; }}
-double torque_free_last_time(void) {{ return 0; }}
+int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
+                            const double omega0[3], const double attitude0[4])
+{{ return motion && inertia && omega0 && attitude0 ? 2 : 0; }}
+int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3])
+{{ return motion && t && q && omega ? 6 : 6; }}
+int torque_free_propagate(size_t bodies)
+{{ return bodies > 0 ? 2 : 0; }}
 """
 
 
 def stub(digit):
-    return {"torque_free.h": "", "torque_free.c": STUB.format(digest=digit * 64)}
+    source = STUB.format(digest=digit * 64)
+    declared = re.findall(r"^[^/#{}]+(?=\s*\{)", source.partition("motion;")[2], re.MULTILINE)
+    header = "enum {\n    TORQUE_FREE_ARITHMETIC = 8\n};\n"
+    header += "".join(f"{head.strip()};\n" for head in declared)
+    return {"torque_free.h": header, "torque_free.c": source}
 
 
 @pytest.fixture(autouse=True)
@@ -345,10 +351,8 @@ def test_a_library_that_lacks_a_function_is_refused(tmp_path):
 
 @needs_compiler
 def test_a_build_that_refuses_every_motion_is_not_used(monkeypatch):
-    refusing = STUB.replace(
-        "motion_init(void) {{ return 2; }}", "motion_init(void) {{ return 8; }}"
-    )
-    sources = {"torque_free.h": "", "torque_free.c": refusing.format(digest="b" * 64)}
+    sources = stub("b")
+    sources["torque_free.c"] = sources["torque_free.c"].replace("attitude0 ? 2", "attitude0 ? 8")
     monkeypatch.setattr(build, "package_sources", lambda _: sources)
     with pytest.raises(LibraryError, match=r"^the C module refuses: inertia: refused$"):
         build.library([])

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CODES = 8, TIMES = 6, BODIES = 11 };
+enum { CODES = 12, TIMES = 6, BODIES = 11 };
 typedef double source(void);
 
 static uint64_t state;
@@ -48,7 +48,7 @@ static double special(void)
 {
     static const double values[] = {
         0.0, -0.0, 1.0, -1.0, 2.0, 3.0, 0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp+1023, HUGE_VAL,
-        -HUGE_VAL, NAN, 0x1p-200, 0x1.fffffffffffffp-201, 0x1p-300, 0x1p-400, 0x1.fffffffffffffp-401,
+        -HUGE_VAL, (double)NAN, 0x1p-200, 0x1.fffffffffffffp-201, 0x1p-300, 0x1p-400, 0x1.fffffffffffffp-401,
         0x1.0000000000001p+0, 0x1.fffffffffffffp-1, 0x1p+46, 0x1p+1020};
     return values[next() % (sizeof values / sizeof *values)];
 }

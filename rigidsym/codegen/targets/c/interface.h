@@ -1,16 +1,6 @@
 /* What the functions return; 0 is success.  A call for one body that fails writes nothing. */
 enum {
-    TORQUE_FREE_OK = 0,
-    TORQUE_FREE_NOT_FINITE = 1, /* an input is infinite or no number */
-    TORQUE_FREE_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_THIN = 3,       /* a principal moment is below 2^@min_moment_ratio@ of another */
-    TORQUE_FREE_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_SEPARATRIX = 5, /* a time after which the motion may have left the separatrix, or spin
-                                   about the middle axis, from which binary64 cannot tell it */
-    TORQUE_FREE_TIME = 6,       /* |omega0 t| beyond 2^@max_angle@ rad, or t is infinite or no number */
-    TORQUE_FREE_RATES = 7,      /* rates that double precision cannot hold, beyond 2^@max_rate@ rad/s */
-    TORQUE_FREE_ARITHMETIC = 8, /* this build reorders sums, or the processor does not round to nearest */
-    TORQUE_FREE_GROWTH = 9      /* a time at which squares of changes are beyond double precision */
+@codes@
 };
 
 /* The constants of one motion; written by torque_free_motion_init, read by all others. */
@@ -18,6 +8,7 @@ typedef struct {
     int branch;          /* 0 steady, 1 circular, 2 hyperbolic */
     int axis[3];         /* the body axes a, b, d */
     int blurred;         /* whether TORQUE_FREE_SEPARATRIX is what later times are refused for */
+    int prepared;        /* what tells it from memory that torque_free_motion_init has not written */
     double unit;         /* a power of two, 1/s: inner times are unit t; 0 at rest */
     double max_angle;     /* the largest inner time */
     double q0[4];        /* attitude at t = 0 */
@@ -31,7 +22,9 @@ typedef struct {
 
 /* The constants of a motion.  inertia: principal moments about the body axes, kg m^2, positive;
    omega0: body rates at t = 0, rad/s; attitude0: quaternion at t = 0, scalar first, body to
-   inertial, of any length but zero.  Returns a code above. */
+   inertial, of any length but zero.  Moments that no body can have, but for rounding, are refused
+   as TORQUE_FREE_NONPHYSICAL, here and by all that takes moments, unless the source is compiled with
+   -DALLOW_NONPHYSICAL.  Returns a code above. */
 int torque_free_motion_init(torque_free_motion *motion, const double inertia[3], const double omega0[3],
                           const double attitude0[4]);
 
@@ -45,13 +38,13 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
                                 const double attitude0[4][2], const double discriminant[2], double unit);
 
 /* The state at time t (s): q[4], unit, body to inertial, continuous in the double cover from
-   attitude0 on, and omega[3], body rates in rad/s.  Returns 0, TORQUE_FREE_TIME
-   or TORQUE_FREE_SEPARATRIX. */
+   attitude0 on, and omega[3], body rates in rad/s.  Returns 0,
+   TORQUE_FREE_NOT_FINITE, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX or, as all that follows,
+   TORQUE_FREE_UNPREPARED. */
 int torque_free_state_at(const torque_free_motion *motion, double t, double q[4], double omega[3]);
 
 /* The states at n times t[n] (s), in any order: q[n][4] and omega[n][3], row by row, which must
-   not overlap each other or t.  Returns 0, TORQUE_FREE_TIME
-   or TORQUE_FREE_SEPARATRIX. */
+   not overlap each other or t.  Returns a code as it does. */
 int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega);
 
@@ -70,9 +63,9 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
    ends the call: its number is left in *failed, its code returned, and what comes before it is done. */
 int torque_free_propagate(size_t bodies, const double *inertia, const double *omega0,
                           const double *attitude0, size_t n, const double *t, size_t stride,
-                          double *q, double *omega, int *codes, size_t *failed);
+                          double *q, double *omega, int *codes /* or NULL */, size_t *failed);
 
-/* The largest |t| (s) that a motion has states for. */
+/* The largest |t| (s) that a motion has states for; no number where it was not prepared. */
 double torque_free_last_time(const torque_free_motion *motion);
 
 /* sizeof(torque_free_motion), and the digest of the header and the source, for who loads a library. */

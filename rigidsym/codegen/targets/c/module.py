@@ -11,7 +11,7 @@ from rigidsym.codegen.limits import limits
 from rigidsym.codegen.lines import Lines, Module, joined
 from rigidsym.codegen.shares import shares, text
 from rigidsym.codegen.special_functions.short_time import LAST, STEPS
-from rigidsym.codegen.targets.c import emit
+from rigidsym.codegen.targets.c import codes, emit
 
 HEADERS = {THETA: "torque_free.h", PI: "torque_free_pi.h", STEP: "torque_free_step.h"}
 SOURCES = {THETA: "torque_free.c", PI: "torque_free_pi.c", STEP: "torque_free_step.c"}
@@ -77,9 +77,9 @@ _INCLUDES = """\
 #define restrict __restrict
 #endif
 
-/* What loops call has to be in them, or they are not vectorised. */
+/* What loops call has to be in them, or they are not vectorised; not every module calls all. */
 #ifdef __GNUC__
-#define INLINED inline __attribute__((always_inline))
+#define INLINED inline __attribute__((always_inline, unused))
 #else
 #define INLINED inline
 #endif
@@ -197,7 +197,7 @@ def header_last(form: str) -> str:
         STEP: ("step_interface.h", "kick_interface.h"),
     }
     text = "\n\n".join(map(_part, parts.get(form, ("interface.h",))))
-    return f"\n{text}\n{_LAST.strip()}\n"
+    return f"\n{codes.filled(text, form)}\n{_LAST.strip()}\n"
 
 
 def source_first(form: str) -> str:
@@ -214,10 +214,10 @@ def source_first(form: str) -> str:
 def source_last(form: str) -> str:
     """What is written by hand after the functions, with places for names and limits."""
     if form == STEP:
-        return f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n"
+        return codes.filled(f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n", form)
     parts = ["arithmetic.c", "runtime.c", *(["sensitivity.c"] if form == THETA else [])]
     text = "\n\n".join(map(_part, parts)) + "\n"
-    return text.replace("@one by one@", str(ONE_BY_ONE[form]))
+    return codes.filled(text.replace("@one by one@", str(ONE_BY_ONE[form])), form)
 
 
 def _header_last(constants_of: list[Function], form: str) -> str:

@@ -1,6 +1,11 @@
 @limits@
 #define BLOCK ((size_t)TORQUE_FREE_BLOCK)
 
+/* Of a motion that was prepared; a number that memory has by no chance. */
+enum { PREPARED = 0x7f4a7c15 };
+
+@bodies.c@
+
 /* Exponent of the largest, so that x 2^-exponent is below 2; 0 for zeros. */
 static int exponent_of(size_t n, const double *x)
 {
@@ -205,13 +210,13 @@ static void moving_init(lanes *lane, size_t n, torque_free_motion *motion, int *
 }
 
 /* log2(x), x >= 0, without an exception for zero. */
-static double log2_of(double x) { return x > 0.0 ? log2(x) : -INFINITY; }
+static double log2_of(double x) { return x > 0.0 ? log2(x) : -HUGE_VAL; }
 
 /* log2(2^x + 2^y); both may be minus infinity. */
 static double log2_sum(double x, double y)
 {
-    const double most = x > y ? x : y, least = x > y ? y : x;
-    return isfinite(most) ? most + log2(1.0 + exp2(least - most)) : most;
+    const double most = x > y ? x : y, other = x > y ? y : x;
+    return isfinite(most) ? most + log2(1.0 + exp2(other - most)) : most;
 }
 
 /* Where E_b is too faint, or rates taken for zero could decide when spin about the middle axis turns
@@ -228,9 +233,9 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
     const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double over = fabs(difference(apart, axis[0], axis[1]).hi);
     const double under = fabs(difference(apart, axis[1], axis[2]).hi);
-    const double largest = c_a > c_d ? c_a : c_d, least = c_a > c_d ? c_d : c_a;
+    const double largest = c_a > c_d ? c_a : c_d, smallest = c_a > c_d ? c_d : c_a;
     const double weight[2] = {0.5 * log2_of(c_a * over), 0.5 * log2_of(c_d * under)};
-    double part[2], gone = -INFINITY, left = -INFINITY, momentum = 0.0;
+    double part[2], gone = -HUGE_VAL, left = -HUGE_VAL, momentum = 0.0;
     for (int k = 0; k < 2; k++) {
         part[k] = weight[k] + log2_of(fabs(given[axis[2 * k]].hi));
         if (is_zero(omega[axis[2 * k]]))
@@ -247,7 +252,7 @@ static void follow(torque_free_motion *motion, const double_double c[3], const d
     const double rate_b = given[axis[1]].hi, rate_d = given[axis[2]].hi;
     const double growth = sqrt(over / c_a * (under / c_d) * (rate_b * rate_b) +
                                under / c_b * ((over + under) / c_a) * (rate_d * rate_d));
-    const double slow = fmin(0.0, log2_of(growth) + log2(least / largest));
+    const double slow = fmin(0.0, log2_of(growth) + log2(smallest / largest));
     const double room = fmin(weight[0], weight[1]) + log2(momentum / largest) + slow -
                         (is_spin ? size : distance - size);
     const double bits = log2(tolerated) + room;
@@ -278,6 +283,7 @@ static void begin(torque_free_motion *motion, lanes *lane, size_t i, const doubl
 {
     double_double omega[3], length = dd_mul_xx(q[0], q[0]), unit_q[4];
     memset(motion, 0, sizeof *motion);
+    motion->prepared = PREPARED;
     for (int k = 0; k < 3; k++) {
         omega[k] = fabs(given[k].hi) < negligible ? dd_of(0.0) : given[k];
         length = dd_add_xx(length, dd_mul_xx(q[k + 1], q[k + 1]));
@@ -320,13 +326,13 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
                          const double omega0[3], const double attitude0[4])
 {
     double_double c[3], apart[3], omega[3], q[4];
-    double least = inertia[0];
+    double smallest = inertia[0];
     motion->branch = 0;
     if (!all_finite(3, inertia) || !all_finite(3, omega0) || !all_finite(4, attitude0))
         return TORQUE_FREE_NOT_FINITE;
     for (int k = 1; k < 3; k++)
-        least = inertia[k] < least ? inertia[k] : least;
-    if (!(least > 0.0))
+        smallest = inertia[k] < smallest ? inertia[k] : smallest;
+    if (!(smallest > 0.0))
         return TORQUE_FREE_INERTIA;
     const int c_scale = exponent_of(3, inertia), scale = exponent_of(3, omega0);
     const int q_scale = exponent_of(4, attitude0);
@@ -338,7 +344,9 @@ static int begin_doubles(torque_free_motion *motion, lanes *lane, size_t i, cons
         if (is_zero(omega[k]) && !is_zero(dd_of(omega0[k])))
             omega[k] = dd_of(copysign(4.9406564584124654e-324, omega0[k]));
     }
-    if (scaled_by(least, -c_scale) < min_moment_ratio)
+    if (!can_exist(c))
+        return TORQUE_FREE_NONPHYSICAL;
+    if (scaled_by(smallest, -c_scale) < min_moment_ratio)
         return TORQUE_FREE_THIN;
     for (int k = 0; k < 4; k++) {
         q[k] = dd_of(scaled_by(attitude0[k], -q_scale));
@@ -402,6 +410,8 @@ int torque_free_motion_init_double_doubles(torque_free_motion *motion, const dou
         if (fabs(rate.hi) > 4.0)
             return TORQUE_FREE_RATES;
     }
+    if (!can_exist(c))
+        return TORQUE_FREE_NONPHYSICAL;
     if (!all_finite(8, &attitude0[0][0]) || !all_finite(2, discriminant) || !isfinite(unit))
         return TORQUE_FREE_NOT_FINITE;
     if (!(unit > 0.0))
@@ -516,17 +526,20 @@ static void at_initial_state(const torque_free_motion *motion, double *q, double
         omega[k] = motion->omega0[k];
 }
 
-static int too_late(const torque_free_motion *motion)
+/* Why a motion has no states at some of these times. */
+static int refusal(const torque_free_motion *motion, size_t n, const double *t)
 {
+    if (!all_finite(n, t))
+        return TORQUE_FREE_NOT_FINITE;
     return motion->blurred ? TORQUE_FREE_SEPARATRIX : TORQUE_FREE_TIME;
 }
 
 static void no_states(size_t n, double *q, double *omega)
 {
     for (size_t i = 0; i < 4 * n; i++)
-        q[i] = NAN;
+        q[i] = (double)NAN;
     for (size_t i = 0; i < 3 * n; i++)
-        omega[i] = NAN;
+        omega[i] = (double)NAN;
 }
 
 /* The states at n times; times that are too late are refused, or have none where `lenient`. */
@@ -537,10 +550,10 @@ static int states_at(const torque_free_motion *motion, size_t n, const double *t
     int zero;
     for (size_t i = 0; i < n && !lenient; i += BLOCK)
         if (!scaled_times(motion, n - i < BLOCK ? n - i : BLOCK, t + i, inner, &zero))
-            return too_late(motion);
+            return refusal(motion, n, t);
     for (size_t k = 0; k < BLOCK; k++)
         rest[k] = 0.0;
-    int code = TORQUE_FREE_OK;
+    int refused = 0;
     for (size_t i = 0; i < n; i += BLOCK) {
         const size_t count = n - i < BLOCK ? n - i : BLOCK;
         const int near = scaled_times(motion, count, t + i, inner, &zero);
@@ -556,15 +569,15 @@ static int states_at(const torque_free_motion *motion, size_t n, const double *t
         for (size_t k = 0; !near && k < count; k++)
             if (!(fabs(motion->unit * t[i + k]) <= motion->max_angle))
                 no_states(1, q + 4 * (i + k), omega + 3 * (i + k));
-        code = near ? code : too_late(motion);
+        refused |= !near;
     }
-    return code;
+    return refused ? refusal(motion, n, t) : TORQUE_FREE_OK;
 }
 
 int torque_free_states_at(const torque_free_motion *motion, size_t n, const double *t, double *q,
                           double *omega)
 {
-    return states_at(motion, n, t, q, omega, 0);
+    return motion->prepared == PREPARED ? states_at(motion, n, t, q, omega, 0) : TORQUE_FREE_UNPREPARED;
 }
 
 /* One state needs no block. */
@@ -573,8 +586,10 @@ int torque_free_state_at(const torque_free_motion *motion, double t, double q[4]
     const double rest = 0.0;
     double by_time[6], out[7], inner;
     int zero;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_UNPREPARED;
     if (!scaled_times(motion, 1, &t, &inner, &zero))
-        return too_late(motion);
+        return refusal(motion, 1, &t);
     if (zero) {
         at_initial_state(motion, q, omega);
         return TORQUE_FREE_OK;
@@ -673,9 +688,12 @@ int torque_free_states_on_grid(const torque_free_motion *motion, double start, d
     const double inner = motion->unit * start, inner_step = first + n > 1 ? motion->unit * step : 0.0;
     const double begin = inner + inner_step * (double)first;
     const double last = inner + inner_step * (double)(n > 0 ? first + n - 1 : first);
+    const double given[2] = {start, first + n > 1 ? step : 0.0};
     const size_t most = BLOCK * BLOCK;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_UNPREPARED;
     if (!(fabs(inner) <= motion->max_angle && fabs(begin) <= motion->max_angle && fabs(last) <= motion->max_angle))
-        return too_late(motion);
+        return refusal(motion, 2, given);
     if (motion->branch >= @one by one@) {
         grid_states_one_by_one(motion, inner, inner_step, first, n, q, omega);
     } else {
@@ -747,6 +765,8 @@ int torque_free_propagate(size_t bodies, const double *inertia, const double *om
 
 double torque_free_last_time(const torque_free_motion *motion)
 {
+    if (motion->prepared != PREPARED)
+        return (double)NAN;
     return motion->unit > 0.0 ? fmin(motion->max_angle / motion->unit, DBL_MAX) : DBL_MAX;
 }
 
@@ -757,16 +777,7 @@ const char *torque_free_digest(void) { return "@digest@"; }
 const char *torque_free_message(int code)
 {
     switch (code) {
-    case TORQUE_FREE_OK: return "success";
-    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_INERTIA: return "inertia: principal moments must be positive";
-    case TORQUE_FREE_THIN: return "inertia: principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_ATTITUDE: return "attitude0: a zero quaternion is no attitude";
-    case TORQUE_FREE_SEPARATRIX: return "t: nearer to the separatrix than binary64 can follow so long";
-    case TORQUE_FREE_TIME: return "t: beyond |omega| t = 2^@max_angle@ rad the angle is lost in binary64";
-    case TORQUE_FREE_RATES: return "omega0: rates beyond what binary64 can hold";
-    case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
-    case TORQUE_FREE_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
+@messages@
     default: return "no such code";
     }
 }

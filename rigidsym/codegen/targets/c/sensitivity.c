@@ -78,32 +78,71 @@ static void elapsed(const sensitive *made, size_t n, size_t s, const double *res
     }
 }
 
-/* A row of nine: what a small turn at t = 0 gives, then six columns, the moments' times both factors. */
-static void nine(double *restrict row, const double *turn, const double *const column[6], size_t i, double by_rate,
-                 double by_moment, double again)
+/* Doubles that a state has in `attitude`, as in `rates`; and in attitude_t, as in rates_t. */
+static size_t width_of(int asked)
 {
+    const size_t first = asked & TORQUE_FREE_BY_ATTITUDE0 ? 9 : 0, second = asked & TORQUE_FREE_BY_OMEGA0 ? 9 : 0;
+    return first + second + (asked & TORQUE_FREE_BY_INERTIA ? 9 : 0);
+}
+
+static size_t width_t(int asked) { return asked & TORQUE_FREE_BY_T ? 3 : 0; }
+
+/* Three columns of a row: what is asked for of those by the turn at t = 0, omega0 and the moments is the
+   groups of a row, one after the other. */
+static INLINED void put_row(int asked, double *restrict row, const double turn[3], const double *const column[6],
+                            size_t i, double by_rate, double by_moment, double again)
+{
+    const int after = asked & TORQUE_FREE_BY_ATTITUDE0 ? 3 : 0;
+    const int last = after + (asked & TORQUE_FREE_BY_OMEGA0 ? 3 : 0);
     for (int k = 0; k < 3; k++) {
-        row[k] = turn[k];
-        row[3 + k] = by_rate * column[k][i];
-        row[6 + k] = again * (by_moment * column[3 + k][i]);
+        if (asked & TORQUE_FREE_BY_ATTITUDE0)
+            row[k] = turn[k];
+        if (asked & TORQUE_FREE_BY_OMEGA0)
+            row[after + k] = by_rate * column[k][i];
+        if (asked & TORQUE_FREE_BY_INERTIA)
+            row[last + k] = again * (by_moment * column[3 + k][i]);
+    }
+}
+
+/* The rows of n states, of turns by omega0 and the moments, 18, and of turns and rates by the time, six;
+   by: those of rates by omega0 and the moments. */
+static INLINED void put_rows(int asked, const torque_free_motion *motion, size_t n, const double *restrict turned_by,
+                             const double *const by[18], double *restrict attitude, double *restrict rates,
+                             double *restrict attitude_t, double *restrict rates_t)
+{
+    enum { s = SENSITIVE };
+    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    static const double zeros[3] = {0.0, 0.0, 0.0};
+    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
+    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
+    const double part = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
+    const double rest = unit / part * over_moment;
+    const size_t width = width_of(asked) / 3;
+    const double *eta[18];
+    for (int k = 0; k < 18; k++)
+        eta[k] = turned_by + k * s;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < 3; k++) {
+            put_row(asked, attitude + 3 * width * i + width * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
+            put_row(asked, rates + 3 * width * i + width * k, zeros, by + 6 * k, i, 1.0, part, rest);
+        }
+        for (size_t k = 0; k < 3 && asked & TORQUE_FREE_BY_T; k++) {
+            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
+            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
+        }
     }
 }
 
 /* What n <= SENSITIVE states change by, at inner times t. */
-static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, size_t n,
+static void block_sensitivities(const torque_free_motion *motion, const sensitive *made, int asked, size_t n,
                                 const double *restrict t, const double *restrict q, const double *restrict omega,
                                 double *restrict attitude, double *restrict rates, double *restrict attitude_t,
                                 double *restrict rates_t)
 {
     enum { s = SENSITIVE };
-    static const double unit_rows[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    static const double zeros[3] = {0.0, 0.0, 0.0};
     double functions[7 * s], state[7 * s], along[7 * s], columns[21 * s], turned_by[24 * s];
-    const double unit = motion->unit, over = 1.0 / unit, over_moment = 1.0 / motion->moment_unit;
-    /* A unit of rates over one of moments may leave binary64 where no rate by a moment does. */
-    const double half = ldexp(1.0, (ilogb(unit) - ilogb(motion->moment_unit)) / 2);
-    const double rest = unit / half * over_moment;
-    const double *by[18], *excess[3], *eta[18];
+    const double over = 1.0 / motion->unit;
+    const double *by[18], *excess[3];
     const int *axis = made->axis;
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < 4; k++)
@@ -125,21 +164,17 @@ static void block_sensitivities(const torque_free_motion *motion, const sensitiv
             by[6 * axis[x] + 3 + axis[y]] = columns + (6 * x + 3 + y) * s;
         }
     }
-    for (int k = 0; k < 18; k++)
-        eta[k] = turned_by + k * s;
     turn_state(&made->turn, n, state, state + s, state + 2 * s, state + 3 * s, state + 4 * s, state + 5 * s,
                state + 6 * s, @turn columns@, excess[0], excess[1], excess[2], t, @turn rows of turned_by@);
-    for (size_t i = 0; i < n; i++)
-        for (size_t k = 0; k < 3; k++) {
-            nine(attitude + 27 * i + 9 * k, unit_rows[k], eta + 6 * k, i, over, over_moment, 1.0);
-            nine(rates + 27 * i + 9 * k, zeros, by + 6 * k, i, 1.0, half, rest);
-            attitude_t[3 * i + k] = unit * turned_by[(18 + k) * s + i];
-            rates_t[3 * i + k] = unit * (unit * turned_by[(21 + k) * s + i]);
-        }
+    /* All of them, which is asked for most, without a question for each number. */
+    if (asked == TORQUE_FREE_BY_ALL)
+        put_rows(TORQUE_FREE_BY_ALL, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
+    else
+        put_rows(asked, motion, n, turned_by, by, attitude, rates, attitude_t, rates_t);
 }
 
 /* A body at rest begins to turn as it is given rates, and goes on; at t = 0 changes are those given. */
-static void plain_sensitivity(const torque_free_motion *motion, double t, double *restrict attitude,
+static void plain_sensitivity(const torque_free_motion *motion, double t, int asked, double *restrict attitude,
                               double *restrict rates)
 {
     const double *q = motion->q0;
@@ -148,62 +183,73 @@ static void plain_sensitivity(const torque_free_motion *motion, double t, double
         {2.0 * (q[1] * q[2] + q[0] * q[3]), 1.0 - 2.0 * (q[1] * q[1] + q[3] * q[3]), 2.0 * (q[2] * q[3] - q[0] * q[1])},
         {2.0 * (q[1] * q[3] - q[0] * q[2]), 2.0 * (q[2] * q[3] + q[0] * q[1]), 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2])}};
     for (int k = 0; k < 3; k++)
-        for (int j = 0; j < 9; j++) {
-            attitude[9 * k + j] = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
-            rates[9 * k + j] = j == 3 + k ? 1.0 : 0.0;
-        }
+        for (int j = 0; j < 9; j++)
+            if (asked >> j / 3 & 1) {
+                *attitude++ = j == k ? 1.0 : j >= 3 && j < 6 ? t * start[k][j - 3] : 0.0;
+                *rates++ = j == 3 + k ? 1.0 : 0.0;
+            }
 }
 
 static int any_lost(size_t n, const double *x)
 {
-    int lost = 0;
+    size_t lost = 0;
     for (size_t k = 0; k < n; k++)
-        lost |= isnan(x[k]);
-    return lost;
+        lost += isnan(x[k]) ? 1 : 0;
+    return lost > 0;
 }
 
 static void no_numbers(size_t n, double *x)
 {
     for (size_t k = 0; k < n; k++)
-        x[k] = NAN;
+        x[k] = (double)NAN;
 }
 
-static void no_changes(size_t n, double *attitude, double *rates, double *attitude_t, double *rates_t)
+static void no_changes(size_t n, int asked, double *attitude, double *rates, double *attitude_t, double *rates_t)
 {
-    no_numbers(27 * n, attitude);
-    no_numbers(27 * n, rates);
-    no_numbers(3 * n, attitude_t);
-    no_numbers(3 * n, rates_t);
+    no_numbers(width_of(asked) * n, attitude);
+    no_numbers(width_of(asked) * n, rates);
+    no_numbers(width_t(asked) * n, attitude_t);
+    no_numbers(width_t(asked) * n, rates_t);
 }
 
 /* Sensitivities of n states, after these; where lenient, times that are too late have none. */
-static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, double *q, double *omega,
-                            double *attitude, double *rates, double *attitude_t, double *rates_t, int lenient)
+static int sensitivities_at(const torque_free_motion *motion, size_t n, const double *t, int asked, double *q,
+                            double *omega, double *attitude, double *rates, double *attitude_t, double *rates_t,
+                            int lenient)
 {
-    const size_t most = SENSITIVE;
+    const size_t most = SENSITIVE, width = width_of(asked), by_t = width_t(asked);
     sensitive made;
+    if (motion->prepared != PREPARED)
+        return TORQUE_FREE_UNPREPARED;
     int code = states_at(motion, n, t, q, omega, lenient);
     if (code != TORQUE_FREE_OK && !lenient)
         return code;
     sensitive_init(motion, &made);
     for (size_t i = 0; i < n; i += most) {
         const size_t count = n - i < most ? n - i : most;
+        double *const turns = attitude + width * i, *const changes = rates + width * i;
+        double *const turns_t = attitude_t + by_t * i, *const changes_t = rates_t + by_t * i;
         double inner[SENSITIVE];
         int zero;
-        if (!scaled_times(motion, count, t + i, inner, &zero))
-            for (size_t k = 0; k < count; k++)
-                inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
+        const int near = scaled_times(motion, count, t + i, inner, &zero);
+        for (size_t k = 0; !near && k < count; k++)
+            inner[k] = fabs(inner[k]) <= motion->max_angle ? inner[k] : 0.0;
         if (!made.at_rest)
-            block_sensitivities(motion, &made, count, inner, q + 4 * i, omega + 3 * i, attitude + 27 * i,
-                                rates + 27 * i, attitude_t + 3 * i, rates_t + 3 * i);
-        for (size_t k = i; k < i + count; k++) {
-            const int late = !(fabs(motion->unit * t[k]) <= motion->max_angle);
-            if (made.at_rest || !(t[k] < 0.0 || t[k] > 0.0))
-                plain_sensitivity(motion, t[k], attitude + 27 * k, rates + 27 * k);
-            for (size_t j = 3 * k; made.at_rest && j < 3 * k + 3; j++)
-                attitude_t[j] = rates_t[j] = 0.0;
-            if (late || any_lost(27, attitude + 27 * k) || any_lost(27, rates + 27 * k)) {
-                no_changes(1, attitude + 27 * k, rates + 27 * k, attitude_t + 3 * k, rates_t + 3 * k);
+            block_sensitivities(motion, &made, asked, count, inner, q + 4 * i, omega + 3 * i, turns, changes, turns_t,
+                                changes_t);
+        for (size_t k = 0; made.at_rest && k < by_t * count; k++)
+            turns_t[k] = changes_t[k] = 0.0;
+        for (size_t k = 0; (made.at_rest || zero) && k < count; k++)
+            if (made.at_rest || !(t[i + k] < 0.0 || t[i + k] > 0.0))
+                plain_sensitivity(motion, t[i + k], asked, turns + width * k, changes + width * k);
+        /* While a block is in the cache it is seen whether any number is lost. */
+        if (near && !any_lost(width * count, turns) && !any_lost(width * count, changes))
+            continue;
+        for (size_t k = 0; k < count; k++) {
+            double *const own[2] = {turns + width * k, changes + width * k};
+            const int late = !(fabs(motion->unit * t[i + k]) <= motion->max_angle);
+            if (late || any_lost(width, own[0]) || any_lost(width, own[1])) {
+                no_changes(1, asked, own[0], own[1], turns_t + by_t * k, changes_t + by_t * k);
                 code = late ? code : TORQUE_FREE_GROWTH;
             }
         }
@@ -211,37 +257,45 @@ static int sensitivities_at(const torque_free_motion *motion, size_t n, const do
     return code;
 }
 
+int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int asked,
+                                    double *q, double *omega, double *attitude, double *rates, double *attitude_t,
+                                    double *rates_t)
+{
+    return sensitivities_at(motion, n, t, asked, q, omega, attitude, rates, attitude_t, rates_t, 0);
+}
+
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t)
 {
-    return sensitivities_at(motion, n, t, q, omega, attitude, rates, attitude_t, rates_t, 0);
+    return sensitivities_at(motion, n, t, TORQUE_FREE_BY_ALL, q, omega, attitude, rates, attitude_t, rates_t, 0);
 }
 
-int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
-                                           const double *attitude0, size_t n, const double *t, size_t stride,
-                                           double *q, double *omega, double *attitude, double *rates,
-                                           double *attitude_t, double *rates_t, int *codes, size_t *failed)
+int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
+                                       const double *attitude0, size_t n, const double *t, size_t stride,
+                                       int asked, double *q, double *omega, double *attitude, double *rates,
+                                       double *attitude_t, double *rates_t, int *codes, size_t *failed)
 {
     torque_free_motion motion[LANES];
     int code[LANES];
     lanes lane;
     memset(&lane, 0, sizeof lane);
     const int rounded = is_rounded_once();
+    const size_t width = width_of(asked), by_t = width_t(asked);
     for (size_t first = 0; first < bodies; first += LANES) {
         const size_t count = several_init(motion, code, &lane, rounded, bodies - first, inertia + 3 * first,
                                           omega0 + 3 * first, attitude0 + 4 * first);
         for (size_t i = 0; i < count; i++) {
             const size_t k = first + i;
             double *const q_k = q + 4 * n * k, *const omega_k = omega + 3 * n * k;
-            double *const attitude_k = attitude + 27 * n * k, *const rates_k = rates + 27 * n * k;
-            double *const attitude_t_k = attitude_t + 3 * n * k, *const rates_t_k = rates_t + 3 * n * k;
+            double *const attitude_k = attitude + width * n * k, *const rates_k = rates + width * n * k;
+            double *const attitude_t_k = attitude_t + by_t * n * k, *const rates_t_k = rates_t + by_t * n * k;
             if (code[i] == TORQUE_FREE_OK) {
-                code[i] = sensitivities_at(&motion[i], n, t + stride * k, q_k, omega_k, attitude_k, rates_k,
+                code[i] = sensitivities_at(&motion[i], n, t + stride * k, asked, q_k, omega_k, attitude_k, rates_k,
                                            attitude_t_k, rates_t_k, codes != NULL);
             } else if (codes) {
                 no_states(n, q_k, omega_k);
-                no_changes(n, attitude_k, rates_k, attitude_t_k, rates_t_k);
+                no_changes(n, asked, attitude_k, rates_k, attitude_t_k, rates_t_k);
             }
             if (codes) {
                 codes[k] = code[i];
@@ -252,4 +306,13 @@ int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia,
         }
     }
     return TORQUE_FREE_OK;
+}
+
+int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
+                                           const double *attitude0, size_t n, const double *t, size_t stride,
+                                           double *q, double *omega, double *attitude, double *rates,
+                                           double *attitude_t, double *rates_t, int *codes, size_t *failed)
+{
+    return torque_free_propagate_with_columns(bodies, inertia, omega0, attitude0, n, t, stride, TORQUE_FREE_BY_ALL, q,
+                                              omega, attitude, rates, attitude_t, rates_t, codes, failed);
 }

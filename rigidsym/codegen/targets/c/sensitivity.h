@@ -1,9 +1,18 @@
+/* What states change by, to be asked for as a sum: columns are there in this order. */
+enum {
+    TORQUE_FREE_BY_ATTITUDE0 = 1, /* three: a small turn at t = 0, in space */
+    TORQUE_FREE_BY_OMEGA0 = 2,    /* three: the rates at t = 0 */
+    TORQUE_FREE_BY_INERTIA = 4,   /* three: the principal moments */
+    TORQUE_FREE_BY_T = 8,         /* the time, which has arrays of its own */
+    TORQUE_FREE_BY_ALL = 15
+};
+
 /* The states at n times t[n] (s), as torque_free_states_at has them, and what they change by.
    attitude[n][3][9]: a small turn eta in space, rad: the matrix from body to space changes by [eta] times
    itself.  rates[n][3][9]: the body rates.  Their columns: the small turn at t = 0, omega0 and the
    principal moments.  attitude_t[n][3], rates_t[n][3]: both by the time.  No arrays overlap; what leaves
-   binary64 is infinite.  Returns 0, TORQUE_FREE_TIME, TORQUE_FREE_SEPARATRIX, or TORQUE_FREE_GROWTH with
-   states at all times and changes that are NaN at some. */
+   binary64 is infinite.  Returns a code as torque_free_states_at does, or TORQUE_FREE_GROWTH with states
+   at all times and changes that are NaN at some. */
 int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t n, const double *t, double *q,
                                         double *omega, double *attitude, double *rates, double *attitude_t,
                                         double *rates_t);
@@ -15,4 +24,18 @@ int torque_free_states_with_sensitivity(const torque_free_motion *motion, size_t
 int torque_free_propagate_with_sensitivity(size_t bodies, const double *inertia, const double *omega0,
                                            const double *attitude0, size_t n, const double *t, size_t stride,
                                            double *q, double *omega, double *attitude, double *rates,
-                                           double *attitude_t, double *rates_t, int *codes, size_t *failed);
+                                           double *attitude_t, double *rates_t, int *codes /* or NULL */,
+                                           size_t *failed);
+
+/* Both with no other changes than `columns`, a sum of what stands above: attitude[n][3][m] and
+   rates[n][3][m] have three columns for each of the first three that is in it, attitude_t and rates_t are
+   written where TORQUE_FREE_BY_T is.  Only what is asked for can be refused by TORQUE_FREE_GROWTH. */
+int torque_free_states_with_columns(const torque_free_motion *motion, size_t n, const double *t, int columns,
+                                    double *q, double *omega, double *attitude /* or NULL */,
+                                    double *rates /* or NULL */, double *attitude_t /* or NULL */,
+                                    double *rates_t /* or NULL */);
+int torque_free_propagate_with_columns(size_t bodies, const double *inertia, const double *omega0,
+                                       const double *attitude0, size_t n, const double *t, size_t stride,
+                                       int columns, double *q, double *omega, double *attitude /* or NULL */,
+                                       double *rates /* or NULL */, double *attitude_t /* or NULL */,
+                                       double *rates_t /* or NULL */, int *codes /* or NULL */, size_t *failed);

@@ -10,6 +10,11 @@ static double scale(double largest)
 
 static double largest_of(const double x[3]) { return fmax(fabs(x[0]), fmax(fabs(x[1]), fabs(x[2]))); }
 
+/* Of a body that was prepared; a number that memory has by no chance. */
+enum { PREPARED = 0x7f4a7c15 };
+
+@bodies.c@
+
 /* The moments of lane i, the largest first. */
 static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
 {
@@ -18,16 +23,19 @@ static int set_body(lanes *x, size_t i, const double *inertia, int axis[3])
         return isnan(inertia[0] + inertia[1] + inertia[2]) ? TORQUE_FREE_STEP_NOT_FINITE : TORQUE_FREE_STEP_INERTIA;
     if (!(largest <= DBL_MAX))
         return TORQUE_FREE_STEP_NOT_FINITE;
+    const int exponent = -(int)scale(largest);
+    const double_double c[3] = {dd_of(ldexp(inertia[0], exponent)), dd_of(ldexp(inertia[1], exponent)),
+                                dd_of(ldexp(inertia[2], exponent))};
+    if (!can_exist(c))
+        return TORQUE_FREE_STEP_NONPHYSICAL;
     if (least / largest < min_moment_ratio)
         return TORQUE_FREE_STEP_THIN;
-    const int exponent = -(int)scale(largest);
     const int first = inertia[0] >= inertia[1] ? (inertia[0] >= inertia[2] ? 0 : 2) : (inertia[1] >= inertia[2] ? 1 : 2);
     const int one = (first + 1) % 3, other = (first + 2) % 3, turned = inertia[one] < inertia[other];
     axis[0] = first;
     axis[1] = turned ? other : one;
     axis[2] = turned ? one : other;
-    const double c_a = ldexp(inertia[axis[0]], exponent), c_b = ldexp(inertia[axis[1]], exponent);
-    const double c_d = ldexp(inertia[axis[2]], exponent);
+    const double c_a = c[axis[0]].hi, c_b = c[axis[1]].hi, c_d = c[axis[2]].hi;
     const double_double ab = two_sum(c_a, -c_b), ad = two_sum(c_a, -c_d), bd = two_sum(c_b, -c_d);
     x->c_a_hi[i] = c_a, x->c_a_lo[i] = 0.0, x->c_b_hi[i] = c_b, x->c_b_lo[i] = 0.0;
     x->c_d_hi[i] = c_d, x->c_d_lo[i] = 0.0, x->c_ab_hi[i] = ab.hi, x->c_ab_lo[i] = ab.lo;
@@ -260,6 +268,7 @@ static int body_init(torque_free_body *body, const double inertia[3])
     step_body(1, &x);
     get_body(&x, body);
     memcpy(body->axis, axis, sizeof axis);
+    body->prepared = PREPARED;
     return TORQUE_FREE_STEP_OK;
 }
 
@@ -279,6 +288,8 @@ int torque_free_step(const torque_free_body *body, double q[4], double omega[3],
 {
     lanes x;
     scaling of;
+    if (body->prepared != PREPARED)
+        return TORQUE_FREE_STEP_UNPREPARED;
     const int code = set_state(&x, 0, body->axis, q, omega, dt, &of);
     if (code != TORQUE_FREE_STEP_OK)
         return code;
@@ -342,13 +353,7 @@ const char *torque_free_step_digest(void) { return "@digest@"; }
 const char *torque_free_step_message(int code)
 {
     switch (code) {
-    case TORQUE_FREE_STEP_OK: return "success";
-    case TORQUE_FREE_STEP_NOT_FINITE: return "every number must be finite";
-    case TORQUE_FREE_STEP_INERTIA: return "inertia: principal moments must be positive";
-    case TORQUE_FREE_STEP_THIN: return "inertia: principal moments differ by more than binary64 can follow";
-    case TORQUE_FREE_STEP_ATTITUDE: return "q: a zero quaternion is no attitude";
-    case TORQUE_FREE_STEP_ANGLE: return "dt: |omega dt| must be at most 8 rad";
-    case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
+@messages@
     default: return "no such code";
     }
 }

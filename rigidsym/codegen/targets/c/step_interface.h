@@ -1,22 +1,18 @@
 /* What the functions return; 0 is success. */
 enum {
-    TORQUE_FREE_STEP_OK = 0,
-    TORQUE_FREE_STEP_NOT_FINITE = 1, /* an input is infinite or no number */
-    TORQUE_FREE_STEP_INERTIA = 2,    /* a principal moment of inertia is not positive */
-    TORQUE_FREE_STEP_THIN = 3,       /* a principal moment is below 2^@min_moment_ratio@ of another */
-    TORQUE_FREE_STEP_ATTITUDE = 4,   /* the quaternion is zero */
-    TORQUE_FREE_STEP_ANGLE = 5,      /* |omega dt| beyond 2^@max_step@ rad, or a body that turns faster still */
-    TORQUE_FREE_STEP_ARITHMETIC = 6  /* it was compiled by options that reorder sums, see above */
+@codes@
 };
 
 /* What is of a body alone; written by torque_free_body_init, read by torque_free_step. */
 typedef struct {
-    int axis[3]; /* by moments of inertia, the largest first */
+    int axis[3];  /* by moments of inertia, the largest first */
+    int prepared; /* what tells it from memory that torque_free_body_init has not written */
     double epsilon, moments[3], alphas[6], squares[6];
 } torque_free_body;
 
 /* The constants of a body.  inertia: principal moments about the body axes, kg m^2, positive.
-   Returns a code above. */
+   Moments that no body can have, but for rounding, are refused as TORQUE_FREE_STEP_NONPHYSICAL, here and
+   by all that takes moments, unless the source is compiled with -DALLOW_NONPHYSICAL.  Returns a code above. */
 int torque_free_body_init(torque_free_body *body, const double inertia[3]);
 
 /* The free motion after dt (s), in place: q[4], scalar first, body to inertial, of any length but
