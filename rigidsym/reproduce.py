@@ -24,6 +24,7 @@ from rigidsym.proof.paper import Verdict, verdicts
 from rigidsym.proof.paper.table import counted, details
 from rigidsym.solution import Solution, load
 from rigidsym.validate import ValidationReport, validate
+from rigidsym.validate.executors import processes
 from rigidsym.validate.provenance import PACKAGES
 from rigidsym.view import labels, palette
 from rigidsym.view.reproduction import (
@@ -65,9 +66,15 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     Raises InputError where the directory cannot be written and DerivationError where a proof
     fails; what an earlier run has written stays until its successor is complete.
     """
-    derivation, seconds = _timed(
-        lambda: derive(progress=progress("derive"), sealed=sealed_counts())
-    )
+    # A process of its own derives while others validate: they read the installed ledger alone, and
+    # precision is global, so that threads could not.
+    with processes(1) as deriving:
+        derived = deriving.submit(_timed, _derived)
+        # The last digits of the C module depend on the machine, and the report must not.
+        validation, validating = _timed(
+            lambda: validate(["numpy"], workers=None, progress=progress("validate"))
+        )
+        derivation, seconds = derived.result()
     claims = [len(chapter.facts) for chapter in derivation.chapters if chapter.facts]
     say("derive", f"{sum(claims)} facts in {len(claims)} chapters", seconds, True)
     ledger = write_text(directory / "ledger.json", derivation.ledger)
@@ -83,13 +90,10 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     same = "the same as" if current else "NOT the same as"
     say("codegen", f"{', '.join(TARGETS)}: sealed, {same} what is installed", generation, current)
 
-    show = progress("validate")
-    # The last digits of the C module depend on the machine, and the report must not.
-    validation, seconds = _timed(lambda: validate(["numpy"], workers=None, progress=show))
     states, strata = sum(validation.tally.states.values()), validation.campaign.strata
     share = max(validation.share("numpy", stratum) for stratum in strata)
     found = f"{states} states in {len(strata)} strata, {share:.0%} of the bounds used"
-    say("validate", found, seconds, validation.passed)
+    say("validate", found, validating, validation.passed)
 
     ruled = tuple(verdicts(json.loads(derivation.ledger)))
     modules = tuple(generated.values())
@@ -115,6 +119,10 @@ def _pages(result: Reproduction) -> dict[str, str]:
         "report.md": report(result),
         "report.html": report_page(told),
     }
+
+
+def _derived() -> Derivation:
+    return derive(sealed=sealed_counts())
 
 
 def _all_targets(solution: Solution) -> dict[str, Generated]:
