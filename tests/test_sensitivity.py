@@ -1,5 +1,6 @@
 """Sensitivities of motions: shapes, frames, and strata against differences of many digits."""
 
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from itertools import combinations
 
@@ -280,3 +281,10 @@ def test_memory_is_handed_on_when_nobody_looks_at_it():
         other = arrays.sensitivities((size,))
         assert not arrays._kept or arrays._kept[0].size <= 60 * 100_000
         del other
+
+
+def test_threads_that_ask_at_once_are_given_memory_of_their_own():
+    arrays.sensitivities((20_000,))
+    with ThreadPoolExecutor(4) as pool:
+        found = list(pool.map(lambda _: arrays.sensitivities((20_000,))[3], range(16)))
+    assert not any(np.shares_memory(x, y) for x, y in combinations(found, 2))

@@ -188,9 +188,13 @@ def _memory(size: int) -> np.ndarray:
     """
     if not _LEAST <= size <= _MOST:
         return np.empty(size)
-    kept, _kept[:] = _kept[:], []
-    fits = kept and size <= kept[0].size <= 2 * size
-    return np.asarray(_Loan(kept[0] if fits else np.empty(size)))[:size]
+    try:
+        room = _kept.pop()  # in one step, so that no two threads are given the same memory
+    except IndexError:
+        room = np.empty(size)
+    if not size <= room.size <= 2 * size:
+        room = np.empty(size)
+    return np.asarray(_Loan(room))[:size]
 
 
 def _check_output(name: str, array: object, shape: tuple[int, ...]) -> None:
