@@ -5,6 +5,7 @@ import shutil
 import subprocess
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from rigidsym import InputError, generate
@@ -13,6 +14,7 @@ from rigidsym.codegen.functions import functions
 from rigidsym.codegen.functions.pi import hyperbolic
 from rigidsym.codegen.seal import seal, seal_text
 from rigidsym.codegen.trace import lines_of_equation
+from rigidsym.generated import torque_free_pi
 from rigidsym.language.expression import parse
 from rigidsym.solution import sealed
 
@@ -102,6 +104,18 @@ def test_a_name_of_another_form_is_refused():
 def test_equation_36_has_lines_in_both_languages():
     files = {line.split(":")[0] for line in lines_of_equation("36")}
     assert files == {f"torque_free_{form}.{end}" for form in ("pi", "step") for end in ("py", "c")}
+
+
+def test_a_body_that_is_refused_leaves_those_beside_it():
+    inertia = np.array([[np.nan] * 3, [1.0, 2.0, 2.5], [2.5, 1.0, 2.0]])
+    rates, start = np.full((3, 3), 0.3), np.tile([1.0, 0.0, 0.0, 0.0], (3, 1))
+    together = torque_free_pi.prepare(inertia, rates, start, errors="nan")
+    q, omega = torque_free_pi.states(together, [0.0, 7.0])
+    assert np.isnan(q[0]).all()
+    others = torque_free_pi.prepare(inertia[1:], rates[1:], start[1:])
+    alone = torque_free_pi.states(others, [0.0, 7.0])
+    assert np.array_equal(q[1:], alone[0])
+    assert np.array_equal(omega[1:], alone[1])
 
 
 def test_a_form_that_there_is_not():

@@ -243,7 +243,7 @@ def _plain(value):
 def _filled(constants, size):
     values = [*constants.values()]
     if isinstance(values[0], np.ndarray):
-        rows = (np.full(size, x, float) if np.ndim(x) == 0 else x for x in values)
+        rows = (np.full(size, x, float) if np.ndim(x) == 0 else x.astype(float) for x in values)
     else:
         rows = np.array(values, float)[:, None]
     return dict(zip(constants, rows, strict=True))
