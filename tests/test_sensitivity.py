@@ -245,7 +245,9 @@ def test_only_columns_that_are_asked_for_are_refused(engine):
 
 @pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize(
-    "bad", ["omega", ["omega0", "omega0"], [], ["attitude0", "moments"], 5, [None], ""]
+    "bad",
+    ["omega", ["omega0", "omega0"], [], ["attitude0", "moments"], 5, [None], "", np.ones((1, 2))],
+    ids=str,
 )
 def test_columns_that_are_none(engine, bad):
     rule = "columns = .*must be some of attitude0, omega0, inertia, t, each once"

@@ -142,8 +142,9 @@ def columns(names: Iterable[str] | None) -> tuple[str, ...]:
     try:
         given = (names,) if isinstance(names, str) else tuple(names)
     except TypeError:
-        given = (None,)
-    found = tuple(name for name in COLUMNS if name in given)
+        given = ()
+    # Of what is no string no comparison is made: that of an array is one.
+    found = tuple(name for name in COLUMNS if name in [x for x in given if isinstance(x, str)])
     if not given or len(found) != len(given):
         raise EngineError("columns", f"must be some of {', '.join(COLUMNS)}, each once")
     return found
@@ -170,7 +171,7 @@ def sensitivities(shape: tuple[int, ...], asked: tuple[str, ...] = COLUMNS) -> S
 
 
 class _Loan:
-    """Memory that is there for the next who asks once no array looks at it."""
+    """A block of memory that returns to the cache when no array refers to it."""
 
     def __init__(self, room: np.ndarray) -> None:
         self.room, self.__array_interface__ = room, room.__array_interface__
@@ -180,7 +181,7 @@ class _Loan:
 
 
 def _memory(size: int) -> np.ndarray:
-    """Room for so many doubles.
+    """Return an uninitialised array of `size` doubles, from the cache if possible.
 
     The system clears memory before it gives it, which takes as long as to compute what it is for:
     the last piece of up to 48 MB is kept for the next call.  Of pieces below 4 MB allocators keep

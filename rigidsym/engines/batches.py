@@ -91,7 +91,7 @@ def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False
 
 @np.errstate(over="ignore", invalid="ignore")
 def _doubtful(inertia: np.ndarray) -> np.ndarray:
-    """Return the places of those of (B, 3) moments that are not possible for certain: `moments`."""
+    """Return the indices of rows of (B, 3) moments that sums of doubles leave in doubt."""
     a, b, c = inertia.T
     return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
 

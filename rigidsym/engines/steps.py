@@ -196,6 +196,8 @@ class CStepper:
         """See `Stepper`."""
         if len(q) == 1 and _step_one(self, inertia, q, omega, dt, out):
             return
+        if not len(q):
+            return
         count, parts = len(q), threads.threads(len(q) * _STEP)
         part = self._part(inertia, q, omega, dt, out)
         for refused in threads.in_parts(part, count, parts, threads.PIECE // _STEP):

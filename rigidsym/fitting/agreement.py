@@ -1,4 +1,4 @@
-"""Agreement of model and data: are residuals errors, and if not, what else may be the matter?"""
+"""Agreement of model and data: goodness of fit, outliers, and other conventions of the data."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace

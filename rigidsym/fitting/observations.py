@@ -148,7 +148,7 @@ class Rates(Observations):
 
     @property
     def unrelated(self) -> float:
-        """That of no rates."""
+        """Return the mean square of residuals of a motion at rest."""
         return _mean_square(self.seen)
 
     def _read(self, values: np.ndarray) -> np.ndarray:

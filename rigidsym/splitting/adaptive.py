@@ -37,6 +37,9 @@ def chosen(
     """
     if times.size == 1:
         return replace(run(splitting, start, times, Mesh(times.tolist(), [1.0])), error=0.0)
+    if not start.omega.size:
+        mesh = Mesh(stops[:-1].tolist(), np.diff(stops).tolist())
+        return replace(run(splitting, start, times, mesh), error=0.0)
     return _Search(splitting, start, times, tolerance, stops).found()
 
 
@@ -82,7 +85,8 @@ class _Search:
                 ratio = most
             elif k:
                 ratio = min(before / apart, most)
-            error = least + (apart / (ratio - 1) if ratio > 2 else max(before, apart))
+            error = apart / (ratio - 1) if ratio > 2 else max(before, apart)
+            error += least + panels.misplaced
             seen = {"order": float(np.log2(max(ratio, 1.0))), "rough": tuple(sorted(panels.rough))}
             last = replace(last, error=error, **seen)
             if self.best is None or error <= (self.best.error or 0):

@@ -97,7 +97,7 @@ class Panels(Mesh):
         self._row_begin, self._in_row, self._not_smooth = float(stops[0]), 0, 0
         self.rough: list[float] = []
         self.moves = False
-        self.turned = self._kicks = 0.0
+        self.turned = self._kicks = self.misplaced = 0.0
         self.differences = np.zeros(2)
 
     @property
@@ -154,7 +154,7 @@ class Panels(Mesh):
                 raise
             return middle
         if is_last and (found is None or isinstance(found, list)):
-            found = length / 2**_LEVELS
+            found = length / 2**_LEVELS or length
         return middle if found is None else found
 
     def _step(self, begin: float, end: float, state: State) -> float | list[float] | None:
@@ -192,7 +192,7 @@ class Panels(Mesh):
                 if not ratio >= 2 or error / allowed > ratio ** (_LEVELS - level):
                     return None
                 continue
-            step = length / 2**level
+            step = length / 2**level or length
             kicked = self._kicked(path, begin, step, 2**level)
             if not np.max(_lengths((kicked - impulse) * weight)) <= max(unseen, 8 * last):
                 return None
@@ -205,7 +205,7 @@ class Panels(Mesh):
         return 1 if self._is_steady else int(np.ceil(_BLOCKS * length / self._span))
 
     def _count(self, end: float, length: float, state: State, torques: np.ndarray) -> None:
-        """Count short panels in a row; raise HopelessError where there is no end of them."""
+        """Count consecutive short panels and raise HopelessError when there are too many."""
         turn = _LONGEST / max(float(np.max(_lengths(state.omega))), _LONGEST / self._span)
         if length > _SHORT * turn:
             self._row_begin, self._in_row, self._not_smooth = end, 0, 0
@@ -308,6 +308,8 @@ class Panels(Mesh):
             part = float(times[k]), float(times[k + 2])
             steps = _lengths(np.diff(torques[k : k + 3], 2, axis=0) * weight).max()
             if (part[1] - part[0]) * steps <= unseen / 4 or part[1] - part[0] <= self._least:
+                # Runs of any step have the jump at the same wrong time.
+                self.misplaced += (part[1] - part[0]) * float(steps)
                 if not self.moves:
                     self.moves = self._is_moving(path, times[k : k + 3], steps, weight)
                 return part

@@ -154,7 +154,8 @@ class Splitting:
                 pass
             else:
                 return self.bodies.inertia * after.omega
-        return _checked(self.torque(t, state.q, state.omega), t, state.omega.shape)
+        # A copy: a torque may return the same array each time.
+        return _checked(self.torque(t, state.q, state.omega), t, state.omega.shape).copy()
 
 
 def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:

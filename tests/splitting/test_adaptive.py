@@ -276,3 +276,51 @@ def test_a_ready_made_torque_is_probed_by_c():
     by_python = adaptive(lambda t, q, omega: tide(t, q, omega), (0.0, 20.0), tolerance=1e-5)
     assert rotation(found.q, by_python.q) < 1e-10
     assert found.probes == by_python.probes
+
+
+TUMBLING = (1.0, 2.0, 2.5), (1.0, 0.0, 0.0, 0.0), (0.1, 0.2, 0.3)
+
+
+def late_jump(t, q, omega):
+    return np.array([0.1 * (t > 3.3), 0.02, 0.0])
+
+
+def test_a_torque_may_return_the_same_array_each_time():
+    room = np.zeros(3)
+
+    def buffered(t, q, omega):
+        room[:] = late_jump(t, q, omega)
+        return room
+
+    one, other = (
+        rigidsym.integrate(*TUMBLING, f, [0.0, 5.0, 10.0], step=None) for f in (late_jump, buffered)
+    )
+    assert np.array_equal(one.q, other.q)
+    assert (one.error, one.rough) == (other.error, other.rough)
+
+
+def test_the_error_has_what_a_jump_is_misplaced_by():
+    times = [0.0, 5.0, 10.0]
+    found = rigidsym.integrate(*TUMBLING, late_jump, times, step=None, method="bm6", tolerance=1e-3)
+    exact = rigidsym.integrate(
+        *TUMBLING, late_jump, times, step=0.1, method="bm6", discontinuities=[np.nextafter(3.3, 4)]
+    )
+    assert rotation(found.q, exact.q) <= found.error <= 1e-3
+
+
+@pytest.mark.parametrize("engine", ["numpy", "c"])
+@pytest.mark.parametrize("step", [None, 0.1])
+def test_no_bodies_have_no_motion(engine, step):
+    q, omega = np.zeros((0, 4)), np.zeros((0, 3))
+    found = rigidsym.integrate(
+        TUMBLING[0], q, omega, lambda t, q, omega: 0 * omega, [0.0, 1.0], step=step, engine=engine
+    )
+    assert (found.q.shape, found.omega.shape) == ((0, 2, 4), (0, 2, 3))
+
+
+@pytest.mark.parametrize("last", [5e-324, 1e-300])
+def test_times_as_near_as_doubles_are(last):
+    found = rigidsym.integrate(*TUMBLING, late_jump, [0.0, last], step=None)
+    assert found.q[-1] == pytest.approx(TUMBLING[1], abs=1e-15)
+    again = rigidsym.integrate(*TUMBLING, late_jump, [0.0, 5.0], step=None, discontinuities=[last])
+    assert again.error <= 1e-6

@@ -89,7 +89,7 @@ class Turning:
 
 
 def combined(parts: Sequence[Any], values: Sequence[Any]) -> Any:
-    """Their sum, of each so much of a value."""
+    """Return the linear combination of the values."""
     terms = [x * part for part, x in zip(parts, values, strict=True) if not _is_zero(part)]
     return sum(terms[1:], terms[0]) if terms else 0
 
