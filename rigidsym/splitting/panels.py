@@ -124,7 +124,7 @@ class Panels(Mesh):
         self.steps.append(step)
         self.turned += float(np.max(_lengths(state.omega))) * (end - begin)
         self._kicks += (end - begin) / step * len(self._splitting.method.kicks)
-        part = (end - self._begin) / self._span
+        part = max((end - self._begin) / self._span, float(np.finfo(float).tiny))
         # The last run has more steps than this one, by the root of the order.
         more = (self._first / self._tolerance) ** (1 / self._splitting.method.order)
         whole = rounding(more * self._kicks / part, self.turned / part)

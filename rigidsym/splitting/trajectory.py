@@ -38,9 +38,10 @@ class Mesh:
         """The mesh with half the steps, pieces with equal steps made one."""
         found = Mesh([], [])
         for edge, step in zip(self.edges, self.steps, strict=True):
-            if not found.steps or abs(found.steps[-1] - step / 2) > _NEAR * step:
+            half = step / 2 or step  # the least double has no half
+            if not found.steps or abs(found.steps[-1] - half) > _NEAR * step:
                 found.edges.append(edge)
-                found.steps.append(step / 2)
+                found.steps.append(half)
         return found
 
 

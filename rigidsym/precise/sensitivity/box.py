@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
 from itertools import combinations
+from math import inf
 
 import numpy as np
 from flint import arb, arb_mat
@@ -111,8 +112,8 @@ class Box:
 
     @cached_property
     def radii(self) -> np.ndarray:
-        """Of the open inputs (n,), in doubles."""
-        return np.array([float(radius(self._given[k])) for k in self.open])
+        """Of the open inputs (n,), in doubles; infinite beyond these."""
+        return np.array([_double(radius(self._given[k])) for k in self.open])
 
     @cached_property
     def _left(self) -> list[arb]:
@@ -307,3 +308,10 @@ def _share(
         return abs(have + part) * half + sum(abs(x - part * g) * r for x, g, r in rest)
 
     return min([*corners, -have], key=size)
+
+
+def _double(x: Fraction) -> float:
+    try:
+        return float(x)
+    except OverflowError:
+        return inf

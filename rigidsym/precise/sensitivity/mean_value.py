@@ -141,6 +141,7 @@ class MeanValue:
             for name, x, row, whole in named
         }
 
+    @np.errstate(all="ignore")
     def bends(self, t: arb, amid: Amid) -> np.ndarray:
         """Return by how much phases change along the sides of the box (6, s + n), rad.
 

@@ -50,9 +50,12 @@ class Part:
     reach: np.ndarray
     ends: np.ndarray
 
+    @np.errstate(all="ignore")
     def pieces(self) -> list[tuple[Slab, ...]]:
         """Return the slabs of each piece to cut the part into; none where cutting is no use."""
         count, radii = len(self.slabs), (self.ends[:, 1] - self.ends[:, 0]) / 2
+        if not np.isfinite(radii).all():
+            return []
         bends = np.clip(np.nan_to_num(self.bends), -_HUGE, _HUGE)
         if np.linalg.norm(bends[:-1] * self.reach, axis=0).max() > LOST:
             return []
@@ -62,7 +65,9 @@ class Part:
             found = np.linalg.svd(bends[:, count:] * radii)
             direction = found.Vh[0] / radii
             terms = np.sort(self.ends * direction[:, None], axis=1)
-            low, high = (terms.sum(axis=0) + (-MARGIN, MARGIN)).tolist()
+            # More than the sums are rounded by, so that the pieces cover the part.
+            room = MARGIN * (1 + np.abs(terms).sum())
+            low, high = (terms.sum(axis=0) + (-room, room)).tolist()
             gain = float(found.S[0]) * (high - low) / 2
             if not count or gain > gains[best]:
                 whole = Slab(tuple(direction.tolist()), low, high)
@@ -92,6 +97,7 @@ def parts_of(enclose: Callable[[tuple[Slab, ...]], Part | None], least: float) -
     return parts
 
 
+@np.errstate(all="ignore")
 def _worst(parts: Sequence[Part], least: float, gives_up: bool) -> int | None:
     """Return the part that reaches farthest beyond the first order; None where none does."""
     first = np.array([part.first for part in parts])

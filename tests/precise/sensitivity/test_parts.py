@@ -10,6 +10,7 @@ import rigidsym
 from rigidsym import TorqueFreeMotion
 from rigidsym.inputs import Uncertain, middle, radius
 from rigidsym.precise.balls import ball, working
+from rigidsym.precise.boxed import BoxedMotion
 from rigidsym.precise.sensitivity.box import Box, Slab
 from rigidsym.precise.sensitivity.boxes import MeanStates
 from rigidsym.precise.sensitivity.parts import Part, parts_of
@@ -189,3 +190,34 @@ def test_a_part_that_says_nothing_is_not_cut():
         (), [arb(0, 1)] * 7, np.zeros((7, 2)), np.full((6, 1), 1e9), np.ones(1), np.eye(2)[:1]
     )
     assert part.pieces() == []
+
+
+def test_pieces_cover_a_part_that_is_small_beside_its_distance():
+    """By exact sums, of which doubles lose what the part is wide."""
+    random = np.random.default_rng(1)
+    for _ in range(100):
+        middles = random.uniform(-1, 1, 3)
+        widths = np.array([1, 1e-8, 1e-8]) * random.uniform(0.5, 1, 3)
+        ends = np.array([middles - widths, middles + widths]).T
+        bends = random.normal(size=(6, 3)) * 0.1 / widths
+        pieces = Part((), [], np.zeros((7, 2)), bends, widths, ends).pieces()
+        direction = [Fraction(x) for x in pieces[0][-1].direction]
+        sides = zip(direction, ends.tolist(), strict=True)
+        reached = [sorted(g * Fraction(x) for x in row) for g, row in sides]
+        assert Fraction(pieces[0][-1].low) <= sum(low for low, _ in reached)
+        assert Fraction(pieces[-1][-1].high) >= sum(high for _, high in reached)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(
+    ("rate", "time"), [(Fraction(10) ** 320, Fraction(1, 10**320)), (Fraction(1), 10**320)]
+)
+def test_boxes_beyond_binary64_are_enclosed(rate, time):
+    omega = Uncertain(rate, rate / 10**330), rate, 2 * rate
+    motion = BoxedMotion(*(tuple(map(number, x)) for x in ((1, 2, 3), omega, (1, 0, 0, 0))))
+    (state,) = motion.enclosures([Fraction(time)], 12)
+    assert all(x.is_finite() for part in state for x in part)
+
+
+def number(x):
+    return x if isinstance(x, Uncertain) else Fraction(x)
