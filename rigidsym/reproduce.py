@@ -69,7 +69,7 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     # A process of its own derives while others validate: they read the installed ledger alone, and
     # precision is global, so that threads could not.
     with processes(1) as deriving:
-        derived = deriving.submit(_timed, _derived)
+        derived = deriving.submit(_derived)
         # The last digits of the C module depend on the machine, and the report must not.
         validation, validating = _timed(
             lambda: validate(["numpy"], workers=None, progress=progress("validate"))
@@ -121,8 +121,8 @@ def _pages(result: Reproduction) -> dict[str, str]:
     }
 
 
-def _derived() -> Derivation:
-    return derive(sealed=sealed_counts())
+def _derived() -> tuple[Derivation, float]:
+    return _timed(lambda: derive(sealed=sealed_counts()))
 
 
 def _all_targets(solution: Solution) -> dict[str, Generated]:
