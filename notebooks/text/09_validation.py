@@ -191,8 +191,9 @@ worst = {name: beside.tally.view(name, "angle", "stratum") for name in ("numpy",
 
 
 def digits(cell):
-    """How many decimal digits of the attitude are certainly right."""
-    return int(-np.log10(cell.worst * ULP))
+    """Return how many decimal digits of the attitude are right, where rounding does not decide."""
+    found = int(-np.log10(cell.worst * ULP))
+    return found if found > 2 else "fewer than 3"
 
 
 table(
