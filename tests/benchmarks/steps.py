@@ -99,7 +99,7 @@ def bare_calls(
     inertia: np.ndarray, q: np.ndarray, omega: np.ndarray
 ) -> dict[str, Callable[[], object]]:
     """Calls of C by ctypes that have nothing to look at or to make, and the empty one."""
-    library = build.library([], "c-step")
+    library = build.library([], "c-step").raw
     given = [x.copy() for x in (inertia, q, omega, np.array([0.3]), q, omega)]
     places = [ctypes.c_void_p(x.ctypes.data) for x in given]
     body = ctypes.create_string_buffer(library.body_size())

@@ -432,7 +432,8 @@ def test_propagate_in_three_formats_agrees(case, tmp_path, capsys):
     assert data["schema"] == "rigidsym.states/1"
     out = tmp_path / "states.npz"
     assert main(["propagate", str(case), "--format", "npz", "-o", str(out)]) == 0
-    arrays = np.load(out)
+    with np.load(out) as loaded:
+        arrays = dict(loaded)
     for k, (row, state) in enumerate(zip(table, data["states"], strict=True)):
         assert (
             [row[f"q{i}"] for i in range(4)]

@@ -49,9 +49,10 @@ def test_track(short, tmp_path, capsys):
     assert "nothing to do" not in printed.out
     assert len(re.findall(r"unexplained.* below \de-", printed.out)) == 2
     assert f"wrote {tmp_path / 'flown' / 'summary.json'}" in printed.err
-    states = np.load(tmp_path / "flown" / "run.npz")
+    with np.load(tmp_path / "flown" / "run.npz") as states:
+        q = states["q"][-1]
     target = np.array([0.9, 0.1, -0.2, 0.3])
-    assert states["q"][-1] @ target / np.linalg.norm(target) == pytest.approx(1, abs=1e-6)
+    assert q @ target / np.linalg.norm(target) == pytest.approx(1, abs=1e-6)
 
 
 def test_track_as_json(short, capsys):

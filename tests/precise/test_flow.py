@@ -230,7 +230,7 @@ def test_time_limits_hold_and_precision_is_left_alone():
     before = ctx.prec
     motion = TorqueFreeMotion(*BOXES["nearly symmetric"])
     with pytest.raises(PrecisionError, match="t = 100: the time was over"):
-        motion.enclose(100, 15, max_seconds=0.01)
+        motion.enclose(100, 15, max_seconds=1e-9)
     assert ctx.prec == before
 
 
