@@ -8,6 +8,8 @@ from importlib import import_module, resources
 from pathlib import Path
 from time import perf_counter
 
+from sympy.core import random
+
 from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
 from rigidsym.errors import InputError, LedgerError
@@ -110,6 +112,8 @@ def derive(
         if name not in known:
             raise InputError("chapter", name, f"must be one of: {', '.join(known)}")
     last = max(map(known.index, chosen), default=len(known) - 1)
+    # SymPy factors by numbers that it draws, and some of them take it minutes: draw the same ones.
+    random.seed(0)
     book, ran = Book(sealed), []
     book.keep(setting or Setting())
     try:
