@@ -232,8 +232,7 @@ print(f"{fault.line}:\n    {fault.old}\n    {fault.new}")
 # see it?
 
 # %%
-from rigidsym.validate.faults.detection import first, references
-from rigidsym.validate.faults.mutated_build import mutated_engine
+from rigidsym.validate.faults.detection import first, mutated_engine, references
 
 engine = mutated_engine(fault)
 notices = {

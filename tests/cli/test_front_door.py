@@ -17,9 +17,8 @@ from rigidsym.precise import comparison
 from rigidsym.proof.derivation import sealed_path
 from rigidsym.proof.paper import EQUATIONS, Ruling
 from rigidsym.validate import campaign
-from rigidsym.validate.faults import all_faults, detection
-from rigidsym.validate.faults.report import FaultReport
-from rigidsym.validate.faults.report import Outcome as FaultOutcome
+from rigidsym.validate.faults import FaultReport, all_faults, detection
+from rigidsym.validate.faults import Outcome as FaultOutcome
 
 (COMMANDS,) = (action.choices for action in parser()._actions if action.dest == "command")
 # Switches, and what is given or not: these have no value by themselves.

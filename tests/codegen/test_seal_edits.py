@@ -15,8 +15,8 @@ from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.seal import seal_text, text
 from rigidsym.codegen.targets import reader
 from rigidsym.solution import sealed
+from rigidsym.validate.faults import all_faults
 from rigidsym.validate.faults.fault import FILES
-from rigidsym.validate.faults.tables import all_faults
 
 EDITS = tomllib.loads(Path(__file__).with_name("seal_edits.toml").read_text("utf-8"))
 SOURCES = {"numpy": "torque_free.py", "c": "torque_free.c"}

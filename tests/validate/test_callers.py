@@ -7,8 +7,8 @@ from rigidsym import inputs
 from rigidsym.engines import ENGINES, batches, exactly
 from rigidsym.engines.numpy_engine import NumpyEngine
 from rigidsym.validate import callers, entry_points
-from rigidsym.validate.faults.mutated_build import mutated_engine
-from rigidsym.validate.faults.tables import BY_HAND
+from rigidsym.validate.faults import BY_HAND
+from rigidsym.validate.faults.detection import mutated_engine
 
 BODY = tuple(map(np.array, ((1.0, 2.0, 2.5), (0.3, -0.2, 0.9), (0.5, -1.0, 2.0, 0.25))))
 TIMES = np.array([0.0, 1.0, -30.0])

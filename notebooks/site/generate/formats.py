@@ -25,9 +25,8 @@ from rigidsym.proof.paper.verdicts import Ruling
 from rigidsym.validate import checkpoint, validate
 from rigidsym.validate.campaign import Campaign, Progress, complete
 from rigidsym.validate.executors import local
-from rigidsym.validate.faults import detection
-from rigidsym.validate.faults import report as faults
-from rigidsym.validate.faults.tables import BY_HAND
+from rigidsym.validate.faults import BY_HAND, detection
+from rigidsym.validate.faults import injection as faults
 from rigidsym.validate.report import SCHEMA as VALIDATION
 
 _HEAD = """# File formats

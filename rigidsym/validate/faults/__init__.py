@@ -1,11 +1,11 @@
 """Faults put into the generated modules on purpose, to see that the validation notices them."""
 
-from rigidsym.validate.faults.fault import KINDS, Fault, StaleFaultError
-from rigidsym.validate.faults.injection import inject
-from rigidsym.validate.faults.report import FaultReport, Outcome
-from rigidsym.validate.faults.tables import all_faults
+from rigidsym.validate.faults.drawn import all_faults
+from rigidsym.validate.faults.fault import BY_HAND, KINDS, Fault, StaleFaultError
+from rigidsym.validate.faults.injection import FaultReport, Outcome, inject
 
 __all__ = [
+    "BY_HAND",
     "KINDS",
     "Fault",
     "FaultReport",

@@ -1,19 +1,29 @@
-"""Whether a stratum notices a fault: its cases are measured until one breaks a bound.
+"""Detection of a fault by a stratum: a faulty module is measured until a case breaks a bound.
 
-Faults in states are looked for in states, those in sensitivities in their columns.
+Faults in states and steps are looked for in states, those in sensitivities in their columns.  The
+installed modules stay as they are.
 """
 
+import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import cast
+from importlib import resources
+from pathlib import Path
+from types import ModuleType
+from typing import Any, cast
 
 import numpy as np
 
-from rigidsym.engines import Engine
+from rigidsym.codegen.forms import STEP, split
+from rigidsym.engines import Engine, build
+from rigidsym.engines.c_engine import CEngine
+from rigidsym.engines.compiler import FLAGS, compile_library, find
+from rigidsym.engines.library import load
+from rigidsym.engines.numpy_engine import NumpyEngine
+from rigidsym.engines.steps import CStepper, NumpyStepper
 from rigidsym.validate import sensitivities
 from rigidsym.validate.bounds import BOUNDS, bounds_of
-from rigidsym.validate.faults.fault import Fault
-from rigidsym.validate.faults.mutated_build import mutated_engine
+from rigidsym.validate.faults.fault import FILES, Fault
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.protocol import Solver
@@ -21,18 +31,49 @@ from rigidsym.validate.sensitivities import ColumnsReference
 from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import Sample, count, draw, stepped
 
-# What is noticed without a measure: an error that is no refusal, and the end of the process.
+# Detections without a measure: an error that is no refusal, and the end of the process.
 RAISED, CRASHED = "raised", "crashed"
 # The measure of faults in sensitivities.
 COLUMNS = "sensitivities"
-# Columns are so many numbers that few cases of a stratum say what there is to say.
+# Columns have so many numbers that few cases of a stratum are enough.
 MOST_CASES = 4
 AnyReference = Reference | ColumnsReference
+# Every faulty module is compiled for a second of use.  What decides the last digits stays.
+_QUICK = tuple("-O0" if flag == "-O3" else flag for flag in FLAGS)
+
+
+def mutated_engine(fault: Fault) -> Engine | Steps:
+    """Return the engine that runs a faulty module; raises StaleFaultError as `Fault.applied`."""
+    return on_text(fault.target, faulty(fault), fault.options)
+
+
+def faulty(fault: Fault) -> str:
+    """Return the installed module of a fault's target with the fault."""
+    return fault.applied(installed(FILES[fault.target]))
+
+
+def installed(name: str) -> str:
+    """Return a generated file as it is in the package."""
+    return resources.files("rigidsym.generated").joinpath(name).read_text(encoding="utf-8")
+
+
+def on_text(target: str, text: str, options: tuple[str, ...] = ()) -> Engine | Steps:
+    """Return the engine of a target on another text of its module, compiled with more options."""
+    language, form = split(target)
+    if language == "numpy":
+        module: Any = ModuleType("torque_free")
+        exec(compile(text, FILES[target], "exec"), module.__dict__)
+        return Steps(NumpyStepper(module)) if form == STEP else NumpyEngine(module)
+    sources = {name: installed(name) for name in build.FILES[target]} | {FILES[target]: text}
+    with tempfile.TemporaryDirectory(prefix="rigidsym-", ignore_cleanup_errors=True) as work:
+        built = compile_library(find(), sources, Path(work), (*_QUICK, *options))
+        library: Any = load(built, sources)
+        return Steps(CStepper(library)) if form == STEP else CEngine(library)
 
 
 @dataclass(frozen=True, slots=True)
 class Detection:
-    """The first case of a stratum that a fault breaks a bound in, and the measures that say so."""
+    """The first case of a stratum in which a fault breaks a bound, and the measures that do."""
 
     stratum: str
     index: int
@@ -40,28 +81,28 @@ class Detection:
 
 
 def references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
-    """The truth about the states of a stratum's cases."""
+    """Enclose the states of a stratum's cases."""
     return [enclose(x, digits, with_condition=False) for x in _samples(stratum, cases, seed)]
 
 
 def steps_references(stratum: str, cases: int, digits: int, seed: int) -> list[Reference]:
-    """The truth about what `stepped` makes of a stratum's cases."""
+    """Enclose the states of a stratum's cases as `stepped` changes them."""
     samples = map(stepped, _samples(stratum, cases, seed))
     return [enclose(sample, digits, with_condition=False) for sample in samples]
+
+
+def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
+    """Enclose the sensitivities of a stratum's first cases."""
+    few = _samples(stratum, min(cases, MOST_CASES), seed)
+    return [ColumnsReference.of(sample, digits) for sample in few]
 
 
 def _samples(stratum: str, cases: int, seed: int) -> Iterator[Sample]:
     return (draw(stratum, index, seed) for index in range(count(stratum, cases)))
 
 
-def columns_references(stratum: str, cases: int, digits: int, seed: int) -> list[ColumnsReference]:
-    """The truth about the sensitivities of a stratum's first cases."""
-    few = _samples(stratum, min(cases, MOST_CASES), seed)
-    return [ColumnsReference.of(sample, digits) for sample in few]
-
-
 def detections(fault: Fault, strata: Sequence[Sequence[AnyReference]]) -> list[Detection]:
-    """What the strata notice, at most one case of each."""
+    """Return at most one detection of a fault from each stratum."""
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
     found = (first(engine, stratum, bounds) for stratum in strata)
     return [detection for detection in found if detection]
@@ -72,7 +113,7 @@ def first(
     stratum: Sequence[AnyReference],
     bounds: Mapping[str, float] = BOUNDS,
 ) -> Detection | None:
-    """The first case in which an engine breaks a bound, or cannot do what it should."""
+    """Return the first case in which an engine breaks a bound or raises an unexpected error."""
     for reference in stratum:
         if measures := broken(engine, reference, bounds):
             return Detection(reference.sample.stratum, reference.sample.index, measures)
@@ -82,15 +123,15 @@ def first(
 def broken(
     engine: Engine | Solver | Steps, reference: AnyReference, bounds: Mapping[str, float] = BOUNDS
 ) -> tuple[str, ...]:
-    """The measures by which an engine breaks its bounds in a case."""
+    """Return the measures by which an engine breaks its bounds in a case."""
     try:
         with np.errstate(all="ignore"):
             if isinstance(reference, ColumnsReference):
-                # What has no sensitivities is asked for none.
+                # Only engines with sensitivities have faults there.
                 share = sensitivities.share(cast("Engine", engine), reference)
                 return (COLUMNS,) if share > 1 else ()
             errors = measure(reference, engine, bounds)
     except Exception:
-        # Faults may raise anything, and whatever it is, it is noticed.
+        # A fault may raise anything, and any error is a detection.
         return (RAISED,)
     return tuple(name for name, found in errors.items() if np.any(found.share > 1))

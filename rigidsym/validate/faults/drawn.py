@@ -1,7 +1,7 @@
-"""Faults drawn from what is printed: one change in the tree of a let, or in a named number.
+"""Faults drawn from the derived lines: one change in the tree of a let, or in a named number.
 
-A change leaves a double a double and an extended number one, so that no other line changes.  Of a
-form that is not the default they are drawn from what that one does not print.
+A change leaves a double a double and an extended number one, so that no other line changes.  For a
+form that is not the default, faults are drawn from the lines that the default does not print.
 """
 
 import math
@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
+from textwrap import shorten
+from typing import NamedTuple
 
 from rigidsym.codegen.forms import STEP, THETA, split
 from rigidsym.codegen.functions import constants, functions
@@ -28,76 +30,96 @@ from rigidsym.language.expression import (
     Operation,
     children,
     rebuild,
+    to_text,
 )
 from rigidsym.solution import sealed
 from rigidsym.validate.bounds import BOUND, ULP
-from rigidsym.validate.faults.fault import Fault
+from rigidsym.validate.faults.fault import BY_HAND, FILES, Fault
 
-# A kind of fault, what is done, and the expression then.
-Change = tuple[str, str, Expression]
-# Calls without what they do.
+# Calls whose value is replaced by a constant, and the kind of fault that makes.
 _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
 # How many faults of each kind are drawn for a target.
 EACH = 5
-# Of all faults that can be drawn, those that no motion can show, and why.
+# Parts of expressions are shown up to this length in HARMLESS.
+_SHOWN = 50
+_LATE_COLUMN = "in a term that is 1e-13 of a column, p t^2 below 1/16"
+_LATE_J = "X^14 or more at a 32nd of the time, below 1e-12 of J"
+_NOT_ZERO = "only whether it is zero matters, and that does not change"
+_TURNS = "turns stay with the rest"
+# Drawn faults that no motion can show, with the reason; by let, change, and the part that is
+# dropped, doubled, forgotten, or whose sign is turned.
 HARMLESS = {
-    "turned_other of hyperbolic_angles: a term dropped (2)": "a sum's error, near enough",
-    "j_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
-    "L_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
-    "turned_whole of hyperbolic_angles: nearest forgotten (1)": "turns stay with the rest",
-    "high of third_kind: a term dropped (4)": "degree six of R_J, after four duplications",
-    **{
-        f"least_c {done}": "below every cosine but 0"
-        for done in ("off by 1e-12", "in single precision")
-    },
+    "turned_other of hyperbolic_angles: a term dropped: L_rest": "a sum's error, near enough",
+    "j_whole of hyperbolic_angles: nearest forgotten: nearest(j)": _TURNS,
+    "L_whole of hyperbolic_angles: nearest forgotten: nearest(L)": _TURNS,
+    "turned_whole of hyperbolic_angles: nearest forgotten: nearest(turned)": _TURNS,
+    "high of third_kind: a term dropped: E2 * E2 * (E2 / 16 - 45 / 272 * E3)": (
+        "degree six of R_J, after four duplications"
+    ),
+    "least_c off by 1e-12": "below every cosine but 0",
+    "least_c in single precision": "below every cosine but 0",
     "deepest off by 1e-12": "the exponential of that has vanished",
-    "tail of half_turns: doubled (4)": "4e-22 of an angle",
-    "tail of half_turns: a sign turned (13)": "1e-27 of an angle",
+    "tail of half_turns: doubled: z_d * (over_21 + z_d * (over_23 + z_d * ...": "4e-22 of an angle",
+    "tail of half_turns: a sign turned: z_d * (over_27 + z_d * (over_29 + z_d * ...": (
+        "1e-27 of an angle"
+    ),
     "pi_lo off by 1e-12": "1e-28 of an angle below 1/2",
     "log_2_rest in single precision": "6e-18 of an exponent for each half that is taken off",
     "log_2_inverse off by 1e-12": "the other of two whole numbers that are equally near",
-    "tail of logarithm: a term dropped (22)": "4e-34 of a logarithm",
-    "c_7_re of step_first: a term dropped (3)": "X^14 at a 32nd of the time, below 1e-12 of J",
-    "d_10 of step_first: doubled (7)": "X^20 at a 32nd of the time, below 1e-17 of J",
-    **{
-        f"J_im of step_first: {done}": "X^14 or more at a 32nd of the time, below 1e-12 of J"
-        for done in ("a term dropped (39)", "doubled (51)")
-    },
-    "E_im of step_first: a sign turned (6)": "the fifth power of an angle below 2e-3",
-    "more_X of step_start: a term dropped (92)": "the 14th power of an angle below 1/4, over 3e6",
-    "more_Y of step_start: a sign turned (67)": "the 14th power of an angle below 1/4, over 1e5",
-    "C_5 of hyperbolic_constants: a sign turned (1)": "is times the nome to the 30th, below 2e-41",
-    "zeta of hyperbolic_constants: doubled (26)": "the nome to the 30th, below 2e-41",
-    **{
-        f"{name} of {x}_constants: {done}": "in a term that is 1e-13 of a column, p t^2 below 1/16"
-        for x, name, done in (
-            ("imaginary", "E_square_9", "doubled (30)"),
-            ("imaginary", "F_square_7", "a sign turned (2)"),
-            ("imaginary", "F_square_7", "doubled (22)"),
-            ("imaginary", "F_square_9", "a sign turned (13)"),
-        )
-    },
-    "behind_error of imaginary_angles: product_error forgotten (4)": (
-        "1e-16 of what whole turns have added by then"
+    "tail of logarithm: a term dropped: z_d * (over_31 + z_d * over_33)": "4e-34 of a logarithm",
+    "c_7_re of step_first: a term dropped: d_7": ("X^14 at a 32nd of the time, below 1e-12 of J"),
+    "d_10 of step_first: doubled: e_2 * d_8": "X^20 at a 32nd of the time, below 1e-17 of J",
+    "J_im of step_first: a term dropped: common_14 * c_7_im": _LATE_J,
+    "J_im of step_first: doubled: square_X * (common_17 * c_10_im + common_18 * ...": _LATE_J,
+    "E_im of step_first: a sign turned: common_19 / 20": "the fifth power of an angle below 2e-3",
+    "more_X of step_start: a term dropped: common_12 / 36036000": (
+        "the 14th power of an angle below 1/4, over 3e6"
     ),
-    "sum_even of real_state: a sign turned (5)": "is times the nome to the 16th, below 2e-22",
-    **{
-        f"c_{k} of circulation: a term dropped ({n})": "what is not zero still is not"
-        for k, n in ((1, 2), (1, 3), (2, 2), (2, 3))
-    },
+    "more_Y of step_start: a sign turned: common_10 / 2421619200": (
+        "the 14th power of an angle below 1/4, over 1e5"
+    ),
+    "C_5 of hyperbolic_constants: a sign turned: C_3": (
+        "is times the nome to the 30th, below 2e-41"
+    ),
+    "zeta of hyperbolic_constants: doubled: 11 * nome30 * S_5": (
+        "the nome to the 30th, below 2e-41"
+    ),
+    "E_square_9 of imaginary_constants: doubled: E_square_2 * E_square_5": _LATE_COLUMN,
+    "F_square_7 of imaginary_constants: a sign turned: "
+    "F_two * (F_square_0 * F_square_5 + F_square_1 ...": _LATE_COLUMN,
+    "F_square_7 of imaginary_constants: doubled: F_square_0 * F_square_5": _LATE_COLUMN,
+    "F_square_9 of imaginary_constants: a sign turned: F_square_5 * F_square_2": _LATE_COLUMN,
+    "behind_error of imaginary_angles: product_error forgotten: "
+    "product_error(period_hi, turns, behind)": "1e-16 of what whole turns have added by then",
+    "sum_even of real_state: a sign turned: x2 * even_2": (
+        "is times the nome to the 16th, below 2e-22"
+    ),
+    "c_1 of circulation: a term dropped: c_13": _NOT_ZERO,
+    "c_1 of circulation: a term dropped: 1": _NOT_ZERO,
+    "c_2 of circulation: a term dropped: c_23": _NOT_ZERO,
+    "c_2 of circulation: a term dropped: 1": _NOT_ZERO,
 }
+
+
+class Change(NamedTuple):
+    """A change of an expression: kind of fault, description, result, and the part it is about."""
+
+    kind: str
+    done: str
+    expression: Expression
+    part: Expression
 
 
 @dataclass(frozen=True, slots=True)
 class _Series:
-    """The coefficients of a series: what the k-th is times, at most, and what of the sum is lost:
-    no motion can show it."""
+    """The coefficients of a series: the largest factor of the k-th coefficient, and the error of
+    the sum that no motion can show."""
 
     times: Callable[[int], float]
     lost: float
 
 
-# Rates depend on logarithms: theirs is what after 2^46 rad is the bound of an angle.
+# Rates depend on logarithms, whose errors grow to the bound of an angle in 2^46 rad.
 _AFTER_ALL_TIME = BOUND / 2**46
 _SERIES = {
     "over": _Series(lambda k: float(angles.LARGEST) ** (k - 1), _AFTER_ALL_TIME),
@@ -109,7 +131,7 @@ _SERIES = {
 
 @dataclass(frozen=True, slots=True)
 class _Printer:
-    """How a target prints functions, how a function begins, its numbers, and what ends code."""
+    """Printing of a target: functions, their first lines, constants, and the end of code."""
 
     lines: Callable[[Function], Lines]
     begins: Callable[[Function], str]
@@ -117,7 +139,7 @@ class _Printer:
     note: str
 
     def code(self, line: str) -> str:
-        """A line without the equations behind it."""
+        """Return a line without the equations behind it."""
         return line.partition(self.note)[0]
 
 
@@ -127,8 +149,8 @@ def _functions(form: str) -> tuple[Function, ...]:
 
 
 def _own(target: str, in_sensitivities: bool) -> tuple[tuple[Function, ...], set[str]]:
-    """Functions that faults of a target's states, or of its sensitivities, are drawn from, and the
-    named numbers that they alone use."""
+    """Return the functions that faults of a target's states, or of its sensitivities, are drawn
+    from, and the named numbers that they alone use."""
     language, form = split(target)
     names = {function.name for function in sensitivity(sealed())}
     of_states = tuple(one for one in _functions(form) if one.name not in names)
@@ -146,14 +168,12 @@ def _used(functions: tuple[Function, ...]) -> set[str]:
     return {name for function in functions for name in function.used()}
 
 
-def _definition(function: Function) -> str:
-    return f"def {function.name}("
-
-
 def _printer(target: str) -> _Printer:
     language, form = split(target)
     if language == "numpy":
-        return _Printer(numpy.function_lines, _definition, numpy.constant_text, "  #")
+        return _Printer(
+            numpy.function_lines, lambda x: f"def {x.name}(", numpy.constant_text, "  #"
+        )
 
     def lines(function: Function) -> Lines:
         printed = c.pieces(function, _functions(form))[0]
@@ -168,60 +188,62 @@ def _printer(target: str) -> _Printer:
 
 
 @cache
+def all_faults() -> tuple[Fault, ...]:
+    """Return the faults by hand and the drawn ones; drawing takes a second or two."""
+    return (*BY_HAND, *(fault for target in FILES for fault in drawn(target)))
+
+
+@cache
 def drawn(target: str) -> tuple[Fault, ...]:
-    """The first EACH of each kind, but for those that are harmless."""
-    return tuple(fault for fault in first(target) if fault.name not in HARMLESS)
-
-
-def first(target: str) -> tuple[Fault, ...]:
-    """The first EACH faults of each kind in states, and in sensitivities."""
+    """Return the first EACH faults of each kind, in states and in sensitivities, that are not
+    harmless."""
     counts, chosen = Counter[tuple[str, bool]](), []
     for fault in every(target):
         kind = fault.kind, fault.in_sensitivities
         counts[kind] += 1
-        if counts[kind] <= EACH:
+        if counts[kind] <= EACH and fault.change not in HARMLESS:
             chosen.append(fault)
     return tuple(chosen)
 
 
 @cache
 def every(target: str) -> tuple[Fault, ...]:
-    """All faults of a target's module that are one change of a let or of a named number.
+    """Return all faults of a target's module that change one let or one named number.
 
-    Their order is by their names, as good as random: how they are printed does not move them.
+    Their order is by a hash of their names: it does not depend on how they are printed.
     """
-    found = (*_of_part(target, False), *_of_part(target, True))
+    found = []
+    for in_sensitivities in (False, True):
+        printer, (own, used) = _printer(target), _own(target, in_sensitivities)
+        part = [fault for function in own for fault in _of_function(target, printer, function)]
+        for constant in constants():
+            if constant.name in used:
+                part += _of_constant(target, printer, constant)
+        found += [replace(fault, in_sensitivities=in_sensitivities) for fault in part]
     return tuple(sorted(found, key=lambda fault: sha256(fault.line.encode()).digest()))
-
-
-def _of_part(target: str, in_sensitivities: bool) -> Iterator[Fault]:
-    """Those in states, or in sensitivities."""
-    printer, (own, used) = _printer(target), _own(target, in_sensitivities)
-    found = [fault for function in own for fault in _of_function(target, printer, function)]
-    found += [
-        fault
-        for constant in constants()
-        if constant.name in used
-        for fault in _of_constant(target, printer, constant)
-    ]
-    return (replace(fault, in_sensitivities=in_sensitivities) for fault in found)
 
 
 def _of_function(target: str, printer: _Printer, function: Function) -> Iterator[Fault]:
     begins, extended = printer.begins(function), function.all_extended()
     alone = replace(function, extended=extended)
-    found: list[tuple[str, str, str, Let]] = []
+    found: list[tuple[Change, str, str, Let]] = []
     for let, old in zip(function.lets, _lines(printer, alone, function.lets), strict=True):
-        for number, (kind, done, changed) in enumerate(changes(let.expression), 1):
-            # Of what decides the circulation, twice a quantity decides the same.
-            idle = (function.name, kind) == ("_circulation", "scale")
+        about = f"{', '.join(let.targets)} of {function.name[1:]}"
+        for number, change in enumerate(changes(let.expression), 1):
+            changed = change.expression
+            # Twice a quantity decides the circulation as the quantity does.
+            idle = (function.name, change.kind) == ("_circulation", "scale")
             if is_extended(changed, extended) == is_extended(let.expression, extended) and not idle:
-                name = f"{', '.join(let.targets)} of {function.name[1:]}: {done} ({number})"
-                found.append((kind, name, old, replace(let, expression=changed)))
+                name = f"{about}: {change.done} ({number})"
+                found.append((change, name, old, replace(let, expression=changed)))
     changed_lets = tuple(let for *_, let in found)
-    for (kind, name, old, _), new in zip(found, _lines(printer, alone, changed_lets), strict=True):
+    for (change, name, old, _), new in zip(
+        found, _lines(printer, alone, changed_lets), strict=True
+    ):
         if new != old:
-            yield Fault(target, kind, name, begins, old, new)
+            part = shorten(to_text(change.part), _SHOWN, placeholder=" ...")
+            key = f"{name.rpartition(' (')[0]}: {part}"
+            yield Fault(target, change.kind, name, begins, old, new, change=key)
 
 
 def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list[str]:
@@ -231,41 +253,45 @@ def _lines(printer: _Printer, function: Function, lets: tuple[Let, ...]) -> list
 
 
 def changes(expression: Expression) -> Iterator[Change]:
-    """Every way to change one place of an expression.
+    """Yield every way to change one place of an expression.
 
     >>> from rigidsym.language.expression import parse, to_text
-    >>> [to_text(changed) for _, _, changed in changes(parse("-x + 2*y"))]
+    >>> [to_text(change.expression) for change in changes(parse("-x + 2*y"))]
     ['-x - 2 * y', '-x', '2 * y', 'x + 2 * y', '-x + 2 * (2 * y)']
     """
     yield from _at_the_top(expression)
     parts = children(expression)
     for k, part in enumerate(parts):
-        for kind, done, changed in changes(part):
-            yield kind, done, rebuild(expression, (*parts[:k], changed, *parts[k + 1 :]))
+        for change in changes(part):
+            whole = rebuild(expression, (*parts[:k], change.expression, *parts[k + 1 :]))
+            yield change._replace(expression=whole)
 
 
 def _at_the_top(expression: Expression) -> Iterator[Change]:
     match expression:
         case Operation("+", left, right):
-            yield "sign", "a sign turned", Operation("-", left, right)
-            yield "series", "a term dropped", left
-            yield "series", "a term dropped", right
+            yield Change("sign", "a sign turned", Operation("-", left, right), right)
+            yield Change("series", "a term dropped", left, right)
+            yield Change("series", "a term dropped", right, left)
         case Operation("-", left, right):
-            yield "sign", "a sign turned", Operation("+", left, right)
-            yield "series", "a term dropped", left
+            yield Change("sign", "a sign turned", Operation("+", left, right), right)
+            yield Change("series", "a term dropped", left, right)
         case Operation("*", _, _):
-            yield "scale", "doubled", Operation("*", Number(2), expression)
+            doubled = Operation("*", Number(2), expression)
+            yield Change("scale", "doubled", doubled, expression)
         case Operation("/", left, right):
-            yield "scale", "turned over", Operation("/", right, left)
+            yield Change("scale", "turned over", Operation("/", right, left), expression)
         case Call("neg", (operand,)):
-            yield "sign", "a sign turned", operand
+            yield Change("sign", "a sign turned", operand, expression)
         case Call("choose", (x, y, one, other)):
-            yield "branch", "the other choice", Call("choose", (x, y, other, one))
+            chosen = Call("choose", (x, y, other, one))
+            yield Change("branch", "the other choice", chosen, expression)
         case Call(function, _) if function in _IDLE:
             kind, value = _IDLE[function]
-            yield kind, f"{function} forgotten", Number(value)
+            yield Change(kind, f"{function} forgotten", Number(value), expression)
         case Call(function, (first, second, *rest)):
-            yield "axis", "arguments swapped", Call(function, (second, first, *rest))
+            swapped = Call(function, (second, first, *rest))
+            yield Change("axis", "arguments swapped", swapped, expression)
 
 
 def _of_constant(target: str, printer: _Printer, constant: Constant) -> Iterator[Fault]:
@@ -278,12 +304,13 @@ def _of_constant(target: str, printer: _Printer, constant: Constant) -> Iterator
     for kind, done, other in changed:
         new = printer.code(printer.constant(other))
         if new != old and not is_lost(constant, other):
-            yield Fault(target, kind, f"{constant.name} {done}", old, old, new)
+            name = f"{constant.name} {done}"
+            yield Fault(target, kind, name, old, old, new, change=name)
 
 
 def is_lost(constant: Constant, other: Constant) -> bool:
-    """Whether a coefficient of a series may as well be another: its sum is the same to all digits
-    that a motion can show."""
+    """Return True if another coefficient of a series gives the same sum, to all digits that a
+    motion can show."""
     family, _, number = constant.name.rpartition("_")
     if family not in _SERIES:
         return False

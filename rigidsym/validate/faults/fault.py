@@ -1,7 +1,9 @@
-"""Faults: small changes of a generated text, each where it says and nowhere else."""
+"""Faults: small changes of a generated text, and the table of those that are written by hand."""
 
 import re
+import tomllib
 from dataclasses import dataclass
+from importlib import resources
 
 from rigidsym.codegen.forms import STEP, split
 
@@ -39,15 +41,16 @@ _LOOPS = re.compile(r"\b(for|while|do|goto)\b")
 
 
 class StaleFaultError(ValueError):
-    """A fault whose place is not in the generated text, or not just once."""
+    """A fault whose old text is not in the generated text, or more than once."""
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """`old` made `new` in the paragraph of a target's module that begins with `paragraph`.
+    """A replacement of `old` by `new` in one paragraph of a target's module.
 
-    A paragraph ends with the next empty line.  `options` are the compiler's, beyond the usual ones.
-    in_sensitivities: states show nothing of it.
+    The paragraph is the one that begins with `paragraph`; it ends with the next empty line.
+    options: of the compiler, beyond the usual ones.  in_sensitivities: states do not show the
+    fault.  change: for a drawn fault, what is changed, as HARMLESS names it.
     """
 
     target: str
@@ -58,10 +61,11 @@ class Fault:
     new: str
     options: tuple[str, ...] = ()
     in_sensitivities: bool = False
+    change: str = ""
 
     @property
     def shown_in(self) -> str:
-        """What shows it: states, sensitivities, or steps."""
+        """What shows the fault: states, sensitivities, or steps."""
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 
@@ -77,7 +81,7 @@ class Fault:
         return f"{self.target}: {self.name}"
 
     def applied(self, text: str) -> str:
-        """The faulty text; raises StaleFaultError where the text is not what the fault was for."""
+        """Return the faulty text; raise StaleFaultError if `old` is not there exactly once."""
         begin = self._only(text, self.paragraph, FILES[self.target])
         end = text.find("\n\n", begin)
         place = text[begin : end if end >= 0 else len(text)]
@@ -85,7 +89,17 @@ class Fault:
         return text[:at] + self.new + text[at + len(self.old) :]
 
     def _only(self, text: str, part: str, where: str) -> int:
-        """Where the one occurrence of a part begins."""
+        """Return the position of the single occurrence of a part."""
         if (count := text.count(part)) != 1:
             raise StaleFaultError(f"{self.line}: {part!r} is {count} times in {where}, not once")
         return text.index(part)
+
+
+_TABLE = resources.files("rigidsym.validate.faults").joinpath("by_hand.toml").read_text("utf-8")
+# Faults in hand-written runtime text, and faults that no change of one place of a tree makes.
+BY_HAND = tuple(
+    Fault(target, kind, name, paragraph, old, new, tuple(options))
+    for target, kinds in tomllib.loads(_TABLE).items()
+    for kind, faults in kinds.items()
+    for name, (paragraph, old, new, *options) in faults.items()
+)

@@ -1,9 +1,11 @@
-"""Every fault against every stratum, in processes that may be lost."""
+"""Every fault against every stratum, in processes that may crash, and the report."""
 
+import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from concurrent.futures.process import BrokenProcessPool
-from functools import partial
+from dataclasses import dataclass
+from typing import Any
 
 from rigidsym.engines.threads import processors
 from rigidsym.validate.executors import processes, undisturbed
@@ -13,24 +15,158 @@ from rigidsym.validate.faults.detection import (
     Detection,
     columns_references,
     detections,
+    faulty,
     references,
     steps_references,
 )
-from rigidsym.validate.faults.fault import Fault
-from rigidsym.validate.faults.mutated_build import faulty
-from rigidsym.validate.faults.report import FaultReport, Outcome
-from rigidsym.validate.faults.tables import all_faults
+from rigidsym.validate.faults.drawn import all_faults
+from rigidsym.validate.faults.fault import KINDS, Fault
 from rigidsym.validate.implementations import check_target
 from rigidsym.validate.strata import STRATA
+from rigidsym.view.markdown import table
 
-# By what it is the truth about.
-Truth = Mapping[str, Sequence[Sequence[AnyReference]]]
+SCHEMA = "rigidsym.faults/2"
+# More strata than these are counted, not named.
+_NAMED = 4
 _REFERENCES = {
     "states": references,
     "sensitivities": columns_references,
     "steps": steps_references,
 }
+# The references of each stratum, by what they enclose.
+References = Mapping[str, Sequence[Sequence[AnyReference]]]
 Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A fault, and a detection of each stratum that caught it."""
+
+    fault: Fault
+    detections: tuple[Detection, ...]
+
+    @property
+    def strata(self) -> tuple[str, ...]:
+        """The strata that caught it."""
+        return tuple(detection.stratum for detection in self.detections)
+
+
+@dataclass(frozen=True, slots=True)
+class FaultReport:
+    """All faults of some targets against all strata."""
+
+    targets: tuple[str, ...]
+    strata: tuple[str, ...]
+    cases: int
+    digits: int
+    seed: int
+    outcomes: tuple[Outcome, ...]
+
+    @property
+    def passed(self) -> bool:
+        """True if there are faults of every target, and some stratum caught each of them."""
+        named = {outcome.fault.target for outcome in self.outcomes}
+        return named == set(self.targets) and not self.missed
+
+    @property
+    def missed(self) -> tuple[Fault, ...]:
+        """Faults that no stratum caught."""
+        return tuple(outcome.fault for outcome in self.outcomes if not outcome.detections)
+
+    @property
+    def conclusion(self) -> str:
+        """The result in a sentence."""
+        total, best = len(self.outcomes), max(self.strata, key=self.caught)
+        sharpest = f"{best} alone notices {self.caught(best)}"
+        if self.missed:
+            return f"{len(self.missed)} of {total} faults are NOT noticed; {sharpest}."
+        fewest = min((len(outcome.strata) for outcome in self.outcomes), default=0)
+        strata = "stratum" if fewest == 1 else "strata"
+        return f"Each of {total} faults is noticed, by {fewest} {strata} or more; {sharpest}."
+
+    def caught(self, stratum: str) -> int:
+        """Return how many faults a stratum caught."""
+        return sum(stratum in outcome.strata for outcome in self.outcomes)
+
+    def alone(self, stratum: str) -> int:
+        """Return how many faults no other stratum caught."""
+        return sum((stratum,) == outcome.strata for outcome in self.outcomes)
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the report in the schema rigidsym.faults/2."""
+        return {
+            "schema": SCHEMA,
+            **{name: getattr(self, name) for name in ("cases", "digits", "seed", "passed")},
+            "targets": list(self.targets),
+            "kinds": KINDS,
+            "strata": {
+                name: {
+                    "caught": self.caught(name),
+                    "alone": self.alone(name),
+                    "of": len(self.outcomes),
+                }
+                for name in self.strata
+            },
+            "faults": [
+                {
+                    **{name: getattr(x.fault, name) for name in _WRITTEN},
+                    "options": list(x.fault.options),
+                    "caught": {
+                        found.stratum: {
+                            "case": f"{found.stratum}:{found.index}",
+                            "by": list(found.measures),
+                        }
+                        for found in x.detections
+                    },
+                }
+                for x in self.outcomes
+            ],
+        }
+
+    def to_json(self) -> str:
+        """Return `to_data` as text."""
+        return json.dumps(self.to_data(), indent=1, sort_keys=True) + "\n"
+
+    def to_markdown(self) -> str:
+        """Return two tables: the catches of each stratum, and the strata that caught each fault."""
+        total = len(self.outcomes)
+        strata = (
+            (name, f"{self.caught(name)} of {total}", str(self.alone(name))) for name in self.strata
+        )
+        faults = (
+            (x.fault.line, x.fault.kind, str(len(x.strata)), self._which(x.strata), _measures(x))
+            for x in self.outcomes
+        )
+        return "\n".join(
+            [
+                f"{total - len(self.missed)} of {total} faults were caught.",
+                "",
+                *table(("stratum", "caught", "by no other"), strata),
+                "",
+                *table(("fault", "kind", "strata", "which", "by"), faults),
+                "",
+            ]
+        )
+
+    def _which(self, strata: tuple[str, ...]) -> str:
+        """Name few strata, or the few others; abbreviate the rest."""
+        others = [name for name in self.strata if name not in strata]
+        if not strata:
+            return "NOT CAUGHT"
+        if len(strata) <= _NAMED:
+            return ", ".join(strata)
+        if not others:
+            return "all"
+        if len(others) <= _NAMED:
+            return f"all but {', '.join(others)}"
+        return f"{', '.join(strata[:_NAMED])}, ..."
+
+
+_WRITTEN = ("target", "name", "kind", "old", "new")
+
+
+def _measures(outcome: Outcome) -> str:
+    return ", ".join(dict.fromkeys(name for x in outcome.detections for name in x.measures))
 
 
 def inject(
@@ -42,11 +178,22 @@ def inject(
     faults: Sequence[Fault] | None = None,
     strata: Sequence[str] = tuple(STRATA),
 ) -> FaultReport:
-    """Measure each fault of the targets on `cases` cases of each stratum, `count` says how many.
+    """Measure each fault of the targets on `cases` cases of each stratum, or all it has.
 
-    All faults are measured, unless some are given.
-    progress is told how many strata and faults are done, and of how many.  Raises InputError for a
-    target that cannot be had here, and StaleFaultError for a fault whose place is gone.
+    Parameters
+    ----------
+    targets : names of generated modules, as `rigidsym validate` takes them
+    cases, digits, seed : cases per stratum, digits of the enclosures, seed of the cases
+    progress : called with the number of strata and faults done, and the total
+    faults : the faults to measure, all by default
+    strata : names of strata, all by default
+
+    Raises
+    ------
+    InputError
+        If a target cannot be built on this machine.
+    StaleFaultError
+        If the old text of a fault is no longer in the module.
     """
     for target in targets:
         check_target(target)
@@ -56,56 +203,33 @@ def inject(
     for fault in chosen:
         faulty(fault)
     of = sorted({fault.shown_in for fault in chosen})
-    enclosed = len(strata) * len(of)
-    told = partial(_tell, progress, enclosed + len(chosen))
-    truth = _truth(of, strata, (cases, digits, seed), told)
-    found = _found(chosen, truth, partial(told, enclosed))
-    outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
-    return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
-
-
-def _tell(progress: Progress, total: int, before: int, done: int = 0) -> None:
-    progress(before + done, total)
-
-
-def _truth(
-    of: Sequence[str],
-    strata: Sequence[str],
-    drawn: tuple[int, int, int],
-    told: Callable[[int], None],
-) -> Truth:
-    """What is true of all cases, which all faults share: of states, sensitivities and steps."""
+    before, total = len(strata) * len(of), len(strata) * len(of) + len(chosen)
     enclosed: dict[str, list[Sequence[AnyReference]]] = {kind: [] for kind in of}
     with processes(processors()) as pool:
         with undisturbed():
             jobs = [
-                (kind, pool.submit(_REFERENCES[kind], name, *drawn))
+                (kind, pool.submit(_REFERENCES[kind], name, cases, digits, seed))
                 for kind in of
                 for name in strata
             ]
         for done, (kind, job) in enumerate(jobs, 1):
             enclosed[kind].append(job.result())
-            told(done)
-    return enclosed
-
-
-def _found(
-    faults: Sequence[Fault], truth: Truth, told: Callable[[int], None]
-) -> dict[Fault, list[Detection]]:
-    """The notices of every fault; those that may have ended a process are looked at alone."""
-    left, found = list(faults), {}
+            progress(done, total)
+    left, found = list(chosen), {}
     while left:
-        for fault, result in _until_a_crash(left, truth):
-            found[fault] = _alone(fault, truth) if result is None else result
+        for fault, result in _until_a_crash(left, enclosed):
+            # A fault that may have ended the process is measured again alone.
+            found[fault] = _alone(fault, enclosed) if result is None else result
             left.remove(fault)
-            told(len(found))
-    return found
+            progress(before + len(found), total)
+    outcomes = tuple(Outcome(fault, tuple(found[fault])) for fault in chosen)
+    return FaultReport(tuple(targets), tuple(strata), cases, digits, seed, outcomes)
 
 
 def _until_a_crash(
-    faults: Sequence[Fault], truth: Truth
+    faults: Sequence[Fault], enclosed: References
 ) -> Iterator[tuple[Fault, list[Detection] | None]]:
-    """Faults and detections; None for all that were under way when a process was lost, the last."""
+    """Yield faults and detections until a process crashes; None for all that ran at that time."""
     waiting, running = list(faults), dict[Future[list[Detection]], Fault]()
     lost = False
     with processes(processors()) as pool:
@@ -114,7 +238,7 @@ def _until_a_crash(
                 while waiting and len(running) < processors() and not lost:
                     fault = waiting[0]
                     with undisturbed():
-                        job = pool.submit(detections, fault, truth[fault.shown_in])
+                        job = pool.submit(detections, fault, enclosed[fault.shown_in])
                     running[job] = waiting.pop(0)
             except BrokenProcessPool:
                 lost = True
@@ -124,10 +248,10 @@ def _until_a_crash(
                 yield running.pop(job), None if crashed else job.result()
 
 
-def _alone(fault: Fault, truth: Truth) -> list[Detection]:
-    """The detections of a fault that may end a process: each stratum has its own."""
+def _alone(fault: Fault, enclosed: References) -> list[Detection]:
+    """Return the detections of a fault, with a process of its own for each stratum."""
     found = []
-    for stratum in truth[fault.shown_in]:
+    for stratum in enclosed[fault.shown_in]:
         try:
             with processes(1) as pool:
                 found += pool.submit(detections, fault, [stratum]).result()

@@ -11,21 +11,23 @@ from rigidsym import InputError
 from rigidsym.codegen.ir import Constant
 from rigidsym.language.expression import parse, to_text
 from rigidsym.validate.bounds import bounds_of
-from rigidsym.validate.faults import KINDS, Fault, StaleFaultError, all_faults, inject
+from rigidsym.validate.faults import BY_HAND, KINDS, Fault, StaleFaultError, all_faults, inject
 from rigidsym.validate.faults.detection import (
     CRASHED,
     RAISED,
     Detection,
     broken,
     columns_references,
+    faulty,
     first,
+    installed,
+    mutated_engine,
+    on_text,
     references,
     steps_references,
 )
 from rigidsym.validate.faults.drawn import HARMLESS, changes, drawn, every, is_lost
 from rigidsym.validate.faults.fault import FILES
-from rigidsym.validate.faults.mutated_build import faulty, installed, mutated_engine, on_text
-from rigidsym.validate.faults.tables import BY_HAND
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference
 from rigidsym.validate.sensitivities import share
@@ -141,16 +143,16 @@ def test_every_fault_drawn_changes_the_one_line_of_its_let(target):
 
 def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
     for target in TARGETS:
-        of = [f for f in every(target) if f.name not in HARMLESS]
+        of = [f for f in every(target) if f.change not in HARMLESS]
         kinds = {(fault.kind, fault.in_sensitivities) for fault in of}
         assert {(fault.kind, fault.in_sensitivities) for fault in drawn(target)} == kinds
         least = {"pi": 30, "step": 12}
         assert len(drawn(target)) >= least.get(target.partition("-")[2], 60)
         found = sum(fault.in_sensitivities for fault in drawn(target))
         assert (found >= 25) == ("-" not in target)
-    names = {fault.name for target in TARGETS for fault in every(target)}
-    assert HARMLESS.keys() <= names
-    assert not {fault.name for fault in FAULTS} & HARMLESS.keys()
+    known = {fault.change for target in TARGETS for fault in every(target)}
+    assert HARMLESS.keys() <= known
+    assert not {fault.change for fault in FAULTS} & HARMLESS.keys()
 
 
 @pytest.fixture(scope="module")
@@ -183,7 +185,7 @@ def shares_of(reference, engine):
         pytest.param(fault, id=fault.line)
         for target in TARGETS
         for fault in every(target)
-        if fault.name in HARMLESS
+        if fault.change in HARMLESS
     ],
 )
 def test_what_is_called_harmless_takes_no_more_of_any_bound(fault, chosen, figures):
@@ -205,8 +207,8 @@ def test_coefficients_are_as_good_as_others_far_below_rounding():
 
 def test_a_place_of_an_expression_is_changed_in_every_way():
     found = {
-        to_text(changed): kind
-        for kind, _, changed in changes(parse("choose(a, b, c/d, alternating(x) - 2*y)"))
+        to_text(change.expression): change.kind
+        for change in changes(parse("choose(a, b, c/d, alternating(x) - 2*y)"))
     }
     assert found == {
         "choose(a, b, alternating(x) - 2 * y, c / d)": "branch",
