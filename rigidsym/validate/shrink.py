@@ -9,7 +9,7 @@ from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.motion import IDENTITY
 from rigidsym.validate.strata import Sample
-from rigidsym.validate.strata.times import MAX_ANGLE
+from rigidsym.validate.strata.sample import MAX_ANGLE
 
 # Samples tried at most.
 TRIALS = 200

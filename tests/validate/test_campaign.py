@@ -30,7 +30,7 @@ from rigidsym.validate.finding import measure_case
 from rigidsym.validate.record import record
 from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import STRATA, count, draw
-from rigidsym.validate.strata.times import MAX_ANGLE
+from rigidsym.validate.strata.sample import MAX_ANGLE
 from rigidsym.validate.tally import Tally
 from rigidsym.validate.validation import run
 

@@ -13,9 +13,8 @@ from mpmath import mpf
 
 from rigidsym import InputError, TorqueFreeMotion, inputs
 from rigidsym.solution.polhode import Regime, classify, discriminant
-from rigidsym.validate.strata import STRATA, count, draw, samples, separatrix
+from rigidsym.validate.strata import STRATA, count, draw, motions, samples
 from rigidsym.validate.strata.published import published
-from rigidsym.validate.strata.special import BODIES
 
 REFERENCE = Path(__file__).parents[3] / "shared" / "reference" / "reference_cases.json"
 FEW, SEED = 16, 4
@@ -147,7 +146,7 @@ def test_doubles_on_the_separatrix_are_on_it_exactly():
     assert all(isinstance(x, float) for s in listed for x in (*s.inertia, *s.omega0))
     ratios = {tuple(Fraction(c) / Fraction(max(s.inertia)) for c in s.inertia) for s in listed}
     assert len(ratios) > 30
-    assert len(separatrix.points()) > 150
+    assert len(motions.points()) > 150
 
 
 def test_beside_the_separatrix_is_an_ulp_away():
@@ -224,7 +223,7 @@ def test_flat_bodies_are_flat_exactly():
 
 def test_special_values_have_every_zero_and_equal_rates():
     listed = drawn("special values", 10**6)
-    assert {tuple(map(int, s.inertia)) for s in listed} == set(BODIES)
+    assert {tuple(map(int, s.inertia)) for s in listed} == set(motions.BODIES)
     zeros = {tuple(w == 0 for w in s.omega0) for s in listed}
     assert len(zeros) == 8
     assert any(math.copysign(1, w) < 0 for s in listed for w in s.omega0 if w == 0)

@@ -1,21 +1,11 @@
-"""The strata by name, and how they are drawn."""
+"""Table of the strata, and drawing from them."""
 
 from collections.abc import Iterator
 from functools import cache
 from random import Random
 
-from rigidsym.validate.strata import (
-    bodies,
-    edges,
-    marks,
-    near,
-    published,
-    separatrix,
-    special,
-    switch,
-)
-from rigidsym.validate.strata.sample import Numbers, Sample, Stratum
-from rigidsym.validate.strata.times import MAX_ANGLE, turns
+from rigidsym.validate.strata import motions, published, quarter_periods
+from rigidsym.validate.strata.sample import MAX_ANGLE, Numbers, Sample, Stratum, turns
 
 _SOME = turns(50)
 # Near the separatrix the body lingers for long before it turns over.
@@ -33,144 +23,157 @@ _LISTED = (
     Stratum(
         "axis orders and signs",
         "every order of the axes and every quadrant of rates",
-        bodies.every_order_and_sign,
+        motions.every_order_and_sign,
         _SOME,
-        len(bodies.ORDERS) * len(bodies.SIGNS),
+        len(motions.ORDERS) * len(motions.SIGNS),
     ),
-    Stratum("uniform", "any body, any rates", bodies.uniform, _SOME),
-    Stratum("near separatrix", "doubles 1e-1 to 1e-16 from the separatrix", separatrix.near, _MORE),
-    Stratum("beside separatrix", "doubles one ulp from the separatrix", separatrix.beside, _MORE),
+    Stratum("uniform", "any body, any rates", motions.uniform, _SOME),
+    Stratum(
+        "near separatrix",
+        "doubles 1e-1 to 1e-16 from the separatrix",
+        motions.near_separatrix,
+        _MORE,
+    ),
+    Stratum(
+        "beside separatrix", "doubles one ulp from the separatrix", motions.beside_separatrix, _MORE
+    ),
     Stratum(
         "nearest separatrix",
         "exact decimals 1e-17 to 1e-250 from the separatrix",
-        separatrix.nearest,
+        motions.nearest_separatrix,
         _MOST,
     ),
-    Stratum("separatrix", "doubles on the separatrix exactly", separatrix.exact, _MORE),
-    Stratum("symmetric", "two equal moments, both kinds, some rates zero", edges.symmetric, _SOME),
-    Stratum("near prolate", "the larger moments differ by 1e-1 to 2e-16", near.prolate, _SOME),
-    Stratum("near oblate", "the smaller moments differ by 1e-1 to 2e-16", near.oblate, _SOME),
+    Stratum("separatrix", "doubles on the separatrix exactly", motions.separatrix, _MORE),
+    Stratum(
+        "symmetric", "two equal moments, both kinds, some rates zero", motions.symmetric, _SOME
+    ),
+    Stratum(
+        "near prolate", "the larger moments differ by 1e-1 to 2e-16", motions.near_prolate, _SOME
+    ),
+    Stratum(
+        "near oblate", "the smaller moments differ by 1e-1 to 2e-16", motions.near_oblate, _SOME
+    ),
     Stratum(
         "nearest symmetric",
         "exact decimals: two moments differ by 1e-17 to 1e-300, both kinds",
-        near.exactly_symmetric,
+        motions.nearest_symmetric,
         _SOME,
     ),
-    Stratum("sphere", "three equal moments", edges.sphere, _SOME),
-    Stratum("near sphere", "moments differ by 1e-1 to 2e-16", near.sphere, _SOME),
+    Stratum("sphere", "three equal moments", motions.sphere, _SOME),
+    Stratum("near sphere", "moments differ by 1e-1 to 2e-16", motions.near_sphere, _SOME),
     Stratum(
         "nearest sphere",
         "exact decimals: moments differ by 1e-17 to 1e-250",
-        near.exactly_spherical,
+        motions.nearest_sphere,
         _SOME,
     ),
-    Stratum("spin", "spin about each axis exactly", edges.spin, _SOME),
+    Stratum("spin", "spin about each axis exactly", motions.spin, _SOME),
     Stratum(
         "near spin, largest",
         "spin about the axis of largest inertia, tilted by 1e-1 to 1e-300",
-        near.spin(2, 300),
+        motions.near_spin(2, 300),
         turns(100),
     ),
     Stratum(
         "near spin, middle",
         "spin about the middle axis, tilted by 1e-1 to 1e-85",
-        near.spin(1, 85),
+        motions.near_spin(1, 85),
         _MOST,
     ),
     Stratum(
         "near spin, smallest",
         "spin about the axis of smallest inertia, tilted by 1e-1 to 1e-300",
-        near.spin(0, 300),
+        motions.near_spin(0, 300),
         turns(100),
     ),
-    Stratum("rest", "no rates", bodies.rest, _SOME),
-    Stratum("flat", "the largest moment is exactly the sum of the others", edges.flat, _SOME),
-    Stratum("rod", "one moment is 1e-1 to 1e-15 of the others", near.rod, _SOME),
+    Stratum("rest", "no rates", motions.rest, _SOME),
+    Stratum("flat", "the largest moment is exactly the sum of the others", motions.flat, _SOME),
+    Stratum("rod", "one moment is 1e-1 to 1e-15 of the others", motions.rod, _SOME),
     Stratum(
-        "needle", "exact decimals: one moment is 1e-1 to 1e-59 of the others", near.needle, _SOME
+        "needle", "exact decimals: one moment is 1e-1 to 1e-59 of the others", motions.needle, _SOME
     ),
     Stratum(
         "special values",
         "small whole moments, rates equal, powers of two, zeros and negative zeros",
-        special.values,
+        motions.special_values,
         _SOME,
-        len(special.VALUES),
+        len(motions.VALUES),
     ),
     Stratum(
         "special attitudes",
         "half turns and no turns, of lengths 1e-300 to 1e300",
-        special.attitudes,
+        motions.special_attitudes,
         _SOME,
-        len(special.ATTITUDES),
+        len(motions.ATTITUDES),
     ),
     Stratum(
-        "scales", "moments by 1e-200 to 1e200, rates by 1e-250 to 1e250", bodies.any_scale, _SOME
+        "scales", "moments by 1e-200 to 1e200, rates by 1e-250 to 1e250", motions.any_scale, _SOME
     ),
-    Stratum("small scales", "moments by 1e-9, rates by 1e-12", bodies.scaled(1e-9, 1e-12), _SOME),
-    Stratum("large scales", "moments by 1e12, rates by 1e6", bodies.scaled(1e12, 1e6), _SOME),
+    Stratum("small scales", "moments by 1e-9, rates by 1e-12", motions.scaled(1e-9, 1e-12), _SOME),
+    Stratum("large scales", "moments by 1e12, rates by 1e6", motions.scaled(1e12, 1e6), _SOME),
     Stratum(
         "extreme scales",
         "whole moments by 2^-1074 to 2^1018, rates by 1e-298 to 1e297",
-        special.extreme_scales,
+        motions.extreme_scales,
         _SOME,
     ),
     Stratum(
         "decimals",
         "exact decimals: moments differ by 1e-2 to 1e-19, or a separatrix",
-        near.decimals,
+        motions.exact_decimals,
         turns(100),
     ),
-    Stratum("long times", "any body, evenly up to 1e6 rad", bodies.uniform, turns(1e6)),
-    Stratum("longest times", "any body, evenly up to 2^46 rad", bodies.uniform, turns(MAX_ANGLE)),
+    Stratum("long times", "any body, evenly up to 1e6 rad", motions.uniform, turns(1e6)),
+    Stratum("longest times", "any body, evenly up to 2^46 rad", motions.uniform, turns(MAX_ANGLE)),
     Stratum(
         "near separatrix, long",
         "doubles 1e-1 to 1e-16 from the separatrix, evenly up to 2^46 rad",
-        separatrix.near,
+        motions.near_separatrix,
         turns(MAX_ANGLE),
     ),
     Stratum(
         "branch switch",
         "k_1^2 within 3e-1 to 1e-16 of 1/2, where the series change, up to 2^46 rad",
-        switch.switch,
+        motions.branch_switch,
         turns(MAX_ANGLE),
     ),
     Stratum(
         "zeros of the rates",
         "on both sides of a zero of each rate that has any, from 1 ulp to 1e-9 away",
-        marks.body,
-        marks.zeros,
+        quarter_periods.body,
+        quarter_periods.zeros,
     ),
     Stratum(
         "quarter periods",
         "on both sides of 1, 2, ... quarter periods, up to 2^46 rad",
-        marks.body,
-        marks.quarters,
+        quarter_periods.body,
+        quarter_periods.quarters,
     ),
 )
 STRATA = {stratum.name: stratum for stratum in _LISTED}
 
 
 def count(stratum: str, cases: int) -> int:
-    """How many cases there are of a stratum when `cases` are asked for."""
+    """Return the number of cases of a stratum: `cases`, or all where it has fewer."""
     size = STRATA[stratum].size
     return cases if size is None else min(cases, size)
 
 
 @cache
 def in_doubles() -> tuple[str, ...]:
-    """The strata for programs that take doubles: to others it is another motion they are told."""
+    """Return the strata whose numbers are all doubles, for programs that take doubles."""
     return tuple(name for name in STRATA if draw(name, 0, 0).in_doubles)
 
 
 def samples(cases: int, seed: int) -> Iterator[Sample]:
-    """`cases` samples of every stratum, or all where it has fewer."""
+    """Yield `cases` samples of every stratum, or all where it has fewer."""
     for stratum in STRATA:
         for index in range(count(stratum, cases)):
             yield draw(stratum, index, seed)
 
 
 def draw(stratum: str, index: int, seed: int) -> Sample:
-    """One sample, the same whenever it is drawn; `index` is below the size of a finite stratum."""
+    """Draw one sample, always the same; `index` must be below the size of a finite stratum."""
     random = Random(f"{seed}/{stratum}/{index}")
     chosen = STRATA[stratum]
     motion = chosen.body(random, index)
