@@ -31,8 +31,7 @@ if TYPE_CHECKING:
     from rigidsym.precise.evaluation import State
     from rigidsym.precise.motion import DecimalState
     from rigidsym.precise.quantities import Quantities
-    from rigidsym.solution.mode import Mode
-    from rigidsym.solution.polhode import Regime
+    from rigidsym.solution.polhode import Mode, Regime
     from rigidsym.solution.symbolic import Symbolic
     from rigidsym.view.plots.figure import Figure
 
@@ -305,7 +304,7 @@ class TorqueFreeMotion:
         None where there is none that does: on the separatrix, in spin about the middle axis, for
         spheres, and at rest.
         """
-        from rigidsym.solution.mode import mode
+        from rigidsym.solution.polhode import mode
 
         polhode = self._by("theta", **self._given).polhode
         # That the middles decide for all numbers within the radii is what the polhode has seen to.

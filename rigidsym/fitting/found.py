@@ -31,7 +31,7 @@ from rigidsym.motion import TorqueFreeMotion
 from rigidsym.quaternions import matrices
 
 if TYPE_CHECKING:
-    from rigidsym.solution.mode import Mode
+    from rigidsym.solution.polhode import Mode
 
 # Of errors: over which periods are straight.
 _SMALL = 0.1

@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rigidsym.solution.mode import Mode
+from rigidsym.solution.polhode import Mode
 
 if TYPE_CHECKING:
     from rigidsym.motion import TorqueFreeMotion

@@ -1,4 +1,4 @@
-"""Expressions as small immutable trees: what formulas are made of, and what code is printed from.
+"""Expressions of formulas and of generated code as small immutable trees.
 
 The text form is Python's own, so `parse` and `to_text` are inverse to each other and a formula
 printed into a generated Python module can be read back and compared.
@@ -69,7 +69,7 @@ def _parse(node: ast.expr) -> Expression:
 def to_text(
     expression: Expression, rename: Mapping[str, str] | None = None, *, real: bool = False
 ) -> str:
-    """Python text with no more parentheses than needed; `rename` maps function names.
+    """Return Python text with no more parentheses than needed; `rename` maps function names.
 
     `real` writes whole numbers with a decimal point, as C needs them.
     """
@@ -116,14 +116,14 @@ def rebuild(expression: Expression, parts: tuple[Expression, ...]) -> Expression
 
 
 def put(expression: Expression, meaning: Mapping[str, Expression]) -> Expression:
-    """The expression with others in the place of some names, all at once."""
+    """Return the expression with others in the place of some names, all at once."""
     if isinstance(expression, Name):
         return meaning.get(expression.name, expression)
     return rebuild(expression, tuple(put(part, meaning) for part in children(expression)))
 
 
 def names(expression: Expression) -> Iterator[str]:
-    """The names an expression uses, from left to right, repeated as they occur."""
+    """Yield the names an expression uses, from left to right, as often as they occur."""
     if isinstance(expression, Name):
         yield expression.name
     for part in children(expression):
@@ -131,7 +131,7 @@ def names(expression: Expression) -> Iterator[str]:
 
 
 def by_products(expression: Expression) -> Expression:
-    """The same with `power(x, 2)` for `x**2`: not all numbers have powers to be trusted."""
+    """Return the expression with `power(x, 2)` for `x**2`."""
     parts = tuple(map(by_products, children(expression)))
     if isinstance(expression, Operation) and expression.operator == "**":
         return Call("power", parts)
@@ -139,7 +139,7 @@ def by_products(expression: Expression) -> Expression:
 
 
 def complement(parameter: Expression) -> Expression:
-    """x where the parameter is written 1 - x, so that nobody has to form the difference."""
+    """Return 1 - m of a parameter m, without a subtraction where m is written 1 - x."""
     match parameter:
         case Operation("-", Number(1), right):
             return right

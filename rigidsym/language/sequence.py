@@ -1,6 +1,7 @@
-"""Formulas in order, each by those before it: made ready once, evaluated over any numbers."""
+"""Formulas, and sequences of them that are compiled once and evaluated over any numbers."""
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from types import CodeType
@@ -8,16 +9,39 @@ from typing import Any, TypeVar
 
 from rigidsym.language.expression import Expression, by_products, names, to_text
 
-# By name: what formulas call, and the constants that they name.
+# Functions by the names that formulas call, and constants.
 Functions = Mapping[str, object]
+CONSTANTS = ("pi", "I")
 Value = TypeVar("Value")
 
 
-class FormulaSequence:
-    """Names set to expressions, in order of evaluation; numbers are whatever mixes with integers.
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """name = expression, with its origin in the ledger; `source` lists equations of the paper.
 
-    Powers are calls of `power`, which the functions have to bring: not all numbers have powers to
-    be trusted.
+    `fact` is the id of a proved fact, or "definition context.name" or "reading context.name" where
+    that context says so, or "choice context.name" of a sign that makes its hypotheses hold;
+    `context` has its hypotheses.  Functions of a parameter m take its complement 1 - m as their
+    last argument.
+    """
+
+    name: str
+    expression: Expression
+    fact: str
+    context: str
+    source: tuple[str, ...]
+
+    @property
+    def is_reading(self) -> bool:
+        """True where the expression is the standard function that a name stands for."""
+        return self.fact.startswith("reading ")
+
+
+class FormulaSequence:
+    """Names set to expressions, in order of evaluation, over any numbers that mix with integers.
+
+    Powers are calls of `power`, which the functions must include: the own powers of some kinds of
+    numbers cannot be trusted.
     """
 
     def __init__(self, formulas: Iterable[tuple[str, Expression]]) -> None:
@@ -29,8 +53,13 @@ class FormulaSequence:
         """The names that the expressions use."""
         return frozenset(name for _, expression in self.formulas for name in names(expression))
 
+    @cached_property
+    def inputs(self) -> frozenset[str]:
+        """The names that the expressions use and no formula sets; constants aside."""
+        return self.used - {name for name, _ in self.formulas} - {*CONSTANTS}
+
     def up_to(self, wanted: frozenset[str]) -> "FormulaSequence":
-        """What of it some quantities need."""
+        """Return the formulas that some quantities need."""
         if wanted not in self._parts:
             needed, kept = set(wanted), []
             for name, expression in reversed(self.formulas):
@@ -41,9 +70,9 @@ class FormulaSequence:
         return self._parts[wanted]
 
     def evaluate(self, values: Mapping[str, Value], functions: Functions) -> dict[str, Value]:
-        """All quantities by name, among the values and functions given.
+        """Return all quantities by name, with the values and functions themselves.
 
-        Raises NameError for a value or function that is not given.
+        Raises NameError for a missing value or function.
         """
         known: dict[str, Any] = {"__builtins__": {}, **functions, **values}
         exec(self._whole, known)
@@ -55,9 +84,10 @@ class FormulaSequence:
         functions: Functions,
         convert: Callable[[Value], Value],
     ) -> dict[str, Value]:
-        """All quantities by name; those given are kept, those of rationals alone are rational.
+        """Return all quantities by name, rational where a formula uses rational numbers alone.
 
-        Where a formula uses anything else, all that it uses is converted first.
+        A quantity that `values` has is not computed again.  Where a formula uses any number that is
+        not rational, all that it uses is converted first.
         """
         known, namespace = dict(values), {**functions, "__builtins__": {}}
         for name, code, taken in self._steps:

@@ -11,9 +11,8 @@ import numpy as np
 from scipy.special import elliprf
 
 from rigidsym.manoeuvre.problem import Problem
-from rigidsym.solution.decisions import GIVEN, ONES
 from rigidsym.solution.formulas import sequence
-from rigidsym.solution.partition import ROOT
+from rigidsym.solution.partition import GIVEN, ONES, ROOT
 from rigidsym.solution.polhode import discriminant
 from rigidsym.solution.signs import SIGNS, handedness
 

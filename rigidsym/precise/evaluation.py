@@ -16,7 +16,7 @@ from rigidsym.inputs import Number
 from rigidsym.language.sequence import FormulaSequence
 from rigidsym.precise.apart import Asked, Sensitive
 from rigidsym.precise.sensitivity.point import Point
-from rigidsym.solution.formulas import AXES, INPUTS, sequence
+from rigidsym.solution.formulas import AXES, sequence
 from rigidsym.solution.polhode import Polhode, Regime
 
 State = tuple[list[arb], list[arb]]
@@ -119,9 +119,10 @@ class Evaluation(Generic[Value]):
 
     @cached_property
     def _periods(self) -> dict[str, Value]:
-        found = self._computed(frozenset(INPUTS["periods"]))
-        given = {name: self.number(found[name]) for name in INPUTS["periods"]}
-        return sequence("periods").evaluate(given, self.functions)
+        periods = sequence("periods")
+        found = self._computed(periods.inputs)
+        given = {name: self.number(found[name]) for name in periods.inputs}
+        return periods.evaluate(given, self.functions)
 
     @cached_property
     def _exact(self) -> dict[str, Any]:

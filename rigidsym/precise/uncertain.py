@@ -10,8 +10,8 @@ from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.inputs import Number
 from rigidsym.precise.balls import ball, difference, power, working
-from rigidsym.solution.decisions import SIGNED
 from rigidsym.solution.formulas import sealed, sequence
+from rigidsym.solution.partition import SIGNED
 from rigidsym.solution.polhode import Polhode, classify
 
 BITS = 4096

@@ -1,4 +1,4 @@
-"""Which kind of motion it is, decided exactly from exact inputs, by what the ledger proves."""
+"""The kind of a motion, decided exactly from exact inputs by the ledger's partition."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ Value = TypeVar("Value")
 class Regime(StrEnum):
     """The family a motion belongs to; every motion is in exactly one.
 
-    The first three have constant rates, the last four move.
+    The rates are constant in the first three, and change in the last four.
     """
 
     REST = "rest"
@@ -37,7 +37,7 @@ class Regime(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Polhode:
-    """The regime, with the leaf of the ledger's partition that it is, and the axes by what they do.
+    """The regime, its leaf in the ledger's partition, and the axes by their role.
 
     `axes` are the indices (0, 1, 2) of the circulation axis a, the middle axis b and the third d;
     `epsilon` is +1 when they are right-handed, `sigma` the sign of Omega_a, `rho` the sign of
@@ -87,8 +87,33 @@ def _chosen(x: Fraction, y: Fraction, one: int, other: int) -> int:
 
 
 def discriminant(inertia: Sequence[Moment], omega: Sequence[Value]) -> Value:
-    """E_b = K^2 - 2 H c_b, b being the middle axis: its sign tells the circulations apart."""
+    """Return E_b = K^2 - 2 H c_b, b being the middle axis; its sign decides the circulation."""
     axes = sorted(range(3), key=lambda k: inertia[k], reverse=True)
     values: dict[str, Any] = {f"c_{x}": inertia[k] for x, k in zip("abd", axes, strict=True)}
     values |= {f"Omega_{x}": omega[k] for x, k in zip("abd", axes, strict=True)}
     return sequence("constants").up_to(_DISCRIMINANT).evaluate(values, {"power": pow})["E_b"]
+
+
+class Mode(StrEnum):
+    """The axis that the momentum circulates about, as astronomers name it by the body's shape.
+
+    The long axis is that of the smallest moment, the short axis that of the largest.  Source:
+    Samarasinha and A'Hearn, Icarus 93 (1991), 194-225.
+    """
+
+    SHORT_AXIS = "short-axis mode"
+    LONG_AXIS = "long-axis mode"
+
+
+def mode(polhode: Polhode, inertia: Sequence[Fraction], omega: Sequence[Fraction]) -> Mode | None:
+    """Return the mode of a motion, spins about one of these axes included, decided exactly.
+
+    None on the separatrix, for spin about the middle axis, for spheres, and at rest.
+    """
+    moments = sorted(inertia)
+    if polhode.regime == Regime.SPIN:
+        turned = next(c for c, rate in zip(inertia, omega, strict=True) if rate)
+        return {moments[2]: Mode.SHORT_AXIS, moments[0]: Mode.LONG_AXIS}.get(turned)
+    if polhode.regime in (Regime.SEPARATRIX, Regime.SPHERICAL, Regime.REST):
+        return None
+    return Mode.SHORT_AXIS if polhode.rho > 0 else Mode.LONG_AXIS

@@ -1,4 +1,4 @@
-"""The choices of Theorem 1 for one motion: which root of (13) is zeta^2, and the sign of xi."""
+"""The choices of Theorem 1 for one motion: the root of (13) that is zeta^2, and the sign of xi."""
 
 from collections.abc import Sequence
 from fractions import Fraction
@@ -9,10 +9,10 @@ from rigidsym.solution.polhode import Polhode, Regime
 
 
 def others(polhode: Polhode, i: int) -> tuple[int, int]:
-    """The other two axes j, k, zeta_i^2 being the root of (13) that has c_j.
+    """Return the other two axes j, k: zeta_i^2 is the root of (13) that contains c_j.
 
-    About the two axes that the rates do not circulate about, j is the one they do, and all is
-    real; about that one no choice is real, and j is the middle axis.
+    Where i is not the circulation axis, j is, and all is real.  For the circulation axis itself
+    no choice is real, and j is the middle axis.
     """
     a, b, _ = polhode.axes
     j = b if i == a else a
@@ -20,7 +20,7 @@ def others(polhode: Polhode, i: int) -> tuple[int, int]:
 
 
 def half(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -> int:
-    """Remark 1's sign: that of the rate of Omega_i, which grows with xi where C_i is."""
+    """Return the sign of Remark 1: that of Omega_i' at t = 0, as Omega_i grows with xi at C_i."""
     torque = (inertia[i - 2] - inertia[i - 1]) * omega0[i - 2] * omega0[i - 1]
     return -1 if torque < 0 else 1
 
@@ -28,7 +28,7 @@ def half(inertia: Sequence[Fraction], omega0: Sequence[Fraction], i: int) -> int
 def check(
     field: str, value: str, regime: Regime, omega0: Sequence[Fraction], others_serve: str
 ) -> None:
-    """Raise InputError for a motion that Theorem 1 is not about, and for one it cannot start at."""
+    """Raise InputError where Theorem 1 does not hold, or divides by zero at the start."""
     if regime not in (Regime.LARGEST, Regime.SMALLEST):
         rule = f"has no sines for this motion ({regime})"
         raise InputError(field, value, f"{rule}; {others_serve}")
@@ -36,14 +36,3 @@ def check(
     if third == 0 or (second == 0 and third < 0):
         rule = "Theorem 1 divides by it, or by cos(phi3/2), at the start"
         raise InputError("omega0", shown(omega0), f"{rule}; {others_serve}")
-
-
-def serving(regime: Regime) -> str:
-    """The elementary form of a regime, or the one for all that lies between the edges."""
-    return {
-        Regime.SEPARATRIX: "separatrix",
-        Regime.SYMMETRIC: "symmetric",
-        Regime.SPHERICAL: "sphere",
-        Regime.SPIN: "spin",
-        Regime.REST: "spin",
-    }.get(regime, "pi")

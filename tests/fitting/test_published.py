@@ -9,7 +9,7 @@ from rigidsym.fitting import Attitudes, Rates
 from rigidsym.fitting.files import load
 from rigidsym.fitting.published import YEARS, toutatis
 from rigidsym.quaternions import conjugate, product, rotation_vectors
-from rigidsym.solution.mode import Mode
+from rigidsym.solution.polhode import Mode
 
 DAY = 86400.0
 # Takahashi, Busch and Scheeres (2013), table 2: ratios to the smallest moment, rates in deg/d at

@@ -15,8 +15,7 @@ from rigidsym.language.expression import names, parse, put
 from rigidsym.language.sequence import FormulaSequence
 from rigidsym.language.specification import read
 from rigidsym.solution import load, polhode, sealed
-from rigidsym.solution.decisions import GIVEN, ONES, decisions
-from rigidsym.solution.partition import ROOT
+from rigidsym.solution.partition import GIVEN, ONES, ROOT, decisions
 from rigidsym.solution.signs import handedness
 
 LEDGER = json.loads(ledger_text())

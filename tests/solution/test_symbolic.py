@@ -14,7 +14,7 @@ from rigidsym import InputError, TorqueFreeMotion, symbolic
 from rigidsym.io.ledger import ledger_data, ledger_text
 from rigidsym.language import functions
 from rigidsym.solution.symbolic import FORMS
-from rigidsym.solution.symbolic.constant import Constant
+from rigidsym.solution.symbolic.symbols import Constant
 
 AT = sp.Rational(7, 3)
 NAMESPACE = {**vars(sp), **vars(functions), "Constant": Constant}

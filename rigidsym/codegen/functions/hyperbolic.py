@@ -23,7 +23,6 @@ from rigidsym.codegen.names import GAINS, ROWS
 from rigidsym.codegen.passes import select
 from rigidsym.codegen.special_functions import reduction, theta_hyperbolic
 from rigidsym.solution import Solution
-from rigidsym.solution.formulas import INPUTS
 
 _SPLIT = ("y_rate", "y0", "period", "Lambda_rate", "jump")
 _BEYOND = ("period_far", "period_inverse")
@@ -47,7 +46,7 @@ def hyperbolic(solution: Solution) -> tuple[Function, ...]:
 
 def _constants(solution: Solution) -> list[Let]:
     return [
-        *select(solution.sequences["shift"], ("s_beta", "c_beta", "d_beta"), INPUTS["shift"]),
+        *select(solution.sequences["shift"], ("s_beta", "c_beta", "d_beta"), ()),
         let("r = _root_ratio(kc_1, k_1)", "DLMF 20.9.1"),
         let("root_nome = kc_1/r", "DLMF 20.9.1"),
         let("nome = root_nome*root_nome", "DLMF 20.9.1"),

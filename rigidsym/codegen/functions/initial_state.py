@@ -11,8 +11,7 @@ from rigidsym.codegen.names import AMPLITUDES, DIFFERENCES, INERTIA, INITIAL, NU
 from rigidsym.codegen.passes import renamed, select, specialise
 from rigidsym.language.expression import parse, put
 from rigidsym.solution import Solution
-from rigidsym.solution.decisions import GIVEN, ONES
-from rigidsym.solution.partition import ROOT
+from rigidsym.solution.partition import GIVEN, ONES, ROOT
 from rigidsym.solution.signs import HANDEDNESS
 
 

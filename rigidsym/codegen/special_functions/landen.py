@@ -5,7 +5,6 @@ from fractions import Fraction
 from rigidsym.codegen.ir import Function, let
 from rigidsym.codegen.passes import select
 from rigidsym.solution import Solution
-from rigidsym.solution.formulas import INPUTS
 
 # In the plan, and in a state of the Pi form.
 STEPS, STATE_STEPS = 5, 4
@@ -24,7 +23,7 @@ def modulus_left(steps: int = STEPS) -> Fraction:
 
 def step(solution: Solution) -> Function:
     """One step, by the formulas of the ledger."""
-    lets = select(solution.sequences["landen"], _AFTER, INPUTS["landen"])
+    lets = select(solution.sequences["landen"], _AFTER, ())
     summary = "One step of Landen's descending transformation."
     return Function("_landen", summary, _GIVEN, lets, _AFTER, frozenset(_GIVEN))
 

@@ -4,7 +4,7 @@ The kernel knows names only: `cos_half_phi1` is a generator whose reading says c
 reading is a function of other quantities, SymPy works with the function: this is the dictionary.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
@@ -12,26 +12,10 @@ import sympy
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
-from rigidsym.language.expression import Call, Expression, Name, Number, Operation, parse
-from rigidsym.language.functions.jacobi import jacobi_am, jacobi_cn, jacobi_dn, jacobi_sn
+from rigidsym.language.expression import parse
+from rigidsym.language.functions.translation import BY_PARAMETER, sympified
 from rigidsym.proof.kernel import Context
 from rigidsym.proof.steps.record import StepError
-
-_FUNCTIONS: dict[str, Callable[..., sympy.Expr]] = {
-    **{f.__name__: f for f in (jacobi_sn, jacobi_cn, jacobi_dn, jacobi_am)},
-    "cos": sympy.cos,
-    "sin": sympy.sin,
-    "sqrt": sympy.sqrt,
-    "elliptic_pi": sympy.elliptic_pi,
-    "neg": lambda x: -x,
-}
-_OPERATIONS: dict[str, Callable[[sympy.Expr, sympy.Expr], sympy.Expr]] = {
-    "+": lambda x, y: x + y,
-    "-": lambda x, y: x - y,
-    "*": lambda x, y: x * y,
-    "/": lambda x, y: x / y,
-    "**": lambda x, y: x**y,
-}
 
 
 def symbol(name: str) -> sympy.Symbol:
@@ -46,20 +30,7 @@ def symbols(text: str) -> tuple[sympy.Symbol, ...]:
 
 def read(text: str) -> sympy.Expr:
     """A text of the ledger, or the reading of a name, as SymPy's expression in real symbols."""
-    return _read(parse(text))
-
-
-def _read(expression: Expression) -> sympy.Expr:
-    match expression:
-        case Number(value):
-            return sympy.Integer(value)
-        case Name(name):
-            return symbol(name)
-        case Operation(operator, left, right):
-            return _OPERATIONS[operator](_read(left), _read(right))
-        case Call(function, arguments) if function in _FUNCTIONS:
-            return _FUNCTIONS[function](*map(_read, arguments))
-    raise ValueError(f"{expression}: not a function that SymPy is told of")
+    return sympified(parse(text), symbol, BY_PARAMETER)
 
 
 class Dictionary:

@@ -13,19 +13,19 @@ numbers it holds at all times, and is real:
   So phi3/2 is continuous but where Omega2 < 0 = Omega3: there (18) is taken with the other sign.
 """
 
-from types import MappingProxyType
 from typing import Any
 
 from sympy import Expr, Gt, Integer, Ne, Piecewise, S, asin, cos, elliptic_f, sin, sqrt
 
 from rigidsym.language.functions import jacobi_am, jacobi_dn, jacobi_pi
 from rigidsym.solution import sines
-from rigidsym.solution.symbolic import conditions
-from rigidsym.solution.symbolic.given import Given
-from rigidsym.solution.symbolic.sheet import Sheet
+from rigidsym.solution.symbolic.calculation import (
+    Calculation,
+    ExactMotion,
+    conditions_of,
+)
 from rigidsym.solution.symbolic.symbols import TIME, named
-from rigidsym.solution.symbolic.taylor import Dynamics
-from rigidsym.solution.symbolic.value import Symbolic, column
+from rigidsym.solution.symbolic.value import Dynamics, Symbolic
 
 _ABD = ("0", "a", "b", "d")
 _SERVE = "pi and theta serve"
@@ -38,49 +38,45 @@ _CHOICES = {
 }
 
 
-def theorem1(form: str, given: Given | None) -> Symbolic:
+def theorem1(form: str, given: ExactMotion | None) -> Symbolic:
     """Return the paper's solution: on one interval, or of a motion at all times."""
-    sheet = Sheet(exact=given is not None)
-    _begin(sheet, given)
-    parts = [_sine(sheet, given, i) for i in range(3)]
+    work = Calculation(exact=given is not None)
+    _begin(work, given)
+    parts = [_sine(work, given, i) for i in range(3)]
     constant = [("sn",) if "sn" in part.known else () for part in parts]
     rates = [
         part.work_out("sine_state", {"t": TIME}, names)["Omega_i"]
         for part, names in zip(parts, constant, strict=True)
     ]
     first = parts[0].known
-    sheet.known |= {name: first[name] for name in ("zeta", "xi", "mu")} | {"C_1": first["C_i"]}
+    work.known |= {name: first[name] for name in ("zeta", "xi", "mu")} | {"C_1": first["C_i"]}
     moving = {f"Omega{k}": rate for k, rate in enumerate(rates, 1)} | {"t": TIME}
     if "sn" in first:
-        sheet.compute("theorem1", ("H", "K", "n", "kappa"))
-        moving["Pi"] = _third_kind_across(sheet)
+        work.compute("theorem1", ("H", "K", "n", "kappa"))
+        moving["Pi"] = _third_kind_across(work)
     else:
-        sheet.compute("theorem1")
-    side = sheet.known["side"] = named("side") if given is None else S.One
-    holds = [*conditions.of_context("theorem1_motion", sheet.known, ("side",))]
+        work.compute("theorem1")
+    side = work.known["side"] = named("side") if given is None else S.One
+    holds = [*conditions_of("theorem1_motion", work.known, ("side",))]
     for part in parts:
-        holds += conditions.of_context("one_rate", part.known, ("half",))
-        sheet.facts |= part.facts
+        holds += conditions_of("one_rate", part.known, ("half",))
+        work.facts |= part.facts
     if given is None:
-        at = _turned(sheet, _by_angles(sheet, {"t": S.Zero}), _by_angles(sheet, moving))
+        at = _turned(work, _by_angles(work, {"t": S.Zero}), _by_angles(work, moving))
         holds.append(Gt(side * rates[2], 0))
     else:
-        at = _turned(sheet, *_followed(sheet, given, moving, parts[2].known))
+        at = _turned(work, *_followed(work, given, moving, parts[2].known))
         holds.append(Ne(rates[2], 0))
-    known = sheet.known
-    return Symbolic(
-        form=form,
-        regime=given.polhode.regime if given else None,
-        constants=MappingProxyType(sheet.constants),
-        conditions=conditions.told(holds),
-        choices=MappingProxyType(
-            {} if given else {named(name): text for name, text in _CHOICES.items()}
-        ),
-        facts=tuple(sheet.facts),
-        quantities=MappingProxyType({"energy": known["H"], "momentum": known["K"]}),
-        attitude=column([at[f"q_{x}"] for x in _ABD]),
-        rates=column(rates),
-        dynamics=Dynamics(
+    known = work.known
+    return work.solution(
+        form,
+        given,
+        holds,
+        {} if given else _CHOICES,
+        {"energy": known["H"], "momentum": known["K"]},
+        [at[f"q_{x}"] for x in _ABD],
+        rates,
+        Dynamics(
             tuple(known[f"c{k}"] for k in (1, 2, 3)),
             tuple(known[f"q{k}"] for k in range(4)),
             tuple(known[f"Omega{k}"] for k in (1, 2, 3)),
@@ -88,27 +84,27 @@ def theorem1(form: str, given: Given | None) -> Symbolic:
     )
 
 
-def _begin(sheet: Sheet, given: Given | None) -> None:
+def _begin(work: Calculation, given: ExactMotion | None) -> None:
     names = [f"{c}{k}" for c in ("c", "Omega") for k in (1, 2, 3)] + [f"q{k}" for k in range(4)]
     if given is None:
-        sheet.known |= {name: named(name) for name in names}
+        work.known |= {name: named(name) for name in names}
         return
     sines.check("form", "'theorem1'", given.polhode.regime, given.exact[1], _SERVE)
     for name, value in zip(names, (*given.inertia, *given.omega0, *given.attitude0), strict=True):
-        sheet.name(name, value)
+        work.name(name, value)
 
 
-def _sine(sheet: Sheet, given: Given | None, i: int) -> Sheet:
-    """The constants of one rate, with the number of its axis behind their names."""
+def _sine(work: Calculation, given: ExactMotion | None, i: int) -> Calculation:
+    """Return the constants of one rate; their names end with the number of its axis."""
     j, k = _CYCLIC[i] if given is None else sines.others(given.polhode, i)
     known: dict[str, Any] = {
-        f"{letter}_{x}": sheet.known[f"{letter}{n + 1}"]
+        f"{letter}_{x}": work.known[f"{letter}{n + 1}"]
         for letter in ("c", "Omega")
         for x, n in zip("ijk", (i, j, k), strict=True)
     }
     name = f"half_{i + 1}"
     known["half"] = named(name) if given is None else Integer(sines.half(*given.exact, i))
-    part = Sheet(sheet.exact, dict(known))
+    part = Calculation(work.exact, dict(known))
     inner = ("alpha", "root_j", "root_k", "zeta", "xi", "mu", "H", "K_squared")
     names = {n: f"{n}_{i + 1}" for n in inner} | {"C_i": f"C_{i + 1}"}
     if given is not None and given.polhode.axes[0] == i:
@@ -116,12 +112,12 @@ def _sine(sheet: Sheet, given: Given | None, i: int) -> Sheet:
         _across_the_line(part, i)
     else:
         part.compute("sine", rename=names)
-    sheet.constants |= part.constants
+    work.constants |= part.constants
     return part
 
 
-def _across_the_line(part: Sheet, i: int) -> None:
-    """Name xi and C - +-K(mu), over i and Remark 1's sign, and work out sn: all are real."""
+def _across_the_line(part: Calculation, i: int) -> None:
+    """Name xi and C - +-K(mu), divided by i and Remark 1's sign, and compute sn: all are real."""
     known = part.known
     sign, mc = 1 if known["Omega_i"] > 0 else -1, 1 - known["mu"]
     part.name("xi", sqrt(-known["alpha"] * known["root_k"]), f"nu_{i + 1}")
@@ -130,26 +126,26 @@ def _across_the_line(part: Sheet, i: int) -> None:
     known["sn"] = sign / jacobi_dn(known["xi"] * TIME + known["C_i"], mc)
 
 
-def _third_kind_across(sheet: Sheet) -> Expr:
-    """Pi less what it is at t = 0, over i and Remark 1's sign."""
-    n, mu, xi, begin = (sheet.known[name] for name in ("n", "mu", "xi", "C_1"))
+def _third_kind_across(work: Calculation) -> Expr:
+    """Return Pi less its value at t = 0, divided by i and Remark 1's sign."""
+    n, mu, xi, begin = (work.known[name] for name in ("n", "mu", "xi", "C_1"))
     nu = (1 - mu) / (1 - n)
-    sheet.name("Pi_0", jacobi_pi(nu, begin, 1 - mu))
-    along = jacobi_pi(nu, xi * TIME + begin, 1 - mu) - sheet.known["Pi_0"]
+    work.name("Pi_0", jacobi_pi(nu, begin, 1 - mu))
+    along = jacobi_pi(nu, xi * TIME + begin, 1 - mu) - work.known["Pi_0"]
     return xi * TIME + n / (1 - n) * along
 
 
 def _followed(
-    sheet: Sheet, given: Given, moving: dict[str, Any], third: dict[str, Any]
+    work: Calculation, given: ExactMotion, moving: dict[str, Any], third: dict[str, Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """The quaternions of (18) at t = 0 and at all times, continuous where Omega3 passes zero."""
-    right = _by_angles(sheet, moving)
-    start = _by_angles(sheet, {"t": S.Zero, "Pi": S.Zero})
+    """Return the quaternions of (18) at t = 0 and at all times, continuous at zeros of Omega3."""
+    right = _by_angles(work, moving)
+    start = _by_angles(work, {"t": S.Zero, "Pi": S.Zero})
     (a, *_), c, w = given.polhode.axes, given.inertia, given.omega0
     begins_left = w[2] < 0
     if begins_left:
         start = _left(start)
-    sheet.facts |= dict.fromkeys(("half_angle_left.cotangent", "half_angle_left.squares"))
+    work.facts |= dict.fromkeys(("half_angle_left.cotangent", "half_angle_left.squares"))
     if a == 2:
         return start, _left(right) if begins_left else right
     turned, left_sign, start_sign = S.One, 1, 1
@@ -176,16 +172,16 @@ def _left(right: dict[str, Any]) -> dict[str, Any]:
     return dict(zip(right, (-a, zero, d, -b), strict=True))
 
 
-def _by_angles(sheet: Sheet, known: dict[str, Any]) -> dict[str, Any]:
-    """The quaternion of (18), axes 1, 2, 3 being a, b, d."""
-    found = sheet.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
+def _by_angles(work: Calculation, known: dict[str, Any]) -> dict[str, Any]:
+    """Return the quaternion of (18), axes 1, 2, 3 being a, b, d."""
+    found = work.work_out("theorem1_state", known, ("Pi",) if "Pi" in known else ())
     return {f"qbar_{x}": found[f"qbar_{k}"] for k, x in enumerate(_ABD)}
 
 
-def _turned(sheet: Sheet, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
-    """The constant quaternion of (37), and the attitude that starts where it should."""
-    given = {f"q_{x}": sheet.known[f"q{k}"] for k, x in enumerate(_ABD)}
-    front = sheet.work_out("pull_back", {**start, **given, "epsilon": S.One})
+def _turned(work: Calculation, start: dict[str, Any], moving: dict[str, Any]) -> dict[str, Any]:
+    """Name the constant quaternion of (37), and return the attitude with the given one at t = 0."""
+    given = {f"q_{x}": work.known[f"q{k}"] for k, x in enumerate(_ABD)}
+    front = work.work_out("pull_back", {**start, **given, "epsilon": S.One})
     for x in _ABD:
-        sheet.name(f"p_{x}", front[f"p_{x}"])
-    return sheet.work_out("turned", {**moving, "epsilon": S.One})
+        work.name(f"p_{x}", front[f"p_{x}"])
+    return work.work_out("turned", {**moving, "epsilon": S.One})

@@ -1,7 +1,13 @@
-"""A solution as a value: what SymPy is given, and what it may ask of it."""
+"""A solution as SymPy's expressions, and its Taylor polynomials.
+
+The polynomials follow from Euler's equations and q' = q (0, Omega)/2: the equations give one
+coefficient after the other by products alone.  SymPy's `series` of a quotient of square roots of
+Jacobi's functions does not end in minutes.
+"""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from operator import mul
 from typing import Any
 
 from sympy import Add, Expr, ImmutableMatrix, Symbol, bottom_up, latex, sympify
@@ -9,33 +15,72 @@ from sympy.logic.boolalg import Boolean
 
 from rigidsym.errors import InputError
 from rigidsym.solution.polhode import Regime
-from rigidsym.solution.symbolic.constant import Constant
-from rigidsym.solution.symbolic.symbols import TIME
-from rigidsym.solution.symbolic.taylor import Dynamics
+from rigidsym.solution.symbolic.symbols import TIME, Constant
+
+# A column by its Taylor coefficients: one list of them for each entry.
+Coefficients = list[list[Any]]
+_CYCLIC = ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+
+
+@dataclass(frozen=True, slots=True)
+class Dynamics:
+    """Moments and the state at t = 0, about the axes of the solution's columns.
+
+    handedness: 1, or the symbol that is -1 where these axes are left-handed.
+    """
+
+    moments: tuple[Any, ...]
+    attitude0: tuple[Any, ...]
+    omega0: tuple[Any, ...]
+    handedness: Any = 1
+
+    def taylor(self, q: Any, omega: Any, count: int) -> tuple[Coefficients, Coefficients]:
+        """Return the first coefficients of q and omega in the time since they had these values."""
+        turn, rate, c = [[x] for x in q], [[x] for x in omega], self.moments
+        for k in range(1, count):
+            slopes = [self._turning(turn, rate, i) for i in range(4)]
+            slopes += [
+                self.handedness * (c[j] - c[k]) / c[i] * _product(rate[j], rate[k])
+                for i, j, k in _CYCLIC
+            ]
+            for known, slope in zip((*turn, *rate), slopes, strict=True):
+                known.append(slope / k)
+        return turn, rate
+
+    def _turning(self, q: Coefficients, rate: Coefficients, i: int) -> Expr:
+        if i == 0:
+            return -sum(_product(q[k + 1], rate[k]) for k in range(3)) / 2
+        a, b, d = _CYCLIC[i - 1]
+        across = _product(q[b + 1], rate[d]) - _product(q[d + 1], rate[b])
+        return (_product(q[0], rate[a]) + self.handedness * across) / 2
+
+
+def _product(x: list[Any], y: list[Any]) -> Any:
+    """Return the last known coefficient of a product."""
+    return sum(one * other for one, other in zip(x, reversed(y), strict=True))
 
 
 def column(entries: Iterable[Any]) -> ImmutableMatrix:
-    """A column of expressions as SymPy writes them: built anew, they would be the same."""
-    return ImmutableMatrix([bottom_up(sympify(entry), _again) for entry in entries])
+    """Return a column of expressions, rebuilt so that SymPy evaluates each part."""
 
+    def rebuilt(expression: Any) -> Any:
+        return expression.func(*expression.args) if expression.args else expression
 
-def _polynomial(coefficients: Iterable[Any], step: Expr) -> Expr:
-    return Add(*(c * step**k for k, c in enumerate(coefficients)))
-
-
-def _again(expression: Any) -> Any:
-    return expression.func(*expression.args) if expression.args else expression
+    return ImmutableMatrix([bottom_up(sympify(entry), rebuilt) for entry in entries])
 
 
 @dataclass(frozen=True, slots=True)
 class Symbolic:
     """Attitude and rates as SymPy's expressions of the time, in one form.
 
-    form: its name.  regime: of the motion whose numbers are in it, or None.  constants: each by
-    those before it, or exact numbers.  conditions: what has to hold of them; those that numbers
-    make true are left out.  choices: what signs and roots are to be chosen as.  facts: the ids of
-    the ledger's facts, definitions and readings that it was put together from.  quantities: the
-    energy (J), the momentum (kg m^2 rad/s) and what else the regime has, by the constants.
+    form: the name of the form.
+    regime: the regime of the motion whose numbers it contains, or None for free symbols.
+    constants: expressions in earlier constants, or exact numbers.
+    conditions: the conditions on the constants, without those that numbers make true.
+    choices: how to choose signs and roots.
+    facts: the ids of the facts, definitions and readings of the ledger that it follows from.
+    quantities: the energy (J), the momentum (kg m^2 rad/s) and others of the regime.
+
     Quaternions are scalar first, body to inertial; rates are in body axes, rad/s; t is in s.
     """
 
@@ -56,16 +101,17 @@ class Symbolic:
         return TIME
 
     def q(self, t: Any = TIME) -> ImmutableMatrix:
-        """The attitude at t, a column of 4, by the constants' symbols or numbers."""
+        """Return the attitude at t, a column of 4, in the symbols or numbers of the constants."""
         return self.attitude if t == TIME else self.attitude.subs(TIME, t)
 
     def omega(self, t: Any = TIME) -> ImmutableMatrix:
-        """The body rates at t, rad/s, a column of 3."""
+        """Return the body rates at t, rad/s, a column of 3."""
         return self.rates if t == TIME else self.rates.subs(TIME, t)
 
     def taylor(self, n: int = 6, at: Any = 0) -> tuple[ImmutableMatrix, ImmutableMatrix]:
-        """Taylor polynomials of q and omega in t - at, the first n terms of each, by the equations
-        of motion: exact from the given state at t = 0, else from q(at) and omega(at).
+        """Return the first n terms of the Taylor series of q and omega in t - at.
+
+        They start from the exact state at t = 0, or else from q(at) and omega(at).
 
         Raises InputError for n < 1.
         """
@@ -73,14 +119,15 @@ class Symbolic:
             raise InputError("n", n, "a series has at least one term")
         known = self.dynamics
         begin = (known.attitude0, known.omega0) if at == 0 else (self.q(at), self.omega(at))
+        powers = [(TIME - at) ** k for k in range(n)]
         q, omega = (
-            ImmutableMatrix([_polynomial(row, TIME - at) for row in rows])
+            ImmutableMatrix([Add(*map(mul, row, powers)) for row in rows])
             for rows in known.taylor(*begin, n)
         )
         return q, omega
 
     def explicit(self, expression: Any) -> Any:
-        """The expression with every constant put in, down to what is given."""
+        """Return the expression with every constant replaced, down to the inputs."""
         while found := expression.atoms(Constant) if self.regime else set():
             expression = expression.xreplace({one: one.value for one in found})
         for symbol, value in reversed([*self.constants.items()]):

@@ -8,7 +8,6 @@ from rigidsym.codegen.names import AMPLITUDES, ATTITUDE, INERTIA, RATES
 from rigidsym.codegen.passes import renamed, select, specialise
 from rigidsym.codegen.special_functions import landen
 from rigidsym.solution import Solution
-from rigidsym.solution.formulas import INPUTS
 
 # Landen's levels, from a state's down to where functions are elementary.
 LEVELS = landen.STATE_STEPS + 1
@@ -48,7 +47,7 @@ def ascent(solution: Solution, modulus: str, functions: tuple[str, ...]) -> tupl
     for n in reversed(range(1, LEVELS)):
         names = {name: level(name, n) for name in (*functions, "inside")}
         names |= {f"{name}_next": level(name, n + 1) for name in functions}
-        step = select(solution.sequences["ascent"], functions, INPUTS["ascent"])
+        step = select(solution.sequences["ascent"], functions, ())
         lets += renamed(step, names | {"k_next": f"{modulus}_{n + 1}"})
     return specialise(lets, {level("d", LEVELS): 1})
 

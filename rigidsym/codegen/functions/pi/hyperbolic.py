@@ -18,7 +18,6 @@ from rigidsym.codegen.ir import Constant, Function, Let, let
 from rigidsym.codegen.passes import renamed, select
 from rigidsym.codegen.special_functions import reduction
 from rigidsym.solution import Solution
-from rigidsym.solution.formulas import INPUTS
 
 _SPLIT = ("y_rate", "y0", "period", "Lambda_rate", "jump")
 _MODULI = tuple(f"l_{n}" for n in range(2, LEVELS + 1))
@@ -56,7 +55,7 @@ def _constants(solution: Solution) -> list[Let]:
         let("l_1 = kc_1", "DLMF 22.7.1"),
         let("lc_1 = k_1", "DLMF 22.7.1"),
         *moduli(solution, "l", "lc"),
-        *select(solution.sequences["shift"], ("x", "y", "z"), INPUTS["shift"]),
+        *select(solution.sequences["shift"], ("x", "y", "z"), ()),
         *imaginary_phase(_LADDER),
         let("gc = pi/(2*K_c)"),
         let("K_1, total = _complete(kc_1, 1 - n)", "DLMF 19.8.6"),
