@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from numbers import Integral
-from typing import TYPE_CHECKING, Literal, NoReturn, TypeGuard, TypeVar, Unpack, overload
+from typing import TYPE_CHECKING, Any, Literal, NoReturn, TypeGuard, TypeVar, Unpack, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -753,13 +753,11 @@ def _refusing(compute: Callable[[], Value], **given: Argument) -> Value:
         raise _refused(error, given) from None
 
 
-def _refused(error: ValueError, given: Given) -> ValueError:
+def _refused(error: Any, given: Given) -> ValueError:
     """The InputError with the value for what an engine refuses; other errors as they are."""
-    field, colon, rule = str(error).partition(": ")
-    if isinstance(error, InputError) or not colon:
+    if isinstance(error, InputError) or not hasattr(error, "field"):
         return error
-    at = getattr(error, "body", None), getattr(error, "time", None)
-    return InputError(*_named(field, rule, given, *at))
+    return InputError(*_named(error.field, error.rule, given, error.body, error.time))
 
 
 def _named(

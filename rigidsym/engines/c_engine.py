@@ -88,7 +88,7 @@ class CEngine:
         endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
         if code == self.library.NOT_FINITE and endless:
             return EngineError(endless[0], "every number must be finite", body)
-        field, _, rule = self.library.message(code).decode().rpartition(": ")
+        field, rule = self.library.field(code).decode(), self.library.rule(code).decode()
         return EngineError(field or "engine", rule, body)
 
     def refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
@@ -97,7 +97,7 @@ class CEngine:
         endless, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
         if endless.size:
             return EngineError("t", arrays.BAD_TIMES, time=int(endless[0]))
-        rule = self.library.message(code).decode().partition(": ")[2]
+        rule = self.library.rule(code).decode()
         if code == self.library.SEPARATRIX:
             rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
         return EngineError("t", rule, time=int(late[0]) if late.size else None)

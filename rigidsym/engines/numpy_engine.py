@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Protocol, TypedDict
+from typing import Any, Protocol, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -134,7 +134,7 @@ class NumpyEngine:
 
 
 def in_blocks(
-    module: Module,
+    module: Any,
     given: Mapping[str, np.ndarray],
     t: np.ndarray,
     shape: tuple[int, ...],
@@ -150,12 +150,6 @@ def in_blocks(
         try:
             prepared = module.prepare(*bodies, errors)
             run(prepared, t[some] if len(t) > 1 else t[0], some)
-        except ValueError as error:
-            raise _of_batch(error, first) from None
-
-
-def _of_batch(error: ValueError, first: int) -> EngineError:
-    """What the module says of a block that begins with body `first`."""
-    field, _, rule = str(error).partition(": ")
-    body, time = getattr(error, "body", None), getattr(error, "time", None)
-    return EngineError(field, rule, None if body is None else first + body, time)
+        except module._RefusedError as error:
+            body = None if error.body is None else first + error.body
+            raise EngineError(error.field, error.rule, body, error.time) from None

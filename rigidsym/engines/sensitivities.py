@@ -212,7 +212,7 @@ class _C:
         """Raise EngineError for what a code says of times."""
         if code == self.engine.library.GROWTH:
             lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
-            rule = self.engine.library.message(code).decode().partition(": ")[2]
+            rule = self.engine.library.rule(code).decode()
             raise EngineError("t", rule, time=int(np.argmax(np.any(lost, axis=0))))
         if code:
             raise self.engine.refused_times(code, prepared, t)

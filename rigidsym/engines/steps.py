@@ -133,9 +133,8 @@ class NumpyStepper:
             return
         try:
             self._module.step(self._module.prepare(inertia), q, omega, dt, out)
-        except ValueError as error:
-            field, _, rule = str(error).partition(": ")
-            raise EngineError(field, rule, getattr(error, "body", None)) from None
+        except self._module._RefusedError as error:
+            raise EngineError(error.field, error.rule, error.body) from None
 
     def one(
         self,
@@ -281,5 +280,5 @@ class CStepper:
                 raise self._refused(*refused)
 
     def _refused(self, code: int, body: int) -> EngineError:
-        field, _, rule = self._library.message(code).decode().rpartition(": ")
+        field, rule = self._library.field(code).decode(), self._library.rule(code).decode()
         return EngineError(field or "omega", rule, body)

@@ -3740,7 +3740,7 @@ double torque_free_last_time(const torque_free_motion *motion)
 
 size_t torque_free_motion_size(void) { return sizeof(torque_free_motion); }
 
-const char *torque_free_digest(void) { return "45fe202668460fa76cb11489386cbd9205ce65f99dcedd0893106ee2025bee74"; }
+const char *torque_free_digest(void) { return "c879726f5ae985ac72f398d5941e9832730d441c23d3966f6b44bf259a0eaba8"; }
 
 const char *torque_free_message(int code)
 {
@@ -3757,6 +3757,42 @@ const char *torque_free_message(int code)
     case TORQUE_FREE_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
     case TORQUE_FREE_UNPREPARED: return "motion: torque_free_motion_init has not made it";
+    default: return "no such code";
+    }
+}
+
+const char *torque_free_field(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_INERTIA: return "inertia";
+    case TORQUE_FREE_THIN: return "inertia";
+    case TORQUE_FREE_ATTITUDE: return "attitude0";
+    case TORQUE_FREE_SEPARATRIX: return "t";
+    case TORQUE_FREE_TIME: return "t";
+    case TORQUE_FREE_RATES: return "omega0";
+    case TORQUE_FREE_ARITHMETIC: return "arithmetic";
+    case TORQUE_FREE_GROWTH: return "t";
+    case TORQUE_FREE_NONPHYSICAL: return "inertia";
+    case TORQUE_FREE_UNPREPARED: return "motion";
+    default: return "";
+    }
+}
+
+const char *torque_free_rule(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_OK: return "success";
+    case TORQUE_FREE_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_INERTIA: return "principal moments must be positive";
+    case TORQUE_FREE_THIN: return "principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_ATTITUDE: return "a zero quaternion is no attitude";
+    case TORQUE_FREE_SEPARATRIX: return "nearer to the separatrix than binary64 can follow so long";
+    case TORQUE_FREE_TIME: return "beyond |omega| t = 2^46 rad the angle is lost in binary64";
+    case TORQUE_FREE_RATES: return "rates beyond what binary64 can hold";
+    case TORQUE_FREE_ARITHMETIC: return "sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_GROWTH: return "on the way to spin about the middle axis squares of changes leave binary64";
+    case TORQUE_FREE_NONPHYSICAL: return "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
+    case TORQUE_FREE_UNPREPARED: return "torque_free_motion_init has not made it";
     default: return "no such code";
     }
 }

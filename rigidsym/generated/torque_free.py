@@ -22,7 +22,7 @@ Lines of code:
     475  23 %  follow facts of the ledger, each named on its line
     589  28 %  follow classical formulas, each with its reference
     102   5 %  are arithmetic: sums, products, quotients, roots, reductions
-    921  44 %  are the runtime, written by hand
+    925  44 %  are the runtime, written by hand
 
 Grades: facts are PROVED by normal form; the thetas' slopes and Watson's identity, hypotheses there,
 are PROVED by Fourier coefficients.  Special functions (Landen's ladder, nome, theta series, angles
@@ -36,47 +36,10 @@ mpmath:
   sin(pi f), cos(pi f)           absolute, below 4.5e-17 and 2.3e-17
   reduction by half turns        argued, not proved: within 2^-54 half turns below 2^46
 
-Worst errors measured by `rigidsym validate numpy --cases 200 --digits 40 --seed 1 --record`:
-rotation angle in rad, |domega|/|omega|
-  paper                  6.0e-16  3.4e-16
-  published              7.7e-16  3.2e-16
-  axis orders and signs  1.1e-15  4.2e-16
-  uniform                1.1e-15  4.6e-16
-  near separatrix        8.6e-16  4.7e-16
-  beside separatrix      9.1e-16  3.6e-16
-  nearest separatrix     8.4e-16  3.6e-16
-  separatrix             9.7e-16  3.1e-16
-  symmetric              7.5e-16  3.3e-16
-  near prolate           1.0e-15  6.5e-16
-  near oblate            9.7e-16  5.1e-16
-  nearest symmetric      8.6e-16  4.2e-16
-  sphere                 8.1e-16  6.9e-43
-  near sphere            1.1e-15  4.2e-16
-  nearest sphere         1.1e-15  3.4e-16
-  spin                   8.1e-16  7.6e-53
-  near spin, largest     7.5e-16  3.7e-16
-  near spin, middle      1.0e-15  3.6e-16
-  near spin, smallest    8.1e-16  2.3e-16
-  rest                   1.6e-16  3.0e-53
-  flat                   1.2e-15  4.8e-16
-  rod                    1.0e-15  4.3e-16
-  needle                 1.2e-15  4.9e-16
-  special values         9.5e-16  4.1e-16
-  special attitudes      8.6e-16  4.4e-16
-  scales                 9.5e-16  5.0e-16
-  small scales           1.0e-15  4.9e-16
-  large scales           9.8e-16  4.8e-16
-  extreme scales         9.5e-16  4.7e-16
-  decimals               1.1e-15  5.0e-16
-  long times             9.7e-16  4.3e-16
-  longest times          9.5e-16  5.0e-16
-  near separatrix, long  1.0e-15  5.1e-16
-  branch switch          1.1e-15  5.2e-16
-  zeros of the rates     9.6e-16  6.0e-16
-  quarter periods        1.1e-15  5.0e-16
+Errors: not measured since this code changed; `rigidsym validate numpy --record`
 
 rigidsym 0.1.0, emitter numpy/2
-digest 71f61939cf010008767fa2904b85d4174061f7f0c1da71909be9f41976ec0ee5
+digest 4a63e367a2a18e313fc54ecc8d1ff2d6255fdd531a3c6d46771b64208baa1d43
 """
 
 # ruff: noqa
@@ -1762,14 +1725,17 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """What a body or a time is refused for, each by its number.
+    """An input that breaks a rule: its field, the rule, and the first body and time that do.
 
     Bodies are counted through the leading axes.
     """
 
-    def __init__(self, message, body=None, time=None):
-        super().__init__(message)
-        self.body, self.time = body, time
+    def __init__(self, field, rule, body=None, time=None):
+        super().__init__(field, rule, body, time)
+        self.field, self.rule, self.body, self.time = field, rule, body, time
+
+    def __str__(self):
+        return f"{self.field}: {self.rule}"
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
@@ -1986,7 +1952,7 @@ def states(prepared, t, out=None, errors="raise"):
     times = np.asarray(t, float)
     shape, count = prepared["shape"], len(prepared["unit"])
     if times.ndim > 1 and times.shape[:-1] != shape:
-        raise ValueError(f"t: {_BAD_TIMES}")
+        raise _RefusedError("t", _BAD_TIMES)
     q, omega = _results(out, (*shape, *times.shape[-1:]), times, prepared)
     # One row for all motions, or one for each.
     given = times.reshape(count if times.ndim > 1 else 1, times.shape[-1] if times.ndim else 1)
@@ -2019,7 +1985,7 @@ def _begin(prepared, t, q, omega):
 
 def _is_lenient(errors):
     if errors not in ("raise", "nan"):
-        raise ValueError("errors: must be 'raise' or 'nan'")
+        raise _RefusedError("errors", "must be 'raise' or 'nan'")
     return errors == "nan"
 
 
@@ -2059,11 +2025,11 @@ def _results(out, shape, t, prepared):
         return tuple(map(np.empty, wanted))
     if len(out) != 2 or any(not _fits(x, s) for x, s in zip(out, wanted, strict=True)):
         rule = f"must be C-contiguous float64 arrays of shapes {wanted[0]} and {wanted[1]}"
-        raise ValueError(f"out: {rule}")
+        raise _RefusedError("out", rule)
     read = [t, *(prepared[name] for name in ("q0", "omega0", "unit", "max_angle", "axes"))]
     read += [x for _, index, constants in prepared["groups"] for x in (index, *constants.values())]
     if np.may_share_memory(*out) or any(np.may_share_memory(x, y) for x in out for y in read):
-        raise ValueError("out: q and omega must not overlap each other or the inputs")
+        raise _RefusedError("out", "q and omega must not overlap each other or the inputs")
     return out
 
 
@@ -2086,7 +2052,7 @@ def _are_near(prepared, t):
 def _refuse_times(prepared, t):
     """Raise an error for the first time that is not finite or, for the first such body, too far."""
     for body, number in np.argwhere(~np.isfinite(t))[:1]:
-        raise _RefusedError(f"t: {_BAD_TIMES}", int(body) if len(t) > 1 else None, int(number))
+        raise _RefusedError("t", _BAD_TIMES, int(body) if len(t) > 1 else None, int(number))
     with np.errstate(over="ignore"):
         latest = prepared["unit"] * np.max(np.abs(t), axis=-1)
         body = np.flatnonzero(latest > prepared["max_angle"])[0]
@@ -2096,7 +2062,7 @@ def _refuse_times(prepared, t):
     if prepared["blurred"][body]:
         last = float(prepared["max_angle"][body] / prepared["unit"][body])
         rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
-    raise _RefusedError(f"t: {rule}", int(body), int(late))
+    raise _RefusedError("t", rule, int(body), int(late))
 
 
 @np.errstate(all="ignore")
@@ -2179,13 +2145,15 @@ def _batch(inertia, omega0, attitude0):
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
-            raise ValueError(f"{name}: shape {value.shape}: the last axis must have {size} numbers")
+            rule = f"shape {value.shape}: the last axis must have {size} numbers"
+            raise _RefusedError(name, rule)
     shapes = [x.shape[:-1] for x in (inertia, omega0, attitude0)]
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:
-        rule = f"leading shapes {shapes[1]} and {shapes[2]} must broadcast with {shapes[0]}"
-        raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
+        omega0, attitude0 = shapes[1:]
+        rule = f"leading shapes {omega0} and {attitude0} must broadcast with {shapes[0]} of inertia"
+        raise _RefusedError("omega0, attitude0", rule) from None
 
 
 def _refuse(field, rule, good, refused, bodies=None):
@@ -2196,7 +2164,7 @@ def _refuse(field, rule, good, refused, bodies=None):
         if refused is not None:
             refused[at] = True
         elif at.size:
-            raise _RefusedError(f"{field}: {rule}", int(at[0]))
+            raise _RefusedError(field, rule, int(at[0]))
 
 
 def _followed(c, apart, axes, omega, given, discriminant):
@@ -2371,7 +2339,7 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
     """
     asked = [name for name in COLUMNS if name in columns]
     if len(asked) != len(columns):
-        raise ValueError(f"columns: must be some of {', '.join(COLUMNS)}, each once")
+        raise _RefusedError("columns", f"must be some of {', '.join(COLUMNS)}, each once")
     # Where in a row the columns of each begin, and which those are of all nine.
     first = {name: 3 * k for k, name in enumerate(asked) if name != "t"}
     chosen = [3 * COLUMNS.index(name) + k for name in first for k in range(3)]
@@ -2615,6 +2583,6 @@ def _check_held(rows, errors):
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"
-        raise _RefusedError(f"t: {rule}", int(body), int(time))
+        raise _RefusedError("t", rule, int(body), int(time))
     for found in rows[2:]:
         found[lost] = np.nan

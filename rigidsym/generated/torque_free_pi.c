@@ -2608,7 +2608,7 @@ double torque_free_pi_last_time(const torque_free_pi_motion *motion)
 
 size_t torque_free_pi_motion_size(void) { return sizeof(torque_free_pi_motion); }
 
-const char *torque_free_pi_digest(void) { return "dbe4d2b2a3299793720130070d96b5281f280a398a9b3c40c3f6328423bab468"; }
+const char *torque_free_pi_digest(void) { return "0e566dcebdd27ae0fef71cf9f3812319a704985f0691c75f2c2333cac57bab25"; }
 
 const char *torque_free_pi_message(int code)
 {
@@ -2625,6 +2625,42 @@ const char *torque_free_pi_message(int code)
     case TORQUE_FREE_PI_GROWTH: return "t: on the way to spin about the middle axis squares of changes leave binary64";
     case TORQUE_FREE_PI_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
     case TORQUE_FREE_PI_UNPREPARED: return "motion: torque_free_pi_motion_init has not made it";
+    default: return "no such code";
+    }
+}
+
+const char *torque_free_pi_field(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_PI_INERTIA: return "inertia";
+    case TORQUE_FREE_PI_THIN: return "inertia";
+    case TORQUE_FREE_PI_ATTITUDE: return "attitude0";
+    case TORQUE_FREE_PI_SEPARATRIX: return "t";
+    case TORQUE_FREE_PI_TIME: return "t";
+    case TORQUE_FREE_PI_RATES: return "omega0";
+    case TORQUE_FREE_PI_ARITHMETIC: return "arithmetic";
+    case TORQUE_FREE_PI_GROWTH: return "t";
+    case TORQUE_FREE_PI_NONPHYSICAL: return "inertia";
+    case TORQUE_FREE_PI_UNPREPARED: return "motion";
+    default: return "";
+    }
+}
+
+const char *torque_free_pi_rule(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_PI_OK: return "success";
+    case TORQUE_FREE_PI_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_PI_INERTIA: return "principal moments must be positive";
+    case TORQUE_FREE_PI_THIN: return "principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_PI_ATTITUDE: return "a zero quaternion is no attitude";
+    case TORQUE_FREE_PI_SEPARATRIX: return "nearer to the separatrix than binary64 can follow so long";
+    case TORQUE_FREE_PI_TIME: return "beyond |omega| t = 2^46 rad the angle is lost in binary64";
+    case TORQUE_FREE_PI_RATES: return "rates beyond what binary64 can hold";
+    case TORQUE_FREE_PI_ARITHMETIC: return "sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_PI_GROWTH: return "on the way to spin about the middle axis squares of changes leave binary64";
+    case TORQUE_FREE_PI_NONPHYSICAL: return "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
+    case TORQUE_FREE_PI_UNPREPARED: return "torque_free_pi_motion_init has not made it";
     default: return "no such code";
     }
 }

@@ -1335,7 +1335,7 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 
 size_t torque_free_body_size(void) { return sizeof(torque_free_body); }
 
-const char *torque_free_step_digest(void) { return "5401eede250c12fd2ca11f2e7b31a05da5ab4c874655fe52148077af7745785e"; }
+const char *torque_free_step_digest(void) { return "e7e08c9ddca48dc120c7e6dfc3f650d69a4633b052edbbc44a08b2f339d92f7b"; }
 
 const char *torque_free_step_message(int code)
 {
@@ -1349,6 +1349,36 @@ const char *torque_free_step_message(int code)
     case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic: sums are reordered or not rounded to nearest";
     case TORQUE_FREE_STEP_NONPHYSICAL: return "inertia: no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
     case TORQUE_FREE_STEP_UNPREPARED: return "body: torque_free_body_init has not made it";
+    default: return "no such code";
+    }
+}
+
+const char *torque_free_step_field(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_STEP_INERTIA: return "inertia";
+    case TORQUE_FREE_STEP_THIN: return "inertia";
+    case TORQUE_FREE_STEP_ATTITUDE: return "q";
+    case TORQUE_FREE_STEP_ANGLE: return "dt";
+    case TORQUE_FREE_STEP_ARITHMETIC: return "arithmetic";
+    case TORQUE_FREE_STEP_NONPHYSICAL: return "inertia";
+    case TORQUE_FREE_STEP_UNPREPARED: return "body";
+    default: return "";
+    }
+}
+
+const char *torque_free_step_rule(int code)
+{
+    switch (code) {
+    case TORQUE_FREE_STEP_OK: return "success";
+    case TORQUE_FREE_STEP_NOT_FINITE: return "every number must be finite";
+    case TORQUE_FREE_STEP_INERTIA: return "principal moments must be positive";
+    case TORQUE_FREE_STEP_THIN: return "principal moments differ by more than binary64 can follow";
+    case TORQUE_FREE_STEP_ATTITUDE: return "a zero quaternion is no attitude";
+    case TORQUE_FREE_STEP_ANGLE: return "|omega dt| must be at most 8 rad";
+    case TORQUE_FREE_STEP_ARITHMETIC: return "sums are reordered or not rounded to nearest";
+    case TORQUE_FREE_STEP_NONPHYSICAL: return "no body has a principal moment larger than the sum of the other two (-DALLOW_NONPHYSICAL lets it pass)";
+    case TORQUE_FREE_STEP_UNPREPARED: return "torque_free_body_init has not made it";
     default: return "no such code";
     }
 }

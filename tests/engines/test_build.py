@@ -28,6 +28,8 @@ STUB = """/* digest {digest} */
 typedef struct {{ double x; }} torque_free_motion;
 const char *torque_free_digest(void) {{ return "{digest}"; }}
 const char *torque_free_message(int code) {{ (void)code; return "inertia: refused"; }}
+const char *torque_free_field(int code) {{ (void)code; return "inertia"; }}
+const char *torque_free_rule(int code) {{ (void)code; return "refused"; }}
 size_t torque_free_motion_size(void) {{ return 8; }}
 int torque_free_motion_init(torque_free_motion *motion, const double inertia[3],
                             const double omega0[3], const double attitude0[4])

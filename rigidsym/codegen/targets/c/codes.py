@@ -69,10 +69,17 @@ def filled(text: str, form: str) -> str:
     """The text with an enumeration of a form's codes, and what is said of each, at its marks."""
     own, prefix = (_OF_STEPS, "TORQUE_FREE_STEP") if form == STEP else ({}, "TORQUE_FREE")
     codes = {name: (_CODES | own)[name] for name in (_STEPS if form == STEP else _MOTIONS)}
-    said = {name: f"{x.field}: {x.rule}" if x.field else x.rule for name, x in codes.items()}
+    texts = {
+        "field": {name: x.field for name, x in codes.items() if x.field},
+        "rule": {name: x.rule for name, x in codes.items()},
+        "message": {n: f"{x.field}: {x.rule}" if x.field else x.rule for n, x in codes.items()},
+    }
     members = [
         f"    {prefix}_{name} = {number}, /* {x.rule}{x.remark and f'; {x.remark}'} */"
         for number, (name, x) in enumerate(codes.items())
     ]
-    cases = [f'    case {prefix}_{name}: return "{said[name]}";' for name in codes]
-    return text.replace("@codes@", "\n".join(members)).replace("@messages@", "\n".join(cases))
+    text = text.replace("@codes@", "\n".join(members))
+    for what, said in texts.items():
+        cases = [f'    case {prefix}_{name}: return "{words}";' for name, words in said.items()]
+        text = text.replace(f"@{what}s@", "\n".join(cases))
+    return text

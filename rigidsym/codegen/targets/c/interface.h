@@ -72,5 +72,9 @@ double torque_free_last_time(const torque_free_motion *motion);
 size_t torque_free_motion_size(void);
 const char *torque_free_digest(void);
 
-/* What a code means, in one line. */
+/* What a code means, in one line: the field and its rule. */
 const char *torque_free_message(int code);
+
+/* The field of the input that a code is about, "" for none, and the rule that it breaks. */
+const char *torque_free_field(int code);
+const char *torque_free_rule(int code);

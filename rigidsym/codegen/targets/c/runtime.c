@@ -781,3 +781,19 @@ const char *torque_free_message(int code)
     default: return "no such code";
     }
 }
+
+const char *torque_free_field(int code)
+{
+    switch (code) {
+@fields@
+    default: return "";
+    }
+}
+
+const char *torque_free_rule(int code)
+{
+    switch (code) {
+@rules@
+    default: return "no such code";
+    }
+}

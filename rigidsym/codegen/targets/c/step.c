@@ -357,3 +357,19 @@ const char *torque_free_step_message(int code)
     default: return "no such code";
     }
 }
+
+const char *torque_free_step_field(int code)
+{
+    switch (code) {
+@fields@
+    default: return "";
+    }
+}
+
+const char *torque_free_step_rule(int code)
+{
+    switch (code) {
+@rules@
+    default: return "no such code";
+    }
+}

@@ -34,5 +34,9 @@ int torque_free_steps(size_t n, const double *inertia, size_t inertia_stride, co
 size_t torque_free_body_size(void);
 const char *torque_free_step_digest(void);
 
-/* What a code means, in one line. */
+/* What a code means, in one line: the field and its rule. */
 const char *torque_free_step_message(int code);
+
+/* The field of the input that a code is about, "" for none, and the rule that it breaks. */
+const char *torque_free_step_field(int code);
+const char *torque_free_step_rule(int code);

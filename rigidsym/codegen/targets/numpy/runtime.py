@@ -40,14 +40,17 @@ _BAD_TIMES = "times must be one finite number or a one-dimensional array of them
 
 
 class _RefusedError(ValueError):
-    """What a body or a time is refused for, each by its number.
+    """An input that breaks a rule: its field, the rule, and the first body and time that do.
 
     Bodies are counted through the leading axes.
     """
 
-    def __init__(self, message, body=None, time=None):
-        super().__init__(message)
-        self.body, self.time = body, time
+    def __init__(self, field, rule, body=None, time=None):
+        super().__init__(field, rule, body, time)
+        self.field, self.rule, self.body, self.time = field, rule, body, time
+
+    def __str__(self):
+        return f"{self.field}: {self.rule}"
 
 
 def prepare(inertia, omega0, attitude0=(1.0, 0.0, 0.0, 0.0), errors="raise"):
@@ -264,7 +267,7 @@ def states(prepared, t, out=None, errors="raise"):
     times = np.asarray(t, float)
     shape, count = prepared["shape"], len(prepared["unit"])
     if times.ndim > 1 and times.shape[:-1] != shape:
-        raise ValueError(f"t: {_BAD_TIMES}")
+        raise _RefusedError("t", _BAD_TIMES)
     q, omega = _results(out, (*shape, *times.shape[-1:]), times, prepared)
     # One row for all motions, or one for each.
     given = times.reshape(count if times.ndim > 1 else 1, times.shape[-1] if times.ndim else 1)
@@ -297,7 +300,7 @@ def _begin(prepared, t, q, omega):
 
 def _is_lenient(errors):
     if errors not in ("raise", "nan"):
-        raise ValueError("errors: must be 'raise' or 'nan'")
+        raise _RefusedError("errors", "must be 'raise' or 'nan'")
     return errors == "nan"
 
 
@@ -337,11 +340,11 @@ def _results(out, shape, t, prepared):
         return tuple(map(np.empty, wanted))
     if len(out) != 2 or any(not _fits(x, s) for x, s in zip(out, wanted, strict=True)):
         rule = f"must be C-contiguous float64 arrays of shapes {wanted[0]} and {wanted[1]}"
-        raise ValueError(f"out: {rule}")
+        raise _RefusedError("out", rule)
     read = [t, *(prepared[name] for name in ("q0", "omega0", "unit", "max_angle", "axes"))]
     read += [x for _, index, constants in prepared["groups"] for x in (index, *constants.values())]
     if np.may_share_memory(*out) or any(np.may_share_memory(x, y) for x in out for y in read):
-        raise ValueError("out: q and omega must not overlap each other or the inputs")
+        raise _RefusedError("out", "q and omega must not overlap each other or the inputs")
     return out
 
 
@@ -364,7 +367,7 @@ def _are_near(prepared, t):
 def _refuse_times(prepared, t):
     """Raise an error for the first time that is not finite or, for the first such body, too far."""
     for body, number in np.argwhere(~np.isfinite(t))[:1]:
-        raise _RefusedError(f"t: {_BAD_TIMES}", int(body) if len(t) > 1 else None, int(number))
+        raise _RefusedError("t", _BAD_TIMES, int(body) if len(t) > 1 else None, int(number))
     with np.errstate(over="ignore"):
         latest = prepared["unit"] * np.max(np.abs(t), axis=-1)
         body = np.flatnonzero(latest > prepared["max_angle"])[0]
@@ -374,7 +377,7 @@ def _refuse_times(prepared, t):
     if prepared["blurred"][body]:
         last = float(prepared["max_angle"][body] / prepared["unit"][body])
         rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
-    raise _RefusedError(f"t: {rule}", int(body), int(late))
+    raise _RefusedError("t", rule, int(body), int(late))
 
 
 @np.errstate(all="ignore")
@@ -457,13 +460,15 @@ def _batch(inertia, omega0, attitude0):
     rows = {"inertia": (inertia, 3), "omega0": (omega0, 3), "attitude0": (attitude0, 4)}
     for name, (value, size) in rows.items():
         if value.ndim < 1 or value.shape[-1] != size:
-            raise ValueError(f"{name}: shape {value.shape}: the last axis must have {size} numbers")
+            rule = f"shape {value.shape}: the last axis must have {size} numbers"
+            raise _RefusedError(name, rule)
     shapes = [x.shape[:-1] for x in (inertia, omega0, attitude0)]
     try:
         return np.broadcast_shapes(*shapes)
     except ValueError:
-        rule = f"leading shapes {shapes[1]} and {shapes[2]} must broadcast with {shapes[0]}"
-        raise ValueError(f"omega0, attitude0: {rule} of inertia") from None
+        omega0, attitude0 = shapes[1:]
+        rule = f"leading shapes {omega0} and {attitude0} must broadcast with {shapes[0]} of inertia"
+        raise _RefusedError("omega0, attitude0", rule) from None
 
 
 def _refuse(field, rule, good, refused, bodies=None):
@@ -474,7 +479,7 @@ def _refuse(field, rule, good, refused, bodies=None):
         if refused is not None:
             refused[at] = True
         elif at.size:
-            raise _RefusedError(f"{field}: {rule}", int(at[0]))
+            raise _RefusedError(field, rule, int(at[0]))
 
 
 def _followed(c, apart, axes, omega, given, discriminant):

@@ -40,7 +40,7 @@ def sensitivities(prepared, t, errors="raise", columns=COLUMNS):
     """
     asked = [name for name in COLUMNS if name in columns]
     if len(asked) != len(columns):
-        raise ValueError(f"columns: must be some of {', '.join(COLUMNS)}, each once")
+        raise _RefusedError("columns", f"must be some of {', '.join(COLUMNS)}, each once")
     # Where in a row the columns of each begin, and which those are of all nine.
     first = {name: 3 * k for k, name in enumerate(asked) if name != "t"}
     chosen = [3 * COLUMNS.index(name) + k for name in first for k in range(3)]
@@ -284,6 +284,6 @@ def _check_held(rows, errors):
     if errors == "raise":
         body, time = np.argwhere(lost)[0]
         rule = "on the way to spin about the middle axis squares of changes leave binary64"
-        raise _RefusedError(f"t: {rule}", int(body), int(time))
+        raise _RefusedError("t", rule, int(body), int(time))
     for found in rows[2:]:
         found[lost] = np.nan

@@ -48,11 +48,17 @@ _COLUMNS = ("moments", "alphas", "squares", "axes")
 
 
 class _RefusedError(ValueError):
-    """What a body is refused for; bodies are counted through the leading axes."""
+    """An input that breaks a rule: its field, the rule, and the first body that does.
 
-    def __init__(self, message, body):
-        super().__init__(message)
-        self.body, self.time = body, None
+    Bodies are counted through the leading axes.
+    """
+
+    def __init__(self, field, rule, body):
+        super().__init__(field, rule, body)
+        self.field, self.rule, self.body, self.time = field, rule, body, None
+
+    def __str__(self):
+        return f"{self.field}: {self.rule}"
 
 
 @np.errstate(invalid="ignore")
@@ -94,7 +100,7 @@ def _refuse(field, rule, good):
     """Raise an error for the first body that is not good."""
     if good is not True:
         for body in np.flatnonzero(np.logical_not(good))[:1]:
-            raise _RefusedError(f"{field}: {rule}", int(body))
+            raise _RefusedError(field, rule, int(body))
 
 
 def _paired(values):
@@ -118,7 +124,7 @@ def step(bodies, q, omega, dt, out):
         try:
             _some(_of(bodies, some), q[some], omega[some], dt[some], [x[some] for x in out])
         except _RefusedError as error:
-            raise _RefusedError(str(error), first + error.body) from None
+            raise _RefusedError(error.field, error.rule, first + error.body) from None
 
 
 def step_one(body, q, omega, dt):
@@ -128,7 +134,7 @@ def step_one(body, q, omega, dt):
     binary64 on the way.
     """
     if not (all(map(math.isfinite, (*q, *omega, dt))) and any(q)):
-        raise _RefusedError("q: every number must be finite, and one not zero", 0)
+        raise _RefusedError("q", "every number must be finite, and one not zero", 0)
     found, rates, axes = _stepped(body, q, omega, dt)
     q, omega = [*found], [*rates]
     for k, axis in enumerate(axes):
