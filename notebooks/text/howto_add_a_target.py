@@ -130,7 +130,7 @@ _ = (floats / "module.py").write_text(MODULE)
 READ_BACK = """
 import ast
 
-from rigidsym.codegen.seal.claims import DIFFERS
+from rigidsym.codegen.seal.equality import DIFFERS
 from rigidsym.codegen.targets.floats import module
 from rigidsym.errors import InputError
 from rigidsym.language.expression import Call, children, parse, rebuild

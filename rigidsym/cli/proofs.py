@@ -306,7 +306,7 @@ def _audit(options: Namespace) -> int:
     import json
     from dataclasses import asdict
 
-    from rigidsym.codegen.shares import RUNTIMES, handwritten
+    from rigidsym.codegen.lines import RUNTIMES, handwritten
     from rigidsym.io.ledger import ledger_data, specification_text
     from rigidsym.proof.audit import audit, totals
 

@@ -6,13 +6,10 @@ import re
 from pathlib import Path
 
 from rigidsym._version import __version__
-from rigidsym.codegen.forms import PI, STEP, THETA
-from rigidsym.codegen.limits import limits
+from rigidsym.codegen.forms import PI, STEP, THETA, limits
 from rigidsym.codegen.special_functions import (
     angles,
     carlson,
-    circle,
-    complete,
     exponential,
     landen,
     nome,
@@ -82,8 +79,8 @@ def special_functions(form: str) -> list[str]:
 
 def _everywhere() -> list[str]:
     """What every form has."""
-    sine = circle.sine_bound(circle.sine_coefficients(reduction.TERMS))
-    cosine = circle.cosine_bound(circle.cosine_coefficients(reduction.TERMS))
+    sine = reduction.sine_bound(reduction.sine_coefficients(reduction.TERMS))
+    cosine = reduction.cosine_bound(reduction.cosine_coefficients(reduction.TERMS))
     return [
         f"  arctangent and logarithm       relative, below {_up(float(angles.series_tail()))}",
         f"  sin(pi f), cos(pi f)           absolute, below {_up(sine)} and {_up(cosine)}",
@@ -112,8 +109,8 @@ def _pi() -> list[str]:
     """What the Pi form alone has."""
     return [
         _landen(),
-        f"  complete integrals, {complete.STEPS} means   "
-        f"relative, {_up(complete.MEASURED)} measured",
+        f"  complete integrals, {landen.MEANS} means   "
+        f"relative, {_up(landen.MEANS_MEASURED)} measured",
         f"  of it in a state, {landen.STATE_STEPS} steps      modulus left, squared, below "
         f"{_up(float(landen.modulus_left(landen.STATE_STEPS)))}",
         f"  R_J, {carlson.STEPS} duplications           in psi/2, {_up(carlson.MEASURED)} measured",

@@ -1,10 +1,24 @@
-"""Printed lines and the lets behind them, whatever the language."""
+"""Printed lines, the lets behind them, and how many lines are of each kind, in any language."""
 
+import re
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from importlib import resources
 from typing import TypedDict
 
-from rigidsym.codegen.ir import Function, Let
+from rigidsym.codegen.forms import STEP, THETA, split
+from rigidsym.codegen.ir import KINDS, Function, Let
+
+# And what the theta form has beside them.
+SENSITIVITIES = {"numpy": "targets/numpy/sensitivity.py", "c": "targets/c/sensitivity.c"}
+_COMMENT = {"numpy": r"#[^\n]*", "c": r"/\*.*?\*/"}
+MEANINGS = {
+    "fact": "follow facts of the ledger, each named on its line",
+    "classical": "follow classical formulas, each with its reference",
+    "arithmetic": "are arithmetic: sums, products, quotients, roots, reductions",
+    "runtime": "are the runtime, written by hand",
+}
 
 
 class Place(TypedDict):
@@ -90,3 +104,45 @@ def flat_results(function: Function) -> list[str]:
         for name in function.results
         for flat in ((f"{name}_hi", f"{name}_lo") if name in function.split else (name,))
     ]
+
+
+def _of_c(names: str) -> tuple[str, ...]:
+    return tuple(f"targets/c/{name}.c" for name in names.split())
+
+
+# Written by hand, and run with what is generated: files of `rigidsym.codegen`, by target.
+RUNTIMES = {
+    "numpy": ("targets/numpy/runtime.py", "targets/numpy/double_double.py"),
+    "numpy-step": ("targets/numpy/step.py", "targets/numpy/double_double.py"),
+    "c": _of_c("runtime bodies exact arithmetic rounding quotients double_double"),
+    "c-step": _of_c("step kick bodies step_arithmetic rounding quotients double_double"),
+}
+
+
+def shares(kinds: Iterable[str], module: str) -> str:
+    """Return how many lines of a module, given by its key, are of each kind, a row each."""
+    found = Counter(kinds)
+    counts = {kind: found[kind] for kind in KINDS} | {"runtime": handwritten(module)}
+    whole = sum(counts.values())
+    rows = (
+        f"  {count:5} {round(100 * count / whole):3} %  {MEANINGS[kind]}"
+        for kind, count in counts.items()
+    )
+    return "\n".join(["Lines of code:", *rows])
+
+
+def handwritten(module: str) -> int:
+    """Lines that are neither blank nor comments of what a module has beside generated code."""
+    target, form = split(module)
+    names = RUNTIMES.get(module if form == STEP else target, ())
+    if form == THETA and target in SENSITIVITIES:
+        names = (*names, SENSITIVITIES[target])
+    return sum(_lines_of_code(name, _COMMENT[target]) for name in names)
+
+
+def _lines_of_code(name: str, comment: str) -> int:
+    whole = resources.files("rigidsym.codegen").joinpath(name).read_text("utf-8")
+    code = re.sub(comment, "", whole, flags=re.DOTALL)
+    # Other files, where this one names them, are counted by themselves.
+    code = re.sub(r"@\w+\.c@", "", code)
+    return sum(bool(line.strip()) for line in code.splitlines())

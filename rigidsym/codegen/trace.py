@@ -7,8 +7,7 @@ from importlib import resources
 from pathlib import Path
 from typing import NamedTuple
 
-from rigidsym.codegen.lines import Place
-from rigidsym.codegen.shares import shares, text
+from rigidsym.codegen.lines import Place, shares
 from rigidsym.errors import InputError
 
 
@@ -55,7 +54,7 @@ def told(place: str) -> list[str]:
 
 def _of_file(file: _File) -> list[str]:
     kinds = (place["kind"] for place in file.places.values())
-    return text(shares(kinds, file.target)).splitlines()
+    return shares(kinds, file.target).splitlines()
 
 
 def _of_line(file: _File, line: int) -> list[str]:

@@ -19,7 +19,7 @@ import pytest
 import rigidsym
 from derivations import CHAPTERS
 from rigidsym.cli import main
-from rigidsym.codegen.shares import handwritten
+from rigidsym.codegen.lines import handwritten
 from rigidsym.io import aem, sampled
 from rigidsym.io.cases import load_case, paper_case
 

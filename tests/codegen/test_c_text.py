@@ -11,7 +11,7 @@ from rigidsym import InputError, generate
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.seal import seal_text
 from rigidsym.codegen.targets.c import module
-from rigidsym.codegen.targets.c.expressions import Reader
+from rigidsym.codegen.targets.c.read_back import Reader
 from rigidsym.language.expression import parse
 from rigidsym.solution import sealed
 

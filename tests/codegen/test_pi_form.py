@@ -10,8 +10,7 @@ import pytest
 
 from rigidsym import InputError, generate
 from rigidsym.codegen import TARGETS, forms
-from rigidsym.codegen.functions import functions
-from rigidsym.codegen.functions.pi import hyperbolic
+from rigidsym.codegen.functions import functions, pi
 from rigidsym.codegen.seal import seal, seal_text
 from rigidsym.codegen.trace import lines_of_equation
 from rigidsym.generated import torque_free_pi
@@ -124,13 +123,13 @@ def test_a_form_that_there_is_not():
 
 
 def test_the_seal_would_notice_a_turn_the_other_way(monkeypatch):
-    made = hyperbolic._half_psi
+    made = pi._half_psi
 
     def turned(solution):
         first, *others = made(solution)
         other_way = replace(first, expression=parse("turn_re*arc_re + turn_im*arc_im"))
         return (other_way, *others)
 
-    monkeypatch.setattr(hyperbolic, "_half_psi", turned)
+    monkeypatch.setattr(pi, "_half_psi", turned)
     with pytest.raises(InputError, match="what is printed is not what was derived"):
         seal(sealed(), "pi")

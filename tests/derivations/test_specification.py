@@ -9,7 +9,7 @@ from document_texts import rows, words
 from ledgers import written
 
 from rigidsym.cli import main
-from rigidsym.codegen.shares import handwritten
+from rigidsym.codegen.lines import handwritten
 from rigidsym.errors import LedgerError
 from rigidsym.io.ledger import ledger_text, specification_text
 from rigidsym.language.specification import Unproved, read, require, sequences, theorems

@@ -6,21 +6,15 @@ the rest.  States are doubles, in two functions for each branch: `_<branch>_angl
 changes with time, and `_<branch>_state` the state from that.
 """
 
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 
 import mpmath
 
 from rigidsym.codegen.forms import PI, STEP, THETA
-from rigidsym.codegen.functions.circular import circular
-from rigidsym.codegen.functions.hyperbolic import hyperbolic
-from rigidsym.codegen.functions.initial_state import circulation, discriminant, start
-from rigidsym.codegen.functions.pi import circular as pi_circular
-from rigidsym.codegen.functions.pi import common
-from rigidsym.codegen.functions.pi import hyperbolic as pi_hyperbolic
+from rigidsym.codegen.functions import pi, theta
+from rigidsym.codegen.functions.common import circulation, discriminant, start, steady
 from rigidsym.codegen.functions.sensitivity import sensitivity
-from rigidsym.codegen.functions.steady import steady
 from rigidsym.codegen.functions.step import step
 from rigidsym.codegen.ir import Constant, Function, Let
 from rigidsym.codegen.names import INITIAL
@@ -28,7 +22,6 @@ from rigidsym.codegen.passes import live, products, share
 from rigidsym.codegen.special_functions import (
     angles,
     carlson,
-    complete,
     exponential,
     landen,
     nome,
@@ -45,17 +38,16 @@ def functions(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
 def stated(solution: Solution, form: str = THETA) -> tuple[Function, ...]:
     """All functions as they are stated, before anything is left out or shared."""
     carried = {f.fact: f.source for every in solution.sequences.values() for f in every}
-    return tuple(_cited(function, carried) for function in _stated(solution, form))
 
+    def cited(let: Let) -> Let:
+        """Put the equations that the facts of a line carry before its references."""
+        equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
+        return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
 
-def _cited(function: Function, carried: Mapping[str, tuple[str, ...]]) -> Function:
-    """The function whose lines name the equations that their facts carry, before references."""
-    return replace(function, lets=tuple(_with_equations(let, carried) for let in function.lets))
-
-
-def _with_equations(let: Let, carried: Mapping[str, tuple[str, ...]]) -> Let:
-    equations = [equation for fact in let.facts for equation in carried.get(fact, ())]
-    return replace(let, source=tuple(dict.fromkeys((*equations, *let.source))))
+    return tuple(
+        replace(function, lets=tuple(map(cited, function.lets)))
+        for function in _stated(solution, form)
+    )
 
 
 def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
@@ -66,7 +58,7 @@ def _stated(solution: Solution, form: str) -> tuple[Function, ...]:
         exponential.function(),
         discriminant(solution),
         circulation(solution),
-        start(solution, common.GIVEN if form == PI else INITIAL),
+        start(solution, pi.GIVEN if form == PI else INITIAL),
         landen.step(solution),
         landen.ladder(),
         *own,
@@ -80,8 +72,8 @@ def _theta(solution: Solution) -> tuple[Function, ...]:
         nome.root_ratio(),
         angles.half_turns(),
         angles.logarithm(),
-        *circular(solution),
-        *hyperbolic(solution),
+        *theta.circular(solution),
+        *theta.hyperbolic(solution),
         *sensitivity(solution),
     )
 
@@ -91,10 +83,10 @@ def _pi(solution: Solution) -> tuple[Function, ...]:
     return (
         angles.half_turns(),
         angles.logarithm(),
-        complete.complete(),
+        landen.complete(),
         carlson.third_kind(),
-        *pi_circular.circular(solution),
-        *pi_hyperbolic.hyperbolic(solution),
+        *pi.circular(solution),
+        *pi.hyperbolic(solution),
     )
 
 
@@ -110,28 +102,17 @@ def finished(function: Function) -> Function:
 def constants() -> tuple[Constant, ...]:
     """The named numbers that functions use."""
     with mpmath.workdps(60):
-        pi, log_2 = (
-            _in_two(name, value) for name, value in (("pi", mpmath.pi), ("log_2", mpmath.ln2))
-        )
-    halves = (
-        Constant("pi_hi", pi.hi, None, "pi"),
-        Constant("pi_lo", pi.lo or 0.0, None, "pi - pi_hi"),
-    )
-    never = Constant("never", 1e300, None, "the exponent of what has vanished")
-    unity = Constant("unity", 1.0, 0.0, "1")
+        pi_hi, log_2 = float(mpmath.pi), float(mpmath.ln2)
+        pi_lo, log_2_lo = float(mpmath.pi - pi_hi), float(mpmath.ln2 - log_2)
     return (
-        pi,
-        unity,
-        *halves,
-        log_2,
-        never,
+        Constant("pi", pi_hi, pi_lo, "pi"),
+        Constant("unity", 1.0, 0.0, "1"),
+        Constant("pi_hi", pi_hi, None, "pi"),
+        Constant("pi_lo", pi_lo, None, "pi - pi_hi"),
+        Constant("log_2", log_2, log_2_lo, "log_2"),
+        Constant("never", 1e300, None, "the exponent of what has vanished"),
         *angles.constants(),
         *reduction.constants(),
         *exponential.constants(),
-        *pi_hyperbolic.numbers(),
+        *pi.numbers(),
     )
-
-
-def _in_two(name: str, value: mpmath.mpf) -> Constant:
-    hi = float(value)
-    return Constant(name, hi, float(value - hi), name)

@@ -6,7 +6,7 @@ taken from psi there is ten times as wrong as what it is made from.  The shortes
 extended until they are whole.
 """
 
-from rigidsym.codegen.functions.attitude import phase
+from rigidsym.codegen.functions.common import phase
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.names import ATTITUDE, DIFFERENCES, INERTIA, RATES
 from rigidsym.codegen.passes import renamed, select, specialise

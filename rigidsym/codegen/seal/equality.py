@@ -1,11 +1,14 @@
 """Equality of expressions as rational functions, decided in a ring of the kernel.
 
-Calls are names there: equal ones have equal names.
+Calls are names there: equal ones have equal names.  A `Claim` is one such decision.
 """
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from itertools import count
 
+from rigidsym.codegen.ir import Let
+from rigidsym.errors import InputError
 from rigidsym.language.expression import (
     Call,
     Expression,
@@ -17,6 +20,8 @@ from rigidsym.language.expression import (
     to_text,
 )
 from rigidsym.proof.kernel import Context, KernelError, Ring
+
+DIFFERS = "what is printed is not what was derived"
 
 
 def is_equal(left: Expression, right: Expression) -> bool:
@@ -81,3 +86,23 @@ def _primes(size: int) -> list[int]:
         if all(candidate % d for d in range(2, 1 + int(candidate**0.5))):
             found.append(candidate)
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """That what is printed for a formula, at a place, equals what was derived."""
+
+    place: str
+    formula: str
+    derived: Expression
+    printed: Expression
+
+    def decide(self) -> None:
+        """Raises InputError, naming place and formula, unless both are equal."""
+        if not is_equal(self.derived, self.printed):
+            raise InputError(self.place, self.formula, DIFFERS)
+
+
+def formulas_of(lets: tuple[Let, ...]) -> dict[str, Expression]:
+    """Expressions by what they set, where that is one name."""
+    return {let.targets[0]: let.expression for let in lets if len(let.targets) == 1}

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from rigidsym.codegen.forms import STEP, THETA
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.names import ATTITUDE, PARTS, RATES
-from rigidsym.codegen.seal.claims import Claim, formulas_of
+from rigidsym.codegen.seal.equality import Claim, formulas_of
 from rigidsym.codegen.seal.facts import by_fact
 from rigidsym.errors import InputError
 from rigidsym.language.expression import (

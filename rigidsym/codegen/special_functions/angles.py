@@ -7,7 +7,7 @@ series leave out is below 2^-106 of the sum: `series_tail` bounds it.
 from fractions import Fraction
 
 from rigidsym.codegen.ir import Constant, Function, Let, let
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 
 _EXTENDED, _TERMS = 8, 17
 # tan(pi/32) and tanh(log(2)/8) are below this after the halvings.

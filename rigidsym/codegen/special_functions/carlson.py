@@ -12,7 +12,7 @@ k^2 <= 1/2 and where c^2 >= k' s^2 above: measured, not proved.
 """
 
 from rigidsym.codegen.ir import Function, Let, let
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 
 STEPS = 4
 # What the kernel, in exact arithmetic, is off by at most, on the grids of the tests.

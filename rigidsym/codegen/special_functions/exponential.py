@@ -16,8 +16,7 @@ import mpmath
 from flint import arb
 
 from rigidsym.codegen.ir import Constant, Function, let
-from rigidsym.codegen.special_functions.polynomials import DIGITS, distance, interpolated
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import DIGITS, distance, horner, interpolated
 
 TERMS = 9
 # 2^-1022 is e^-708.4: where x is below this, 0 is the answer.

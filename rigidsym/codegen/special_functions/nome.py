@@ -11,7 +11,7 @@ its root, which are no less than 1 - k_next^2, leave e < 1/500.
 from fractions import Fraction
 
 from rigidsym.codegen.ir import Function, let
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 
 TERMS = 4
 _SOURCE = "DLMF 20.9.1"

@@ -1,6 +1,6 @@
-"""Near-minimax polynomials, and proved bounds for how far they are from a power series."""
+"""Polynomials: their text, near-minimax coefficients, and proved distances from power series."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from math import inf, nextafter
 
@@ -11,6 +11,38 @@ from mpmath import mpf
 DIGITS = 60
 _BITS = 300
 _PIECES = 64
+
+
+def linear(terms: Mapping[str, int]) -> str:
+    """The sum of coefficient times name; the name "1" stands for the number.
+
+    >>> linear({"1": 1, "a": -4, "b": 1, "c": 0})
+    '1 - 4*a + b'
+    """
+    text = ""
+    for name, factor in terms.items():
+        if not factor:
+            continue
+        size = abs(factor)
+        term = str(size) if name == "1" else name if size == 1 else f"{size}*{name}"
+        if text:
+            text += f" {'-' if factor < 0 else '+'} {term}"
+        else:
+            text = f"-{term}" if factor < 0 else term
+    return text or "0"
+
+
+def horner(variable: str, coefficients: Sequence[str]) -> str:
+    """The polynomial with these coefficients, lowest first.
+
+    >>> horner("x", ["a", "b", "c"])
+    'a + x*(b + x*c)'
+    """
+    first, *rest = coefficients
+    if not rest:
+        return first
+    inner = horner(variable, rest)
+    return f"{first} + {variable}*({inner})" if len(rest) > 1 else f"{first} + {variable}*{inner}"
 
 
 def interpolated(

@@ -1,25 +1,29 @@
-"""Angles that grow with time, reduced before any sine: exact products, nothing of size forgotten.
+"""Angles that grow with time, reduced before any sine."""
 
-A rate is hi + lo, and hi*t is formed with its rounding error; whole half turns are taken off the
-product, which is exact, before the small parts are added.  For |rate t| < 2^46 the rest is right
-to 2^-54 half turns: what is left out of the product is below 2^46 2^-106, what is added is below
-2^-7 and right to 2^-60, and the last sum, below 1/2 + 2^-7, is rounded once.
-"""
+from collections.abc import Callable, Sequence
+from fractions import Fraction
+from functools import cache
+from math import factorial
+
+import mpmath
+from flint import arb
+from mpmath import mpf
 
 from rigidsym.codegen.ir import EXACT_DIFFERENCE, EXACT_PRODUCT, EXACT_SUM, Constant, Let, let
-from rigidsym.codegen.special_functions import circle
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import DIGITS, distance, horner, interpolated
 
 TERMS = 8
 # What whole half turns do to sine and cosine; the sign they leave.
 TURNS = "DLMF 4.16"
 _SINE = [f"sine_{k}" for k in range(TERMS)]
 _COSINE = [f"cosine_{k}" for k in range(TERMS)]
+_FARTHEST = Fraction(65, 128)
+_RANGE = Fraction(0), _FARTHEST**2
 
 
 def constants() -> list[Constant]:
     """The coefficients of the polynomials."""
-    sines, cosines = circle.sine_coefficients(TERMS), circle.cosine_coefficients(TERMS)
+    sines, cosines = sine_coefficients(TERMS), cosine_coefficients(TERMS)
     return [
         *(
             Constant(n, c, None, f"sin(pi f)/f, z^{k + 1}")
@@ -90,3 +94,46 @@ def _sine(square: str, half_turns: str, sign: str, sine: str) -> Let:
         f" + {half_turns}*(pi_lo + {square}*({horner(square, _SINE)})))",
         "DLMF 4.19.1",
     )
+
+
+@cache
+def sine_coefficients(count: int) -> tuple[float, ...]:
+    """The doubles S_0 ... of S, `count` of them."""
+    return _fitted(lambda z: _sine_ratio(z) - mpmath.pi, count)
+
+
+@cache
+def cosine_coefficients(count: int) -> tuple[float, ...]:
+    """The doubles C_0 ... of C, `count` of them."""
+    return _fitted(lambda z: mpmath.cos(mpmath.pi * mpmath.sqrt(z)) - 1, count)
+
+
+def _sine_ratio(z: mpf) -> mpf:
+    f = mpmath.sqrt(z)
+    return mpmath.sin(mpmath.pi * f) / f
+
+
+def _fitted(function: Callable[[mpf], mpf], count: int) -> tuple[float, ...]:
+    """Coefficients of a polynomial p with z p(z) near the function."""
+    with mpmath.workdps(DIGITS):
+        first = float(interpolated(lambda z: function(z) / z, *_RANGE, count)[0])
+        rest = interpolated(lambda z: (function(z) / z - first) / z, *_RANGE, count - 1)
+        return (first, *map(float, rest))
+
+
+def sine_bound(coefficients: Sequence[float]) -> float:
+    """A bound for |f (pi + z S(z)) - sin(pi f)|."""
+    return distance(coefficients, lambda k: _taylor(2 * k + 3), *_RANGE, weight=_sine_weight)
+
+
+def cosine_bound(coefficients: Sequence[float]) -> float:
+    """A bound for |1 + z C(z) - cos(pi f)|."""
+    return distance(coefficients, lambda k: _taylor(2 * k + 2), *_RANGE)
+
+
+def _sine_weight(z: arb) -> arb:
+    return abs(z) * _FARTHEST.numerator / _FARTHEST.denominator
+
+
+def _taylor(power: int) -> arb:
+    return (-1) ** (power // 2) * arb.pi() ** power / factorial(power)

@@ -16,7 +16,7 @@ from fractions import Fraction
 from functools import cache
 
 from rigidsym.codegen.ir import Let, let
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 
 STEPS = 5
 # So many of them are extended.

@@ -13,7 +13,7 @@ Q < 0.208, so p_8 is below 2^-62.
 from collections.abc import Mapping, Sequence
 
 from rigidsym.codegen.ir import Let, let
-from rigidsym.codegen.special_functions.text import horner, linear
+from rigidsym.codegen.special_functions.polynomials import horner, linear
 
 # The largest k of p_k and d_k in a state; `Lambda` needs more of them.
 STATE, SECULAR = 7, 10

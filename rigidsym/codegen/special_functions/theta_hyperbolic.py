@@ -14,7 +14,7 @@ q < 0.0433, so that what is left out, q^16, is below 2^-72.
 from fractions import Fraction
 
 from rigidsym.codegen.ir import Let, let
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 
 STATE, SECULAR = 4, 6
 # Above e^-pi, the nome where k_1^2 = 1/2.

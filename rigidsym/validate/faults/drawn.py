@@ -21,7 +21,7 @@ from rigidsym.codegen.ir import Constant, Function, Let, is_extended
 from rigidsym.codegen.lines import Lines
 from rigidsym.codegen.special_functions import angles
 from rigidsym.codegen.targets.c import emit as c
-from rigidsym.codegen.targets.c import lanes, module
+from rigidsym.codegen.targets.c import frames, module
 from rigidsym.codegen.targets.numpy import emit as numpy
 from rigidsym.language.expression import (
     Call,
@@ -181,7 +181,7 @@ def _printer(target: str) -> _Printer:
 
     def first_line(function: Function) -> str:
         if form == STEP:
-            return lanes.frame(function, frozenset()).before[0].removesuffix(" {")
+            return next(frames.frames_of(function, (function,))).before[0].removesuffix(" {")
         return next(line for line in lines(function).text if line.startswith("static "))
 
     return _Printer(lines, first_line, c.constant_text, " /*")

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
 
-from rigidsym.codegen.limits import LIMITS
+from rigidsym.codegen.forms import LIMITS
 
 Floats = tuple[float, ...]
 Numbers = tuple[float | Fraction, ...]

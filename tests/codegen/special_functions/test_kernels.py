@@ -11,7 +11,6 @@ from values import value_of
 from rigidsym.codegen.functions import constants, functions
 from rigidsym.codegen.special_functions import (
     angles,
-    circle,
     landen,
     nome,
     reduction,
@@ -119,7 +118,7 @@ def test_logarithm(x):
 
 @pytest.mark.parametrize("count", [6, 7, 8])
 def test_sine_and_cosine_stay_within_their_bounds(count):
-    sines, cosines = circle.sine_coefficients(count), circle.cosine_coefficients(count)
+    sines, cosines = reduction.sine_coefficients(count), reduction.cosine_coefficients(count)
     worst = {"sine": mpf(0), "cosine": mpf(0)}
     for k in range(2001):
         f = mpf(k) / 4000
@@ -129,11 +128,11 @@ def test_sine_and_cosine_stay_within_their_bounds(count):
         worst["sine"] = max(worst["sine"], abs(s - mpmath.sin(mpmath.pi * f)))
         worst["cosine"] = max(worst["cosine"], abs(c - mpmath.cos(mpmath.pi * f)))
     for found, proved in zip(
-        worst.values(), (circle.sine_bound(sines), circle.cosine_bound(cosines)), strict=True
+        worst.values(), (reduction.sine_bound(sines), reduction.cosine_bound(cosines)), strict=True
     ):
         assert found <= proved <= 2 * float(found)
     assert reduction.TERMS == 8
-    assert circle.sine_bound(circle.sine_coefficients(8)) < 2.0**-54
+    assert reduction.sine_bound(reduction.sine_coefficients(8)) < 2.0**-54
 
 
 def theta(n, z, q):

@@ -1,22 +1,12 @@
-"""sn, cn, dn and the integrals of the elapsed time, for m > 1/2: thetas of imaginary time.
+"""The elapsed time for m > 1/2."""
 
-With y = pi u/2K', g = pi/2K', q the nome of m_1 = 1 - m, r^2 = m_1/q and w = e^-|y|, the
-integral of sd^2 times m is
-
-    (8 g/r^2) (sgn(y) N/(w theta_3) - A_0 y/theta_3(0)) + (half periods) F_period
-
-theta_3 being over e^|y|/2, 2 N = w^2 (sinh 2|y| + 2 q^3 sinh 4|y| + 3 q^8 sinh 6|y|), which is by
-the slope of log theta_3, and A_0 = 1 + 4 q^3 + 9 q^8 (DLMF 22.16.30 with 20.7(viii)).
-On the separatrix q = 0, and nothing here divides by it.  The same of the phase z, less what it was
-at t = 0, is the integral over the phase, which `along` takes.
-"""
-
-from rigidsym.codegen.functions.attitude import flat
-from rigidsym.codegen.functions.reduced_time import elapsed_phase, elapsed_time, period_bounds
-from rigidsym.codegen.functions.sensitivity import near, thetas
+from rigidsym.codegen.functions.common import elapsed_phase, elapsed_time, period_bounds
+from rigidsym.codegen.functions.sensitivity import near
 from rigidsym.codegen.functions.sensitivity.moduli import RESULTS
 from rigidsym.codegen.functions.sensitivity.real import ELAPSED, PASSED
+from rigidsym.codegen.functions.theta import flat
 from rigidsym.codegen.ir import Function, Let, let
+from rigidsym.codegen.special_functions.polynomials import horner
 
 _GIVEN = (*(name for name in RESULTS if name != "divisor"), "y0")
 _SPLIT = ("y_rate", "period", "z0")
@@ -24,6 +14,7 @@ _BEYOND = ("period_far", "period_inverse")
 _PHASE = ("z_w2", "z_p2", "z", "z_side", "turns")
 _NOMES = ("nome2", "nome4", "nome6", "nome8", "nome12", "nome16", "nome18")
 _PERIOD, _SQUARE, _ZETA = "DLMF 20.2.7", "DLMF 20.2.2", "DLMF 22.16.30"
+_SERIES = ("DLMF 20.2.1", "DLMF 20.2.2")
 
 
 def imaginary() -> tuple[Function, ...]:
@@ -67,8 +58,8 @@ def _constants() -> list[Let]:
         let("ratio = _root_ratio(complement, modulus)", "DLMF 20.9.1"),
         let("root_nome = complement/ratio", "DLMF 20.9.1"),
         let("nome2 = root_nome*root_nome", "DLMF 20.9.1"),
-        *thetas.powers(),
-        *thetas.at_zero(),
+        *_powers(),
+        *_at_zero(),
         let("g = 1/(three*three)", "DLMF 20.9.2"),
         let("y_rate = lambda_*g"),
         # On the separatrix the nome is zero and nothing ever returns.
@@ -117,7 +108,7 @@ def _over_phase(z: str, integral: str, whole: str = "") -> list[Let]:
     linear = f"{whole}*passed_period - passed_rate*{z}" if whole else f"-passed_rate*{z}"
     return [
         let(f"{z}_rise = {_rise(w2, p2)}", _ZETA),
-        let(f"{z}_theta = {thetas.third(w2, p2)}", "DLMF 20.2.3"),
+        let(f"{z}_theta = {_third_theta(w2, p2)}", "DLMF 20.2.3"),
         let(f"{integral} = passed_gain*{z}_side*({z}_rise/({w2}*{z}_theta)) + ({linear})", _ZETA),
     ]
 
@@ -146,7 +137,7 @@ def _angles() -> list[Let]:
 def _state() -> list[Let]:
     return [
         let("qw2 = nome2*(w*w)", _SQUARE),
-        *thetas.values(),
+        *_theta_values(),
         let("over = 1/theta2_y"),
         *near.growth(),
         near.root(),
@@ -166,3 +157,49 @@ def _state() -> list[Let]:
         let("passed = passed_z - passed_0", _ZETA),
         let("turned = size(turns)", _PERIOD),
     ]
+
+
+def _powers() -> list[Let]:
+    """q^2, q^3, ... as far as anything needs them."""
+    made = {4: (2, 2), 6: (4, 2), 8: (4, 4), 12: (8, 4), 16: (8, 8), 18: (12, 6), 32: (16, 16)}
+    return [let(f"nome{n} = nome{i}*nome{j}", "DLMF 20.2.2") for n, (i, j) in made.items()]
+
+
+def _at_zero() -> list[Let]:
+    """theta_2, theta_3, theta_4 of zero, the first over 2 q^(1/4)."""
+    return [
+        let("two = 1 + nome4 + nome12 + nome12*nome12", "DLMF 20.2.2"),
+        let("three = 1 + 2*nome2 + 2*nome8 + 2*nome18 + 2*nome32", "DLMF 20.2.3"),
+        let("four = 1 - 2*nome2 + 2*nome8 - 2*nome18 + 2*nome32", "DLMF 20.2.4"),
+    ]
+
+
+def _theta_values() -> list[Let]:
+    """theta_1 to theta_4 of i y, over q^(1/4) e^|y|, from w, p2, qw2 and sgn(y)."""
+    falling, turning = ["1", "nome2", "nome8", "nome18"], ["1", "-nome2", "nome8", "-nome18"]
+    return [
+        let("w2 = w*w", *_SERIES),
+        let(f"tall = {horner('p2', falling)}", "DLMF 20.2.2"),
+        let(f"deep = w2*({horner('qw2', falling)})", "DLMF 20.2.2"),
+        let("theta2_y = tall + deep", "DLMF 20.2.2"),
+        let(f"tall_1 = {horner('p2', turning)}", "DLMF 20.2.1"),
+        let(f"deep_1 = w2*({horner('qw2', turning)})", "DLMF 20.2.1"),
+        let("theta1_y = side*(tall_1 - deep_1)", "DLMF 20.2.1"),
+        let(f"ends = {_ends('w2', 'p2')}", "DLMF 20.2.3"),
+        let(f"middle = {_middle('w2', 'p2')}", "DLMF 20.2.3"),
+        let("theta3_y = 2*(w*(middle + ends))", "DLMF 20.2.3"),
+        let("theta4_y = 2*(w*(middle - ends))", "DLMF 20.2.4"),
+    ]
+
+
+def _third_theta(w2: str, p2: str) -> str:
+    """theta_3 of i z over 2 q^(1/4), from e^(-2 |z|) and that from the other end of the period."""
+    return f"({_middle(w2, p2)}) + ({_ends(w2, p2)})"
+
+
+def _ends(w2: str, p2: str) -> str:
+    return f"{p2}*(1 + nome12*({p2}*{p2})) + {w2}*(nome2 + nome18*({w2}*{w2}))"
+
+
+def _middle(w2: str, p2: str) -> str:
+    return f"1 + nome4*({p2}*{p2}) + {w2}*{w2}*nome8"

@@ -1,11 +1,27 @@
-"""lambda and the modulus of a motion, from differences taken before rounding."""
+"""The inputs of a motion's sensitivities, and its moduli, from differences before rounding."""
 
-from rigidsym.codegen.functions.sensitivity.given import EXTENDED, GIVEN, coefficients
-from rigidsym.codegen.ir import Function, let
+from collections.abc import Iterable
+
+from rigidsym.codegen.ir import Function, Let, let
+from rigidsym.codegen.names import DIFFERENCES, INERTIA, NUMBERS
 from rigidsym.codegen.passes import select
 from rigidsym.solution import Solution
+from rigidsym.solution.formulas import AXES
+from rigidsym.solution.signs import HANDEDNESS
 
+START = tuple(f"Omega_{x}0" for x in AXES)
+EXTENDED = (*INERTIA, *DIFFERENCES, *START, "E_b")
+GIVEN = (*EXTENDED, *NUMBERS)
 RESULTS = ("p", "r", "apart", "lambda_", "divisor", "modulus", "complement")
+
+
+def coefficients(solution: Solution, names: Iterable[str]) -> list[Let]:
+    """Those of Euler's equations, and what the moments change them by."""
+    given = (*EXTENDED, "epsilon")
+    return [
+        let(f"epsilon = {HANDEDNESS}", "Levi-Civita"),
+        *select(solution.sequences["moments"], tuple(names), given),
+    ]
 
 
 def moduli(solution: Solution) -> Function:

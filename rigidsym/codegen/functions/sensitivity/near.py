@@ -7,7 +7,7 @@ stays a sixth of: each term is below a thirty-ninth of the one before, and TERMS
 """
 
 from rigidsym.codegen.ir import Let, let
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 
 TERMS = 10
 # Up to here p t^2 is small; and so small that S_t is t.

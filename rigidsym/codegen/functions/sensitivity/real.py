@@ -9,13 +9,13 @@ where Q/m is regular at m = 0; B is the slope of sin 2v A, so that all of it van
 u = 0.  They leave out 16 Q^15.
 """
 
-from rigidsym.codegen.functions.attitude import flat
 from rigidsym.codegen.functions.sensitivity import near
 from rigidsym.codegen.functions.sensitivity.moduli import RESULTS
+from rigidsym.codegen.functions.theta import flat
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.passes import select
 from rigidsym.codegen.special_functions import reduction, theta_circular
-from rigidsym.codegen.special_functions.text import horner
+from rigidsym.codegen.special_functions.polynomials import horner
 from rigidsym.solution import Solution
 
 _SPLIT = ("v_rate",)

@@ -1,38 +1,75 @@
-"""What stands around the lines of a function in C: its head, what it reads, and what it returns."""
+"""C around the lines of a function: its head, the numbers it reads, and where results go.
+
+A function of one motion takes parameters, or reads arrays by index and a struct of constants.  A
+function of several bodies side by side is a loop over the members of structs of arrays: an extended
+number is two members, `<name>_hi` and `<name>_lo`, and a function that takes it as a double reads
+the first.  The constants of motions have structs of their own, in the order of one motion's.
+
+Functions of steps take the number of bodies.  Those of motions fill all lanes, as many as a
+register holds, even for one motion: a compiler should make vectors alone of lines this long, and no
+second copy.
+"""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from rigidsym.codegen.ir import Function
 from rigidsym.codegen.lines import flat_results
-from rigidsym.codegen.targets.c import lanes
-from rigidsym.codegen.targets.c.frame import Frame
 
-_LOOP = "for (size_t i = 0; i < n; i++) {"
+_MOTIONS = ("_initial_state", "_circular_constants", "_hyperbolic_constants")
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """A function as C has it, and the statements before and after its lines.
+
+    number: the prefix of operations on its extended numbers.
+    """
+
+    name: str
+    function: Function
+    number: str
+    before: tuple[str, ...]
+    after: tuple[str, ...]
 
 
 def frames(functions: tuple[Function, ...]) -> Iterator[Frame]:
-    """All functions in order; `_discriminant` is there for two kinds of numbers."""
-    extended = lanes.pairs(functions)
-    members = {f.name: {*flat_results(f)} for f in functions if f.name.endswith("_constants")}
+    """Yield the frames of all functions in order."""
     for function in functions:
-        name = function.name[1:]
-        if lanes.takes_several(function):
-            yield lanes.frame(function, extended)
-        elif name == "discriminant":
-            every = replace(function, extended=frozenset(function.parameters))
-            yield _valued(f"{name}_dd", every, "double_double", "dd")
-            yield _valued(f"{name}_exact", every, "exact", "exact")
-        elif len(function.results) == 1 and not function.extended:
-            yield _valued(name, function, "double", "dd", "static INLINED")
-        elif name.endswith("_constants"):
-            yield _constants(name, function)
-        elif name.endswith(("_angles", "_state")):
-            yield _loop(name, function, members[f"_{name.split('_')[0]}_constants"])
-        elif len(function.results) == 1:
-            yield _valued(name, function, "double_double", "dd")
-        else:
-            yield _handing_out(name, function)
+        yield from frames_of(function, functions)
+
+
+def frames_of(function: Function, among: tuple[Function, ...]) -> Iterator[Frame]:
+    """Yield the frame of one function of a module; `_discriminant` has one for each number."""
+    name = function.name[1:]
+    if takes_several(function):
+        yield _side_by_side(function, pairs(among))
+    elif name == "discriminant":
+        every = replace(function, extended=frozenset(function.parameters))
+        yield _valued(f"{name}_dd", every, "double_double", "dd")
+        yield _valued(f"{name}_exact", every, "exact", "exact")
+    elif len(function.results) == 1 and not function.extended:
+        yield _valued(name, function, "double", "dd", "static INLINED")
+    elif function.rounds:
+        yield _constants(name, function)
+    elif name.endswith(("_angles", "_state")):
+        (constants,) = (f for f in among if f.name == f"_{branch(function)}_constants")
+        yield _loop(name, function, {*flat_results(constants)})
+    elif len(function.results) == 1:
+        yield _valued(name, function, "double_double", "dd")
+    else:
+        yield _handing_out(name, function)
+
+
+def branch(function: Function) -> str:
+    """Return the first word of a function's name: circular, hyperbolic or steady."""
+    return function.name.split("_")[1]
+
+
+def struct(function: Function) -> tuple[str, ...]:
+    """Return the struct of the constants that a function leaves, as statements."""
+    members = f"double {', '.join(flat_results(function))};"
+    return "typedef struct {", members, "}", f"torque_free_{branch(function)};"
 
 
 def _head(kind: str, name: str, parameters: Iterable[str]) -> str:
@@ -61,8 +98,8 @@ def _handing_out(name: str, function: Function) -> Frame:
 
 
 def _constants(name: str, function: Function) -> Frame:
-    """Each result is a member of a struct, rounded, or two where it is split."""
-    branch, extended = name.split("_")[0], function.all_extended()
+    """Store each result as a member of a struct, rounded, or as two where it is split."""
+    extended = function.all_extended()
     values: dict[str, str] = {}
     for result in function.results:
         if result in function.split:
@@ -70,26 +107,119 @@ def _constants(name: str, function: Function) -> Frame:
         else:
             values[result] = f"dd_rounded({result})" if result in extended else result
     stores = [f"motion->{member} = {value};" for member, value in values.items()]
-    head = _head("static void", name, [*_given(function), f"torque_free_{branch} *motion"])
+    head = _head(
+        "static void", name, [*_given(function), f"torque_free_{branch(function)} *motion"]
+    )
     return Frame(name, function, "dd", (head,), (*stores, "}"))
 
 
 def _loop(name: str, function: Function, members: set[str]) -> Frame:
-    """What changes with time is read and written by index, what does not from a struct."""
-    branch, used = name.split("_")[0], function.used()
+    """Read and write by index what changes with time; read the rest from a struct."""
+    used = function.used()
     changing = [x for x in function.parameters if x not in members]
     kept = [x for x in function.parameters if x in members and x in used]
-    parameters = [f"const torque_free_{branch} *motion", "size_t n"]
+    parameters = [f"const torque_free_{branch(function)} *motion", "size_t n"]
     parameters += [f"const double *restrict {x}_in" for x in changing]
     parameters += [f"double *restrict {x}_out" for x in function.results]
     before = [_head("static void", name, parameters)]
     before += [f"const double {x} = motion->{x};" for x in kept]
-    before += [_LOOP, *(f"const double {x} = {x}_in[i];" for x in changing)]
+    before += ["for (size_t i = 0; i < n; i++) {"]
+    before += [f"const double {x} = {x}_in[i];" for x in changing]
     stores = [f"{x}_out[i] = {x};" for x in function.results]
     return Frame(name, function, "dd", tuple(before), (*stores, "}", "}"))
 
 
-def struct(function: Function) -> tuple[str, ...]:
-    """The constants that a function leaves, as statements."""
-    members = f"double {', '.join(flat_results(function))};"
-    return "typedef struct {", members, "}", f"torque_free_{function.name.split('_')[1]};"
+# --- several bodies side by side
+
+
+def takes_several(function: Function) -> bool:
+    """Return True for a function that takes several bodies at once."""
+    return _is_step(function) or function.name in _MOTIONS
+
+
+def _is_step(function: Function) -> bool:
+    return function.name.startswith("_step_")
+
+
+def _has_struct(function: Function) -> bool:
+    return function.name.endswith("_constants")
+
+
+def pairs(functions: Iterable[Function]) -> frozenset[str]:
+    """Return the names that are extended numbers for some function of several bodies."""
+    own = filter(takes_several, functions)
+    return frozenset(name for f in own for name in (*f.extended, *_split(f)))
+
+
+def _split(function: Function) -> frozenset[str]:
+    """Return the results that are handed on as two doubles."""
+    if function.rounds:
+        return function.split
+    return function.all_extended() & {*function.results}
+
+
+def _flat(names: Iterable[str], extended: frozenset[str]) -> Iterator[str]:
+    """Yield the members that hold the numbers."""
+    for name in names:
+        yield from (f"{name}_hi", f"{name}_lo") if name in extended else (name,)
+
+
+def _side_by_side(function: Function, extended: frozenset[str]) -> Frame:
+    """Return the frame of a function of several bodies; `extended` is the result of `pairs`."""
+    name, is_step, has_struct = function.name[1:], _is_step(function), _has_struct(function)
+    place = "x->" if is_step else "lane->"
+    if is_step:
+        head = _head("static void", name, ("size_t n", "lanes *x"))
+    elif has_struct:
+        own = f"{_struct_name(function)} *restrict motion"
+        head = _head("static FLAT void", name, ("const lanes *restrict lane", own))
+    else:
+        head = _head("static FLAT void", name, ("lanes *lane",))
+    loop = f"for (size_t i = 0; i < {'n' if is_step else 'LANES'}; i++) {{"
+    loads = [_load(x, place, function, extended) for x in function.parameters]
+    to = "motion->" if has_struct else place
+    stores = [store for x in function.results for store in _stores(x, to, function)]
+    return Frame(name, function, "dd", (head, loop, *loads), (*stores, "}", "}"))
+
+
+def _struct_name(function: Function) -> str:
+    return f"{branch(function)}_lanes"
+
+
+def _load(name: str, place: str, function: Function, extended: frozenset[str]) -> str:
+    if name in function.extended:
+        return f"const double_double {name} = {{{place}{name}_hi[i], {place}{name}_lo[i]}};"
+    member = f"{name}_hi" if name in extended else name
+    return f"const double {name} = {place}{member}[i];"
+
+
+def _stores(name: str, place: str, function: Function) -> list[str]:
+    if name in _split(function):
+        return [f"{place}{name}_{half}[i] = {name}.{half};" for half in ("hi", "lo")]
+    value = f"dd_rounded({name})" if name in function.all_extended() else name
+    return [f"{place}{name}[i] = {value};"]
+
+
+def members(functions: tuple[Function, ...]) -> list[str]:
+    """Return the members of the struct, in the order in which functions name them."""
+    extended, found = pairs(functions), dict[str, None]()
+    for function in filter(takes_several, functions):
+        found |= dict.fromkeys(_flat(function.parameters, extended))
+        if not _has_struct(function):
+            found |= dict.fromkeys(_flat(function.results, _split(function)))
+    return list(found)
+
+
+def lane_structs(functions: tuple[Function, ...]) -> list[str]:
+    """Return the structs of arrays as statements, a member each."""
+    own = tuple(filter(takes_several, functions))
+    # `turned` is the runtime's: -1 where a and d have changed places.
+    more = ("turned",) if any(map(_is_step, own)) else ()
+    found = _lane_struct("lanes", (*members(own), *more))
+    for function in filter(_has_struct, own):
+        found += _lane_struct(_struct_name(function), flat_results(function))
+    return found
+
+
+def _lane_struct(name: str, arrays: Iterable[str]) -> list[str]:
+    return ["typedef struct {", *(f"double {array}[LANES];" for array in arrays), "}", f"{name};"]

@@ -2,14 +2,13 @@
 
 import re
 from importlib import resources
+from itertools import product
 from pathlib import PurePath
 
 from rigidsym.codegen import header
-from rigidsym.codegen.forms import PI, STEP, THETA, key, option
+from rigidsym.codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym.codegen.ir import Constant, Function
-from rigidsym.codegen.limits import limits
-from rigidsym.codegen.lines import Lines, Module, joined
-from rigidsym.codegen.shares import shares, text
+from rigidsym.codegen.lines import Lines, Module, joined, shares
 from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.c import codes, emit
 
@@ -134,23 +133,21 @@ def build(
     functions: tuple[Function, ...], constants: tuple[Constant, ...], form: str = THETA
 ) -> Module:
     """Input: functions of lets and the numbers they name.  Output: the module."""
-    by_name = {function.name: function for function in functions}
-    constants_of = [function for function in functions if function.rounds]
     whole = joined(
         [
             Lines.plain(source_first(form)),
             *emit.module(functions, constants),
-            Lines.plain(_limited(_filled(source_last(form), by_name, form), form)),
+            Lines.plain(source_last(functions, form)),
         ]
     )
-    if form == STEP:
-        constants_of = []
+    constants_of = [function for function in functions if function.rounds and form != STEP]
     structs = "\n\n".join(map(emit.branch_struct, constants_of))
-    counts = shares(whole.kinds(), key("c", form))
-    header_text = f"{header_first(form)}{structs}\n{_header_last(constants_of, form)}"
-    header_text = header_text.replace(header.SHARES, text(counts))
+    head = header_first(form).replace(header.SHARES, shares(whole.kinds(), key("c", form)))
     source = SOURCES[form]
-    files = {HEADERS[form]: header_text, source: "\n".join(whole.text) + "\n"}
+    files = {
+        HEADERS[form]: f"{head}{structs}\n{header_last(functions, form)}",
+        source: "\n".join(whole.text) + "\n",
+    }
     files = {name: named(text, form) for name, text in files.items()}
     files, digest = header.sealed(files, key("c", form))
     return Module(files, {source: whole.lets}, digest)
@@ -179,29 +176,25 @@ def plain(text: str, form: str) -> str:
 
 
 def header_first(form: str) -> str:
-    """What is written by hand before the structs, with places for shares, digest and errors."""
+    """Return the text before the structs, with marks for shares, digest and measured errors."""
     head = _HEAD.format(text=header.text("c", form), option=option(form))
     head = head.replace("@notes@", _STEP_NOTES if form == STEP else _NOTES)
-    return f"{head}\n{_FIRST.replace('TORQUE_FREE_H', _guard(form))}\n"
+    guard = HEADERS[form].upper().replace(".", "_") if form == STEP else "TORQUE_FREE_H"
+    return f"{head}\n{_FIRST.replace('TORQUE_FREE_H', guard)}\n"
 
 
-def _guard(form: str) -> str:
-    """What tells that a header was read."""
-    return HEADERS[form].upper().replace(".", "_") if form == STEP else "TORQUE_FREE_H"
-
-
-def header_last(form: str) -> str:
-    """What is written by hand after the structs, with places for their members and for limits."""
+def header_last(functions: tuple[Function, ...], form: str) -> str:
+    """Return the text after the structs."""
     parts = {
         THETA: ("interface.h", "sensitivity.h"),
         STEP: ("step_interface.h", "kick_interface.h"),
     }
     text = "\n\n".join(map(_part, parts.get(form, ("interface.h",))))
-    return f"\n{codes.filled(text, form)}\n{_LAST.strip()}\n"
+    return _filled(f"\n{text}\n{_LAST.strip()}\n", functions, form)
 
 
 def source_first(form: str) -> str:
-    """What is written by hand before the numbers."""
+    """Return the text before the numbers."""
     includes = _INCLUDES.replace("@header@", HEADERS[form])
     if form == STEP:
         before, _, _ = includes.partition("/* How many states are computed")
@@ -211,81 +204,65 @@ def source_first(form: str) -> str:
     return "\n".join([includes, _part("double_double.c"), _part("exact.c"), ""])
 
 
-def source_last(form: str) -> str:
-    """What is written by hand after the functions, with places for names and limits."""
+def source_last(functions: tuple[Function, ...], form: str) -> str:
+    """Return the text after the functions, with what they take and give."""
     if form == STEP:
-        return codes.filled(f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n", form)
-    parts = ["arithmetic.c", "runtime.c", *(["sensitivity.c"] if form == THETA else [])]
-    text = "\n\n".join(map(_part, parts)) + "\n"
-    return codes.filled(text.replace("@one by one@", str(ONE_BY_ONE[form])), form)
+        text = f"@limits@\n\n{_part('step.c')}\n\n{_part('kick.c')}\n"
+    else:
+        parts = ["arithmetic.c", "runtime.c", *(["sensitivity.c"] if form == THETA else [])]
+        text = "\n\n".join(map(_part, parts)) + "\n"
+    return _filled(text, functions, form)
 
 
-def _header_last(constants_of: list[Function], form: str) -> str:
-    branches = (b for b in map(emit.branch, constants_of) if b in BRANCHES)
-    members = "\n".join(f"        torque_free_{b} {b};" for b in branches)
-    return _limited(header_last(form).replace("@branches@", members), form)
-
-
-def _limited(text: str, form: str) -> str:
-    """The text with the exponents of limits in their places."""
-    for limit in limits(form):
-        text = text.replace(f"@{limit.name}@", str(limit.exponent))
-    return text
-
-
-def _filled(text: str, by_name: dict[str, Function], form: str) -> str:
-    if form == STEP:
-        text = text.replace("@limits@", _limit_lines(form))
-        return text.replace("@steps@", str(STEPS)).replace("@last@", str(LAST))
-    places = {"@limits@": _limit_lines(form)}
-    for branch in ("circular", "hyperbolic"):
-        count = len(by_name[f"_{branch}_angles"].results)
-        places |= {f"@{branch} rows of {x}@": _rows(x, count) for x in ("in", "to")}
-    if "_moduli" in by_name:
-        places |= _of_sensitivities(by_name)
-    for mark, meaning in places.items():
-        text = text.replace(mark, meaning)
-    return text
-
-
-def _of_sensitivities(by_name: dict[str, Function]) -> dict[str, str]:
-    """The marks of `sensitivity.c`."""
-    results = by_name["_moduli"].results
-    places = {
-        "@moduli@": ", ".join(results),
-        "@moduli out@": ", ".join(f"&{name}" for name in results),
-        "@moduli given@": ", ".join(by_name["_moduli"].parameters),
-        "@turn columns@": ", ".join(f"by[{k}]" for k in range(18)),
-    }
-    for name in ("along", "columns"):
-        places[f"@{name} given@"] = ", ".join(by_name[f"_{name}_constants"].parameters)
-    for name, array in (("along", "along"), ("columns", "columns"), ("turn", "turned_by")):
-        count = len(by_name[f"_{name}_state"].results)
-        places[f"@{name} rows of {array}@"] = _rows(array, count)
-    for name in ("real", "imaginary"):
-        places[f"@{name} given@"] = ", ".join(by_name[f"_{name}_constants"].parameters)
-        # Rows of angles, in a block of their own.
-        rows = _rows("in", len(by_name[f"_{name}_angles"].results))
-        places[f"@{name} rows of in@"] = rows.replace("* s", "* SENSITIVE").replace(
-            "in + s", "in + SENSITIVE"
-        )
-    return places
-
-
-def _limit_lines(form: str) -> str:
-    return "\n".join(
+def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
+    """Fill the marks of a text: codes, limits, and the parameters and results of functions."""
+    marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions, form)
+    marks["limits"] = "\n".join(
         f"static const double {limit.name} = {2.0**limit.exponent!r}; "
         f"/* 2^{limit.exponent}, {limit.meaning} */"
         for limit in limits(form)
     )
+    marks |= {limit.name: str(limit.exponent) for limit in limits(form)}
+    text = codes.filled(text, form)
+    for mark, meaning in marks.items():
+        text = text.replace(f"@{mark}@", meaning)
+    return text
 
 
-def _rows(name: str, count: int) -> str:
-    """Where the rows of an array begin that are s apart."""
-    return ", ".join([name, f"{name} + s", *(f"{name} + {k} * s" for k in range(2, count))])
+def _marks(functions: tuple[Function, ...], form: str) -> dict[str, str]:
+    """Return the parameters and results of functions of motions, by mark."""
+    by_name = {function.name: function for function in functions}
+
+    def parameters(name: str) -> str:
+        return ", ".join(by_name[name].parameters)
+
+    def rows(name: str, array: str, apart: str = "s") -> str:
+        """Point at the rows of an array, one for each result of a function."""
+        count = len(by_name[name].results)
+        further = [f"{array} + {k} * {apart}" for k in range(2, count)]
+        return ", ".join([array, f"{array} + {apart}", *further])
+
+    marks = {"branches": "\n".join(f"        torque_free_{name} {name};" for name in BRANCHES)}
+    marks["one by one"] = str(ONE_BY_ONE[form])
+    for name, array in product(("circular", "hyperbolic"), ("in", "to")):
+        marks[f"{name} rows of {array}"] = rows(f"_{name}_angles", array)
+    if "_moduli" not in by_name:
+        return marks
+    moduli = by_name["_moduli"].results
+    marks["moduli"], marks["moduli given"] = ", ".join(moduli), parameters("_moduli")
+    marks["moduli out"] = ", ".join(f"&{name}" for name in moduli)
+    marks["turn columns"] = ", ".join(f"by[{k}]" for k in range(18))
+    for name in ("along", "columns", "real", "imaginary"):
+        marks[f"{name} given"] = parameters(f"_{name}_constants")
+    for name, array in (("along", "along"), ("columns", "columns"), ("turn", "turned_by")):
+        marks[f"{name} rows of {array}"] = rows(f"_{name}_state", array)
+    for name in ("real", "imaginary"):
+        # Rows of angles lie in a block of their own.
+        marks[f"{name} rows of in"] = rows(f"_{name}_angles", "in", "SENSITIVE")
+    return marks
 
 
 def _part(name: str) -> str:
-    """What is written by hand in a file, with other files where it names them."""
+    """Return the text of a file, with the text of other files where it names them."""
     text = resources.files("rigidsym.codegen.targets.c").joinpath(name).read_text("utf-8").strip()
     return re.sub(r"@(\w+\.c)@", lambda found: _part(found[1]), text)

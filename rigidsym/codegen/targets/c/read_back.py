@@ -4,30 +4,161 @@ What is written by hand is compared word for word, with what the functions say a
 """
 
 import re
-from collections.abc import Iterator, Mapping
-from dataclasses import astuple
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
 
-from rigidsym.codegen import header, shares
+from rigidsym.codegen import header
 from rigidsym.codegen.forms import STEP, THETA, key
 from rigidsym.codegen.ir import Constant, Function, Let
-from rigidsym.codegen.limits import limits
-from rigidsym.codegen.lines import comment
+from rigidsym.codegen.lines import comment, shares
 from rigidsym.codegen.passes import fuse, unfused
-from rigidsym.codegen.seal.by_hand import Between, between
-from rigidsym.codegen.seal.claims import DIFFERS
-from rigidsym.codegen.seal.equality import is_equal
-from rigidsym.codegen.special_functions.short_time import LAST, STEPS
-from rigidsym.codegen.targets.c import lanes, module
-from rigidsym.codegen.targets.c.expressions import Reader
-from rigidsym.codegen.targets.c.frame import Frame
-from rigidsym.codegen.targets.c.frames import frames, struct
-from rigidsym.codegen.targets.c.statements import Statement, statements
+from rigidsym.codegen.seal.equality import DIFFERS, is_equal
+from rigidsym.codegen.seal.text import Between, between
+from rigidsym.codegen.targets.c import module
+from rigidsym.codegen.targets.c.frames import Frame, frames, lane_structs, struct
 from rigidsym.errors import InputError
+from rigidsym.language.expression import Call, Expression, Name, Number, Operation, parse
 
 # The types of extended numbers by what begins the names of their operations.
 _PAIRS = {"dd": "double_double", "exact": "exact"}
 _SET = re.compile(r"const (\w+) (\w+) = (.*);")
 _CALL = re.compile(r"(\w+\([^&]*), &(\w+(?:, &\w+)*)\);")
+_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+# A backslash, or a trigraph, could end a comment early; the rest is what no derived line needs.
+_STRANGE = re.compile(r"\\|\?\?|[^\n -~]")
+_FOREIGN = re.compile(r"//|/\*|[^\w\s(){}\[\]+*/,;.=<>&-]")
+# A loop, a number that is a pair, or what ends with a semicolon or begins or ends a block.
+_STATEMENT = re.compile(r"\s*(for \([^(){}]*\) \{|[^;{}]*= \{[^;{}]*\};|[^;{}]*[;{}])")
+_NUMBER = re.compile(r"(?<![\w.])[\d.][\w.]*")
+_WHOLE = re.compile(r"(0|[1-9]\d*)\.0")
+_OPERATIONS = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+# Functions of doubles and what they compute.
+_OF_DOUBLES = {
+    **{"fused": "fma", "fabs": "size", "sqrt": "sqrt", "exponential": "exp", "choose": "choose"},
+    **{name: name for name in ("nearest", "alternating", "power_of_two", "product_error")},
+}
+# Functions of extended numbers, after `dd_`: kinds of arguments (x: extended), and of the value.
+_OF_EXTENDED = {
+    **{"neg": ("x", "x"), "sqrt": ("x", "x"), "size": ("x", "x"), "mantissa": ("x", "x")},
+    **{"rounded": ("x", "d"), "exponent": ("x", "d"), "choose": ("ddxx", "x"), "of": ("d", "x")},
+}
+
+
+class Statement(NamedTuple):
+    """A statement, spaced as if it were in one line, and the line that it begins in."""
+
+    line: int
+    text: str
+
+
+def statements(file: str, derived: Between) -> Iterator[Statement]:
+    """Raises InputError, naming the line, for a character that derived text does not have."""
+    _refuse(file, derived, _STRANGE)
+    blank = Between(file, derived.line, _COMMENT.sub(_spaces, derived.text))
+    _refuse(file, blank, _FOREIGN)
+    text, begin, line = blank.text, 0, blank.line
+    end = len(text.rstrip())
+    while begin < end:
+        found = _STATEMENT.match(text, begin)
+        if not found:
+            raise InputError(f"{file}:{line}", text[begin:].strip(), "does not end")
+        line += text.count("\n", begin, found.start(1))
+        yield Statement(line, " ".join(found[1].split()))
+        line += text.count("\n", found.start(1), found.end())
+        begin = found.end()
+
+
+def _spaces(comment: re.Match[str]) -> str:
+    """As many lines."""
+    return " " + "\n" * comment[0].count("\n")
+
+
+def _refuse(file: str, text: Between, what: re.Pattern[str]) -> None:
+    found = what.search(text.text)
+    if found:
+        number = text.text.count("\n", 0, found.start())
+        line = text.text.split("\n")[number].strip()
+        rule = f"derived text has no {found[0].strip()!r}"
+        raise InputError(f"{file}:{number + text.line}", line, rule)
+
+
+@dataclass(frozen=True, slots=True)
+class Reader:
+    """Reads the expressions of one function: `extended` are the names of its extended numbers.
+
+    number: what begins the names of their operations, `dd` or `exact`; functions: those of the
+    module that may be called, by name.
+    """
+
+    place: str
+    number: str
+    extended: Collection[str]
+    functions: Mapping[str, Function]
+
+    def read(self, text: str) -> tuple[Expression, bool]:
+        """An expression, and whether its value is extended; raises InputError for anything else."""
+        for number in _NUMBER.findall(text):
+            if not _WHOLE.fullmatch(number):
+                raise InputError(self.place, text, f"{number} is no whole number with a point")
+        if re.search(r"\bneg\(", text):
+            raise InputError(self.place, text, "neg: called and not known")
+        try:
+            expression = parse(_WHOLE.sub(r"\1", text))
+        except (SyntaxError, ValueError):
+            raise InputError(self.place, text, "is no expression") from None
+        whole, kind = self._read(expression)
+        return whole, kind == "x"
+
+    def _read(self, expression: Expression) -> tuple[Expression, str]:
+        match expression:
+            case Number():
+                return expression, "d"
+            case Name(name):
+                return expression, "x" if name in self.extended else "d"
+            case Operation(symbol, left, right) if symbol in _OPERATIONS.values():
+                return Operation(symbol, *self._all((left, right), "dd", symbol)), "d"
+            case Call("neg", arguments):
+                return Call("neg", self._all(arguments, "d", "-")), "d"
+            case Call(function, arguments):
+                return self._call(function, arguments)
+        raise InputError(self.place, expression, "is nothing that derived lines have")
+
+    def _call(self, function: str, arguments: tuple[Expression, ...]) -> tuple[Expression, str]:
+        number, _, verb = function.partition("_")
+        if number == self.number:
+            return self._extended(function, verb, arguments)
+        if function in _OF_DOUBLES:
+            kinds = "d" * len(arguments)
+            return Call(_OF_DOUBLES[function], self._all(arguments, kinds, function)), "d"
+        if function in self.functions:
+            called = self.functions[function]
+            kinds = "".join("x" if name in called.extended else "d" for name in called.parameters)
+            value = "x" if called.extended else "d"
+            return Call(called.name, self._all(arguments, kinds, function)), value
+        raise InputError(self.place, function, "called and not known")
+
+    def _extended(
+        self, function: str, verb: str, arguments: tuple[Expression, ...]
+    ) -> tuple[Expression, str]:
+        operation, _, kinds = verb.partition("_")
+        if operation in _OPERATIONS and kinds in ("xx", "xd", "dx"):
+            parts = self._all(arguments, kinds, function)
+            return Operation(_OPERATIONS[operation], *parts), "x"
+        if verb not in _OF_EXTENDED:
+            raise InputError(self.place, function, "called and not known")
+        kinds, value = _OF_EXTENDED[verb]
+        parts = self._all(arguments, kinds, function)
+        return (parts[0] if verb == "of" else Call(verb, parts)), value
+
+    def _all(
+        self, arguments: tuple[Expression, ...], kinds: str, function: str
+    ) -> tuple[Expression, ...]:
+        """The arguments, which are of these kinds."""
+        read = [self._read(argument) for argument in arguments]
+        if "".join(kind for _, kind in read) != kinds:
+            raise InputError(self.place, function, "is given another kind of numbers")
+        return tuple(argument for argument, _ in read)
 
 
 def check(
@@ -43,7 +174,7 @@ def check(
     given = statements(source, derived)
     for number in _numbers(functions, constants):
         _expect(source, given, number)
-    for statement in lanes.structs(functions):
+    for statement in lane_structs(functions):
         _expect(source, given, statement)
     known: dict[str, Function] = {}
     decided = 0
@@ -70,10 +201,10 @@ def _plain(files: Mapping[str, str], form: str) -> dict[str, str]:
 def _check_header(text: str, functions: tuple[Function, ...], form: str) -> None:
     file = module.HEADERS[form]
     kinds = (let.kind for frame in frames(functions) for let in frame.function.lets)
-    counts = shares.text(shares.shares(kinds, key("c", form)))
+    counts = shares(kinds, key("c", form))
     said = module.header_first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("c", form), header.digest_in(file, text))
-    last = _filled(module.header_last(form), functions, form)
+    last = module.header_last(functions, form)
     structs = statements(file, between(file, text, first, last))
     given = iter(_without_rows(structs))
     for function in functions:
@@ -99,59 +230,8 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
     file = module.SOURCES[form]
     digest = header.digest_in(file, text)
-    last = header.filled(_filled(module.source_last(form), functions, form), key("c", form), digest)
+    last = header.filled(module.source_last(functions, form), key("c", form), digest)
     return between(file, text, module.source_first(form), last)
-
-
-def _filled(text: str, functions: tuple[Function, ...], form: str) -> str:
-    """The text written by hand with what functions take and give, and limits, at its marks."""
-    marks = {"steps": str(STEPS), "last": str(LAST)} if form == STEP else _marks(functions)
-    marks["limits"] = "\n".join(
-        f"static const double {name} = {2.0**exponent!r}; /* 2^{exponent}, {meaning} */"
-        for name, exponent, meaning in map(astuple, limits(form))
-    )
-    marks |= {limit.name: str(limit.exponent) for limit in limits(form)}
-    for mark, meaning in marks.items():
-        text = text.replace(f"@{mark}@", meaning)
-    return text
-
-
-def _marks(functions: tuple[Function, ...]) -> dict[str, str]:
-    """What functions of motions take and give."""
-    by_name = {function.name: function for function in functions}
-    marks = {
-        "branches": "\n".join(
-            f"        torque_free_{name} {name};" for name in ("circular", "hyperbolic", "steady")
-        ),
-    }
-    for name in ("circular", "hyperbolic"):
-        count = len(by_name[f"_{name}_angles"].results)
-        for array in ("in", "to"):
-            rows = [f"{array} + {k} * s" for k in range(count)]
-            rows[:2] = [array, f"{array} + s"]
-            marks[f"{name} rows of {array}"] = ", ".join(rows)
-    if "_moduli" in by_name:
-        marks |= _of_sensitivities(by_name)
-    return marks
-
-
-def _of_sensitivities(by_name: Mapping[str, Function]) -> dict[str, str]:
-    marks = {
-        "moduli": ", ".join(by_name["_moduli"].results),
-        "moduli out": ", ".join(f"&{name}" for name in by_name["_moduli"].results),
-        "moduli given": ", ".join(by_name["_moduli"].parameters),
-        "turn columns": ", ".join(f"by[{k}]" for k in range(18)),
-    }
-    for name in ("along", "columns", "real", "imaginary"):
-        marks[f"{name} given"] = ", ".join(by_name[f"_{name}_constants"].parameters)
-    arrays = {name: ("state", name, "s") for name in ("along", "columns")}
-    arrays["turn"] = ("state", "turned_by", "s")
-    arrays |= dict.fromkeys(("real", "imaginary"), ("angles", "in", "SENSITIVE"))
-    for name, (part, array, apart) in arrays.items():
-        rows = [f"{array} + {k} * {apart}" for k in range(len(by_name[f"_{name}_{part}"].results))]
-        rows[:2] = [array, f"{array} + {apart}"]
-        marks[f"{name} rows of {array}"] = ", ".join(rows)
-    return marks
 
 
 def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> Iterator[str]:

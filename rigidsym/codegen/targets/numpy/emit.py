@@ -1,5 +1,8 @@
 """Lets as Python over NumPy arrays: extended numbers are `_DoubleDouble`s, with operators."""
 
+from collections.abc import Iterator, Mapping
+from typing import Any
+
 from rigidsym.codegen.ir import CALLS, Constant, Function
 from rigidsym.codegen.lines import Lines, comment, flat_results
 from rigidsym.codegen.passes import specialise
@@ -27,9 +30,9 @@ def module(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -> 
     head = tuple(constant_text(c) for c in constants if c.name in used)
     parts = [Lines((*head, "", ""), {})]
     parts += [function_lines(function) for function in functions]
-    if not any(function.name == "_initial_state" for function in functions):
-        return parts
-    return [*parts, Lines(tuple(_branches(functions)), {})]
+    found = tables(functions).items()
+    text = [line for name, table in found for line in _table_lines(f"{name} = ", table, "}")]
+    return [*parts, Lines((*text, "", ""), {})] if text else parts
 
 
 def constant_text(constant: Constant) -> str:
@@ -100,60 +103,73 @@ def _results(function: Function) -> str:
     return ", ".join(values)
 
 
-def _branches(functions: tuple[Function, ...]) -> list[str]:
-    """What the frame needs to know of each branch."""
+class _Code(str):
+    """A name of a function in a table, which is printed without quotes."""
+
+    __slots__ = ()
+    __repr__ = str.__str__
+
+
+Table = dict[str, Any]
+
+
+def tables(functions: tuple[Function, ...]) -> Table:
+    """Return the tables of functions that the runtime looks up, by their names.
+
+    An entry has a function of constants with the names of its arguments and results, and for a
+    branch the functions of the time with theirs.
+    """
     by_name = {function.name: function for function in functions}
-    lines = _entry("INITIAL_STATE = {", by_name["_initial_state"], [], "}", "    ")
-    lines.append("BRANCHES = {")
-    for name in ("circular", "hyperbolic", "steady"):
-        first, angles, state = (
-            by_name[f"_{name}_{part}"] for part in ("constants", "angles", "state")
-        )
-        timed = set(angles.results)
-        more = [
-            f"'angles': {angles.name},",
-            f"'state': {state.name},",
-            f"'rates': {tuple(n for n in angles.parameters if n not in ('t', 't_lo'))!r},",
-            f"'shape': {tuple(n for n in state.parameters if n not in timed)!r},",
-            f"'fast': {tuple(f'{n}_hi' for n in first.results if n.endswith('_rate'))!r},",
-            f"'steady': {name == 'steady'},",
-        ]
-        lines += _entry(f"    {name!r}: {{", first, more, "    },", "        ")
-    lines.append("}")
+    if "_initial_state" not in by_name:
+        return {}
+    branches = {name: _branch(name, by_name) for name in ("circular", "hyperbolic", "steady")}
+    found = {"INITIAL_STATE": _entry(by_name["_initial_state"]), "BRANCHES": branches}
     if "_moduli" in by_name:
-        lines += _sensitivity(by_name)
-    return [*lines, "", ""]
+        parts = ("along", "columns", "real", "imaginary", "turn")
+        found["SENSITIVITY"] = {"moduli": _entry(by_name["_moduli"])}
+        found["SENSITIVITY"] |= {name: _part(name, by_name) for name in parts}
+    return found
 
 
-def _sensitivity(functions: dict[str, Function]) -> list[str]:
-    """What the frame needs to know to find sensitivities."""
-    lines = ["SENSITIVITY = {", *_part("moduli", functions["_moduli"], [])]
-    for name in ("along", "columns", "real", "imaginary", "turn"):
-        first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
-        kept = set(flat_results(first))
-        more = [
-            f"'state': {state.name},",
-            f"'timed': {tuple(n for n in state.parameters if n not in kept)!r},",
-            f"'shape': {tuple(n for n in state.parameters if n in kept)!r},",
-            f"'results': {state.results!r},",
-        ]
-        if angles := functions.get(f"_{name}_angles"):
-            rates = tuple(n for n in angles.parameters if n not in ("t", "t_lo"))
-            more += [f"'angles': {angles.name},", f"'rates': {rates!r},"]
-        lines += _part(name, first, more)
-    return [*lines, "}"]
+def _entry(function: Function) -> Table:
+    names = tuple(flat_results(function))
+    return {"constants": _Code(function.name), "given": function.parameters, "names": names}
 
 
-def _part(name: str, function: Function, more: list[str]) -> list[str]:
-    return _entry(f"    {name!r}: {{", function, more, "    },", "        ")
+def _branch(name: str, functions: Mapping[str, Function]) -> Table:
+    first, angles, state = (functions[f"_{name}_{x}"] for x in ("constants", "angles", "state"))
+    return _entry(first) | {
+        "angles": _Code(angles.name),
+        "state": _Code(state.name),
+        "rates": tuple(n for n in angles.parameters if n not in ("t", "t_lo")),
+        "shape": tuple(n for n in state.parameters if n not in angles.results),
+        "fast": tuple(f"{n}_hi" for n in first.results if n.endswith("_rate")),
+        "steady": name == "steady",
+    }
 
 
-def _entry(head: str, function: Function, more: list[str], end: str, indent: str) -> list[str]:
-    """A function that makes constants, with what goes in and what comes out, by name."""
-    inside = [
-        f"'constants': {function.name},",
-        f"'given': {function.parameters!r},",
-        f"'names': {tuple(flat_results(function))!r},",
-        *more,
-    ]
-    return [head, *(f"{indent}{line}" for line in inside), end]
+def _part(name: str, functions: Mapping[str, Function]) -> Table:
+    """Return the entry of a part of the sensitivities, of numbers that change and constants."""
+    first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
+    kept = set(flat_results(first))
+    part = _entry(first) | {
+        "state": _Code(state.name),
+        "timed": tuple(n for n in state.parameters if n not in kept),
+        "shape": tuple(n for n in state.parameters if n in kept),
+        "results": state.results,
+    }
+    if angles := functions.get(f"_{name}_angles"):
+        rates = tuple(n for n in angles.parameters if n not in ("t", "t_lo"))
+        part |= {"angles": _Code(angles.name), "rates": rates}
+    return part
+
+
+def _table_lines(head: str, table: Table, end: str, indent: str = "") -> Iterator[str]:
+    """Print a table, an entry in each line, and the tables in it further in."""
+    yield f"{indent}{head}{{"
+    for name, value in table.items():
+        if isinstance(value, dict):
+            yield from _table_lines(f"{name!r}: ", value, "},", f"{indent}    ")
+        else:
+            yield f"{indent}    {name!r}: {value!r},"
+    yield f"{indent}{end}"

@@ -3,11 +3,9 @@
 from importlib import resources
 
 from rigidsym.codegen import header
-from rigidsym.codegen.forms import PI, STEP, THETA, key, option
+from rigidsym.codegen.forms import PI, STEP, THETA, key, limits, option
 from rigidsym.codegen.ir import Constant, Function
-from rigidsym.codegen.limits import limits
-from rigidsym.codegen.lines import Lines, Module, joined
-from rigidsym.codegen.shares import shares, text
+from rigidsym.codegen.lines import Lines, Module, joined, shares
 from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.numpy import emit
 
@@ -43,7 +41,7 @@ def build(
     ]
     whole = joined(pieces)
     counts, file = shares(whole.kinds(), key("numpy", form)), FILES[form]
-    source = "\n".join(whole.text).replace(header.SHARES, text(counts)) + "\n"
+    source = "\n".join(whole.text).replace(header.SHARES, counts) + "\n"
     files, digest = header.sealed({file: source}, key("numpy", form))
     grown = files[file].count("\n") - len(whole.text)
     lets = {number + grown: let for number, let in whole.lets.items()}

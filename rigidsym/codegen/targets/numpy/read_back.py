@@ -4,22 +4,33 @@ import ast
 from collections.abc import Collection, Iterator, Mapping
 from copy import copy
 
-from rigidsym.codegen import header, shares
-from rigidsym.codegen.forms import STEP, THETA, key
+from rigidsym.codegen import header
+from rigidsym.codegen.forms import STEP, THETA, key, limits
 from rigidsym.codegen.ir import Constant, Function, Let
-from rigidsym.codegen.limits import limits
-from rigidsym.codegen.lines import comment, flat_results
+from rigidsym.codegen.lines import comment, flat_results, shares
 from rigidsym.codegen.passes import specialise
-from rigidsym.codegen.seal.by_hand import Between, between
-from rigidsym.codegen.seal.claims import DIFFERS
-from rigidsym.codegen.seal.equality import is_equal
+from rigidsym.codegen.seal.equality import DIFFERS, is_equal
+from rigidsym.codegen.seal.text import Between, between
 from rigidsym.codegen.special_functions.short_time import LAST, STEPS
 from rigidsym.codegen.targets.numpy import emit, module
-from rigidsym.codegen.targets.numpy.expressions import read
 from rigidsym.errors import InputError
-from rigidsym.language.expression import Expression, Number, put
+from rigidsym.language.expression import (
+    Call,
+    Expression,
+    Number,
+    Operation,
+    children,
+    parse,
+    put,
+    rebuild,
+)
 
-_BRANCHES = ("circular", "hyperbolic", "steady")
+# What hand-written functions, and one of Python's, compute; `_horner` is a polynomial.
+_CALLED = {
+    **{"abs": "size", "_sqrt": "sqrt", "_choose": "choose", "_rounded": "rounded"},
+    **{"_exponent": "exponent", "_mantissa": "mantissa", "_exp": "exp", "_nearest": "nearest"},
+    **{"_alternating": "alternating", "_product_error": "product_error"},
+}
 
 
 def check(
@@ -39,7 +50,7 @@ def check(
         node = _next(statements, file, f"def {function.name}")
         _check_function(function, node, known, derived)
         known.add(function.name)
-    tables = () if form == STEP else _tables(functions)
+    tables = [f"{name} = {table}" for name, table in emit.tables(functions).items()]
     for expected in (*tables, *_limits(form)):
         _check_statement(_next(statements, file, expected), file, expected)
     for left in statements:
@@ -51,7 +62,7 @@ def _derived(text: str, functions: tuple[Function, ...], form: str) -> Between:
     """What stands between the parts written by hand."""
     file = module.FILES[form]
     kinds = (let.kind for function in functions for let in function.lets)
-    counts = shares.text(shares.shares(kinds, key("numpy", form)))
+    counts = shares(kinds, key("numpy", form))
     said = module.first(form).replace(header.SHARES, counts)
     first = header.filled(said, key("numpy", form), header.digest_in(file, text))
     return between(file, text, first, module.last(form))
@@ -108,59 +119,6 @@ def _numbers(functions: tuple[Function, ...], constants: tuple[Constant, ...]) -
         if number.name in used:
             pair = f"_DoubleDouble({number.hi!r}, {number.lo!r})"
             yield f"{number.name} = {repr(number.hi) if number.lo is None else pair}"
-
-
-class _Code(str):
-    """A name in a table."""
-
-    __slots__ = ()
-    __repr__ = str.__str__
-
-
-def _tables(functions: tuple[Function, ...]) -> Iterator[str]:
-    """What the runtime knows of the functions: what they are given, and what they return."""
-    by_name = {function.name: function for function in functions}
-    yield f"INITIAL_STATE = {_step(by_name['_initial_state'])}"
-    branches = {name: _branch(name, by_name) for name in _BRANCHES}
-    yield f"BRANCHES = {branches}"
-    if "_moduli" in by_name:
-        names = ("along", "columns", "real", "imaginary", "turn")
-        parts = {name: _part(name, by_name) for name in names}
-        yield f"SENSITIVITY = { ({'moduli': _step(by_name['_moduli'])} | parts) }"
-
-
-def _step(function: Function) -> dict[str, object]:
-    names = tuple(flat_results(function))
-    return {"constants": _Code(function.name), "given": function.parameters, "names": names}
-
-
-def _branch(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
-    first, angles, state = (functions[f"_{name}_{x}"] for x in ("constants", "angles", "state"))
-    return {
-        **_step(first),
-        "angles": _Code(angles.name),
-        "state": _Code(state.name),
-        "rates": angles.parameters[2:],  # t and t_lo before them
-        "shape": state.parameters[len(angles.results) :],
-        "fast": tuple(f"{x}_hi" for x in first.results if x in ("v_rate", "y_rate", "Lambda_rate")),
-        "steady": name == "steady",
-    }
-
-
-def _part(name: str, functions: Mapping[str, Function]) -> dict[str, object]:
-    """A state is of what changes with time first, then of constants."""
-    first, state = functions[f"_{name}_constants"], functions[f"_{name}_state"]
-    kept = flat_results(first)
-    shape = tuple(x for x in state.parameters if x in kept)
-    part = _step(first) | {
-        "state": _Code(state.name),
-        "timed": state.parameters[: len(state.parameters) - len(shape)],
-        "shape": shape,
-        "results": state.results,
-    }
-    if angles := functions.get(f"_{name}_angles"):
-        part |= {"angles": _Code(angles.name), "rates": angles.parameters[2:]}
-    return part
 
 
 def _limits(form: str) -> Iterator[str]:
@@ -243,3 +201,40 @@ def _name(value: ast.expr) -> str:
         case ast.Call(func=ast.Name(id="_rounded"), args=[ast.Name(id=name)]):
             return name
     return ast.unparse(value)
+
+
+def read(place: str, node: ast.expr, known: Collection[str]) -> Expression:
+    """An expression, which may call what is written by hand and the functions that are known.
+
+    Raises InputError, naming the place, for what is no expression of this module.
+    """
+    _check_calls(place, node, {*_CALLED, "_horner", *known})
+    try:
+        return _read(parse(ast.unparse(node)))
+    except ValueError as error:
+        raise InputError(place, ast.unparse(node), str(error)) from None
+
+
+def _check_calls(place: str, node: ast.expr, known: set[str]) -> None:
+    """Calls are of known functions: `neg`, which the parser has for a sign, is none."""
+    for part in ast.walk(node):
+        if isinstance(part, ast.Call) and ast.unparse(part.func) not in known:
+            raise InputError(place, ast.unparse(part), "calls what is not known")
+
+
+def _read(expression: Expression) -> Expression:
+    match rebuild(expression, tuple(map(_read, children(expression)))):
+        case Call("_horner", (variable, *coefficients)):
+            return _nested(variable, tuple(coefficients))
+        case Call(function, arguments):
+            return Call(_CALLED.get(function, function), arguments)
+        case other:
+            return other
+
+
+def _nested(variable: Expression, coefficients: tuple[Expression, ...]) -> Expression:
+    """c_0 + x*(c_1 + x*(c_2 + ...))."""
+    first, *rest = coefficients
+    if not rest:
+        return first
+    return Operation("+", first, Operation("*", variable, _nested(variable, tuple(rest))))

@@ -1,14 +1,20 @@
-"""What the rates change by with each rate at t = 0 and each moment of inertia."""
+"""The rates' changes."""
 
-from rigidsym.codegen.functions.sensitivity.along import RESULTS as ALONG
-from rigidsym.codegen.functions.sensitivity.given import EXTENDED, GIVEN, START, coefficients
-from rigidsym.codegen.functions.sensitivity.real import ELAPSED
+from rigidsym.codegen.functions.sensitivity.moduli import EXTENDED, GIVEN, START, coefficients
+from rigidsym.codegen.functions.sensitivity.real import ELAPSED, PASSED
 from rigidsym.codegen.ir import Function, Let, let
 from rigidsym.codegen.names import RATES
 from rigidsym.codegen.passes import renamed, select
 from rigidsym.solution import Solution
 from rigidsym.solution.formulas import AXES
 
+ALONG = ("over", *(f"{rate}_{way}" for way in "kr" for rate in RATES))
+_ALONG_ALPHAS = tuple(f"alpha_{x}" for x in AXES)
+_ALONG_KEPT = (
+    *(*START, *_ALONG_ALPHAS, "k", "kappa_a", "kappa_d", "p", "r"),
+    *("share", "half_over_p", "reach"),
+)
+_ALONG_TIMED = (*ELAPSED, *PASSED, "t", *RATES)
 CHANGES = (*RATES, *(f"c_{x}" for x in AXES))
 RESULTS = (
     *(f"{rate}_by_{change}" for rate in RATES for change in CHANGES),
@@ -19,7 +25,7 @@ _ALPHAS = (
     *(f"tilt_by_c_{x}" for x in AXES),
     *(f"alpha_{x}_by_c_{y}" for x in AXES for y in AXES),
 )
-KEPT = (
+_KEPT = (
     *START,
     *("alpha_a", "alpha_b", "alpha_d", "alpha_divisor"),
     *(
@@ -36,14 +42,69 @@ KEPT = (
     ),
     *(f"{x}_by_c_{y}" for x in ("kappa", "p", "apart", "leant", *AXES) for y in AXES),
 )
-
-
 # By the rate of another axis, the product's: that of the axis whose coefficient stands below.
 _MIDDLE = {"Omega_b_by_Omega_a": ("d", "a"), "Omega_b_by_Omega_d": ("a", "d")}
-
-
 # What changes with time.
-TIMED = (*ELAPSED, *ALONG, "t", *RATES)
+_TIMED = (*ELAPSED, *ALONG, "t", *RATES)
+
+
+def along(solution: Solution) -> tuple[Function, ...]:
+    """Constants of a motion, and both directions at a time."""
+    constants = Function(
+        "_along_constants",
+        "What both directions are made from; reach: beyond which p t^2 phases are known.",
+        (*(name for name in GIVEN if name != "E_b"), "reach"),
+        tuple(_constants_along(solution)),
+        _ALONG_KEPT,
+        frozenset(EXTENDED),
+        rounds=True,
+    )
+    state = Function(
+        "_along_state",
+        "What the rates change by where p and r grow alike, and where r does.",
+        (*_ALONG_TIMED, *_ALONG_KEPT),
+        tuple(_state_along(solution)),
+        ALONG,
+    )
+    return constants, state
+
+
+def _constants_along(solution: Solution) -> list[Let]:
+    names = ("k", "kappa_a", "kappa_d", "p", "r")
+    divisors = ("alpha_b", "alpha_d", "Omega_a0", "p")
+    passing = select(
+        solution.sequences["passing"], ("share", "half_over_p"), (*divisors, *names, *START)
+    )
+    return [
+        *coefficients(solution, _ALONG_ALPHAS),
+        *select(solution.sequences["columns"], names, (*_ALONG_ALPHAS, *EXTENDED)),
+        *map(_there, divisors),
+        *renamed(passing, {name: f"{name}_there" for name in divisors}),
+    ]
+
+
+def _there(name: str) -> Let:
+    """What is divided by: itself, or 1 where it is zero and what comes of it is not taken."""
+    return let(f"{name}_there = choose(rounded(size({name})), 0, 1, {name})")
+
+
+def _state_along(solution: Solution) -> list[Let]:
+    given = (*_ALONG_TIMED, *_ALONG_KEPT)
+    every = select(solution.sequences["sensitivity"], ALONG, given)
+    passing = [f"{rate}_p" for rate in RATES]
+    known = (*given, "over")
+    made = select(solution.sequences["passing"], passing, known)
+    return [
+        *renamed(every, {f"{rate}_r": f"any_{rate}_r" for rate in RATES}),
+        let("Omega_a_there = choose(size(Omega_a), 0, 1, Omega_a)"),
+        *renamed(made, {"Omega_a": "Omega_a_there"}),
+        let("lobe = choose(2, turned, 0, Omega_b*Omega_b0)"),
+        let("crossed = choose(reach, p*(t*t), lobe, 1)"),
+        *(
+            let(f"{rate}_r = choose(crossed, 0, {rate}_k - {rate}_p, any_{rate}_r)")
+            for rate in RATES
+        ),
+    ]
 
 
 def columns(solution: Solution) -> tuple[Function, ...]:
@@ -52,23 +113,23 @@ def columns(solution: Solution) -> tuple[Function, ...]:
         "_columns_constants",
         "What sensitivities of the rates are made from, at t = 0.",
         GIVEN,
-        tuple(_constants(solution)),
-        KEPT,
+        tuple(_constants_of_columns(solution)),
+        _KEPT,
         frozenset(EXTENDED),
         rounds=True,
     )
     state = Function(
         "_columns_state",
         "What the rates change by, and integrals of their squares, from functions of the time.",
-        (*TIMED, *KEPT),
-        tuple(_state(solution)),
+        (*_TIMED, *_KEPT),
+        tuple(_state_of_columns(solution)),
         RESULTS,
     )
     return constants, state
 
 
-def _constants(solution: Solution) -> list[Let]:
-    names = [name for name in KEPT if name not in (*START, "alpha_divisor", *_ALPHAS)]
+def _constants_of_columns(solution: Solution) -> list[Let]:
+    names = [name for name in _KEPT if name not in (*START, "alpha_divisor", *_ALPHAS)]
     return [
         *coefficients(solution, _ALPHAS),
         *select(solution.sequences["columns"], names, (*_ALPHAS, *EXTENDED)),
@@ -77,8 +138,8 @@ def _constants(solution: Solution) -> list[Let]:
     ]
 
 
-def _state(solution: Solution) -> list[Let]:
-    given = (*TIMED, *KEPT)
+def _state_of_columns(solution: Solution) -> list[Let]:
+    given = (*_TIMED, *_KEPT)
     excesses = select(
         solution.sequences["excesses"], ("excess_a", "excess_d"), (*given, "excess_b")
     )
