@@ -17,14 +17,13 @@
 # %% [markdown]
 # # How to add a target
 #
-# A target turns the derived formulas into a language. `numpy` and `c` are two; this notebook adds a
-# third, for a small computer on board: plain Python floats, without arrays. Plans are made on the
-# ground, where extended numbers are, and sent up as a few constants; what is printed here turns
-# them into states.
+# A target prints the derived formulas in a language. `numpy` and `c` are two targets; this notebook adds a
+# third for a small on-board computer: plain Python floats, without arrays. The ground prepares a motion
+# with extended precision and sends its constants; the code printed here computes states from them.
 #
-# ## What a target is given
+# ## The input of a target
 #
-# Functions made of *lets*: names set to expressions, in order, each with its equations and facts.
+# The input is functions made of *lets*: names set to expressions, in order, each with its equations and facts.
 
 # %%
 from rigidsym.codegen.functions import functions
@@ -37,13 +36,13 @@ for let in by_name["_steady_state"].lets[:3]:
 assert {"_circular_angles", "_circular_state"} <= {*by_name}
 
 # %% [markdown]
-# Functions named `…_plan` need extended numbers. `…_angles` finds what changes with time, by exact
-# products of doubles, and `…_state` the state from that.
+# Functions named `…_plan` need extended precision. `…_angles` computes the angles that change with time, by
+# exact products of doubles, and `…_state` the state from them.
 #
 # ## A folder
 #
-# In the project it is `rigidsym/codegen/targets/floats`. Here it is made in a temporary place, that
-# the package is told of.
+# In the project it would be `rigidsym/codegen/targets/floats`. Here it is a temporary folder that is added
+# to the package's path.
 
 # %%
 import tempfile
@@ -55,11 +54,11 @@ floats.mkdir()
 _ = (floats / "__init__.py").write_text('"""Plain floats of Python: states, from constants."""\n')
 
 # %% [markdown]
-# ## `module.py`: what is printed
+# ## `module.py`: printing
 #
-# `build` takes all functions and named numbers and returns a `Module`: files, the let behind each
-# derived line, and a digest of it all. `Lines` is text with the lets behind its lines; `joined` puts
-# pieces together and keeps count; `header.sealed` puts the digest where the text says `@digest@`.
+# `build` takes all functions and named numbers and returns a `Module`: files, the let of each derived
+# line, and a digest. `Lines` is text with the lets of its lines; `joined` concatenates pieces and keeps
+# the line numbers; `header.sealed` replaces `@digest@` in the text by the digest.
 
 # %%
 MODULE = '''
@@ -121,10 +120,10 @@ def build(functions, constants, form):
 _ = (floats / "module.py").write_text(MODULE)
 
 # %% [markdown]
-# ## `read_back.py`: what the seal reads
+# ## `read_back.py`: reading back for the seal
 #
-# Nothing is written that cannot be read back. For this target that is easy: the project's parser
-# reads Python's operators. `check` says how many lines it has read, or which one is not its let.
+# The seal reads every printed line back. For this target that is easy, because the project's parser
+# reads Python's operators. `check` returns the number of lines, or names a line that differs from its let.
 
 # %%
 READ_BACK = """
@@ -168,9 +167,9 @@ def read(expression):
 _ = (floats / "read_back.py").write_text(READ_BACK)
 
 # %% [markdown]
-# ## Listed
+# ## Registering the target
 #
-# In the project this is a name in `TARGETS` of `rigidsym/codegen/targets/__init__.py`.
+# In the project, add its name to `TARGETS` in `rigidsym/codegen/targets/__init__.py`.
 
 # %%
 import rigidsym
@@ -185,9 +184,9 @@ print(generated.map["states.py"][0])
 assert generated == rigidsym.generate("floats")
 
 # %% [markdown]
-# ## Sealed
+# ## Sealing
 #
-# The kernel has decided the lets; the reader says that the file is these lets, and no other.
+# The kernel has decided the lets. The reader decides that the file consists of exactly these lets.
 
 # %%
 from dataclasses import replace
@@ -207,9 +206,9 @@ print(refused)
 assert "not what was derived" in refused
 
 # %% [markdown]
-# ## Used
+# ## Using it
 #
-# The plan comes from the NumPy module; on board there are floats alone.
+# The NumPy module prepares the motion; the on-board code uses floats alone.
 
 # %%
 import numpy as np
@@ -245,11 +244,11 @@ print("apart by less than 1e-15:", apart < 1e-15)
 assert apart < 1e-15
 
 # %% [markdown]
-# ## All that it needs
+# ## Steps in the project
 #
 # 1. The folder in `rigidsym/codegen/targets`, with `module.py` and `read_back.py`, and its name in
 #    `TARGETS` there. Then `rigidsym codegen floats --in-place` writes the files into `rigidsym/generated`,
-#    `--check` compares them, and `rigidsym trace` knows their lines.
+#    `--check` compares them, and `rigidsym trace` traces their lines.
 # 2. If it computes whole states, prepared motions included: an engine, a class in `rigidsym/engines` with the
 #    methods of `Engine` in its `protocol.py`, and its name in `ENGINES` of `choice.py`. Then
 #    `rigidsym validate floats` measures it in every stratum, and with `--record` the heads of its

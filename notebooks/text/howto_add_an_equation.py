@@ -17,19 +17,19 @@
 # %% [markdown]
 # # How to add an equation
 #
-# You found an identity, or doubt one that is printed. Here is how to have it decided: in a book of
-# your own first, and then, if it is worth keeping, in a chapter of `derivations`.
+# This notebook decides an identity that you found, or doubt: first in a ledger of your own, and then,
+# if it is worth keeping, in a chapter of `derivations`.
 #
-# As an example take the quantity that decides the regime of a motion,
+# The example is the quantity that decides the regime of a motion,
 #
 # $$E = K^2 - 2Hc_2 ,\qquad \dot E = 0,\qquad
 # E = c_1(c_1-c_2)\,\Omega_1^2 + c_3(c_3-c_2)\,\Omega_3^2 .$$
 #
 # ## A context
 #
-# Nothing is true without hypotheses. A *context* names quantities, what vanishes, what does not,
-# and how everything changes in time; it is put together from parts. The chapter on Euler's
-# equations has a body and its rates already:
+# Every statement has hypotheses. A *context* names quantities, polynomials that vanish, polynomials
+# that do not vanish, and time derivatives; it is composed of parts. The chapter on Euler's equations
+# already has a part with a body and its rates:
 
 # %%
 from derivations import euler_lax, lie_algebra
@@ -66,10 +66,10 @@ print(constant.id, constant.grade)
 print(form.id, form.grade)
 
 # %% [markdown]
-# ## A wrong one
+# ## A wrong claim
 #
-# With a sign lost, the claim is not an identity, and the kernel says so. *Undecided* is not
-# *refuted*: that the normal form is not zero could also mean that a hypothesis is missing.
+# With a wrong sign, the claim is not an identity, and the kernel refuses it. *Undecided* is not
+# *refuted*: the normal form may also be nonzero because a hypothesis is missing.
 
 # %%
 from rigidsym.proof.kernel import KernelError
@@ -101,7 +101,7 @@ print(disagreed)
 # %% [markdown]
 # ## Checked again
 #
-# A book is a text, and any kernel can read it. The second checker shares no code with the first.
+# A ledger is a text, and any kernel can read it. The second checker shares no code with the first.
 
 # %%
 from rigidsym.proof.checker import check
@@ -110,7 +110,7 @@ from rigidsym.proof.kernel import replay
 written = book.ledger.to_text()
 
 # %% [markdown]
-# And a text that was tampered with is refused:
+# A changed text is refused:
 
 # %%
 forged = written.replace("c3*(c3 - c2)*Omega3**2", "c3*(c3 + c2)*Omega3**2")
@@ -122,7 +122,7 @@ except KernelError as error:
 print(refused)
 
 # %% [markdown]
-# ## Shown
+# ## Displaying facts
 #
 # As mathematics, with their grades:
 
@@ -133,7 +133,7 @@ mine = claims(book.ledger)
 mine
 
 # %% [markdown]
-# ## Kept
+# ## Adding it to the project
 #
 # 1. Put `book.open` and `book.claim` into the chapter of `derivations` where they belong (a new
 #    chapter goes into `CHAPTERS` in `derivations/__init__.py`).
@@ -141,7 +141,7 @@ mine
 #    `rigidsym/proof/paper`, by a `Sense`: the kernel then decides the print itself.
 # 3. `rigidsym derive --in-place` proves everything again and seals the ledger; `rigidsym check` and
 #    `rigidsym check --independent` replay it.
-# 4. If numbers shall be computed by it, list it in `derivations/publish.py`.
+# 4. If numbers are to be computed with it, list it in `derivations/publish.py`.
 
 # %% tags=["hide-cell"]
 assert context.rates["Omega1"] == "Omega2*Omega3*(c2 - c3)/c1"

@@ -17,7 +17,7 @@
 # %% [markdown]
 # # How to generate C for my flight code
 #
-# Two files, C99, no dependency but libm.
+# The generated code is two files of C99 that depend only on libm.
 
 # %%
 import tempfile
@@ -31,13 +31,13 @@ with tempfile.TemporaryDirectory() as folder:
     header = (Path(folder) / "torque_free.h").read_text()
 
 # %% [markdown]
-# Or in a shell: `rigidsym codegen c -o src/attitude`. Before it writes, it lets the kernel decide
-# that what is printed is what was derived. `c.map.json` says for each line which equations and
-# facts stand behind it; it is for reviewers, not for the compiler.
+# In a shell, use `rigidsym codegen c -o src/attitude`. Before it writes, the kernel decides that the
+# printed text is what was derived. `c.map.json` lists the equations and facts of each line; it is for
+# reviewers, not for the compiler.
 #
-# ## What to call
+# ## The interface
 #
-# The header documents its functions; these are all:
+# The header documents all functions:
 
 # %%
 import re
@@ -46,20 +46,19 @@ functions = re.findall(r"^[a-z][\w ]* \*?(torque_free_\w+)\(", header, re.M)
 print(*functions, sep="\n")
 
 # %% [markdown]
-# * `torque_free_motion_init` once for a motion: some microseconds, all the decisions.
-# * `torque_free_state_at` for a time; `_states_at` for an array of times; `_states_on_grid` for a
-#   uniform grid, which needs no sine per sample; `_propagate` for many bodies.
-# * Each returns 0 or a code that `torque_free_message` explains. Nothing is printed, nothing
-#   allocated, nothing kept: a prepared motion may be shared by threads.
+# * Call `torque_free_motion_init` once per motion. It takes some microseconds and makes all decisions.
+# * Call `torque_free_state_at` for one time, `_states_at` for an array of times, `_states_on_grid` for a
+#   uniform grid (which needs no sine per sample), and `_propagate` for many bodies.
+# * Each function returns 0 or a code that `torque_free_message` explains. The functions print nothing,
+#   allocate nothing and have no state, so threads may share a prepared motion.
 #
 # ## How to compile
 #
-# `-std=c99 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math`, which is what `engine="c"`
-# takes, and `-march=native` or your processor's name. Options that break the extended numbers are
-# refused:
+# Use `-std=c99 -O3 -ffp-contract=off -fno-math-errno -fno-trapping-math`, as `engine="c"` does, and
+# `-march=native` or the name of your processor. Options that break extended precision are refused:
 #
-# * `-ffast-math`, and x87 arithmetic on old 32-bit targets (take `-msse2 -mfpmath=sse`), at once;
-# * what no macro tells, `-fassociative-math` say, by `torque_free_motion_init`, which tries.
+# * `-ffast-math`, and x87 arithmetic on old 32-bit targets (use `-msse2 -mfpmath=sse`), at compile time;
+# * options that define no macro, such as `-fassociative-math`, at run time by `torque_free_motion_init`.
 
 # %%
 import shutil
@@ -107,8 +106,8 @@ else:
 #
 # * The file's head states the domain, the bounds of every series and the worst errors measured.
 # * `rigidsym validate c` measures it again on your machine, with your compiler (`CC=…`).
-# * `rigidsym codegen c -o src/attitude --check` in your CI exits 1 when the files were edited.
-# * `rigidsym trace torque_free.c:900` answers a reviewer's "why is this line here?"
+# * `rigidsym codegen c -o src/attitude --check` in your CI exits 1 if the files were edited.
+# * `rigidsym trace torque_free.c:900` shows a reviewer the equations and facts of a line.
 
 # %% tags=["hide-cell"]
 assert {"torque_free.h", "torque_free.c", "c.map.json"} == {path.name for path in written}

@@ -17,7 +17,7 @@
 # %% [markdown]
 # # How to get fifty digits
 #
-# For a reference solution, for a paper, or to settle an argument.
+# Use `precise` and `enclose` for reference solutions.
 
 # %%
 import mpmath
@@ -39,7 +39,7 @@ for name, value in zip(("q0", "q1", "q2", "q3"), q, strict=True):
 #   `0.0109` is a binary fraction near it, and taken as exactly that. Times too: `"0.1"`.
 # * **Print with `mpmath.nstr(value, 50)`**: `print(value)` shows fifteen digits.
 # * **Compute under `mpmath.workdps`**: mpmath rounds every operation to its own precision.
-# * **Take `enclose` if the error matters as a number**: it returns balls that contain the truth.
+# * **Use `enclose` for a rigorous error bound**: it returns balls that contain the true values.
 
 # %%
 with mpmath.workdps(60):
@@ -51,12 +51,11 @@ q_ball, omega_ball = motion.enclose("180", digits=50)
 print(q_ball[0].str(52))
 
 # %% [markdown]
-# Ask another method if you doubt this one; each has a formula of its own for the turn about the
-# momentum:
+# Compare with another method; each has its own formula for the turn about the momentum:
 
 # %% [markdown]
-# A thousand digits are no trouble, and neither is a large time. When it could take long, say how
-# long you are willing to wait: `max_seconds=5` raises `rigidsym.PrecisionError` after that.
+# A thousand digits and large times are possible, too. To limit the time, use `max_seconds=5`, which
+# raises `rigidsym.PrecisionError` after 5 s.
 
 # %%
 q_many, _ = motion.precise("1e15", digits=1000)
@@ -64,14 +63,14 @@ digits = mpmath.nstr(q_many[0], 1000)
 print(f"{digits[:40]}...")
 
 # %% [markdown]
-# From the command line, into a file that anything can read:
+# On the command line, into a file:
 #
 # ```
 # rigidsym propagate satellite.toml --digits 50 -o states.csv
 # rigidsym propagate satellite.toml --digits 50 --enclose --format json
 # ```
 #
-# Why the digits are certain: [Fifty digits and a proof](07_fifty_digits_and_a_proof.ipynb).
+# [Fifty digits and a proof](07_fifty_digits_and_a_proof.ipynb) explains why the digits are correct.
 
 # %% tags=["hide-cell"]
 assert abs(length - 1) < mpmath.mpf("1e-49")

@@ -17,15 +17,15 @@
 # %% [markdown]
 # # How to integrate under a torque
 #
-# Nothing pushes the bodies of the other pages. Where something does, weakly, the free motion is
-# still the better part of the answer: `rigidsym.integrate` follows it exactly, and in between kicks
-# the body by the torque. What such a *splitting method* gets wrong is the torque's share alone, so
-# that its steps may be as long as the torque is weak, however fast the body turns.
+# The bodies of the other notebooks are free. Under a weak torque, the free motion is still the largest
+# part of the solution. `rigidsym.integrate` follows it exactly and kicks the body by the torque in between.
+# Only the torque's part has an error in such a *splitting method*. Therefore the steps may be long if the
+# torque is weak, however fast the body turns.
 #
-# ## A satellite and the tide of the Earth
+# ## A satellite under the Earth's gravity gradient
 #
-# The paper's body on a circular orbit 400 km above the ground. A torque is a function of the time
-# in s, attitudes and rates that returns N m in body axes; some are ready made.
+# The paper's body is on a circular orbit 400 km above the ground. A torque is a function of the time
+# in s, attitudes and rates that returns N m in body axes; `rigidsym.splitting` has some.
 
 # %%
 import matplotlib.pyplot as plt
@@ -54,8 +54,8 @@ def angle(p, q):
 print(f"after an orbit the tide has turned the body by {angle(free, pushed.q)[-1]:.2f} rad")
 
 # %% [markdown]
-# A `Trajectory` is `q, omega` at these times, and a function of any others between them: it goes on
-# from the last of its times by the same method, with a shorter step at the end.
+# A `Trajectory` is the pair `q, omega` at these times, and a function of any times between them. It
+# continues from the last time before by the same method, with a shorter last step.
 
 # %%
 q, omega = pushed
@@ -63,8 +63,8 @@ q_then, omega_then = pushed(1234.5)
 print(q.shape, omega.shape, q_then.round(4))
 
 # %% [markdown]
-# With `step=None` a tolerance, in radians, chooses the steps: they are halved until the differences of
-# runs show that the error is below it. `error` is the estimate, `step` the longest of the steps.
+# With `step=None` a tolerance in radians determines the steps: they are halved until the differences of
+# runs show that the error is below it. `error` is the estimate, `step` the longest step.
 
 # %%
 chosen = rigidsym.integrate(
@@ -73,18 +73,18 @@ chosen = rigidsym.integrate(
 print(f"step {chosen.step:.2f} s, error {chosen.error:.0e} rad")
 
 # %% [markdown]
-# ## Which method when
+# ## Choosing a method
 #
-# All are symmetric and symplectic. `orders` (r, s) say how errors grow with the step h and the
-# torque's share ε of what turns the body: as εhʳ + ε²hˢ.
+# All methods are symmetric and symplectic. For a torque that is ε times the free turning and steps h,
+# a method with `orders` (r, s) has an error of εhʳ + ε²hˢ.
 
 # %%
 for name, method in METHODS.items():
     print(f"{name:7} {len(method.kicks):2} evaluations a step, orders {method.orders}")
 
 # %% [markdown]
-# The picture is what an orbit costs, in evaluations of the torque, and how wrong its end is. Beside
-# them is Dormand and Prince's method of order 8, which integrates the whole motion.
+# The picture shows the error at the end of an orbit against its cost in evaluations of the torque. It
+# also has Dormand and Prince's method of order 8, which integrates the full equations.
 
 # %%
 ends = [0, orbit.period]
@@ -134,23 +134,25 @@ axes.legend()
 axes.grid(alpha=0.3)
 
 # %% [markdown]
-# * **A weak torque, many steps** (tides, radiation, drag): `saba2`, the default, or `aba84` where
-#   errors below 1e-6 rad are asked for. Both pass over the first powers of h at the first order in
-#   the torque, which is nearly all there is.
-# * **A torque as strong as what turns the body** (a heavy top, molecules that collide): `bm4`, or
-#   `bm6` for small errors: their order counts all powers of ε.
-# * **`strang`** has one evaluation a step: where the torque is expensive and known to few digits, and
-#   as what others are compared with.
-# * **A torque of the rates** (damping, control): `rate_dependent=True`, four evaluations a kick.
-# * **A torque that is not smooth** (contacts, valves), or of which errors of 1e-12 are asked: an
-#   integrator of the whole with steps of its own choice; or stop at each jump and begin anew.
+# * **Weak torques, many steps** (gravity gradient, radiation, drag): use `saba2`, the default, or `aba84`
+#   for errors below 1e-6 rad. To first order in the torque, which is nearly the whole error, both have
+#   a high order in h.
+# * **Torques as strong as the free turning** (a heavy top, colliding molecules): use `bm4`, or `bm6` for
+#   small errors. Their order holds for all powers of ε.
+# * **`strang`** has one evaluation per step. Use it for expensive torques known to few digits, and for
+#   comparisons.
+# * **Torques that depend on rates** (damping, control): use `rate_dependent=True`, with four evaluations
+#   per kick.
+# * **Torques that are not smooth** (contacts, valves): name the times of jumps in `discontinuities=`, or use
+#   `step=None`.
+# * **Errors of 1e-12**: use an adaptive integrator of the full equations.
 #
 # ## Apophis in 2029
 #
 # On 13 April 2029 the asteroid Apophis passes 38 000 km from the middle of the Earth, tumbling with
 # periods of 27.385 h about its momentum and 264.178 h about its long axis, its moments as
 # 0.64 : 0.97 : 1 and its momentum towards (275°, −85°) of the ecliptic ([Lee et al.](site/pages/bibliography.md)).
-# Which side it turns to the Earth decides what becomes of the spin.
+# The spin after the encounter depends on its orientation during it.
 #
 # The orbit past the Earth follows from those around the Sun, before the encounter and after it: the
 # Earth turns one velocity into the other. The elements are those of the [Solar System Dynamics
@@ -197,9 +199,9 @@ passage = KeplerOrbit(
 )
 
 # %% [markdown]
-# The ratio of the two periods says how excited the spin is; 400 clones have it at random angles
-# about momentum and long axis. The unit of inertia cancels: a tide turns large and small bodies of one
-# shape alike.
+# The ratio of the two periods determines the energy of the tumbling. 400 clones have this ratio, with random
+# angles about the momentum and the long axis. The unit of inertia cancels: a gravity gradient turns large and
+# small bodies of the same shape alike.
 
 # %%
 moments, hour, day = np.array([0.64, 0.97, 1.0]), 3600.0, 86400.0
@@ -276,10 +278,10 @@ print(f"pole further east: {np.mean(eastward > 0):.0%}")
 # [Benson et al.](site/pages/bibliography.md) propagate orbit and attitude together through the
 # passage: "likely to remain in a short axis mode (SAM) tumbling state but its effective spin rate
 # could halve or double. Its pole is likely to shift by 10 degrees or more and increase in longitude
-# while moving closer to the ecliptic plane." The clones agree: most keep their mode, go east and
-# towards the ecliptic, and the slowest turn at little more than half their rate. Shifts of 10 degrees
-# are less common here: angles are drawn evenly, where theirs follow observations of the attitude in
-# which Apophis arrives.
+# while moving closer to the ecliptic plane." The clones agree: most keep their mode, their poles move
+# east and towards the ecliptic, and the slowest turn at little more than half their rate. Shifts of 10
+# degrees are less common here, because the angles are uniform, while theirs follow observations of the
+# attitude in which Apophis arrives.
 
 # %%
 figure, axes = plt.subplots(figsize=(7, 3.2), layout="constrained")

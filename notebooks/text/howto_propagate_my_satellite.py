@@ -17,8 +17,8 @@
 # %% [markdown]
 # # How to propagate my satellite
 #
-# You have an inertia tensor, body rates from a gyro and an attitude, and want to know where the
-# satellite points from now on, as long as nothing pushes it.
+# From an inertia tensor, body rates from a gyro and an attitude, this notebook computes the attitude
+# at later times, without torques.
 
 # %%
 import matplotlib.pyplot as plt
@@ -60,7 +60,7 @@ t = np.linspace(0, 600, 1201)
 q, rates = body.from_principal(*motion(t))
 
 # %% [markdown]
-# SciPy's `Rotation` does the rest; it keeps quaternions scalar *last* unless told otherwise.
+# SciPy's `Rotation` does the rest. By default its quaternions are scalar *last*.
 
 # %%
 from scipy.spatial.transform import Rotation
@@ -82,13 +82,13 @@ for panel in (upper, lower):
 momentum = attitude.apply(rates @ INERTIA)
 
 # %% [markdown]
-# The assertion is worth a look: the angular momentum in space, from *your* tensor and *your* axes,
-# is constant to rounding. If axes or quaternion conventions were mixed up, it would not be.
+# The assertion is a useful check: the angular momentum in space, from *your* tensor and *your* axes, is
+# constant to rounding. With wrong axes or quaternion conventions it would not be.
 #
 # ## Many at once
 #
-# A batch of bodies, rates or attitudes is one call too; leading shapes broadcast. Here a thousand
-# draws of an uncertain gyro, ten minutes later:
+# One call also computes a batch of bodies, rates or attitudes; leading shapes broadcast. Here are a
+# thousand samples of an uncertain gyro, ten minutes later:
 
 # %%
 drawn = RATES + np.random.default_rng(1).normal(0, 1e-5, (1000, 3))
@@ -102,7 +102,7 @@ print(f"half of them are within {np.median(spread):.1f} degrees")
 # %% [markdown]
 # ## From the command line
 #
-# The same from a file, without any Python, as CSV, JSON or NPZ:
+# The same from a file, without Python, as CSV, JSON or NPZ:
 #
 # ```
 # $ cat satellite.toml
@@ -113,7 +113,7 @@ print(f"half of them are within {np.median(spread):.1f} degrees")
 # $ rigidsym propagate satellite.toml -o states.csv
 # ```
 #
-# What a file may hold can be read here as well:
+# Python reads the same files:
 
 # %% tags=["hide-cell"]
 assert np.allclose(body.matrix @ np.diag(body.moments) @ body.matrix.T, INERTIA)

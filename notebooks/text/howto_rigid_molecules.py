@@ -17,18 +17,18 @@
 # %% [markdown]
 # # How to move rigid molecules
 #
-# Between collisions a rigid molecule turns freely, and in molecular dynamics all of a box do, a
-# thousand times a picosecond. `rigidsym.step` is that free turn of many bodies at once: exact, of
-# any moments of inertia, without anything to keep between calls. Here it moves liquid water, beside
-# what LAMMPS and others use, NO_SQUISH
-# ([Miller et al.](site/pages/bibliography.md#miller-et-al)): rotations about one principal axis
-# after the other, which are the free turn to second order in the step.
+# In molecular dynamics, rigid molecules turn freely between kicks by the forces, a thousand times per
+# picosecond. `rigidsym.step` computes this free turn for many bodies at once: it is exact, takes any
+# moments of inertia, and has no state between calls. This notebook applies it to liquid water and
+# compares it with NO_SQUISH ([Miller et al.](site/pages/bibliography.md#miller-et-al)), which LAMMPS and
+# others use: rotations about one principal axis after the other, which approximate the free turn to
+# second order in the step.
 #
 # ## A box of water
 #
-# What is imported here has 64 SPC/E molecules in a periodic cube, and forces that end smoothly, so
-# that energy is lost by the integrator and not at the cut-off. A molecule is flat: two of its
-# moments make the third. Units are nm, ps and u; a step takes any that are consistent.
+# The imported module has 64 SPC/E molecules in a periodic cube, and forces with a smooth cut-off, so that
+# only the integrator changes the energy. A molecule is flat: its largest moment is the sum of the other
+# two. Units are nm, ps and u; a step accepts any consistent units.
 
 # %%
 from inspect import getsource
@@ -47,9 +47,9 @@ print(f"{box.count} molecules in a cube of {box.length:.2f} nm, moments", INERTI
 # %% [markdown]
 # ## A step
 #
-# A step of molecular dynamics is kicks by the forces, which change velocities and rates, and drifts
-# without them, in which centres go straight on and molecules turn freely. Torques are in body axes,
-# as rates are. Half a kick, a drift, half a kick is Verlet's method.
+# A step of molecular dynamics consists of kicks by the forces, which change velocities and rates, and
+# drifts, in which centres move straight and molecules turn freely. Torques and rates are in body axes.
+# Verlet's method is half a kick, a drift, half a kick.
 
 # %%
 print(getsource(water.advance))
@@ -57,7 +57,7 @@ print("VERLET =", VERLET)
 
 # %% [markdown]
 # `turn` is `rigidsym.step` with `engine="c"`, or another function of moments, attitudes (N, 4),
-# rates (N, 3) and a time. Without forces the two can be told apart at once:
+# rates (N, 3) and a time. Without forces the two differ clearly:
 
 # %%
 turns = {"rigidsym.step": water.exact, "NO_SQUISH": water.no_squish}
@@ -74,10 +74,9 @@ for name, turn in turns.items():
 # %% [markdown]
 # ## Energy against step
 #
-# With forces, from the same liquid: the energy of a molecule, in kT, fitted by a straight line. Its
-# slope is the drift; the root mean square about it is what comes and goes within a step's error.
-# Short steps run for half a picosecond, long ones for three, in which a drift begins to show; bars
-# are its standard error.
+# With forces, from the same liquid, a straight line is fitted to the energy per molecule in kT. Its slope
+# is the drift; the root mean square about it is the fluctuation. Runs with short steps last half a
+# picosecond, those with long steps three, in which a drift begins to show; bars are its standard error.
 
 # %%
 FEMTOSECOND = 1e-3  # ps
@@ -101,9 +100,9 @@ short = {
 }
 
 # %% [markdown]
-# A method with several kicks a step takes longer steps for as many evaluations of the forces, which
-# are what costs. SABA2 has two; Blanes and Moan's of order four six, and is of that order only where
-# its drifts are right: rotations about one axis after the other bring it back to two.
+# The cost is the evaluations of the forces, so a method with several kicks per step takes longer steps
+# at the same cost. SABA2 has two kicks; the method of Blanes and Moan of order four has six. It keeps its
+# order only with exact drifts: rotations about one axis after the other reduce it to two.
 
 # %%
 finer = {}
@@ -142,16 +141,14 @@ right.legend(fontsize=8)
 right.minorticks_off()
 
 # %% [markdown]
-# * **In liquid water Verlet's method is as good with either turn.** What limits the step is how fast
-#   torques change as molecules swing in their cages; no free turn can mend that. Over 20 ps
-#   neither is seen to drift up to 5 fs; in steps of 8 fs both, and LAMMPS, rise by 40 kT/ns. The
-#   exact turn costs less, and leaves one error out of the account.
-# * **`saba2`** keeps the energy twice as well for as many evaluations, up to 3 fs between them.
-# * **Where energies have to be kept better**, `bm4` on exact turns is worth its six evaluations at 1 fs
-#   and less between them: more than ten times as good as Verlet's method, and several times as good
-#   as itself on NO_SQUISH.
-# * **Where molecules turn much between kicks**, in long steps of weak forces, the free turn is most of
-#   the motion: see [integrate under a torque](howto_integrate_under_a_torque.ipynb).
+# * **Verlet's method** in liquid water is equally good with either turn. The change of the torques, as
+#   molecules swing in their cages, limits the step. Over 20 ps neither drifts measurably up to 5 fs; with
+#   steps of 8 fs both, and LAMMPS, drift by 40 kT/ns. The exact turn costs less and removes one error.
+# * **`saba2`** keeps the energy twice as well at the same cost, up to 3 fs between evaluations.
+# * **`bm4`** with exact turns is best for small energy errors, at 1 fs and less between evaluations: more
+#   than ten times as good as Verlet's method, and several times as good as `bm4` with NO_SQUISH.
+# * **Long steps with weak forces**: molecules turn far between kicks, and the free turn is most of the
+#   motion; see [integrate under a torque](howto_integrate_under_a_torque.ipynb).
 #
 # The table over 20 ps, with LAMMPS in it, is on the page [under a
 # torque](site/pages/torques.md#molecules). Linear molecules have a moment that is zero, and are

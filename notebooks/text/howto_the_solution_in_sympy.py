@@ -17,8 +17,8 @@
 # %% [markdown]
 # # How to hold the solution in SymPy
 #
-# A motion as an expression of the time: to put numbers in, differentiate, expand, print, and to
-# make functions of. Every expression here is a formula of the ledger, read and put together.
+# This notebook holds a motion as a SymPy expression of the time: evaluate it, differentiate it, expand it,
+# print it, or turn it into functions. Every expression is built from formulas of the ledger.
 
 # %%
 import numpy as np
@@ -33,8 +33,8 @@ print(f"the form {solution.form!r}, for {motion.regime}")
 solution.omega()
 
 # %% [markdown]
-# `omega()` is a column of three rates, `q()` one of four, scalar first. Names such as `mu` are
-# exact numbers, each by those before it: `constants` has them, and `explicit` puts them in.
+# `omega()` is a column of three rates, `q()` one of four components, scalar first. Names such as `mu` are
+# exact numbers, each defined by those before it: `constants` lists them, and `explicit` inserts them.
 
 # %%
 for symbol in ("k_1", "mu", "phase"):
@@ -44,8 +44,8 @@ energy = solution.explicit(solution.quantities["energy"])
 print("energy", energy, "J")
 
 # %% [markdown]
-# **Numbers**: `subs` and `evalf`, to as many digits as you like. The same fifty digits come from
-# `motion.precise`, which is made for that and some thousand times as fast.
+# **Numbers**: use `subs` and `evalf`, with any number of digits. `motion.precise` gives the same fifty
+# digits some thousand times as fast.
 
 # %%
 first = solution.omega(sp.Rational(7, 3))[0].evalf(50)
@@ -70,15 +70,15 @@ product = -sum(at(q[k + 1]) * at(omega[k]) for k in range(3)) / 2
 print(slope, product, sep="\n")
 
 # %% [markdown]
-# **Series**: `taylor` has the first terms of both columns, exact, by the equations of motion. (SymPy's
-# own `series` of such an expression does not end in minutes.)
+# **Series**: `taylor` returns the first terms of both columns, exactly, from the equations of motion.
+# (SymPy's own `series` takes more than minutes for such an expression.)
 
 # %%
 near, rates = solution.taylor(4)
 sp.Eq(sp.Symbol("Omega_1"), rates[0])
 
 # %% [markdown]
-# **Functions**: `lambdify` makes one of arrays, by NumPy, SciPy or mpmath.
+# **Functions**: `lambdify` makes functions of arrays, with NumPy, SciPy or mpmath.
 
 # %%
 states = sp.lambdify(t, [*q, *omega], "numpy")
@@ -88,7 +88,7 @@ gap = np.max(np.abs(found[:4].T - motion(times)[0]))
 print(f"as the generated module has it: {gap < 1e-14}")
 
 # %% [markdown]
-# **What comes back**: after a period the rates are what they were, and the body has turned about its
+# **Periods**: after a period the rates have their initial values, and the body has turned about its
 # momentum by the phase: 2HT/K less the solid angle that the momentum sweeps (Montgomery's formula).
 
 # %%
@@ -97,9 +97,8 @@ for name in ("period", "mean_circulation_rate", "precession_rate", "phase_per_pe
 print("phase less whole turns", round(motion.phase_per_period % (2 * np.pi), 12), "rad")
 
 # %% [markdown]
-# **Without numbers** it is a family: `rigidsym.symbolic("pi")` has free symbols, and says what has to
-# hold of them and what its signs stand for. On the separatrix and for symmetric bodies the functions
-# are elementary.
+# **Without numbers**: `rigidsym.symbolic("pi")` has free symbols, with their conditions and the meaning of its
+# signs. On the separatrix and for symmetric bodies the functions are elementary.
 
 # %%
 rigidsym.symbolic("separatrix").omega()
@@ -110,7 +109,7 @@ for symbol, meaning in rigidsym.symbolic("pi").choices.items():
 print(sp.latex(rigidsym.symbolic("symmetric").omega()[1]))
 
 # %% [markdown]
-# Which forms there are, and where each holds: [the solution as SymPy](site/pages/symbolic.md).
+# [The solution in SymPy](site/pages/symbolic.md) lists all forms and their domains.
 
 # %% tags=["hide-cell"]
 assert abs(first - sp.Float(str(motion.precise("7/3", digits=50)[1][0]), 60)) < 1e-45

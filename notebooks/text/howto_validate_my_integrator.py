@@ -17,17 +17,15 @@
 # %% [markdown]
 # # How to validate my integrator
 #
-# You have an integrator, for attitude or for everything, and rigid body motion without torque is
-# the one case where the truth is known. Here it is put through the strata on which this project
-# measures itself: Runge and Kutta's method of order four with equal steps, as found in many
-# simulators.
+# Torque-free rigid-body motion is a test case with known exact states. This notebook measures an
+# integrator on the strata that this project uses for itself. The example is the Runge–Kutta method of
+# order four with equal steps, as found in many simulators.
 #
 # ## A function
 #
-# What is measured is a function of the principal moments of inertia, the body rates and the
-# attitude at $t = 0$, and times; it gives quaternions, scalar first, body to inertial, and body
-# rates. The times all lie on one side of zero, each farther from it than the one before, so that an
-# integrator can step from one to the next.
+# `examine` takes a function of the principal moments of inertia, the body rates and the attitude at
+# $t = 0$, and times. It returns quaternions, scalar first, body to inertial, and body rates. All times
+# have the same sign and increase in size, so that an integrator can step from one to the next.
 
 # %%
 import matplotlib.pyplot as plt
@@ -71,10 +69,9 @@ def stepped(f, y, h):
 # %% [markdown]
 # ## One call
 #
-# `examine` draws cases, encloses their true states, asks the function for its own and reports. The
-# strata go where motions are difficult; `STRATA` has all of them, and without a choice all are used
-# whose numbers are doubles. `reach` is the largest $|\omega_0 t|$ in radians the function is asked
-# for: a step takes its time.
+# `examine` draws cases, encloses their true states, calls the function and reports its errors. Each
+# stratum covers a difficult kind of motion; `STRATA` has all of them, and by default all those whose inputs
+# are doubles are used. `reach` is the largest $|\omega_0 t|$ in radians at which the function is called.
 
 # %%
 REACH = 30.0  # rad
@@ -84,9 +81,9 @@ report = examine(mine, strata=SOME, cases=2, reach=REACH)
 report
 
 # %% [markdown]
-# It is held to the bounds of the generated modules, $2\cdot 10^{-15}$ rad, which no method of
-# order four with such steps can keep; that is what "not passed" says. How good it is, is in the
-# report by stratum and measure, in radians or relative:
+# The bounds are those of the generated modules, $2\cdot 10^{-15}$ rad, which no method of order four with
+# such steps can keep; therefore the report says "not passed". It has the errors by stratum and measure, in
+# radians or relative:
 
 # %%
 measures = {"angle": "angle (rad)", "norm": "| |q| - 1 |", "energy": "drift of H, relative"}
@@ -104,11 +101,11 @@ for name in SOME:
     print(f"{name}: {STRATA[name].about}")
 
 # %% [markdown]
-# Read the three marks together. Energy that is kept well says little about the attitude; length
-# that is lost says that the quaternion should be normalised. Where an error is large, look at the
-# *condition number* beside it: if that is large too, the problem is hard for everybody who rounds,
-# and not your fault. The case and the time are there as well; `draw` gives the case again, and
-# `measure_case` measures it alone. Here is a body that is all but a rod:
+# Read the three measures together. A small error of the energy says little about the attitude. An error of
+# the length says that the quaternion should be normalised. If an error is large, look at the *condition
+# number* beside it: if that is large too, any method that rounds its inputs has such an error. The report
+# also has case and time; `draw` draws the case again, and `measure_case` measures it alone. Here is a
+# body that is nearly a rod:
 
 # %%
 worst = examine(mine, strata=["rod"], cases=2, reach=REACH).by_stratum()["rod"]
@@ -119,11 +116,11 @@ finer = measure_case(sample, 40, {"finer": rk4(step=0.01)}).errors["finer"]["ang
 print("finer steps help:", bool(finer.values.max() < 1e-6))
 
 # %% [markdown]
-# ## Is its order what I think?
+# ## Checking the order
 #
-# Halve the step, and a method of order four should be sixteen times as good. A mistake in the right
-# sides shows at once, too: here, quaternion and rates multiplied in the wrong order (the rates
-# taken as inertial ones), which is the most frequent mistake of all.
+# With half the step, a method of order four should have a sixteenth of the error. Mistakes in the
+# equations show at once, too: here quaternion and rates are multiplied in the wrong order (the rates
+# are taken as inertial ones), which is the most frequent mistake.
 
 # %%
 steps = 0.31 / 2.0 ** np.arange(5)
@@ -159,10 +156,10 @@ axes.legend()
 order = np.polyfit(np.log(steps), np.log(errors["as it should be"]), 1)[0]
 
 # %% [markdown]
-# ## What goes wrong is a finding
+# ## Exceptions and NaN
 #
-# An integrator that raises an error, gives states of another shape or NaN is infinitely wrong
-# there, and the report goes on. What it said stands in the complaints:
+# If an integrator raises an exception, or returns NaN or a wrong shape, its error there is infinite, and
+# the report continues. The complaints have the messages:
 
 # %%
 CASES = 1
@@ -177,9 +174,9 @@ broken = examine(transposed, strata=["spin"], cases=CASES, reach=REACH)
 print(*broken.complaints, sep="\n")
 
 # %% [markdown]
-# ## The closed form under the same eyes
+# ## The closed form
 #
-# It takes no steps, and can be asked for any time: all strata, the longest times included.
+# It takes no steps and computes any time: all strata, including the longest times.
 
 # %%
 import rigidsym
