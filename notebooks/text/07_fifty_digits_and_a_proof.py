@@ -57,16 +57,15 @@ with mpmath.workdps(60):
 print(f"|q| = {mpmath.nstr(length, 50, strip_zeros=False)}")
 
 # %% [markdown]
-# ## What exactly was asked?
+# ## Exact inputs
 #
-# Fifty digits of a result are worth nothing if the question is known to sixteen. A Python float
-# `0.0109` *is* not 0.0109, but the nearest fraction with a power of two below:
+# Fifty digits of a result are useless if the inputs are known to sixteen. A Python float `0.0109` is not
+# 0.0109, but the nearest binary fraction:
 #
 # $$0.0109 \approx \frac{1570855550026829}{2^{57}} .$$
 #
-# So `rigidsym` makes no silent choice. Floats mean their exact binary value; strings, `Fraction`
-# and `Decimal` are taken literally. The two questions have two answers, and they part where one
-# expects it, at the seventeenth digit or so:
+# Therefore floats mean their exact binary value, and strings, `Fraction` and `Decimal` are taken
+# literally. The two inputs have two results, which differ from about the seventeenth digit on:
 
 # %%
 as_floats = rigidsym.TorqueFreeMotion((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02))
@@ -180,9 +179,9 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# The fifth way knows no elliptic function at all: Taylor series of the equations of motion (3) and
-# (5), step after step. It is slow, and its numbers have no radius, but it has nothing in common
-# with the other four except the physics.
+# The fifth method uses no elliptic functions: Taylor series of the equations of motion (3) and (5), step by
+# step. It is slow, and its numbers have no error bounds, but it shares nothing with the other four except
+# the physics.
 
 # %%
 from fractions import Fraction
@@ -258,12 +257,11 @@ with mpmath.workdps(40):
 print("after 100 s, right to 2e-15 rad:", bool(angle < 2e-15))
 
 # %% [markdown]
-# ## A satellite that is not known exactly
+# ## Uncertain inputs
 #
-# Real moments of inertia come with a tolerance. `enclose` takes it, and returns balls that contain
-# every state that *any* body within the tolerance can have. The promise stays rigorous, and costs
-# hardly any width: besides the formulas, the equations of motion themselves are carried over the
-# box of inputs, with the derivative of the state by each of them.
+# Real moments of inertia have a tolerance. `enclose` accepts it, and returns balls that contain the states
+# of *all* bodies within the tolerance. The enclosure stays rigorous and nearly as narrow as possible,
+# because it uses the derivatives of the state by all inputs.
 
 # %%
 tolerance = "1e-6"
@@ -288,9 +286,9 @@ axes.legend()
 inside = zip(uncertain.enclose(times)[0].flat, heavier.precise(times)[0].flat, strict=True)
 
 # %% [markdown]
-# And where the tolerance reaches across a separatrix, not even the kind of motion is certain.
-# `regime` then refuses, and says how much better the input would have to be; `enclose` goes on
-# with the equations of motion, which know no regime:
+# If the tolerance reaches across a separatrix, even the kind of motion is uncertain. `regime` then raises
+# an error that names the accuracy that would be needed. `enclose` still works, because its formulas do not
+# depend on the regime:
 
 # %%
 vague = rigidsym.TorqueFreeMotion(("1 +/- 0.01", 2, "2.25"), ("0.75", "0.5", "1.001"))
@@ -343,9 +341,9 @@ CROWN = "theta_form.solution"
 show(ledger, "theta_form.qbar_0", "theta_form.phase", "descended.psi_0", "regular.E_b", CROWN)
 
 # %% [markdown]
-# What does one still take on trust? That the contexts mean what their `reading` says, and that Arb's
-# balls contain what they should. One classical identity, of the complete $\Pi$, is graded ENCLOSED,
-# not PROVED, because here it was only held against balls, not derived; no digit rests on it.
+# Two things are still trusted: that the contexts mean what their `reading` says, and that Arb balls contain
+# the true values. One classical identity, of the complete $\Pi$, is graded ENCLOSED, not PROVED, because it
+# was only compared with balls, not derived; no digit rests on it.
 #
 # An independent checker, which shares no code with the kernel, reads the same ledger:
 

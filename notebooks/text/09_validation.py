@@ -17,10 +17,10 @@
 # %% [markdown]
 # # 9. Validation
 #
-# A test at one random point accepts $\sqrt{x^2} = x$. Closed forms of rigid body motion go wrong in
-# narrow places: near the separatrix, at nearly equal moments, where a rate changes its sign, after
-# many periods. So the generated modules are measured in *strata*, families of motions that go into
-# each of these places on purpose, against states that are certain. This notebook reads the report.
+# A test at one random point accepts $\sqrt{x^2} = x$. Closed forms of rigid-body motion fail in narrow
+# regions: near the separatrix, at nearly equal moments, where a rate changes its sign, after many
+# periods. Therefore the generated modules are measured in *strata*, families of motions in each of these
+# regions, against rigorous enclosures. This notebook reads the report.
 
 # %%
 import matplotlib.pyplot as plt
@@ -41,7 +41,7 @@ print("within all bounds:", report.passed)
 #
 # ## Strata
 #
-# A few of them, with what they say of themselves:
+# A few of them, with their descriptions:
 
 # %%
 from rigidsym.validate.strata import STRATA
@@ -59,7 +59,7 @@ SOME = (
 table({"stratum": f"**{name}**", "covers": STRATA[name].about} for name in SOME)
 
 # %% [markdown]
-# The second assertion matters: a stratum that tested nothing *fails*. Silence is no evidence.
+# The second assertion matters: a stratum that tested nothing *fails*.
 #
 # ## Measures
 #
@@ -134,10 +134,10 @@ axes.legend()
 plt.show()
 
 # %% [markdown]
-# ## One case, closely
+# ## One case in detail
 #
-# Any case can be looked at alone: `rigidsym validate --case "near separatrix:2"`, or here. The
-# *reference* is what is known about it.
+# `rigidsym validate --case "near separatrix:2"` measures one case alone, and so does this cell. The
+# *reference* is its enclosure.
 
 # %%
 from rigidsym.validate.finding import measure_case
@@ -175,14 +175,12 @@ axes.legend(fontsize=8)
 plt.show()
 
 # %% [markdown]
-# The integrator is not bad: it goes along with the grey line, so that its errors are about what a
-# change of the inputs' last digits would do as well. The closed form stays at the bottom all the
-# same, for the inputs given.
+# The integrator is good: its errors follow the grey line, so they are about as large as those of a change in
+# the last digits of the inputs. The closed form still stays at the bottom, for the exact inputs.
 #
 # ## Peers side by side
 #
-# The same comparison by stratum. Of peers nothing is demanded; they have no documented bound here,
-# and the report just states what they do.
+# The same comparison by stratum. Peers have no documented bound here; the report only states their errors.
 
 # %%
 AMONG = ("paper", "uniform", "symmetric", "near separatrix", "long times")
@@ -206,15 +204,15 @@ table(
 )
 
 # %% [markdown]
-# Others that can be asked: `heyoka`, `orekit` and `lsoda` (extra `bench`). For an integrator of
-# your own see [validate my integrator](howto_validate_my_integrator.ipynb).
+# Other peers are `heyoka`, `orekit` and `lsoda` (extra `bench`). For an integrator of your own, see
+# [validate my integrator](howto_validate_my_integrator.ipynb).
 #
-# ## Would it notice?
+# ## Does it detect faults?
 #
-# A validation that has never failed has not been tested. So there are faults, small changes of the
-# generated text, each wrong in some motions or at some times only: a constant off by $10^{-12}$,
-# the last term of a series dropped, a winding forgotten. Some are written by hand, others drawn from
-# the derived lines: one change in the tree of a formula, printed as the formula is.
+# A validation that has never failed has not been tested. Therefore faults are put into the code: small
+# changes of the generated text, each wrong only in some motions or at some times, for instance a constant
+# off by $10^{-12}$, a dropped last term of a series, a forgotten winding. Some are written by hand; others
+# are drawn from the derived lines, as one change in the tree of a formula.
 
 # %%
 from collections import Counter
@@ -228,8 +226,8 @@ fault = next(f for f in faults if f.line == "numpy: the last term of theta_1 dro
 print(f"{fault.line}:\n    {fault.old}\n    {fault.new}")
 
 # %% [markdown]
-# That term is the smallest of its series: in most motions it is far below rounding. Which strata
-# see it?
+# That term is the smallest of its series: in most motions it is far below rounding. These strata detect
+# it:
 
 # %%
 from rigidsym.validate.faults.detection import first, mutated_engine, references
@@ -249,16 +247,15 @@ table(
 )
 
 # %% [markdown]
-# The stratum that was made for it, where the module changes from one series to the other and both
-# are at their worst. `rigidsym validate --faults` puts all faults through all strata; each is
-# caught by some stratum, which is why the strata are what they are.
+# It is the stratum made for this: there the module changes from one series to the other, and both are least
+# accurate. `rigidsym validate --faults` measures all faults in all strata; some stratum detects each.
 #
-# ## Who checks the truth?
+# ## Checking the oracle
 #
-# The oracle evaluates the proved formulas in balls. If it were wrong *together* with the modules,
-# none of the above would show. Therefore one case in 128, the first of every stratum among them, is
-# computed once more, by Taylor series of the equations of motion, which know nothing of elliptic
-# functions. The report keeps the largest difference, in parts of $10^{-20}$:
+# The oracle evaluates the proved formulas in balls. If it had the same error as the modules, nothing above
+# would show it. Therefore Taylor series of the equations of motion, without elliptic functions, check one
+# case in 128, the first of every stratum among them. The report has the largest difference, in parts of
+# $10^{-20}$:
 
 # %%
 agreement = {name: report.agreement(name) for name in report.campaign.strata}

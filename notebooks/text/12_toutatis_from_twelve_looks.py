@@ -19,7 +19,7 @@
 #
 # In December 1992 the asteroid (4179) Toutatis passed the Earth, and radar saw it on seventeen days
 # (Takahashi, Busch and Scheeres, The Astronomical Journal 146:95, 2013, table 3). It tumbles. Twelve
-# looks are enough to find how, from nothing but attitudes, and to say where the other five will find it.
+# observed attitudes are enough to find its motion, and to predict the other five.
 #
 # | | |
 # |---|---|
@@ -41,7 +41,7 @@ looks = toutatis()
 looks.dates[:12]
 
 # %% [markdown]
-# The paper weighs the angles by 15°. They scatter by less, some 5°, as chi2 will say.
+# The paper gives all angles an error of 15°. Their scatter is smaller, some 5°, as chi2 shows.
 
 # %%
 sigma = np.deg2rad(5)
@@ -49,15 +49,15 @@ fit = rigidsym.fit(looks.times[:12], attitudes=looks.q[:12], sigma=sigma)
 fit
 
 # %% [markdown]
-# A long-axis mode. Hudson and Ostro (1995) have 5.41 days about the long axis and 7.35 days of its
-# precession; Zhao et al. (2015), with the looks of twenty years, 5.38 and 7.40.
+# The result is a long-axis mode. Hudson and Ostro (1995) found periods of 5.41 days about the long axis and
+# 7.35 days for its precession; Zhao et al. (2015), with observations of twenty years, 5.38 and 7.40.
 
 # %%
 [round(x / DAY, 2) for x in (fit.periods.rotation, fit.periods.precession)]
 
 # %% [markdown]
-# Now the five looks that were left out: how far they are from what is predicted, and how well that
-# is known, in degrees.
+# For the five observations that were left out: the angle from the prediction, and the error of the
+# prediction, in degrees.
 
 # %%
 predicted = fit.predict(looks.times[12:])
@@ -65,15 +65,15 @@ apart = np.linalg.norm(rotation_vectors(product(conjugate(looks.q[12:]), predict
 np.degrees(apart).round(1), np.degrees(predicted.attitude_sigma).round(1)
 
 # %% [markdown]
-# With all seventeen, each against all others: chi2 of three degrees of freedom.
+# With all seventeen observations, chi2 of each against all others, with three degrees of freedom.
 
 # %%
 whole = rigidsym.fit(looks.times, attitudes=looks.q, sigma=sigma, guess=fit.motion)
 whole.against_others[0].round(1)
 
 # %% [markdown]
-# Spin vectors, as printed, are not fitted, as in the paper. Of the two days on which the long axis
-# pointed along the axis of the angles, they cannot be: these are outliers by far.
+# As in the paper, the printed spin vectors are not fitted. On two days the long axis pointed along the
+# axis of the angles, and the spin vectors of these days are gross outliers.
 
 # %%
 rates = rigidsym.fit(
@@ -87,8 +87,8 @@ rates = rigidsym.fit(
 [(rates.problem.sets[k].kind, looks.dates[index]) for k, index in rates.outliers]
 
 # %% [markdown]
-# And four years on? The errors of the periods have made whole turns by then, and tidal torques at
-# the flybys come besides: that takes other models than free motion.
+# After four years the errors of the periods amount to whole turns, and tidal torques at the flybys add to
+# them. That needs other models than free motion.
 
 # %%
 np.degrees(whole.predict(toutatis((1996,)).times).attitude_sigma).round()

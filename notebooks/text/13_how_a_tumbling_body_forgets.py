@@ -17,11 +17,10 @@
 # %% [markdown]
 # # 13. How a tumbling body forgets
 #
-# Nobody knows a start exactly. What becomes of a small error in it, as the body tumbles on? Free
-# motion has no friction and no noise: nothing is ever lost. And yet after a while the state that is
-# told tells nothing. How soon, and in which direction, is decided by derivatives of the state with
-# respect to all that it depends on, and those are in closed form like the motion itself: proved,
-# generated, enclosed.
+# An initial state is never known exactly. This notebook shows how a small initial error grows as the body
+# tumbles. Free motion has no friction and no noise, so no information is lost. Still, after a while the
+# prediction is useless. The derivatives of the state with respect to all inputs determine when, and in
+# which direction. They have closed forms, like the motion itself: proved, generated, enclosed.
 #
 # | | |
 # |---|---|
@@ -43,22 +42,20 @@ q, omega, S = tumble.sensitivity([0.0, 90.0, 180.0])
 S.attitude.shape, S.rates.shape
 
 # %% [markdown]
-# An error of the attitude is a small turn η, a vector in space: the matrix from body to space
-# changes by [η] times itself. `S.attitude` is what η is at each time, `S.rates` what ω changes by;
-# both have nine columns, for the small turn at the start, for ω₀ and for the three moments.
+# An error of the attitude is a small turn η, a vector in space: the matrix from body to space changes by
+# [η] times itself. `S.attitude` has the derivatives of η at each time, and `S.rates` those of ω. Both have
+# nine columns, for the small turn at the start, for ω₀ and for the three moments.
 #
-# ## Slowly: two clocks that are a little wrong
+# ## Slow growth: two clocks with small errors
 #
-# Let attitude and rates at the start be known to 1e-3 rad and 1e-5 rad/s in each axis. Along the
-# momentum L, which stands still in space, the derivation leaves a line that needs no elliptic
-# function:
+# Let the initial attitude and rates be known to 1e-3 rad and 1e-5 rad/s in each axis. Along the momentum
+# L, which is constant in space, the derivation gives a formula without elliptic functions:
 #
 # $$\eta\cdot\hat L=\eta_0\cdot\hat L+\frac{t\,\delta H}{K},\qquad\delta H=M\cdot\delta\omega_0.$$
 #
-# So σ_H = K σ_ω, and the error about L grows as t σ_H/K = t σ_ω, whatever the body is and however
-# it tumbles. That is one clock. The other counts the rounds of ω in the body: its period is a little
-# wrong as well, and the error of its phase grows in proportion to the time too. It shows in the rates,
-# and in the tilt of the body across L.
+# So σ_H = K σ_ω, and the error about L grows as t σ_H/K = t σ_ω, for any body and any motion. That is one
+# clock. The other is the phase of ω in the body: its period also has an error, and the error of the phase
+# also grows in proportion to the time. It appears in the rates, and in the tilt of the body across L.
 
 # %%
 SIGMA = np.repeat([1e-3, 1e-5], 3)
@@ -84,9 +81,8 @@ right.set(xlabel="time (s)", ylabel="rad/s", title="Error of the rates")
 plt.show()
 
 # %% [markdown]
-# The phase's share is a motion along the polhode, so that in the end δω points along the
-# acceleration. All the rest of what was known, energy and momentum, is kept for ever: errors across
-# the polhode stay as small as they were.
+# An error of the phase is a shift along the polhode, so that δω finally points along the acceleration.
+# Energy and momentum are conserved: errors across the polhode stay as small as they were.
 
 # %%
 late = tumble.sensitivity([1e3, 1e4, 1e5])[2]
@@ -98,10 +94,10 @@ for t, x, (large, other, _) in zip((1e3, 1e4, 1e5), aligned, s, strict=True):
     print(f"{t:.0e} s: {large:.0e} rad/s, {angle:.2f} deg off the path; across it {other:.0e}")
 
 # %% [markdown]
-# ## Fast: the separatrix
+# ## Fast growth: the separatrix
 #
-# A body that is on its way to the middle axis forgets otherwise. The decimals below lie exactly on
-# the separatrix. What is a small tilt at the start grows as $e^{\lambda t}$, with
+# For a body on its way to the middle axis, errors grow exponentially. The decimals below lie exactly on
+# the separatrix. A small initial tilt grows as $e^{\lambda t}$, with
 # $\lambda^2=(c_a-c_b)(K^2-2Hc_d)/(c_ac_bc_d)$, and an error of 1e-16, a double's last digit, is one of 1 rad
 # after some $37/\lambda$ seconds.
 
@@ -127,11 +123,10 @@ plt.show()
 print(f"{flip.regime}, lambda = {lam:.3f}/s, a double is forgotten after {37 / lam:.0f} s")
 
 # %% [markdown]
-# To see twice as far in the blue motion, measure the rates twice as well. In the red one each 1/λ
-# more costs a factor e. (`rigidsym.plan` warns of manoeuvres
-# that pass there.)
+# To predict the blue motion for twice the time, measure the rates twice as well. For the red one, each
+# additional 1/λ costs a factor e. (`rigidsym.plan` warns of manoeuvres that pass there.)
 #
-# Errors are carried on from any time, and what they become is the product of what they become in between:
+# State transition matrices start at any time, and multiply:
 
 # %%
 first, second = tumble.state_transition(0.0, 60.0), tumble.state_transition(60.0, 180.0)
@@ -142,12 +137,12 @@ print(
 )
 
 # %% [markdown]
-# ## What can be observed, and what cannot
+# ## Observability
 #
-# Turned round, the same matrix says what watching a motion teaches. Directions of the nine inputs that
-# move nothing can never be learned from it, by any filter. Below, 200 looks in ten minutes; columns
-# are in units of 1 rad, of |ω₀| and, for the moments, of each itself, and a direction counts as
-# seen where its singular value is more than 1e-9 of the largest.
+# The same matrix shows which inputs can be estimated from observations. No filter can estimate a direction
+# of the nine inputs that changes nothing. Below are 200 observations in ten minutes. Columns are in units
+# of 1 rad, of |ω₀| and, for the moments, of each moment itself. A direction counts as observable if its
+# singular value is more than 1e-9 of the largest.
 
 # %%
 watched = {
@@ -174,11 +169,11 @@ for name, (attitudes, bodies) in seen.items():
     print(f"{name:10} attitudes show {attitudes} of 9, rates alone {bodies}")
 
 # %% [markdown]
-# * **The scale of inertia** is never seen: a body twice as heavy moves the same where nothing pushes
-#   it. That is the one direction that a tumbling body hides, equal shares of all three moments.
-# * **Rates alone** say nothing of where the body points in space: three more.
-# * **A spin** shows no moment at all, for it is the same motion whatever the moments are. To weigh a body one must
-#   let it tumble; and the less it does, the less is seen, as the last picture says.
+# * **The scale of inertia** is not observable: a body twice as heavy has the same free motion. For a tumbling
+#   body this is the only such direction, equal relative changes of all three moments.
+# * **Rates alone** do not determine the attitude: three more directions.
+# * **A spin** shows no moment at all, because it is the same motion for all moments. To estimate moments, let the
+#   body tumble; the less it tumbles, the larger are the errors, as the last picture shows.
 
 # %%
 hidden = singular(tumble, "attitude")[1]
@@ -199,11 +194,11 @@ axes.set(title="What looks at the attitude show: blue the start, red the ratios 
 plt.show()
 
 # %% [markdown]
-# ## How sure is that?
+# ## Enclosures
 #
-# `enclose` has the same matrices as balls that hold the true values, and `precise` to any number of
-# digits. Here is the small turn about the first axis of space by the first of the rates, rad per rad/s, after
-# three minutes: thirty digits of it, and the double.
+# `enclose` returns the same matrices as balls that contain the true values, and `precise` returns any number
+# of digits. Here is the derivative of the small turn about the first axis of space by the first rate, rad
+# per rad/s, after three minutes: thirty digits, and the double.
 
 # %%
 ball = tumble.enclose("180", digits=40, sensitivity=True)[2].attitude[0][3]
