@@ -37,6 +37,6 @@ def told(fit, truth):
     across = fit.problem.parameters.linear(fit.point)[6:9, 6:8]
     scaled = fit.moments - there.moments * (fit.moments.max() / there.moments.max())
     apart[6:8] = np.linalg.lstsq(np.column_stack([across, fit.moments]), scaled, rcond=None)[0][:2]
-    return np.linalg.lstsq(np.hstack([here.told, here.blind]), apart, rcond=None)[0][
-        : here.told.shape[1]
+    return np.linalg.lstsq(np.hstack([here.determined, here.undetermined]), apart, rcond=None)[0][
+        : here.determined.shape[1]
     ]

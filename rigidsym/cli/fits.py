@@ -41,7 +41,6 @@ def _fit(options: Namespace) -> int:
     with packages():
         from rigidsym.fitting import fit
         from rigidsym.fitting.files import load
-        from rigidsym.fitting.report import title
     from rigidsym.io.files import probe
 
     if options.output:
@@ -57,9 +56,9 @@ def _fit(options: Namespace) -> int:
     if options.json:
         print(found.to_json(), end="")
         if found.agreement.message or found.nonlinearity.flagged:
-            say(title(found))
+            say(found.title)
     else:
-        print(title(found))
+        print(found.title)
         for one in found.tables():
             table(*one)
     say_written(written)

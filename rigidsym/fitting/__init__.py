@@ -1,4 +1,4 @@
-"""Fits: which free motion do observations show, how well, and which others?"""
+"""Fits: the free motion that observations show, its errors, and the alternatives."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING
@@ -7,10 +7,9 @@ from rigidsym.errors import require
 
 if TYPE_CHECKING:
     from rigidsym.fitting.estimate import fit
-    from rigidsym.fitting.found import Alternative, Prediction
     from rigidsym.fitting.observations import Attitudes, Directions, Modelled, Rates
-    from rigidsym.fitting.shown import Fit
-    from rigidsym.fitting.tumbling import Periods, periods
+    from rigidsym.fitting.report import Fit
+    from rigidsym.fitting.result import Alternative, Periods, Prediction, periods
 
 __all__ = [
     "Alternative",
@@ -25,18 +24,12 @@ __all__ = [
     "periods",
 ]
 
-# Imported at first use: the command line's help is cheap.
+# Modules by public name; they are imported at first use, which keeps the command's help fast.
 _HOMES = {
-    "Alternative": "rigidsym.fitting.found",
-    "Attitudes": "rigidsym.fitting.observations",
-    "Directions": "rigidsym.fitting.observations",
-    "Fit": "rigidsym.fitting.shown",
-    "Modelled": "rigidsym.fitting.observations",
-    "Periods": "rigidsym.fitting.tumbling",
-    "Prediction": "rigidsym.fitting.found",
-    "Rates": "rigidsym.fitting.observations",
-    "fit": "rigidsym.fitting.estimate",
-    "periods": "rigidsym.fitting.tumbling",
+    "fit": "estimate",
+    "Fit": "report",
+    **dict.fromkeys(("Attitudes", "Directions", "Modelled", "Rates"), "observations"),
+    **dict.fromkeys(("Alternative", "Periods", "Prediction", "periods"), "result"),
 }
 
 
@@ -44,7 +37,7 @@ def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym.fitting' has no attribute {name!r}")
     require("rigidsym.fitting", "scipy")
-    return getattr(import_module(_HOMES[name]), name)
+    return getattr(import_module(f"rigidsym.fitting.{_HOMES[name]}"), name)
 
 
 def __dir__() -> list[str]:

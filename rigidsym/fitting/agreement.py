@@ -8,38 +8,35 @@ from itertools import product as every
 import numpy as np
 from scipy.stats import chi2 as chi2_law
 
-from rigidsym.fitting.local import Local, local
-from rigidsym.fitting.observability import observability
-from rigidsym.fitting.observations import Attitudes, Directions, Observations, Rates
-from rigidsym.fitting.outliers import outliers
-from rigidsym.fitting.parameters import Point
+from rigidsym.fitting.minimise import Minimum, minimise
+from rigidsym.fitting.observability import Observability, observability
+from rigidsym.fitting.observations import KINDS, Observations, Rates
+from rigidsym.fitting.parameters import Point, states
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.states import states
 from rigidsym.quaternions import conjugate, rotated
 
-Search = Callable[[Problem], list[Local]]
+Search = Callable[[Problem], list[Minimum]]
 Sets = tuple[Observations, ...]
 Names = tuple[str, ...]
+Place = tuple[int, int]
+"The set and the index of an observation."
 
-# That errors of the size given make chi2 as large, or as small.
+# Probability that errors of the stated size make chi2 as large, or as small.
 _CHANCE = 1e-6
-# Of the residuals of a motion that has nothing to do with the observations, as root mean squares:
-# from where on another reading of the data is tried, and from where on no errors are as large.
+# Root mean square of residuals over that of a motion unrelated to the observations: from the first
+# on other conventions are tried, from the second on residuals cannot be errors.
 _SUSPECT, _GROSS = 0.05, 0.25
-# Of the observations: how many may be outliers.
+# The largest part of the observations that may be outliers.
 _FEW = 0.25
-# Standard deviations of the correlation of residuals with the next ones.
+# Limit of the correlation of residuals with the next ones, in standard deviations.
 _SERIAL = 5.0
-# How many times smaller another reading makes chi2, and what is as small.
+# Factor by which another convention must reduce chi2, and factor within which two are equal.
 _BETTER, _TIE = 10.0, 2.0
-_ATTITUDES: tuple[str, ...] = (
-    "",
-    "scalar last",
-    "inertial to body",
-    "scalar last and inertial to body",
-)
-_DIRECTIONS: tuple[str, ...] = ("", "known and seen exchanged")
-# By what factor rates are those that belong to the times.
+# Probability that any of good observations is named an outlier.
+_OUTLIER_CHANCE = 0.01
+# Least eigenvalue of 1 - H for an observation that others predict.
+_ALONE = 1e-9
+# Units of rates or times that others use, with the factor to the expected units.
 _RATES = {
     "rates in degrees": np.pi / 180,
     "rates in degrees a day": np.pi / 180 / 86400,
@@ -55,7 +52,7 @@ _RATES = {
 
 
 class Verdict(StrEnum):
-    """What residuals say of model and data."""
+    """Verdict on residuals, model and data."""
 
     AGREE = "agree"
     LARGER = "residuals are larger than the errors given"
@@ -66,7 +63,7 @@ class Verdict(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """Another convention that the data may follow, and chi2 of the best motion then."""
+    """Another convention of the data, and chi2 of the best motion by it."""
 
     name: str
     chi2: float
@@ -74,8 +71,11 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """A verdict on residuals: the root of chi2 over its degrees of freedom, one line on what to do
-    (empty where they agree), and the readings of the data that fit instead."""
+    """Verdict on the residuals of a fit.
+
+    scale: the root of chi2 over its degrees of freedom. message: one line on what to do, empty
+    where residuals agree with the errors. readings: conventions by which the data fit instead.
+    """
 
     verdict: Verdict
     scale: float
@@ -84,27 +84,28 @@ class Agreement:
 
     @property
     def hopeless(self) -> bool:
-        """Whether the motion is not that of the data, so that its errors mean nothing."""
+        """Return whether model and data disagree, so that the errors of the motion mean nothing."""
         return self.verdict is Verdict.DISAGREE
 
 
 def agreement(problem: Problem, point: Point, freedom: int, search: Search) -> Agreement:
-    """Judge the residuals of a motion by what they are beside errors.
+    """Judge the residuals of a motion by the stated errors.
 
-    freedom: of chi2.  search: minima of a problem; other readings of the data are tried only where
-    chi2 is too large and residuals are far from small.
+    freedom: degrees of freedom of chi2. search: returns the minima of a problem; other conventions
+    of the data are tried only where chi2 is too large and residuals are far from small.
     """
     residuals = problem.residuals(point)
     chi2 = float(np.sum(residuals**2))
     if not np.isfinite(chi2):
         return Agreement(Verdict.DISAGREE, np.inf, "the motion has no states at some times")
     scale = float(np.sqrt(chi2 / max(freedom, 1)))
-    if freedom < 1 or _allows(chi2, freedom):
+    tails = chi2_law.sf(chi2, freedom), chi2_law.cdf(chi2, freedom)
+    if freedom < 1 or min(tails) > _CHANCE:
         return Agreement(Verdict.AGREE, scale)
     if chi2 < freedom:
         said = f"residuals are {scale:.2g} of the errors given: standard deviations are too large"
         return Agreement(Verdict.SMALLER, scale, said)
-    named = _named(problem, point)
+    named = _outlier_count(problem, point)
     if named:
         said = f'{named} outliers make chi2: remove them, or use loss="cauchy"'
         return Agreement(Verdict.OUTLIERS, scale, said)
@@ -126,13 +127,9 @@ def agreement(problem: Problem, point: Point, freedom: int, search: Search) -> A
     return Agreement(Verdict.LARGER, scale, said)
 
 
-def _allows(chi2: float, freedom: int) -> bool:
-    return min(chi2_law.sf(chi2, freedom), chi2_law.cdf(chi2, freedom)) > _CHANCE
-
-
-def _named(problem: Problem, point: Point) -> int:
-    """Return how many outliers there are, where few are all that is wrong; else 0."""
-    robust = local(problem, point, "cauchy")
+def _outlier_count(problem: Problem, point: Point) -> int:
+    """Return the number of outliers if they alone make chi2 too large; else 0."""
+    robust = minimise(problem, point, "cauchy")
     named = outliers(problem, observability(problem, robust.point))
     if not 0 < len(named) <= _FEW * sum(one.count for one in problem.sets):
         return 0
@@ -144,14 +141,16 @@ def _named(problem: Problem, point: Point) -> int:
     freedom = left.count - left.parameters.count
     if freedom < 1:
         return 0
-    best = local(left, robust.point)
+    best = minimise(left, robust.point)
     return len(named) if chi2_law.sf(best.cost, freedom) > _CHANCE else 0
 
 
 def _sizes(problem: Problem, point: Point) -> list[float]:
-    """Return the residuals of each set that misses by more than its errors, over those of a motion
-    that has nothing to do with it."""
-    seen = point.seen(*states(point, problem.since, problem.engine))
+    """Return the sizes of residuals that are too large, set by set.
+
+    They are relative to those of a motion unrelated to the set; the first is 0.
+    """
+    seen = point.in_observed_axes(*states(point, problem.since, problem.engine))
     found = [0.0]
     for one, at in zip(problem.sets, problem.places, strict=True):
         missed = one.residuals(*(x[at] for x in seen))
@@ -163,7 +162,7 @@ def _sizes(problem: Problem, point: Point) -> list[float]:
 
 
 def _is_serial(problem: Problem, residuals: np.ndarray) -> bool:
-    """Whether the residuals of a set go with the next ones, as errors do not."""
+    """Return whether residuals of a set are correlated with the next ones, unlike errors."""
     for rows in problem.rows:
         own = residuals[rows]
         serial = np.sum(own[1:] * own[:-1]) / max(np.sum(own**2), np.finfo(float).tiny)
@@ -173,7 +172,7 @@ def _is_serial(problem: Problem, residuals: np.ndarray) -> bool:
 
 
 def _readings(problem: Problem, chi2: float, search: Search) -> Iterator[Reading]:
-    """Yield the readings by which the data fit, or chi2 is a small part of what it was."""
+    """Yield the conventions by which the data fit, or chi2 is a small part of what it was."""
     found: dict[str, float] = {}
     for names, posed, point in _minima(problem, search):
         freedom = posed.count - posed.parameters.count
@@ -185,52 +184,40 @@ def _readings(problem: Problem, chi2: float, search: Search) -> Iterator[Reading
 
 
 def _minima(problem: Problem, search: Search) -> Iterator[tuple[Names, Problem, Point]]:
-    """Yield the names of readings of all sets, the problem by each, and its best motion.
+    """Yield the names of conventions of all sets, the problem by each, and its best motion.
 
-    Rates by themselves are read in each unit; with others, as suits the motion of the others.
+    Rates alone are read in each unit; rates beside others by what suits the motion of the others.
     """
     rates = tuple(one for one in problem.sets if isinstance(one, Rates))
     others = tuple(one for one in problem.sets if not isinstance(one, Rates))
     for name, factor in {} if others else _RATES.items():
-        posed = replace(problem, sets=tuple(_scaled(one, factor) for one in rates))
+        posed = replace(problem, sets=tuple(one.scaled(factor) for one in rates))
         yield (name,), posed, search(posed)[0].point
-    for names, sets in _read(others):
+    for names, sets in _by_conventions(others):
         posed = replace(problem, sets=sets)
         if not (names or rates) or not others or posed.count < posed.parameters.count:
             continue
         point = search(posed)[0].point
         for said, read in _rates_by(point, posed, rates):
             whole = replace(problem, sets=(*sets, *read))
-            yield (*names, *said), whole, local(whole, point).point if rates else point
+            yield (*names, *said), whole, minimise(whole, point).point if rates else point
 
 
-def _scaled(one: Observations, factor: float) -> Observations:
-    """Rates with their errors in another unit."""
-    return one.changed(seen=factor * one.seen, weights=one.weights / factor)
-
-
-def _read(sets: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield the names of all readings of attitudes and directions, and the sets read by them."""
-    has = [any(isinstance(one, kind) for one in sets) for kind in (Attitudes, Directions)]
-    asked = (_ATTITUDES if has[0] else _ATTITUDES[:1], _DIRECTIONS if has[1] else _DIRECTIONS[:1])
-    for attitude, direction in every(*asked):
-        found = []
-        for one in sets:
-            seen = one.seen
-            if isinstance(one, Directions) and direction:
-                one = one.changed(seen_in="space" if one.seen_in == "body" else "body")
-            if isinstance(one, Attitudes) and "last" in attitude:
-                seen = np.roll(seen, 1, axis=-1)
-            if isinstance(one, Attitudes) and "inertial" in attitude:
-                seen = conjugate(seen)
-            found.append(one.changed(seen=seen))
-        names = {"attitudes": attitude, "vectors": direction}
-        yield tuple(f"{kind} {name}" for kind, name in names.items() if name), tuple(found)
+def _by_conventions(sets: Sets) -> Iterator[tuple[Names, Sets]]:
+    """Yield the names of all combinations of conventions, and the sets by them."""
+    kinds = [kind for kind in KINDS if any(one.kind == kind for one in sets)]
+    for names in every(*(KINDS[kind].conventions for kind in kinds)):
+        chosen = dict(zip(kinds, names, strict=True))
+        read = tuple(one.by_convention(chosen[one.kind]) for one in sets)
+        yield tuple(f"{kind} {name}" for kind, name in chosen.items() if name), read
 
 
 def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Names, Sets]]:
-    """Yield the name of a reading of rates, and the sets read by it: by the axes and the unit that
-    suit a motion best, first with errors in the same unit, then with errors as they are."""
+    """Yield names of conventions of rates, and the sets by them.
+
+    These are the axes and the unit that suit a motion best, first with errors in the same unit,
+    then with errors as they are.
+    """
     if not rates or not np.isfinite(problem.residuals(point)).all():
         yield (), rates
         return
@@ -238,7 +225,7 @@ def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Nam
     for axes, (name, factor) in every(("body", "inertial"), (("", 1.0), *_RATES.items())):
         read, missed, size = [], 0.0, 0.0
         for one in rates:
-            q, omega = point.seen(*states(point, one.t - problem.epoch, problem.engine))
+            q, omega = point.in_observed_axes(*states(point, one.t - problem.epoch, problem.engine))
             seen = factor * (one.seen if axes == "body" else rotated(conjugate(q), one.seen))
             missed += float(np.sum((seen - omega) ** 2))
             size += float(np.sum(omega**2))
@@ -251,3 +238,53 @@ def _rates_by(point: Point, problem: Problem, rates: Sets) -> Iterator[tuple[Nam
     _, said, factor, read = min(candidates, key=lambda x: x[0])
     yield said, tuple(one.changed(weights=one.weights / factor) for one in read)
     yield said, read
+
+
+def against_others(
+    sets: list[np.ndarray], residuals: np.ndarray, part: np.ndarray
+) -> list[np.ndarray]:
+    """Return chi2 (N,) by which each observation misses the prediction from all others, by set.
+
+    sets: indices (N, width) of residuals; part: an orthonormal basis of what parameters move
+    residuals by.  With leverages H = part part^T it is r^T (1 - H)^-1 r, with as many degrees of
+    freedom as the observation has numbers; NaN where the others predict nothing.
+    """
+    listed = []
+    for rows in sets:
+        own = part[rows]
+        left = np.eye(rows.shape[1]) - own @ np.swapaxes(own, -2, -1)
+        alone = np.linalg.eigvalsh(left)[:, 0] < _ALONE
+        left[alone] = np.eye(rows.shape[1])
+        r = residuals[rows]
+        found = np.sum(r * np.linalg.solve(left, r[..., None])[..., 0], axis=-1)
+        listed.append(np.where(alone, np.nan, found))
+    return listed
+
+
+def outliers(problem: Problem, found: Observability) -> tuple[Place, ...]:
+    """Return the set and the index of each outlier, at 1 % for all observations together.
+
+    The worst is removed first, and the others are judged again without it.
+    """
+    total = sum(one.count for one in problem.sets)
+    limits = [float(chi2_law.isf(_OUTLIER_CHANCE / total, one.width)) for one in problem.sets]
+    moved, residuals = found.moved.copy(), found.residuals
+    named: list[Place] = []
+    part = moved
+    while len(named) < total // 2:
+        misses = against_others(problem.rows, residuals, part)
+        over = [np.nan_to_num(x) / limit for x, limit in zip(misses, limits, strict=True)]
+        worst = max(range(len(over)), key=lambda k: float(np.max(over[k])))
+        place = int(np.argmax(over[worst]))
+        if over[worst][place] <= 1:
+            break
+        named.append((worst, place))
+        gone = problem.rows[worst][place]
+        moved[gone] = 0.0
+        kept = np.where(np.isin(np.arange(len(residuals)), gone), 0.0, residuals)
+        step = np.linalg.lstsq(moved, -kept, rcond=None)[0]
+        residuals = kept + moved @ step
+        # A basis of the errors of the rest.
+        left, sizes, _ = np.linalg.svd(moved, full_matrices=False)
+        part = left * (sizes > 0)
+    return tuple(sorted(named))

@@ -13,25 +13,26 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.stats import chi2 as chi2_law
 
-from rigidsym.fitting.batch import blocks
-from rigidsym.fitting.observability import Errors
+from rigidsym.fitting.minimise import blocks
+from rigidsym.fitting.observability import Errors, Quantities
 from rigidsym.fitting.parameters import Point
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.quantities import Quantities
 
 LEVEL = 0.95
 _MOST_STEPS = 40
-# Of an end: what the next step may still change; of chi2: how near it has to be to its level.
+# An end has converged if the next step changes it by less, relative to the interval, and chi2 is as
+# near to its level.
 _NEAR, _ON_LEVEL = 0.02, 0.05
-# The same where bodies end before chi2 reaches the level.
+# Relative step that ends a search where bodies end before chi2 reaches the level.
 _STALLED = 1e-3
-# The longest step, in units of errors, and what chi2 may exceed its prediction by.
+# The longest step, in units of errors, and how far chi2 may exceed its prediction.
 _LONGEST, _BEYOND = 8.0, 2.0
-# How many times an end may be off, either way, and what part of the directions; by how much of a
-# distance the distances by covariance and by chi2 may differ.
+# Flagged are ends that differ by a larger factor, and more than a share of directions in which the
+# distances by covariance and by chi2 differ by a larger part.
 _OFF, _MANY, _APART = 1.25, 0.15, 0.5
 _DIRECTIONS = 64
-# Of the largest eigenvalue of a correlation matrix, and of the largest part of a direction.
+# Least eigenvalue of a correlation matrix, and least part of a direction that is named, relative to
+# the largest.
 _RANK, _PART = 1e-11, 0.5
 
 Ends = tuple[np.ndarray, ...]
@@ -39,14 +40,14 @@ Ends = tuple[np.ndarray, ...]
 
 @dataclass(frozen=True, slots=True)
 class Nonlinearity:
-    """How much of a covariance the likelihood bears out.
+    """Comparison of a covariance with the likelihood.
 
     ratios (k, 2): distance of both ends of each 95 % interval from the estimate, over that by the
-    standard deviation; NaN where there is none.  beyond: share of directions in which the
-    covariance excludes motions that the observations allow; off: share in which chi2 grows
-    otherwise than its linear prediction; both on the edge of the region of 95 %.
-    single: quantities whose interval is not that of the standard deviation.  joint: quantities of
-    the combination that the covariance as a whole is most overconfident of.
+    standard deviation; NaN where there is none. beyond: share of directions in which the covariance
+    excludes motions that the observations allow; off: share in which chi2 differs from its linear
+    prediction; both on the edge of the 95 % region. single: quantities whose interval differs from
+    that of the standard deviation. joint: quantities in the combination of which the covariance as
+    a whole is most overconfident.
     """
 
     ratios: np.ndarray
@@ -57,12 +58,12 @@ class Nonlinearity:
 
     @property
     def flagged(self) -> bool:
-        """Whether covariance and standard deviations must not be taken for the errors."""
+        """Return whether covariance and standard deviations must not be used as errors."""
         return bool(self.single) or max(self.beyond, self.off) > _MANY
 
     @property
     def message(self) -> str:
-        """One line on what is wrong and what to use instead; empty where nothing is."""
+        """Return one line on what is wrong and what to use instead; empty where nothing is."""
         said = []
         if self.single:
             said.append(f"the standard deviation misleads for {', '.join(self.single)}")
@@ -74,24 +75,27 @@ class Nonlinearity:
 
 
 NONE = Nonlinearity(np.empty((0, 2)), 0.0, 0.0, (), ())
-"That of a fit whose errors are not told, or of a spin."
+"The nonlinearity of a fit without errors, and of a spin."
 
 
 @dataclass(frozen=True, slots=True)
 class Likelihood:
-    """chi2 of motions less that of the best, after `offset` (M,) is taken off all residuals."""
+    """Function chi2 of motions less that of the best.
+
+    offset (M,): subtracted from all residuals first.
+    """
 
     quantities: Quantities
     offset: np.ndarray
 
     @property
     def problem(self) -> Problem:
-        """The observations and parameters."""
+        """Return the observations and parameters."""
         return self.quantities.problem
 
     @property
     def best(self) -> Point:
-        """The point at which chi2 is least."""
+        """Return the point at which chi2 is least."""
         return self.problem.parameters.inner(self.quantities.best)
 
     def rise(self, points: Point) -> np.ndarray:
@@ -105,8 +109,11 @@ class Likelihood:
         return np.concatenate(found) - least
 
     def normal(self, points: Point) -> Ends:
-        """Return chi2 (B,), half its first and second derivatives (B, p) and (B, p, p), and the
-        quantities (B, k) with their derivatives (B, k, p), at motions (B,)."""
+        """Return the normal equations and the quantities at motions (B,).
+
+        These are chi2 (B,), half its first and second derivatives (B, p) and (B, p, p), and the
+        quantities (B, k) with their derivatives (B, k, p).
+        """
         found = []
         for some in blocks(self.problem, points):
             own = self.problem.parameters.own(some)
@@ -157,7 +164,7 @@ def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> 
             good &= np.isfinite(x.reshape(len(x), -1)).all(axis=1)
         own = np.where(good, 2 * longest[going], np.minimum(longest[going], size) / 4)
         longest[going] = np.minimum(own, _LONGEST)
-        for old, x in zip((*state, *_parts(points)), (*new, *_parts(tried)), strict=True):
+        for old, x in zip((*state, *points.parts), (*new, *tried.parts), strict=True):
             old[going[good]] = x[good]
     return ends.reshape(-1, 2)
 
@@ -165,10 +172,10 @@ def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> 
 def _step(
     left: np.ndarray, slope: np.ndarray, metric: np.ndarray, ways: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the steps (B, p) to the ends of linearised problems, what quantities that go `ways`
-    (B, p) gain, and how far they are from the middle to the end of their intervals.
+    """Return the steps (B, p) to the ends of linearised problems, with gains and half widths.
 
-    The largest w.d with 2 s.d + d.A d = left, by one multiplier: d = l A^-1 w - A^-1 s.
+    Gains (B,) are of quantities that change along `ways` (B, p).  The step is the largest w.d with
+    2 s.d + d.A d = left, by one multiplier: d = l A^-1 w - A^-1 s.
     """
     both = np.linalg.solve(metric, np.stack([slope, ways], axis=-1))
     back, along = both[..., 0], both[..., 1]
@@ -183,50 +190,49 @@ def _product(step: np.ndarray, matrix: np.ndarray) -> np.ndarray:
     return np.sum(step * (matrix @ step[..., None])[..., 0], axis=-1)
 
 
-def _parts(point: Point) -> tuple[np.ndarray, ...]:
-    return point.attitude, point.omega, point.moments, point.mount
-
-
 def nonlinearity(
     likelihood: Likelihood, here: Errors, covariance: np.ndarray, ends: np.ndarray
 ) -> Nonlinearity:
-    """Compare a covariance (k, k) with the likelihood: with the `ends` (k, 2) of intervals, and in
-    directions spread evenly over the linear errors `here`.
+    """Compare a covariance (k, k) with the likelihood.
 
-    Each direction is followed to the edge of the region that holds 95 % of the truths.  There the
-    Mahalanobis distance of the quantities and chi2 are compared with what linear errors say.
+    It is compared with the `ends` (k, 2) of intervals, and in directions spread evenly over the
+    linear errors `here`.  Each direction is followed to the edge of the region that holds 95 % of
+    the truths.  There the Mahalanobis distance of the quantities and chi2 are compared with their
+    linear predictions.
     """
     quantities, names = likelihood.quantities, likelihood.quantities.names
     sigma = np.sqrt(np.diag(covariance))
-    told: np.ndarray = ~np.isnan(ends[:, 0])
+    determined: np.ndarray = ~np.isnan(ends[:, 0])
     ratios = np.full(ends.shape, np.nan)
-    ratios[told] = np.abs(ends[told]) / (np.sqrt(chi2_law.ppf(LEVEL, 1)) * sigma[told, None])
+    ratios[determined] = np.abs(ends[determined]) / (
+        np.sqrt(chi2_law.ppf(LEVEL, 1)) * sigma[determined, None]
+    )
     right = ((ratios > 1 / _OFF) & (ratios < _OFF)).all(axis=1)
-    single = tuple(names[k] for k in np.flatnonzero(told & ~right))
-    count = here.told.shape[1]
-    # The same for every fit: what is said of one does not depend on chance.
+    single = tuple(names[k] for k in np.flatnonzero(determined & ~right))
+    count = here.determined.shape[1]
+    # Every fit takes the same directions, so that its verdict does not depend on chance.
     z = np.random.default_rng(0).normal(size=(_DIRECTIONS, count))
     square = float(chi2_law.ppf(LEVEL, count))
     z *= np.sqrt(square) / np.linalg.norm(z, axis=1)[:, None]
     parameters, best = likelihood.problem.parameters, quantities.best
-    points = parameters.stepped(best.repeated(_DIRECTIONS), z @ here.told.T)
-    linear = z @ (quantities.rows(best, parameters.linear(best)) @ here.told).T
-    axes = _axes(covariance, told)
-    said, true = ((x[:, told] @ axes) ** 2 for x in (linear, quantities.apart(points)))
+    points = parameters.stepped(best.repeated(_DIRECTIONS), z @ here.determined.T)
+    linear = z @ (quantities.rows(best, parameters.linear(best)) @ here.determined).T
+    axes = _axes(covariance, determined)
+    said, true = ((x[:, determined] @ axes) ** 2 for x in (linear, quantities.apart(points)))
     excess = np.nan_to_num(true - said, nan=np.inf)
     beyond = float(np.mean(~(np.sum(excess, axis=1) <= _APART * square)))
     off = float(np.mean(~(np.abs(likelihood.rise(points) - square) <= _APART * square)))
     joint: tuple[str, ...] = ()
     if beyond > _MANY:
-        worst = axes[:, np.argmax(np.median(excess, axis=0))] * sigma[told]
+        worst = axes[:, np.argmax(np.median(excess, axis=0))] * sigma[determined]
         part = np.abs(worst) >= _PART * np.max(np.abs(worst))
-        joint = tuple(np.array(names)[told][part].tolist())
+        joint = tuple(np.array(names)[determined][part].tolist())
     return Nonlinearity(ratios, beyond, off, single, joint)
 
 
-def _axes(covariance: np.ndarray, told: np.ndarray) -> np.ndarray:
-    """Return columns (n, r) that make quantities told (..., n) independent and of variance one."""
-    own = covariance[np.ix_(told, told)]
+def _axes(covariance: np.ndarray, determined: np.ndarray) -> np.ndarray:
+    """Return columns (n, r) that make quantities (..., n) independent and of unit variance."""
+    own = covariance[np.ix_(determined, determined)]
     sigma = np.sqrt(np.diag(own))
     sizes, vectors = np.linalg.eigh(own / np.outer(sigma, sigma))
     kept = sizes > _RANK * np.max(sizes)

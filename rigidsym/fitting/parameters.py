@@ -1,8 +1,8 @@
-"""What is estimated: a small turn, rates, the shape of the body, and where its axes lie.
+"""Parameters of a motion: a small turn, rates, the shape of the body, and its principal axes.
 
 Moments c_i = s - a_i stand for the second moments of the mass a_i > 0 about the centre, s their
-sum.  Their logarithms are free: every choice is a body that can exist, axes may change their order,
-and two of them are seen in a motion, while their common scale is not.
+sum.  Their logarithms are free: every choice is a body that can exist, and axes may change their
+order.  A motion shows two of the three; their common scale is unobservable.
 """
 
 from collections.abc import Iterable
@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from rigidsym.fitting.rotations import left_jacobian
+from rigidsym.motion import TorqueFreeMotion, propagate
 from rigidsym.quaternions import (
     conjugate,
     cross_matrices,
@@ -22,20 +23,21 @@ from rigidsym.quaternions import (
 )
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
-# What two of three logarithms move: an orthonormal basis across (1, 1, 1).
+# An orthonormal basis across (1, 1, 1), in which the shape moves the three logarithms.
 _SHAPES = np.array([[1.0, 1.0], [-1.0, 1.0], [0.0, -2.0]]) / np.sqrt([2.0, 6.0])
-# Of the sum of the second moments: flatter bodies are not told from flat ones.
+# The least second moment, as a part of their sum; flatter bodies count as flat.
 _THINNEST = 1e-9
-# What a start has to have of them: logarithms hardly leave flat bodies.
+# The least second moment of a start, because steps of logarithms hardly leave flat bodies.
 _INNER = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """One motion, or many with leading shapes: where its parameters are zero.
+    """One motion, or many with leading shapes, at which the parameters are zero.
 
-    attitude (..., 4) and omega (..., 3) at t = 0, moments (..., 3), along the principal axes;
-    mount (..., 4): the rotation from the principal axes to those that observations speak of.
+    attitude (..., 4) and omega (..., 3) at the epoch, moments (..., 3), along the principal axes;
+    mount (..., 4): the rotation from the principal axes to the observed axes of the body, along
+    which observations are expressed.
     """
 
     attitude: np.ndarray
@@ -44,20 +46,24 @@ class Point:
     mount: np.ndarray
 
     def __getitem__(self, some: np.ndarray | int | slice) -> "Point":
-        return Point(self.attitude[some], self.omega[some], self.moments[some], self.mount[some])
+        return Point(*(x[some] for x in self.parts))
 
     @property
     def count(self) -> int:
-        """How many motions, of those that have a leading shape (B,)."""
+        """Return the number of motions (B,)."""
         return len(self.omega)
 
-    def repeated(self, count: int = 1) -> "Point":
-        """One motion as many equal ones, (B,)."""
-        parts = (self.attitude, self.omega, self.moments, self.mount)
-        return Point(*(np.tile(x, (count, 1)) for x in parts))
+    @property
+    def parts(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Return the four arrays."""
+        return self.attitude, self.omega, self.moments, self.mount
 
-    def seen(self, q: np.ndarray, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """States (..., N, 4), (..., N, 3) of the principal axes as those of the axes observed."""
+    def repeated(self, count: int = 1) -> "Point":
+        """Return one motion as many equal ones, (B,)."""
+        return Point(*(np.tile(x, (count, 1)) for x in self.parts))
+
+    def in_observed_axes(self, q: np.ndarray, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return states (..., N, 4), (..., N, 3) of the principal axes for the observed axes."""
         if np.all(self.mount == IDENTITY):
             return q, omega
         mount = self.mount[..., None, :]
@@ -65,15 +71,17 @@ class Point:
 
 
 def joined(points: Iterable[Point]) -> Point:
-    """Points (B,) one after the other."""
-    parts = [(p.attitude, p.omega, p.moments, p.mount) for p in points]
-    return Point(*(np.concatenate(x) for x in zip(*parts, strict=True)))
+    """Return points (B,) one after the other."""
+    return Point(*(np.concatenate(x) for x in zip(*(p.parts for p in points), strict=True)))
 
 
 @dataclass(frozen=True)
 class Parameters:
-    """Which of them there are: rotation vector and rates always; two of shape, the scale of the
-    moments, and a turn of the principal axes in the body where they are asked for."""
+    """Choice of parameters.
+
+    A rotation vector and rates are always parameters; two of the shape, the scale of the moments,
+    and a turn of the principal axes in the body where they are wanted.
+    """
 
     shape: bool = True
     scale: bool = False
@@ -81,28 +89,31 @@ class Parameters:
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Of each, for reading."""
+        """Return the name of each parameter."""
         named = [f"{name} {axis}" for name in ("attitude", "omega") for axis in "123"]
         named += ["shape 1", "shape 2"] * self.shape + ["scale"] * self.scale
         return (*named, *(["axes 1", "axes 2", "axes 3"] * self.axes))
 
     @property
     def count(self) -> int:
-        """How many."""
+        """Return the number of parameters."""
         return len(self.names)
 
     def _places(self, name: str) -> list[int]:
         return [k for k, x in enumerate(self.names) if x.startswith(name)]
 
     def natural(self, point: Point, span: float) -> np.ndarray:
-        """What changes everything, (count,): 1 rad, the rates as they are or 1 rad in the span of
-        the observations, the moments as they are."""
+        """Return the natural sizes (count,) of the parameters.
+
+        These are 1 rad, the rates as they are or 1 rad in the span of the observations, and the
+        moments as they are.  A change by its natural size changes everything.
+        """
         found = np.ones(self.count)
         found[3:6] = max(float(np.linalg.norm(point.omega)), 1 / span)
         return found
 
     def moved(self, point: Point, x: np.ndarray) -> Point:
-        """The point that x (..., count) stands for."""
+        """Return the point at parameters x (..., count)."""
         found = replace(
             point,
             attitude=product(of_rotation_vectors(x[..., :3]), point.attitude),
@@ -118,8 +129,11 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """The points that x (..., count) stands for as `linear` counts it, from one point or from
-        as many: shapes are steps of the moments, to where bodies end at most."""
+        """Return the points at parameters x (..., count) as `linear` counts them.
+
+        From one point or from as many.  Shapes are steps of the moments, at most to where bodies
+        cease to exist.
+        """
         level = np.array(x)
         level[..., self._places("shape") + self._places("scale")] = 0.0
         moments = point.moments + (self.linear(point)[..., 6:9, :] @ x[..., None])[..., 0]
@@ -129,7 +143,7 @@ class Parameters:
         return replace(self.moved(point, level), moments=moments)
 
     def inner(self, point: Point) -> Point:
-        """The point, or one beside it from which its shape can move."""
+        """Return the point, or one beside it from which its shape can move."""
         if not self.shape:
             return point
         own, total = _second_moments(point.moments)
@@ -139,15 +153,15 @@ class Parameters:
         return replace(point, moments=np.where(thin, moved, point.moments))
 
     def own(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
-        """How (eta0, omega0, moments) and the turn of the axes, 12 rows, go with the parameters.
+        """Return derivatives (..., 12, count) of (eta0, omega0, moments) and the turn of the axes.
 
-        (..., 12, count), at a point; or, for one motion, where x (count,) has moved to that point.
+        They are at a point; or, for one motion, where x (count,) has moved to that point.
         """
         found = np.zeros((*point.omega.shape[:-1], 12, self.count))
         found[..., :3, :3] = np.eye(3) if x is None else left_jacobian(x[:3])
         found[..., 3:6, 3:6] = np.eye(3)
         if self.shape:
-            found[..., 6:9, self._places("shape")] = _shaping(point.moments)
+            found[..., 6:9, self._places("shape")] = _reshaped_derivative(point.moments)
         if self.scale:
             found[..., 6:9, self._places("scale")] = point.moments[..., None]
         if self.axes:
@@ -156,7 +170,7 @@ class Parameters:
         return found
 
     def linear(self, point: Point) -> np.ndarray:
-        """The same rows (..., 12, count) by parameters that errors are told of.
+        """Return the rows of `own` by the parameters in which errors are expressed.
 
         Shapes are two directions of the moments across their scale, of the size of the moments:
         unlike logarithms they do not end at flat bodies.
@@ -169,13 +183,13 @@ class Parameters:
         return found
 
 
-def observed(
+def observed_derivatives(
     point: Point, q: np.ndarray, omega: np.ndarray, sensitivity: np.ndarray, own: np.ndarray
 ) -> np.ndarray:
-    """How turn and rates of the axes observed go with the parameters: (..., N, 6, p).
+    """Return derivatives (..., N, 6, p) of turn and rates of the observed axes by the parameters.
 
-    Of states (..., N, 4), (..., N, 3) of those axes, sensitivities (..., N, 6, 9) of the principal
-    ones, and the rows (..., 12, p) of `Parameters.own`.
+    q, omega: states (..., N, 4), (..., N, 3) of the observed axes; sensitivity (..., N, 6, 9): of
+    the principal axes; own (..., 12, p): see `Parameters.own`.
     """
     own = own[..., None, :, :]
     moved = sensitivity @ own[..., :9, :]
@@ -188,13 +202,13 @@ def observed(
 
 
 def _second_moments(moments: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """a (..., 3) and their sum (..., 1)."""
+    """Return a (..., 3) and their sum (..., 1)."""
     total = np.sum(moments, axis=-1, keepdims=True) / 2
     return np.maximum(total - moments, _THINNEST * total), total
 
 
 def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
-    """Moments (..., 3) with the same sum whose logarithms have moved by x (..., 2)."""
+    """Return moments (..., 3) with the same sum whose logarithms have moved by x (..., 2)."""
     own, total = _second_moments(moments)
     log = np.log(own) + x @ _SHAPES.T
     share = np.exp(log - np.max(log, axis=-1, keepdims=True))
@@ -202,8 +216,37 @@ def _reshaped(moments: np.ndarray, x: np.ndarray) -> np.ndarray:
     return total * (1 - share / np.sum(share, axis=-1, keepdims=True))
 
 
-def _shaping(moments: np.ndarray) -> np.ndarray:
-    """Its derivative (..., 3, 2)."""
+def _reshaped_derivative(moments: np.ndarray) -> np.ndarray:
+    """Return the derivative (..., 3, 2) of `_reshaped` by x at zero."""
     own, total = _second_moments(moments)
     mixed = own[..., :, None] * own[..., None, :] / total[..., None]
     return -(own[..., :, None] * np.eye(3) - mixed) @ _SHAPES
+
+
+def motion(point: Point) -> TorqueFreeMotion:
+    """Return the motion of one point, of its principal axes."""
+    return TorqueFreeMotion(point.moments.tolist(), point.omega.tolist(), point.attitude.tolist())
+
+
+def states(point: Point, times: np.ndarray, engine: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return q (..., N, 4), omega (..., N, 3) of the principal axes; NaN where there are none."""
+    found = propagate(
+        point.moments, point.omega, times, point.attitude, engine=engine, errors="nan"
+    )
+    return found[0], found[1]
+
+
+def sensitivities(
+    point: Point, times: np.ndarray, engine: str
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return states, and derivatives of turn and rates by state and moments, (..., N, 6, 9)."""
+    q, omega, found = propagate(
+        point.moments,
+        point.omega,
+        times,
+        point.attitude,
+        engine=engine,
+        errors="nan",
+        sensitivity=True,
+    )
+    return q, omega, np.concatenate([found.attitude, found.rates], axis=-2)

@@ -1,4 +1,4 @@
-"""Observations that the package has: Toutatis by radar, and a T-handle, which is simulated."""
+"""Observations that come with the package: Toutatis by radar, and a simulated T-handle."""
 
 import csv
 from collections.abc import Collection
@@ -8,20 +8,23 @@ from importlib import resources
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.fitting.angles import euler_313
+from rigidsym.fitting.rotations import euler_313
 from rigidsym.io import epochs
 
 TOUTATIS_EPOCH = "1992-12-02T00:00:00"
-"When its times are zero, in UTC."
+"The epoch of its times, in UTC."
 YEARS = (1992, 1996, 2000, 2004, 2008)
-# What the paper weighs angles by, deg.
+# Standard deviations of angles in the paper, deg.
 _EARLY, _LATE, _LATE_FROM = 15.0, 20.0, 2004
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Looks:
-    """N looks at a body: dates in UTC; times (N,), s; attitudes q (N, 4), body to inertial; omega
-    (N, 3), rad/s along the body's axes; sigma (N,): what the paper weighs attitudes by, rad."""
+class RadarObservations:
+    """N radar observations of a body, with attitudes and spin vectors.
+
+    dates: in UTC; times (N,), s; q (N, 4): body to inertial; omega (N, 3): rad/s along the body's
+    axes; sigma (N,): standard deviations by which the paper weights attitudes, rad.
+    """
 
     dates: tuple[str, ...]
     times: np.ndarray
@@ -31,16 +34,16 @@ class Looks:
 
 
 def text(name: str) -> str:
-    """A file of observations as it ships with the package."""
+    """Return the text of a file of observations that comes with the package."""
     return resources.files("rigidsym.fitting").joinpath("data", name).read_text("utf-8")
 
 
-def toutatis(years: Collection[int] = (1992,)) -> Looks:
-    """Radar's attitudes and spin vectors of (4179) Toutatis in some of YEARS.
+def toutatis(years: Collection[int] = (1992,)) -> RadarObservations:
+    """Return radar's attitudes and spin vectors of (4179) Toutatis in some of YEARS.
 
     Source: Takahashi, Busch and Scheeres, The Astronomical Journal 146:95 (2013), table 3; see the
-    head of data/toutatis.csv on its transcription.  Each year is a motion of its own: tidal torques
-    at flybys, that of 2004 above all, change it.  Raises InputError for other years.
+    head of data/toutatis.csv on its transcription.  Each year is a motion of its own, because tidal
+    torques at flybys, most of all in 2004, change it.  Raises InputError for other years.
     """
     for year in years:
         if year not in YEARS:
@@ -55,7 +58,7 @@ def toutatis(years: Collection[int] = (1992,)) -> Looks:
         for names in (("alpha", "beta", "gamma"), ("omega1", "omega2", "omega3"))
     )
     late = np.array([int(row["date"][:4]) >= _LATE_FROM for row in rows])
-    return Looks(
+    return RadarObservations(
         tuple(row["date"] for row in rows),
         np.array([tick / epochs.SECOND for tick in ticks]),
         euler_313(np.deg2rad(angles)),

@@ -1,4 +1,4 @@
-"""All minima: starts in batch, refined in batch, and the few that are left by SciPy."""
+"""Search for all minima: starts in batch, refined in batch, the best of them by SciPy."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -6,27 +6,26 @@ from itertools import pairwise
 
 import numpy as np
 
-from rigidsym.fitting import batch
-from rigidsym.fitting.alignment import aligned
-from rigidsym.fitting.local import Local, local
+from rigidsym.fitting import minimise
+from rigidsym.fitting.minimise import Minimum
 from rigidsym.fitting.observations import middle
-from rigidsym.fitting.parameters import Point, joined
+from rigidsym.fitting.parameters import Point, joined, states
 from rigidsym.fitting.problem import Problem
-from rigidsym.fitting.starts import fastest_rate, starts
-from rigidsym.fitting.states import states
+from rigidsym.fitting.starts import aligned, fastest_rate, starts
 
 Progress = Callable[[int, int], None]
 
-# Observations of each kind that a search looks at first, and how many it takes on at a time.
+# Observations of each kind in the first arc, and the factor by which an arc is extended.
 _ENOUGH, _MORE = 48, 4
-# Steps for all, and for those that are left; how many are left, and how many SciPy gets.
+# Rounds of refinement: steps, and how many motions are kept after them.
 _ROUNDS = ((3, 250), (6, 60), (20, 30))
+# The most motions that SciPy refines in the end.
 _POLISHED = 24
-# Of all starts one in so many is refined, and no fewer than these.
+# One in so many starts is refined, but no fewer than _FEW.
 _PART, _FEW = 4, 250
-# What a minimum may still fall by when SciPy takes it on, of the range that is wanted.
+# Margin of chi2 above the best for motions that SciPy refines, relative to the range wanted.
 _MARGIN = 2.0
-# Rates that differ by less, relative to the largest, are those of the same motion.
+# Motions are equal if their rates differ by less, relative to the largest.
 _SAME = 1e-3
 
 
@@ -38,47 +37,39 @@ def search(
     within: float,
     loss: str,
     progress: Progress = lambda done, total: None,
-) -> list[Local]:
-    """Distinct minima by cost, those within `within` of the best; at least one.
+) -> list[Minimum]:
+    """Return distinct minima by cost, those within `within` of the best; at least one.
 
-    count: of starts.  fastest: the largest rate, rad/s; found from the observations where None.
+    count: of starts. fastest: the largest rate, rad/s; derived from the observations where None.
     """
     robust = loss != "linear"
     stages = list(_stages(problem, count, fastest))
     first = stages[0]
     limit = fastest_rate(first.sets) if fastest is None else fastest
-    points = _promising(first, aligned(first, starts(first, known, count, limit)))
+    points = aligned(first, starts(first, known, count, limit))
+    order = np.argsort(minimise.chi2(first, points, robust=True), kind="stable")
+    points = points[order[: max(_FEW, points.count // _PART)]]
     total = len(_ROUNDS) + len(stages) + 1
     cost = np.full(points.count, np.inf)
     for k, (rounds, kept) in enumerate(_ROUNDS, 1):
-        points, cost = batch.refine(first, points, rounds, robust)
+        points, cost = minimise.refine(first, points, rounds, robust)
         points, cost = _best(first, points, cost, kept)
         progress(k, total)
     for k, (before, stage) in enumerate(pairwise(stages), len(_ROUNDS) + 1):
-        points = _at(points, stage.epoch - before.epoch, problem.engine)
-        points, cost = batch.refine(stage, points, _ROUNDS[-1][0], robust)
+        since = np.array([stage.epoch - before.epoch])
+        q, omega = states(points, since, problem.engine)
+        points = replace(points, attitude=q[:, 0], omega=omega[:, 0])
+        points, cost = minimise.refine(stage, points, _ROUNDS[-1][0], robust)
         points, cost = _best(stage, points, cost, _ROUNDS[-1][1])
         progress(k, total)
     polished = points[cost <= np.min(cost) + _MARGIN * (1 + within)][:_POLISHED]
-    found = [local(problem, polished[k], loss) for k in range(polished.count)]
+    found = [minimise.minimise(problem, polished[k], loss) for k in range(polished.count)]
     progress(total, total)
     return distinct(problem, found, within)
 
 
-def _at(points: Point, since: float, engine: str) -> Point:
-    """The same motions some time later."""
-    q, omega = states(points, np.array([since]), engine)
-    return replace(points, attitude=q[:, 0], omega=omega[:, 0])
-
-
-def _promising(problem: Problem, points: Point) -> Point:
-    """A part of the starts, by how near they come to most of the observations."""
-    cost = batch.chi2(problem, points, robust=True)
-    return points[np.argsort(cost, kind="stable")[: max(_FEW, points.count // _PART)]]
-
-
-def distinct(problem: Problem, found: list[Local], within: float) -> list[Local]:
-    """Those that are minima, each once, by cost, within a range of the best; never none."""
+def distinct(problem: Problem, found: list[Minimum], within: float) -> list[Minimum]:
+    """Return the distinct minima by cost, within a range of the best; never none."""
     order = sorted(found, key=lambda one: (not one.converged, one.cost))
     best, *others = order
     near = [x for x in others if x.converged and x.cost <= best.cost + within]
@@ -90,7 +81,7 @@ def distinct(problem: Problem, found: list[Local], within: float) -> list[Local]
 def _best(
     problem: Problem, points: Point, cost: np.ndarray, count: int
 ) -> tuple[Point, np.ndarray]:
-    """The best of them, each once, and their costs."""
+    """Return the best motions, each once, and their costs."""
     order = np.argsort(cost, kind="stable")
     order = order[np.isfinite(cost[order])]
     if not order.size:
@@ -108,8 +99,8 @@ def _best(
 
 
 def _different(problem: Problem, points: Point) -> list[int]:
-    """Which of the motions (B,) have other rates at the times of observation than those before."""
-    _, omega = points.seen(*states(points, problem.since, problem.engine))
+    """Return the indices of motions (B,) whose rates at the times differ from those before."""
+    _, omega = points.in_observed_axes(*states(points, problem.since, problem.engine))
     rates = omega.reshape(points.count, -1)
     kept: list[int] = []
     for k, one in enumerate(rates):
@@ -120,7 +111,7 @@ def _different(problem: Problem, points: Point) -> list[int]:
 
 
 def _stages(problem: Problem, count: int, fastest: float | None) -> Iterator[Problem]:
-    """From an arc in which periods are told apart by the starts, to all observations."""
+    """Yield problems, from an arc in which starts resolve the periods to all observations."""
     limit = fastest_rate(problem.sets) if fastest is None else fastest
     length = np.sqrt(count / 6) * np.pi / max(limit, 1e-300)
     first = problem.times[0]
@@ -139,7 +130,7 @@ def _within(problem: Problem, begin: float, length: float) -> np.ndarray:
 
 
 def _some(problem: Problem, begin: float, length: float, most: int) -> Problem:
-    """Those observations in an arc, and of many only so many."""
+    """Return the problem of the observations in an arc, at most so many of each set."""
     sets = []
     for one in problem.sets:
         index = np.flatnonzero((one.t >= begin) & (one.t <= begin + length))

@@ -21,10 +21,9 @@ from scipy.optimize import least_squares
 
 import rigidsym
 from rigidsym.fitting import Attitudes
-from rigidsym.fitting.estimate import started
-from rigidsym.fitting.local import local
+from rigidsym.fitting.estimate import solved, started
+from rigidsym.fitting.minimise import minimise
 from rigidsym.fitting.observations import middle
-from rigidsym.fitting.origin import solved
 from rigidsym.fitting.parameters import Parameters
 from rigidsym.fitting.problem import Problem
 from rigidsym.validate.peers.equations import rates
@@ -88,7 +87,7 @@ def main():
     problem = Problem((seen,), Parameters(), engine=asked.engine, epoch=middle([seen]))
     guess = TUMBLING.replace(inertia=(1.0, 0.86, 0.405), omega0=(0.302, -0.503, 1.104))
     problem, start = started(problem, guess, None)
-    own, found = best_of(runs, lambda: local(problem, start))
+    own, found = best_of(runs, lambda: minimise(problem, start))
     print(f"local fit, {asked.looks} attitudes: {own * 1e3:.3g} ms, chi2 {found.cost:.6f}")
     motion = TUMBLING.replace(engine=asked.engine)
     one, _ = best_of(runs, lambda: motion.sensitivity(t))

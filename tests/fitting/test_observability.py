@@ -5,7 +5,7 @@ import pytest
 from simulated import attitudes
 
 import rigidsym
-from rigidsym.fitting.turned import is_bent
+from rigidsym.fitting.observability import is_bent
 
 SIGMA = 1e-4
 
@@ -64,5 +64,5 @@ def test_a_motion_has_the_digits_that_observations_tell(index):
     assert fit.converged
     assert fit.probability > 1e-3
     q, omega = fit.motion(fit.problem.times)
-    again = fit.problem.missed(fit.point, q, omega)
+    again = fit.problem.state_residuals(fit.point, q, omega)
     assert again @ again == pytest.approx(fit.chi2, rel=1e-3)

@@ -7,7 +7,7 @@ from simulated import TUMBLING, attitudes, rates, told
 import rigidsym
 from rigidsym.fitting import Directions, Rates
 from rigidsym.fitting.starts import _FRAMES
-from rigidsym.fitting.tops import tops
+from rigidsym.fitting.symmetric_tops import tops
 from rigidsym.quaternions import conjugate, rotated
 
 SIGMA = 0.02

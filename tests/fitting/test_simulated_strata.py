@@ -68,7 +68,7 @@ def free(stratum, fit):
     if fit.spinning:
         return 4 if stratum == "spin" else 0, 4
     slack = np.sum(fit.moments) - 2 * np.max(fit.moments)
-    return fit.observability.here.told.shape[1] - bool(slack < EDGE * np.max(fit.moments)), 8
+    return fit.observability.here.determined.shape[1] - bool(slack < EDGE * np.max(fit.moments)), 8
 
 
 def apart(truth, fit):

@@ -1,27 +1,31 @@
-"""Symmetric tops that attitudes show: a grid of precession and rotation rates, solved in batch.
+"""Symmetric tops that fit attitudes: a grid of precession and rotation rates, solved in batch.
 
-Of a symmetric top R(t) = A Rz(W t) Ry(theta) Rz(psi(t)) P, where P takes the symmetry axis to z.
-For a rate W of precession the axis goes round a cone: a linear regression gives A and theta.  What
-is left is an angle psi, and a rate w of rotation shows in how far psi - w t is constant.  By the
-momentum, moments across and along the axis have the ratio 1 + w / (W cos theta): above 1 for
-long-axis modes, from 1/2 to 1 for short-axis modes, and no body has less.  Source: Samarasinha and
-A'Hearn, Icarus 93 (1991), 194-225.
+A symmetric top has R(t) = A Rz(W t) Ry(theta) Rz(psi(t)) P, where P takes the symmetry axis to z.
+At a precession rate W the axis describes a cone: a linear regression gives A and theta.  The angle
+psi remains, and a rotation rate w fits if psi - w t is nearly constant.  By the momentum, moments
+across and along the axis have the ratio 1 + w / (W cos theta): above 1 for long-axis modes, from
+1/2 to 1 for short-axis modes; no body has less.  Source: Samarasinha and A'Hearn, Icarus 93
+(1991), 194-225.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from rigidsym.fitting.rotations import about
 from rigidsym.quaternions import matrices
 
-# Bodies near 1/2 are let in with what noise makes of it, as flat ones.
+# The least ratio of moments, below 1/2 because of noise; ratios are then kept between the others.
 _LEAST, _FLAT, _NEEDLE = 0.4, 0.52, 50.0
 
 
 @dataclass(frozen=True, slots=True)
 class Tops:
-    """B of them: rates omega (B, 3) at the time asked for, along the axes observed; `axis` (B,),
-    which of the frames has the symmetry axis for its z; ratio (B,) of moments; misfit (B,)."""
+    """B symmetric tops: rates, symmetry axes, ratios of moments, and misfits.
+
+    omega (B, 3): at the time asked for, along the observed axes; axis (B,): index of the frame
+    that has the symmetry axis for its z; ratio (B,): of moments; misfit (B,).
+    """
 
     omega: np.ndarray
     axis: np.ndarray
@@ -30,10 +34,10 @@ class Tops:
 
 
 def tops(q: np.ndarray, t: np.ndarray, at: float, frames: np.ndarray, rates: np.ndarray) -> Tops:
-    """All tops on a grid that a body can be, from attitudes q (N, 4) at times t (N,).
+    """Return all tops of a grid that a body can be, from attitudes q (N, 4) at times t (N,).
 
-    at: when rates are wanted.  frames (F, 4): quaternions from the axes observed to axes with the
-    symmetry axis as z.  rates (G,): of precession, and both ways of rotation, rad/s, above zero.
+    at: the time of the rates. frames (F, 4): quaternions from the observed axes to axes with the
+    symmetry axis as z. rates (G,): of precession, and both ways of rotation, rad/s, positive.
     """
     seen = matrices(q) @ np.swapaxes(matrices(frames), -2, -1)[:, None]
     turn, tilt, cone = _cones(seen[..., 2], t - at, rates)
@@ -51,15 +55,10 @@ def tops(q: np.ndarray, t: np.ndarray, at: float, frames: np.ndarray, rates: np.
     return Tops(omega[good], axis[good], np.clip(ratio[good], _FLAT, _NEEDLE), misfit[good])
 
 
-def moments(ratio: np.ndarray) -> np.ndarray:
-    """(B, 3), along frames whose z is the symmetry axis."""
-    return np.stack([ratio, ratio, np.ones_like(ratio)], axis=-1)
-
-
 def _cones(
     axes: np.ndarray, t: np.ndarray, rates: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of axes (F, N, 3) in space and each rate: A (F, G, 3, 3), theta (F, G), misfit (F, G)."""
+    """Fit cones to axes (F, N, 3) in space; return A (F, G, 3, 3), theta and misfit (F, G)."""
     phase = rates[:, None] * t
     waves = np.stack([np.ones_like(phase), np.cos(phase), np.sin(phase)], axis=-1)
     inverse = np.linalg.pinv(waves)
@@ -83,22 +82,16 @@ def _unit(vectors: np.ndarray) -> np.ndarray:
 def _angles(
     seen: np.ndarray, turn: np.ndarray, tilt: np.ndarray, t: np.ndarray, rates: np.ndarray
 ) -> np.ndarray:
-    """psi (F, G, N): the turn about z that is left."""
-    about_z = matrices(_quaternion(2, rates[:, None] * t))
-    about_y = matrices(_quaternion(1, tilt))
+    """Return psi (F, G, N), the remaining turn about z."""
+    about_z = matrices(about(2, rates[:, None] * t))
+    about_y = matrices(about(1, tilt))
     before = turn[:, :, None] @ about_z @ about_y[:, :, None]
     left = np.swapaxes(before, -2, -1) @ seen[:, None]
     return np.arctan2(left[..., 1, 0] - left[..., 0, 1], left[..., 0, 0] + left[..., 1, 1])
 
 
-def _quaternion(axis: int, angle: np.ndarray) -> np.ndarray:
-    found = np.zeros((*angle.shape, 4))
-    found[..., 0], found[..., 1 + axis] = np.cos(angle / 2), np.sin(angle / 2)
-    return found
-
-
 def _omega(psi: np.ndarray, tilt: np.ndarray, rates: np.ndarray, both: np.ndarray) -> np.ndarray:
-    """W along the momentum and w along z, in the frame: (F, G, 2 G, 3)."""
+    """Return rates (F, G, 2 G, 3) in the frame: W along the momentum plus w along z."""
     across, along = np.sin(tilt)[..., None], np.cos(tilt)[..., None] + np.zeros_like(psi)
     momentum = np.stack([-across * np.cos(psi), across * np.sin(psi), along], axis=-1)
     found = rates[:, None, None] * momentum
