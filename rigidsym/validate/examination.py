@@ -9,7 +9,7 @@ from rigidsym.validate.campaign import CASES, DIGITS, SEED, Campaign, add_case
 from rigidsym.validate.finding import Finding, measure_case
 from rigidsym.validate.implementations import PEER
 from rigidsym.validate.peers.protocol import Solver
-from rigidsym.validate.peers.user_integrator import Integrator, UserIntegrator
+from rigidsym.validate.peers.user_integrator import Function, UserIntegrator
 from rigidsym.validate.provenance import environment
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.strata import count, draw, in_doubles
@@ -20,7 +20,7 @@ Case = tuple[str, int]
 
 
 def examine(
-    integrator: Integrator | Solver,
+    integrator: Function | Solver,
     cases: int = CASES,
     digits: int = DIGITS,
     seed: int = SEED,

@@ -12,14 +12,14 @@ from rigidsym.validate.case_file import hexadecimal
 from rigidsym.validate.implementations import Implementation, implementation
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
-from rigidsym.validate.peers.user_integrator import Integrator, UserIntegrator
+from rigidsym.validate.peers.user_integrator import Function, UserIntegrator
 from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import Sample, stepped
 from rigidsym.view.report_data import Figure, Numbers
 
 SCHEMA = "rigidsym.case/2"
 # Names of implementations, or implementations and functions by whatever name.
-Asked = Iterable[str] | Mapping[str, Implementation | Integrator]
+Asked = Iterable[str] | Mapping[str, Implementation | Function]
 
 
 class FindingData(Numbers):
@@ -105,5 +105,5 @@ def _entered(implementations: Asked) -> dict[str, Implementation]:
     return {name: implementation(name) for name in implementations}
 
 
-def _is_ready(one: Implementation | Integrator) -> TypeGuard[Implementation]:
+def _is_ready(one: Implementation | Function) -> TypeGuard[Implementation]:
     return hasattr(one, "prepare")

@@ -16,7 +16,7 @@ from rigidsym.errors import PrecisionError
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting import METHODS, Torque, integrate
 from rigidsym.validate.applications import Application, Goal
-from rigidsym.validate.peers.equations import rates
+from rigidsym.validate.peers.integrators import rates
 from rigidsym.validate.peers.protocol import needed
 
 # Of the reference, of unit quaternions and of the largest rate.

@@ -26,7 +26,7 @@ from rigidsym.fitting.minimise import minimise
 from rigidsym.fitting.observations import middle
 from rigidsym.fitting.parameters import Parameters
 from rigidsym.fitting.problem import Problem
-from rigidsym.validate.peers.equations import rates
+from rigidsym.validate.peers.integrators import rates
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from simulated import TUMBLING, attitudes

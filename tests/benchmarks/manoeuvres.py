@@ -29,7 +29,7 @@ from rigidsym import engines
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.families import families, least
 from rigidsym.manoeuvre.problem import Problem
-from rigidsym.validate.peers.equations import rates
+from rigidsym.validate.peers.integrators import rates
 
 TOLERANCE = 1e-13
 # Of central differences: their error and that of rounding are about the same.

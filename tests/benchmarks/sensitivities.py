@@ -25,7 +25,7 @@ import numpy as np
 from rigidsym import TorqueFreeMotion
 from rigidsym.engines import ENGINES
 from rigidsym.quaternions import conjugate, product
-from rigidsym.validate.peers.equations import rates
+from rigidsym.validate.peers.integrators import rates
 
 MOTIONS = {
     "paper": ((0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)),

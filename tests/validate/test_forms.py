@@ -8,7 +8,7 @@ import pytest
 
 from rigidsym import TorqueFreeMotion
 from rigidsym.precise.motion import PreciseMotion
-from rigidsym.validate.forms import compare, cost, fourier, strata
+from rigidsym.validate.forms import compare, fourier
 
 T = np.linspace(-20.0, 20.0, 9)
 
@@ -48,17 +48,19 @@ def test_terms_grow_with_the_modulus_and_end_before_the_separatrix():
 
 
 def test_operations_of_a_form_are_those_of_its_lines():
-    assert cost.operations("theta", "circular") < cost.operations("pi", "circular")
-    some = cost.operations("pi", "circular", ["angles"])
-    assert some + cost.operations("pi", "circular", ["state"]) == cost.operations("pi", "circular")
-    assert cost.constant_bytes("theta", "steady") == 8 * 9
+    assert compare.operations("theta", "circular") < compare.operations("pi", "circular")
+    some = compare.operations("pi", "circular", ["angles"])
+    assert some + compare.operations("pi", "circular", ["state"]) == compare.operations(
+        "pi", "circular"
+    )
+    assert compare.constant_bytes("theta", "steady") == 8 * 9
 
 
 def test_one_table_and_one_figure(monkeypatch):
     monkeypatch.setattr(compare, "AWAY", (1.0, 0.0))
     monkeypatch.setattr(compare, "_REPEATS", 1)
     listed = ("uniform", "symmetric", "separatrix")
-    monkeypatch.setattr(strata, "STRATA", {name: strata.STRATA[name] for name in listed})
+    monkeypatch.setattr(compare, "STRATA", {name: compare.STRATA[name] for name in listed})
     found = compare.compare_forms(cases=2)
     assert {one.form for one in found.costs} == {"theta", "pi", "Fourier"}
     generated = [one for one in found.costs if one.form != "Fourier"]

@@ -12,9 +12,9 @@ import pytest
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.engines import EngineError
 from rigidsym.validate import peers
-from rigidsym.validate.peers import PEERS, scipy_peer
-from rigidsym.validate.peers import initial_state as start
-from rigidsym.validate.peers.initial_state import Start
+from rigidsym.validate.peers import PEERS, integrators
+from rigidsym.validate.peers.integrators import both_ways
+from rigidsym.validate.peers.protocol import Start, checked
 
 # Distance of quaternions, relative to unity, and of rates, relative to |omega0|.
 WITHIN = {"heyoka": 1e-13, "dop853": 1e-12, "lsoda": 3e-11, "orekit": 1e-10}
@@ -117,7 +117,7 @@ def outcome(peer, motion, t):
 @pytest.mark.parametrize("rate", [1e-300, 1e-160, 1e160, 1e300])
 @pytest.mark.parametrize("moment", [1e-300, 1e300])
 def test_the_ends_of_the_range_break_nothing_but_the_states(peer, rate, moment, monkeypatch):
-    monkeypatch.setattr(scipy_peer, "_MOST_EVALUATIONS", 10_000)
+    monkeypatch.setattr(integrators, "_MOST_EVALUATIONS", 10_000)
     motion = np.array([1, 1.5, 2]) * moment, np.array([0.3, 0.4, 0.5]) * rate, (1, 0, 0, 0)
     assert outcome(peer, motion, turned(motion[1])) in {(TIMES.size, 4), 1}
 
@@ -145,7 +145,7 @@ def test_motions_that_are_none(motion, line):
 @pytest.mark.parametrize("t", [[np.inf], [np.nan], 1.0, [[1.0]], ["x"]])
 def test_times_that_are_none(t):
     with pytest.raises(EngineError, match=r"^t: "):
-        start.checked(t)
+        checked(t)
 
 
 def test_what_breaks_down_on_one_side_is_nan_there_from_then_on():
@@ -154,15 +154,13 @@ def test_what_breaks_down_on_one_side_is_nan_there_from_then_on():
             raise ArithmeticError
         return np.array([[1.0] * 7, [np.nan] * 7, [1.0] * 7])
 
-    q, _ = start.both_ways(
-        Start.of((1, 2, 2), (0, 0, 1), (1, 0, 0, 0)), [4, -1, 0, 2, 1, 3], follow
-    )
+    q, _ = both_ways(Start.of((1, 2, 2), (0, 0, 1), (1, 0, 0, 0)), [4, -1, 0, 2, 1, 3], follow)
     assert np.isnan(q[:, 0]).tolist() == [True, True, False, True, False, True]
 
 
 @pytest.mark.parametrize("name", ["dop853", "lsoda"])
 def test_evaluations_are_limited(name, monkeypatch):
-    monkeypatch.setattr(scipy_peer, "_MOST_EVALUATIONS", 100)
+    monkeypatch.setattr(integrators, "_MOST_EVALUATIONS", 100)
     found = the(name)
     q, _ = found.states(found.prepare(*MOTIONS["two equal moments"]), [0.0, 1e6])
     assert np.isnan(q[:, 0]).tolist() == [False, True]

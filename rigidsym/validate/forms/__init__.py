@@ -1,7 +1,5 @@
-"""What the forms of the solution cost as flown: theta functions, the third kind, Fourier series."""
+"""Costs of the forms of the solution: theta functions, the third kind, Fourier series."""
 
-from rigidsym.validate.forms import strata
-from rigidsym.validate.forms.compare import COLUMNS, FormCosts, compare_forms
+from rigidsym.validate.forms.compare import COLUMNS, STRATA_COLUMNS, FormCosts, compare_forms
 
-STRATA_COLUMNS = strata.COLUMNS
 __all__ = ["COLUMNS", "STRATA_COLUMNS", "FormCosts", "compare_forms"]

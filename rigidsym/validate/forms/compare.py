@@ -1,13 +1,12 @@
-"""The forms side by side on motions nearer and nearer to the separatrix: time, work, size, error.
+"""Comparison of the forms on motions nearer and nearer to the separatrix: time, work, size, error.
 
-And their errors in every stratum that the modules are validated in.
-
-Times are medians of repetitions on this machine, and mean something next to each other alone: in C
-where a form is generated, and in NumPy for all three.
+Errors are measured in every stratum, too.  Times are medians of repetitions on this machine, and
+only their ratios mean anything: in C where a form is generated, and in NumPy for all three.
 """
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from fractions import Fraction
 from statistics import median
@@ -17,31 +16,43 @@ import numpy as np
 
 from rigidsym import engines
 from rigidsym.codegen.forms import PI, THETA, key
+from rigidsym.codegen.functions import functions
 from rigidsym.codegen.functions.fourier import state
+from rigidsym.codegen.generate import generate
+from rigidsym.codegen.ir import Function
+from rigidsym.codegen.lines import flat_results
 from rigidsym.errors import InputError
+from rigidsym.language.expression import Call, Expression, Operation, children
 from rigidsym.precise.motion import PreciseMotion
 from rigidsym.solution import sealed
 from rigidsym.validate.bounds import ULP
-from rigidsym.validate.forms import cost, fourier, strata
-from rigidsym.validate.forms.strata import FOURIER, StratumError
+from rigidsym.validate.forms import fourier
+from rigidsym.validate.measure import measure
+from rigidsym.validate.oracle import enclose
+from rigidsym.validate.peers.protocol import Solver
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.view.markdown import table
 from rigidsym.view.svg import Panel, svg
 
+FOURIER = "Fourier"
 SCHEMA = "rigidsym.forms/1"
 # The rate about the third axis, off the separatrix of this body by these parts of itself.
 INERTIA, RATES, ATTITUDE = (1.0, 2.0, 2.25), (0.75, 0.5, 1.0), (0.5, 0.5, -0.5, 0.5)
 AWAY = (16.0, 4.0, 1.0, 0.1, 1e-2, 1e-4, 1e-8, 1e-12)
 _TIMES, _CHECKED, _REPEATS, _DIGITS, _SPAN = 4096, 24, 7, 25, 100.0
-# Of each stratum.
-CASES = 8
+# Cases of each stratum, and how they are drawn and enclosed.
+CASES, _SEED, _STRATUM_DIGITS = 8, 0, 40
+# The parts of a state: what changes with time, and what is made of it.
+PARTS = ("angles", "state")
 # A sum of Clenshaw's recurrence takes a product and two sums a term; there are four series.
 _A_TERM, _SERIES = 3, 4
 
 
 @dataclass(frozen=True, slots=True)
 class FormCost:
-    """One form on one motion; None where it does not serve it, or is not generated in C.
+    """Cost of one form on one motion; None where it cannot compute it, or is not generated in C.
 
-    plan_us: of the plan in C, for Fourier series of that by mpmath.
+    plan_us: time of the plan in C, of Fourier series by mpmath.
     """
 
     form: str
@@ -57,7 +68,7 @@ class FormCost:
     omega: float | None
 
     def row(self) -> tuple[str, ...]:
-        """A line of the table."""
+        """Return a row under `COLUMNS`."""
         numbers = (self.operations, self.constant_bytes, self.terms)
         times = (self.plan_us, self.c_ns, self.numpy_ns)
         return (
@@ -77,6 +88,29 @@ COLUMNS = (
 
 
 @dataclass(frozen=True, slots=True)
+class StratumError:
+    """Errors of one form in a stratum: how many cases it serves, and the worst errors in these.
+
+    angle: rad.  omega: over |omega|.  None where it serves no case.
+    """
+
+    stratum: str
+    form: str
+    served: int
+    cases: int
+    angle: float | None
+    omega: float | None
+
+    def row(self) -> tuple[str, ...]:
+        """Return a row under `STRATA_COLUMNS`."""
+        errors = ("" if x is None else f"{x:.1e}" for x in (self.angle, self.omega))
+        return self.stratum, self.form, f"{self.served} of {self.cases}", *errors
+
+
+STRATA_COLUMNS = ("stratum", "form", "served", "angle, rad", "rates")
+
+
+@dataclass(frozen=True, slots=True)
 class FormCosts:
     """The measurements, the bytes of generated C by form, and errors by stratum."""
 
@@ -86,7 +120,7 @@ class FormCosts:
 
     @property
     def conclusion(self) -> str:
-        """Which to fly, in a sentence."""
+        """A recommendation, in a sentence."""
         ratio = [one / other for one, other in zip(*map(self._in_c, (PI, THETA)), strict=True)]
         last = [one for one in self.costs if one.form == FOURIER and one.terms]
         most = max(last, key=lambda one: one.terms or 0)
@@ -101,19 +135,19 @@ class FormCosts:
         return [one.c_ns for one in self.costs if one.form == form and one.c_ns is not None]
 
     def to_json(self) -> str:
-        """The schema rigidsym.forms/1."""
+        """Return the schema rigidsym.forms/1."""
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
 
     def to_markdown(self) -> str:
-        """The table, as a page has it."""
-        costs = _table(COLUMNS, [one.row() for one in self.costs])
-        errors = _table(strata.COLUMNS, [one.row() for one in self.strata])
+        """Return both tables as Markdown."""
+        costs = table(COLUMNS, [one.row() for one in self.costs])
+        errors = table(STRATA_COLUMNS, [one.row() for one in self.strata])
         sizes = ", ".join(f"{form} {size}" for form, size in self.code_bytes.items())
         parts = (*costs, "", f"Bytes of C: {sizes}.", "", *errors, "", self.conclusion, "")
         return "\n".join(parts)
 
     def to_svg(self) -> str:
-        """Time, work and error against the distance from the separatrix, and error by stratum."""
+        """Draw time, work and error against the distance from the separatrix, and by stratum."""
         drawn: list[tuple[str, str, Callable[[FormCost], float | None]]] = [
             ("A state in NumPy", "ns", lambda one: one.numpy_ns),
             ("Operations of a state", "number", lambda one: one.operations),
@@ -140,20 +174,35 @@ class FormCosts:
 def compare_forms(
     progress: Callable[[int, int], None] = lambda done, total: None, cases: int = CASES
 ) -> FormCosts:
-    """Measure all forms, in so many cases of each stratum; without a C compiler none is in C."""
-    costs = [one for away in AWAY for one in _measured(away)]
-    sizes = {form: cost.code_bytes(form) for form in (THETA, PI)}
-    return FormCosts(sizes, tuple(costs), tuple(strata.by_stratum(cases, progress)))
+    """Measure all forms, in `cases` cases of each stratum; without a C compiler none is in C."""
+    costs = [one for away in AWAY for one in _costs(_Motion.off(away))]
+    sizes = {form: code_bytes(form) for form in (THETA, PI)}
+    forms = {form: engines.exactly(key("numpy", form)) for form in (THETA, PI)}
+    errors: list[StratumError] = []
+    for done, stratum in enumerate(STRATA):
+        progress(done, len(STRATA))
+        errors += _of_stratum(stratum, {**forms, FOURIER: fourier.Series()}, count(stratum, cases))
+    progress(len(STRATA), len(STRATA))
+    return FormCosts(sizes, tuple(costs), tuple(errors))
 
 
-def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    head = [f"| {' | '.join(columns)} |", f"|{'---|' * len(columns)}"]
-    return [*head, *(f"| {' | '.join(row)} |" for row in rows)]
+def _of_stratum(
+    stratum: str, forms: Mapping[str, engines.Engine | Solver], cases: int
+) -> Iterator[StratumError]:
+    drawn = [draw(stratum, index, _SEED) for index in range(cases)]
+    references = [enclose(sample, _STRATUM_DIGITS, with_condition=False) for sample in drawn]
+    for name, form in forms.items():
+        measured = [measure(reference, form) for reference in references]
+        worst = [tuple(np.max(each[x].values) for x in ("angle", "omega")) for each in measured]
+        # Errors of a case that a form refuses are infinite.
+        served = [pair for pair in worst if np.isfinite(pair).all()]
+        errors = [float(max(values)) for values in zip(*served, strict=True)] or [None, None]
+        yield StratumError(stratum, name, len(served), cases, *errors)
 
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """One of the motions, and its true states (q, omega) at some times."""
+    """A motion off the separatrix, and its true states (q, omega) at some times."""
 
     away: float
     precise: PreciseMotion
@@ -175,21 +224,24 @@ class _Motion:
 
     @property
     def branch(self) -> str:
-        """By which functions generated modules go."""
+        """The functions that generated modules use for it."""
         return "circular" if self.parameter <= 0.5 else "hyperbolic"
 
 
-def _measured(away: float) -> Iterator[FormCost]:
-    motion = _Motion.off(away)
+def _costs(motion: _Motion) -> Iterator[FormCost]:
     for form in (THETA, PI):
         yield _generated(form, motion)
     yield _fourier(motion)
 
 
 def _generated(form: str, motion: _Motion) -> FormCost:
-    numpy, fast = engines.exactly(key("numpy", form)), _in_c(key("c", form))
+    numpy = engines.exactly(key("numpy", form))
     prepared = numpy.prepare(*motion.given)
     in_c: tuple[float | None, float | None] = (None, None)
+    try:
+        fast = engines.exactly(key("c", form))
+    except InputError:
+        fast = None
     if fast:
         kept = fast.prepare(*motion.given)
         in_c = 1e6 * _seconds(lambda: fast.prepare(*motion.given)), _a_state(fast, kept)
@@ -199,8 +251,8 @@ def _generated(form: str, motion: _Motion) -> FormCost:
         away=motion.away,
         parameter=motion.parameter,
         terms=None,
-        operations=cost.operations(form, motion.branch),
-        constant_bytes=cost.constant_bytes(form, motion.branch),
+        operations=operations(form, motion.branch),
+        constant_bytes=constant_bytes(form, motion.branch),
         plan_us=in_c[0],
         numpy_ns=_a_state(numpy, prepared),
         c_ns=in_c[1],
@@ -209,21 +261,14 @@ def _generated(form: str, motion: _Motion) -> FormCost:
     )
 
 
-def _in_c(name: str) -> engines.Engine | None:
-    try:
-        return engines.exactly(name)
-    except InputError:
-        return None
-
-
 def _fourier(motion: _Motion) -> FormCost:
     series = fourier.plan(motion.precise)
     if series is None:
         return FormCost(FOURIER, motion.away, motion.parameter, *[None] * 8)
     angle, omega = _errors(series.states(motion.times), motion.true)
-    # Beside its series a state is the sines of two angles, and what is made of them.
-    others = 2 * cost.operations(PI, "steady", ["angles"])
-    others += cost.of_function(state(sealed()))
+    # Apart from its series, a state takes the sines of two angles and the ledger's formulas.
+    others = 2 * operations(PI, "steady", ["angles"])
+    others += of_function(state(sealed()))
     numbers = _SERIES * series.terms + len(series.constants) + len(series.v) + len(series.psi)
     return FormCost(
         form=FOURIER,
@@ -241,20 +286,20 @@ def _fourier(motion: _Motion) -> FormCost:
 
 
 def _errors(found: engines.States, true: engines.States) -> tuple[float, float]:
-    """The worst angle in rad, and the worst rates over their size."""
+    """Return the worst angle in rad, and the worst rates over their size."""
     angle = 2 * np.linalg.norm(found[0] - true[0], axis=-1)
     rate = np.linalg.norm(found[1] - true[1], axis=-1) / np.linalg.norm(true[1], axis=-1)
     return float(np.max(angle)), float(np.max(rate))
 
 
 def _a_state(engine: "engines.Engine | fourier.Series", prepared: engines.Prepared) -> float:
-    """Nanoseconds a state, of many at once."""
+    """Return the nanoseconds for a state, of many at once."""
     times = np.linspace(0.0, _SPAN, _TIMES)
     return 1e9 * _seconds(lambda: engine.states(prepared, times)) / _TIMES
 
 
 def _seconds(run: Callable[[], object]) -> float:
-    """The median of some repetitions, after one that is not counted."""
+    """Return the median of some repetitions, after one that is not counted."""
     run()
     taken = []
     for _ in range(_REPEATS):
@@ -262,3 +307,44 @@ def _seconds(run: Callable[[], object]) -> float:
         run()
         taken.append(perf_counter() - start)
     return median(taken)
+
+
+def operations(form: str, branch: str, parts: Sequence[str] = PARTS) -> int:
+    """Count sums, products, quotients, roots and exponentials of one state on a branch."""
+    by_name = {function.name: function for function in functions(sealed(), form)}
+    found = (_of_function(by_name[f"_{branch}_{part}"], by_name) for part in parts)
+    return sum(sum(each.values()) for each in found)
+
+
+def of_function(function: Function) -> int:
+    """Count the operations of one function that calls no other."""
+    return sum(_of_function(function, {}).values())
+
+
+def _of_function(function: Function, known: Mapping[str, Function]) -> Counter[str]:
+    counts = (_of(let.expression, known) for let in function.lets)
+    return sum(counts, Counter[str]())
+
+
+def _of(expression: Expression, known: Mapping[str, Function]) -> Counter[str]:
+    total = sum((_of(part, known) for part in children(expression)), Counter[str]())
+    match expression:
+        case Operation(symbol, _, _):
+            total[symbol] += 1
+        case Call("sqrt" | "exp", _):
+            total[expression.function] += 1
+        case Call(name, _) if name in known:
+            total += _of_function(known[name], known)
+    return total
+
+
+def constant_bytes(form: str, branch: str) -> int:
+    """Return the size of the constants that a plan keeps for a branch, in doubles of 8 bytes."""
+    by_name = {function.name: function for function in functions(sealed(), form)}
+    return 8 * len(flat_results(by_name[f"_{branch}_constants"]))
+
+
+def code_bytes(form: str) -> int:
+    """Return the size of the C source, without its header file."""
+    files = generate("c", form=form).files
+    return sum(len(text.encode()) for name, text in files.items() if name.endswith(".c"))

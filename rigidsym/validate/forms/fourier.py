@@ -1,7 +1,7 @@
-"""The motion by Fourier series in v, whose coefficients a plan finds, over NumPy arrays.
+"""Fourier series of the motion in v over NumPy arrays; a plan computes the coefficients.
 
-sn, cn and dn are multiples of series with the ledger's coefficients a(k), q being the nome of m;
-which multiples, sn a quarter period after u = 0 and cn and dn at u = 0 say: they are 1 there.
+sn, cn and dn are multiples of series with the ledger's coefficients a(k), q being the nome of m.
+The factors follow from values that are 1: sn a quarter period after u = 0, cn and dn at u = 0.
 psi/2 is Lambda t and a series of the ledger's terms in q^2, the imaginary part of the logarithm of
 theta_4(v - i rho b | q^2).  Terms fall like q^k at least, which near the separatrix is hardly at
 all.  The state is the ledger's, printed by codegen.
@@ -27,7 +27,7 @@ from rigidsym.solution.formulas import AXES, sequence
 from rigidsym.solution.polhode import Regime
 
 MOST = 1000
-# What the first term left out is below, of the first of all.
+# The first term left out is below 2^-55 of the first of all.
 _BITS = 55
 _DIGITS = 40
 _FROM_START = {"K", "A_a", "A_b", "A_d", "p_0", "p_a", "p_b", "p_d"}
@@ -49,11 +49,11 @@ class Fourier:
 
     @property
     def terms(self) -> int:
-        """How many terms each of the four series has."""
+        """The number of terms of each of the four series."""
         return len(self.series[0])
 
     def states(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """(q, omega) at times t (N,): (N, 4) and (N, 3)."""
+        """Return (q, omega) at times t (N,): (N, 4) and (N, 3)."""
         v, half_psi = (np.pi * _reduced(t, *rate) for rate in (self.v, self.psi))
         rest, sn, cn, dn = self.series
         x, twice = np.cos(2 * v), np.sin(2 * v)
@@ -76,7 +76,7 @@ class Fourier:
 
 
 class Series:
-    """Fourier series, asked as an engine is; it refuses motions of more than MOST terms."""
+    """An engine by Fourier series; it refuses motions of more than MOST terms."""
 
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Fourier:
         """See `Engine`."""
@@ -97,13 +97,13 @@ class Series:
         return series
 
     def states(self, prepared: Fourier, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """(q, omega) at times (N,)."""
+        """Return (q, omega) at times (N,)."""
         return prepared.states(np.asarray(t, float))
 
 
 @cache
 def state() -> Callable[..., tuple[np.ndarray, ...]]:
-    """The generated function for a state."""
+    """Return the generated function for a state."""
     function = fourier.state(sealed())
     namespace: dict[str, Any] = dict(vars(torque_free))
     exec("\n".join(emit.function_lines(function).text), namespace)
@@ -111,16 +111,18 @@ def state() -> Callable[..., tuple[np.ndarray, ...]]:
 
 
 def plan(motion: PreciseMotion) -> Fourier | None:
-    """The series of a moving body, as many terms as doubles tell.
+    """Return the series of a moving body, with as many terms as doubles need.
 
-    None beyond MOST of them, and where rates are constant or never come back.
+    None for more than MOST terms, and where rates are constant or not periodic.
     """
     if motion.polhode.regime.steady or motion.polhode.regime == Regime.SEPARATRIX:
         return None
     with mpmath.workdps(_DIGITS):
         symmetric = motion.polhode.regime == Regime.SYMMETRIC
         rates = ("psi_0",) if symmetric else ("period", "psi_mean")
-        known = motion.constants((*_wanted(), *rates), _DIGITS)
+        shift = sequence("theta").up_to(frozenset(_OF_SHIFT)).used & {"A_a", "A_d"}
+        wanted = sorted({*_FROM_START, "mu", "phase", "k_1", "m_c"} | shift)
+        known = motion.constants((*wanted, *rates), _DIGITS)
         if symmetric:
             v, psi, series = known["mu"] / mpmath.pi, known["psi_0"], _LIMIT
         else:
@@ -129,26 +131,16 @@ def plan(motion: PreciseMotion) -> Fourier | None:
 
 
 def _series(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> list[list[mpmath.mpf]] | None:
-    """The coefficients, or None beyond MOST of each."""
+    """Return the coefficients, or None for more than MOST of each."""
     if known["m_c"] == 1:
         return _LIMIT
-    found = _shifted(motion, known)
+    formulas = sequence("theta").up_to(frozenset(_OF_SHIFT))
+    found = formulas.evaluate({**known, **_moments(motion)}, _FUNCTIONS)
     nome = mpmath.sqrt(found["nome_1"])
     terms = 2 + int(mpmath.ceil(-_BITS * mpmath.log(2) / mpmath.log(nome)))
     if terms > MOST:
         return None
     return _coefficients(nome, found["g"] * found["beta"], motion.polhode.rho, terms)
-
-
-def _wanted() -> tuple[str, ...]:
-    shift = sequence("theta").up_to(frozenset(_OF_SHIFT)).used
-    return tuple(sorted({*_FROM_START, "mu", "phase", "k_1", "m_c"} | (shift & {"A_a", "A_d"})))
-
-
-def _shifted(motion: PreciseMotion, known: dict[str, mpmath.mpf]) -> dict[str, mpmath.mpf]:
-    """The nome, and how far the time is shifted."""
-    formulas = sequence("theta").up_to(frozenset(_OF_SHIFT))
-    return formulas.evaluate({**known, **_moments(motion)}, _FUNCTIONS)
 
 
 def _quarter_period(mc: mpmath.mpf) -> mpmath.mpf:
@@ -169,7 +161,8 @@ _FUNCTIONS = {
 
 def _moments(motion: PreciseMotion) -> dict[str, mpmath.mpf]:
     inertia, axes = motion.exact[0], motion.polhode.axes
-    return {f"c_{x}": _number(inertia[k]) for x, k in zip(AXES, axes, strict=True)}
+    exact = {f"c_{x}": inertia[k] for x, k in zip(AXES, axes, strict=True)}
+    return {name: mpmath.mpf(x.numerator) / x.denominator for name, x in exact.items()}
 
 
 def _made(
@@ -178,7 +171,7 @@ def _made(
     rates: tuple[mpmath.mpf, mpmath.mpf],
     series: list[list[mpmath.mpf]],
 ) -> Fourier:
-    """The rates of v and of psi/2, in half turns, start where the motion does."""
+    """Return the series from rates of v and of psi/2 in half turns, starting with the motion."""
     polhode, (v, half_psi) = motion.polhode, rates
     v_0 = known["phase"] * v / known["mu"]
     start = sum(c * mpmath.sin(2 * k * mpmath.pi * v_0) for k, c in enumerate(series[0], 1))
@@ -195,15 +188,18 @@ def _made(
 
 
 def _coefficients(q: mpmath.mpf, b: mpmath.mpf, rho: int, terms: int) -> list[list[mpmath.mpf]]:
-    """Those of sin 2kv in psi/2, of sin and cos (2k-1)v in sn and cn, of cos 2kv in dn."""
+    """Return coefficients of sin 2kv in psi/2, sin and cos (2k-1)v in sn and cn, cos 2kv in dn."""
     whole = [mpmath.mpf(k) for k in range(1, terms + 1)]
     halves = [k - mpmath.mpf(1) / 2 for k in whole]
+    rest = [
+        {"x": q ** (2 * k), "rho": rho, "sinh_b": mpmath.sinh(2 * k * b), "k": k} for k in whole
+    ]
     sn = [_coefficient(1, q**k) for k in halves]
     cn = [_coefficient(-1, q**k) for k in halves]
     dn = [_coefficient(-1, q**0), *(2 * _coefficient(-1, q**k) for k in whole[:-1])]
     quarter = sum(c * (-1) ** k for k, c in enumerate(sn))
     return [
-        [_of_rest(q ** (2 * k), rho, mpmath.sinh(2 * k * b), k) for k in whole],
+        [sequence("fourier_rest").evaluate(x, _POWER)["rest_k"] for x in rest],
         [c / quarter for c in sn],
         [c / sum(cn) for c in cn],
         [c / sum(dn) for c in dn],
@@ -214,21 +210,12 @@ def _coefficient(e: int, x: mpmath.mpf) -> mpmath.mpf:
     return sequence("fourier").evaluate({"e": e, "x": x}, _POWER)["a"]
 
 
-def _of_rest(x: mpmath.mpf, rho: int, sinh_b: mpmath.mpf, k: mpmath.mpf) -> mpmath.mpf:
-    given = {"x": x, "rho": rho, "sinh_b": sinh_b, "k": k}
-    return sequence("fourier_rest").evaluate(given, _POWER)["rest_k"]
-
-
-def _number(value: Fraction) -> mpmath.mpf:
-    return mpmath.mpf(value.numerator) / value.denominator
-
-
 def _in_two(value: mpmath.mpf) -> tuple[float, float]:
     return float(value), float(value - float(value))
 
 
 def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:
-    """(hi + lo) t + start less whole pairs of half turns; t hi by parts of 27 digits."""
+    """Return (hi + lo) t + start less pairs of half turns; t hi is exact, by parts of 27 digits."""
     upper = 134217729.0 * t - (134217729.0 * t - t)
     upper_hi = 134217729.0 * hi - (134217729.0 * hi - hi)
     product = hi * t
@@ -238,7 +225,7 @@ def _reduced(t: np.ndarray, hi: float, lo: float, start: float) -> np.ndarray:
 
 
 def _clenshaw(coefficients: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The last two sums b_0, b_1 of Clenshaw's recurrence in x = cos 2v.
+    """Return the last two sums b_0, b_1 of Clenshaw's recurrence in x = cos 2v.
 
     The sum of c_k cos 2kv is b_0 - x b_1, that of c_k sin (2k + 2)v over sin 2v is b_0, and those
     of c_k sin and cos (2k + 1)v over sin v and cos v are b_0 + b_1 and b_0 - b_1.

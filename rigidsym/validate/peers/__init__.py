@@ -1,16 +1,15 @@
 """Peers: other programs for the same motions, to be measured on the same strata.
 
-Each is run at the best that we found for it, on float64 numbers as a user would give them.
+Each is run at the best settings that we found for it, on float64 numbers as a user would give them.
 """
 
 from collections.abc import Callable, Mapping
 from functools import partial
 
 from rigidsym.errors import InputError
-from rigidsym.validate.peers.heyoka_peer import HeyokaPeer
+from rigidsym.validate.peers.integrators import HeyokaPeer, ScipyPeer
 from rigidsym.validate.peers.orekit_peer import OrekitPeer
 from rigidsym.validate.peers.protocol import Peer
-from rigidsym.validate.peers.scipy_peer import ScipyPeer
 
 __all__ = ["PEERS", "Peer", "peer"]
 
@@ -24,10 +23,15 @@ PEERS = tuple(_MAKERS)
 
 
 def peer(name: str) -> Peer:
-    """The peer of a name in PEERS; raises InputError for others, and where it is not installed.
+    """Return the peer of a name in PEERS.
 
     Packages are imported only here, and Java starts with the first motion of a process, so that
     workers forked before each have their own.
+
+    Raises
+    ------
+    InputError
+        If there is no such peer, or its package is not installed.
     """
     if name not in _MAKERS:
         raise InputError("peer", name, f"must be one of: {', '.join(PEERS)}")

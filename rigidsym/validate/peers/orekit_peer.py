@@ -12,8 +12,7 @@ from numpy.typing import ArrayLike
 
 from rigidsym.engines import EngineError, States
 from rigidsym.errors import InputError
-from rigidsym.validate.peers.initial_state import Start, checked
-from rigidsym.validate.peers.protocol import needed
+from rigidsym.validate.peers.protocol import Start, checked, needed
 
 _CLASSES = {
     "rotation": "org.hipparchus.geometry.euclidean.threed.Rotation",
@@ -32,9 +31,9 @@ JavaObject: TypeAlias = Any
 
 
 class OrekitPeer:
-    """`TorqueFree` asked for each time alone; Java starts with the first motion.
+    """`TorqueFree` evaluated at each time alone; Java starts with the first motion.
 
-    It answers by rotations, which know of no double-cover sign.
+    It returns rotations, which have no double-cover sign.
     """
 
     # Nothing is integrated over time.
@@ -61,9 +60,9 @@ class OrekitPeer:
 
 @dataclass(frozen=True, slots=True)
 class _Java:
-    """Classes by name in one process, what all their failures are, and where time and space begin.
+    """Java of one process: its classes by name, the base of its exceptions, an epoch and a frame.
 
-    The frame and the epoch need none of Orekit's data files.
+    The epoch and the frame need none of Orekit's data files.
     """
 
     process: int
@@ -73,7 +72,7 @@ class _Java:
     frame: JavaObject
 
     def motion(self, start: Start) -> JavaObject:
-        """`TorqueFree`, or EngineError in Orekit's words."""
+        """Return a `TorqueFree`; raise EngineError with Orekit's message."""
         new, vector = self.classes, self.classes["vector"]
         axes = zip(start.inertia, (vector.PLUS_I, vector.PLUS_J, vector.PLUS_K), strict=True)
         # Hipparchus turns v to conj(q) v q: of our q that is inertial to body, as Orekit means it.
@@ -87,7 +86,7 @@ class _Java:
             raise EngineError("orekit", _line(error)) from None
 
     def state(self, motion: JavaObject, time: float) -> list[float]:
-        """q and omega, or NaN."""
+        """Return q and omega, or NaN."""
         try:
             found = motion.getAttitude(None, self.epoch.shiftedBy(time), self.frame)
         except self.failure:
@@ -97,17 +96,11 @@ class _Java:
 
 
 def started() -> _Java:
-    """Java of this process; raises EngineError where it cannot be had."""
+    """Return Java of this process; raise EngineError if it does not start."""
     java = _java()
     if java.process != os.getpid():
         raise EngineError("orekit", "Java does not outlive a fork: nothing may use it before")
     return java
-
-
-def _packages() -> tuple[tuple[ModuleType, str], tuple[ModuleType, str]]:
-    """Orekit's and JPype's modules and versions; importing them does not start Java."""
-    orekit = needed("orekit", "orekit_jpype", "orekit-jpype")
-    return orekit, needed("orekit", "jpype", "jpype1")
 
 
 @cache
@@ -121,6 +114,12 @@ def _java() -> _Java:
     except (OSError, RuntimeError, TypeError, jpype.JException) as error:
         raise EngineError("orekit", f"Java does not start ({_line(error)})") from None
     return _Java(os.getpid(), jpype.JException, classes, epoch, frame)
+
+
+def _packages() -> tuple[tuple[ModuleType, str], tuple[ModuleType, str]]:
+    """Return Orekit's and JPype's modules and versions; importing them does not start Java."""
+    orekit = needed("orekit", "orekit_jpype", "orekit-jpype")
+    return orekit, needed("orekit", "jpype", "jpype1")
 
 
 def _line(error: Exception) -> str:

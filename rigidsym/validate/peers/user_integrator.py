@@ -1,10 +1,10 @@
-"""A user's own integrator as a peer: what it does wrong is a finding, never a traceback."""
+"""A user's own integrator as a peer: its errors are results of the report, never a traceback."""
 
 import math
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import TypeGuard, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,23 +12,23 @@ from numpy.typing import ArrayLike
 from rigidsym.engines import EVERY, STEPPERS, EngineError, Prepared, States
 from rigidsym.errors import InputError
 from rigidsym.validate.peers import PEERS
-from rigidsym.validate.peers.initial_state import Start, both_ways
-from rigidsym.validate.peers.protocol import Solver
+from rigidsym.validate.peers.integrators import Integrator
+from rigidsym.validate.peers.protocol import Solver, Start
 
 # (inertia (3,), omega0 (3,), attitude0 (4,), times (N,)) -> (q (N, 4), omega (N, 3)).
-Integrator = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], tuple[ArrayLike, ArrayLike]]
+Function = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], tuple[ArrayLike, ArrayLike]]
 Given = TypeVar("Given")
 
-# What goes in steps would never return from the farthest times: as far as short strata go, rad.
+# An integrator by steps would never return from the farthest times: as far as short strata go, rad.
 REACH = 300.0
 VERSION = "not numbered"
 _RULE = "must be a function of (inertia, omega0, attitude0, times), or have prepare and states"
 _NAME = re.compile(r"[\w.+-]+( [\w.+-]+)*")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class UserIntegrator:
-    """A peer whose failures, of whatever kind, are refusals; `said` keeps what they were."""
+    """A peer whose failures, of whatever kind, are refusals; `said` keeps their messages."""
 
     peer: Solver
     name: str
@@ -40,27 +40,30 @@ class UserIntegrator:
     @classmethod
     def of(
         cls,
-        integrator: Integrator | Solver,
+        integrator: Function | Solver,
         name: str | None = None,
         reach: float | None = None,
         double_cover_sign: bool | None = None,
     ) -> "UserIntegrator":
-        """A callable, or an object with the methods of `Peer`, as a peer; what is None is taken
-        from the object where it has it.  Raises InputError where it is neither, or cannot be called
-        so."""
+        """Make a peer of a callable, or of an object with the methods of `Peer`.
+
+        An argument that is None is taken from the object where it has it.  Raises InputError for
+        other objects, and for names and reaches that a peer cannot have.
+        """
         said: list[str] = []
-        if _is_solver(integrator):
-            peer: Solver = integrator
-        elif _is_function(integrator):
-            peer = Follower(integrator, said)
-        else:
-            raise InputError("integrator", repr(integrator), _RULE)
+        peer: Any = integrator
+        if not all(callable(getattr(peer, method, None)) for method in ("prepare", "states")):
+            if not callable(peer):
+                raise InputError("integrator", repr(peer), _RULE)
+            peer = _OfFunction(peer, said)
+        own = {x: getattr(integrator, x, None) for x in ("name", "reach", "double_cover_sign")}
+        called = getattr(integrator, "__name__", type(integrator).__name__).strip("<>")
         return cls(
             peer,
-            _name(_first(name, getattr(integrator, "name", None), _called(integrator))),
+            _name(_first(name, own["name"], called)),
             str(getattr(integrator, "version", VERSION)),
-            _reach(_first(reach, getattr(integrator, "reach", None), REACH)),
-            bool(_first(double_cover_sign, getattr(integrator, "double_cover_sign", None), True)),
+            _reach(_first(reach, own["reach"], REACH)),
+            bool(_first(double_cover_sign, own["double_cover_sign"], True)),
             said,
         )
 
@@ -74,43 +77,24 @@ class UserIntegrator:
 
 
 @dataclass(frozen=True, slots=True)
-class Follower:
-    """The methods of a peer, by a function of body, rates, attitude and times.
+class _OfFunction(Integrator):
+    """A solver by a function of body, rates, attitude and times that leave zero on one side.
 
-    It is asked for times that leave zero on one side, each farther than the one before; a state at
-    t = 0 is the given one.  Where it fails on one side, its states there are NaN.
+    A state at t = 0 is the given one.  Where the function fails on one side, its states are NaN.
     """
 
-    integrator: Integrator
+    function: Function
     said: list[str]
 
-    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Start:
-        """See `Peer`."""
-        return Start.of(inertia, omega0, attitude0)
-
-    def states(self, prepared: Start, t: ArrayLike) -> States:
-        """See `Peer`."""
-        return both_ways(prepared, t, lambda times: self._followed(prepared, times))
-
-    def _followed(self, prepared: Start, times: np.ndarray) -> np.ndarray:
+    def follow(self, start: Start, times: np.ndarray) -> np.ndarray:
+        """See `Integrator`."""
         # Arrays of its own, which it may overwrite.
-        given = [
-            np.array(x) for x in (prepared.inertia, prepared.omega0, prepared.attitude0, times)
-        ]
-        states = _tried(self.said, lambda: shaped(self.integrator(*given), times.size))
-        return np.hstack(states)
-
-
-def _is_solver(integrator: object) -> TypeGuard[Solver]:
-    return all(callable(getattr(integrator, method, None)) for method in ("prepare", "states"))
-
-
-def _is_function(integrator: object) -> TypeGuard[Integrator]:
-    return callable(integrator)
+        given = [np.array(x) for x in (start.inertia, start.omega0, start.attitude0, times)]
+        return np.hstack(_tried(self.said, lambda: shaped(self.function(*given), times.size)))
 
 
 def shaped(states: object, count: int) -> States:
-    """(q, omega) as arrays of float64, (N, 4) and (N, 3); raises EngineError for anything else."""
+    """Return (q, omega) as float64 arrays (N, 4) and (N, 3); raise EngineError for all else."""
     if not isinstance(states, Sequence | np.ndarray) or len(states) != 2:
         raise EngineError("integrator", f"gives {type(states).__name__}: must be (q, omega)")
     return _rows("q", states[0], (count, 4)), _rows("omega", states[1], (count, 3))
@@ -119,7 +103,7 @@ def shaped(states: object, count: int) -> States:
 def _rows(field: str, values: object, shape: tuple[int, int]) -> np.ndarray:
     try:
         found = np.asarray(values)
-        # Complex numbers would lose a part without a word.
+        # Complex numbers would silently lose a part.
         rows = found.astype(float, casting="same_kind" if found.dtype.kind == "c" else "unsafe")
     except (TypeError, ValueError, OverflowError):
         raise EngineError(field, "must be real numbers") from None
@@ -129,7 +113,7 @@ def _rows(field: str, values: object, shape: tuple[int, int]) -> np.ndarray:
 
 
 def _tried(said: list[str], work: Callable[[], Given]) -> Given:
-    """What the user's code gives; raises EngineError for whatever it raises, once it is noted."""
+    """Run the user's code; note the message of any error, and raise EngineError instead."""
     try:
         return work()
     except Exception as error:
@@ -141,11 +125,6 @@ def _tried(said: list[str], work: Callable[[], Given]) -> Given:
 
 def _first(*values: Given | None) -> Given:
     return next(value for value in values if value is not None)
-
-
-def _called(integrator: object) -> str:
-    """What a function is called, or what an object is."""
-    return getattr(integrator, "__name__", type(integrator).__name__).strip("<>")
 
 
 def _name(name: str) -> str:

@@ -7,7 +7,7 @@ from scipy.integrate import solve_ivp
 import rigidsym
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import Environment, Flight
-from rigidsym.validate.peers.equations import rates
+from rigidsym.validate.peers.integrators import rates
 
 INERTIA = np.array([0.0109, 0.04, 0.0506])
 START, OMEGA0 = [1.0, 0.0, 0.0, 0.0], [0.05, 0.03, -0.02]
