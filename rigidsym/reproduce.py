@@ -25,7 +25,7 @@ from rigidsym.proof.paper.table import counted, details
 from rigidsym.solution import Solution, load
 from rigidsym.validate import ValidationReport, validate
 from rigidsym.validate.executors import processes
-from rigidsym.validate.provenance import PACKAGES
+from rigidsym.validate.validation import PACKAGES
 from rigidsym.view import labels, palette
 from rigidsym.view.reproduction import (
     Found,

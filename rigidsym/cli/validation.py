@@ -2,7 +2,7 @@
 
 import signal
 from argparse import Namespace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rigidsym.cli.arguments import Command, as_count, as_path
 from rigidsym.cli.output import progress, reader_may_leave, say, table
@@ -11,7 +11,6 @@ from rigidsym.errors import InputError
 if TYPE_CHECKING:
     from rigidsym.validate.campaign import Campaign, Progress
     from rigidsym.validate.sensitivities import Sensitive
-    from rigidsym.validate.session import Choices
 
 # Options of a campaign that mean nothing elsewhere.
 _NOT_WITH = {
@@ -139,9 +138,9 @@ def _validate(options: Namespace) -> int:
     return _validate_faults(campaign, options) if options.faults else _run(campaign, done, options)
 
 
-def _chosen(options: Namespace) -> "Choices":
+def _chosen(options: Namespace) -> dict[str, Any]:
     """What is given of the arguments of a campaign."""
-    chosen: Choices = {}
+    chosen: dict[str, Any] = {}
     if options.targets:
         chosen["targets"] = options.targets
     elif not options.resume:
@@ -172,8 +171,7 @@ def _available(faults: bool) -> list[str]:
 
 
 def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
-    from rigidsym.validate import checkpoint, executors, session, tables, validation
-    from rigidsym.validate.record import record
+    from rigidsym.validate import checkpoint, executors, session, validation
 
     place = (
         executors.local(options.workers)
@@ -186,7 +184,7 @@ def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
         say(f"report: {session.write(report, options.output)}")
         kept.remove()
     if options.record:
-        say(f"recorded: {record(report)}")
+        say(f"recorded: {session.record(report)}")
     run = report.run
     say(
         f"{run['enclosed states']} states in {run['seconds']} s, "
@@ -199,7 +197,7 @@ def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
         if options.json:
             print(report.to_json(), end="", flush=True)
         else:
-            table(title, *tables.summary(report))
+            table(title, *report.summary())
             print(report.conclusion)
     return 0 if report.passed else 1
 
@@ -207,7 +205,8 @@ def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:
 def _validate_case(campaign: "Campaign", options: Namespace) -> int:
     import json
 
-    from rigidsym.validate import case_file, session, tables
+    from rigidsym.validate import case_file, session
+    from rigidsym.validate.report import case_table
 
     finding = session.replay(options.case, campaign)
     if options.output:
@@ -218,7 +217,7 @@ def _validate_case(campaign: "Campaign", options: Namespace) -> int:
             print(json.dumps(finding.to_data(), indent=1, sort_keys=True))
         else:
             print(case_file.toml(finding.sample), end="")
-            table(f"{options.case}, {finding.reference.regime.value}", *tables.case(finding))
+            table(f"{options.case}, {finding.reference.regime.value}", *case_table(finding))
     return 0 if max(map(finding.share, campaign.targets)) <= 1 else 1
 
 

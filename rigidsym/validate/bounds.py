@@ -1,52 +1,73 @@
-"""The documented bounds: what is measured of states, in which unit, and how wrong they may be."""
+"""Documented bounds: the measures of states, their meanings and units, and the largest errors."""
+
+from dataclasses import dataclass
 
 ULP = 2.0**-53
 # The documented bound on angle (rad) and rates (relative), of bodies that can exist, at all times.
 BOUND = 2e-15
-BOUNDS = {
-    "angle": BOUND,
-    "omega": BOUND,
-    "norm": 1e-15,
-    # Times the condition of H and K^2: what an error of BOUND in the rates makes of them.
-    "energy": BOUND,
-    "momentum": BOUND,
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A measure: its documented bound, its meaning, and the head of its column.
+
+    conditioned: the bound is times the condition number of the measured quantity.
+    of_length: it is about the length of one quaternion, which is as wrong after a step as ever.
+    """
+
+    bound: float
+    meaning: str
+    head: str
+    conditioned: bool = False
+    of_length: bool = False
+
+
+_TABLE = {
+    "angle": Measure(
+        BOUND,
+        "rotation angle from the true attitude, with the right double-cover sign (rad)",
+        "angle",
+    ),
+    "omega": Measure(BOUND, "|difference from the true rates| / |omega|", "omega"),
+    "norm": Measure(1e-15, "| |q| - 1 |", "norm", of_length=True),
+    # The condition is that of H and K^2: how far an error of the rates changes them.
+    "energy": Measure(BOUND, "relative drift of H", "H", conditioned=True),
+    "momentum": Measure(BOUND, "relative drift of K^2", "K^2", conditioned=True),
     # Two states are in these, each with an error of half the angle.
-    "residual": 2 * BOUND,
-    "jump": BOUND,
+    "residual": Measure(
+        2 * BOUND, "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian", "residual"
+    ),
+    "jump": Measure(
+        BOUND, "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains", "jump"
+    ),
     # The given state itself, but for the rounding of the quaternion's length.
-    "start": 3e-16,
-    "entry_points": 2 * BOUND,
+    "start": Measure(
+        3e-16, "angle, or relative rates, from the given state at t = 0", "start", of_length=True
+    ),
+    "entry_points": Measure(
+        2 * BOUND,
+        "one time, a grid, a batch, many times, reused arrays: from states at the same times",
+        "entry points",
+    ),
 }
-MEASURES = tuple(BOUNDS)
-# What the bounds of other modules are times these: psi of the Pi form is a sum of more terms, and
-# a step goes one turn at most.
+MEASURES = tuple(_TABLE)
+BOUNDS = {name: one.bound for name, one in _TABLE.items()}
+MEANINGS = {name: one.meaning for name, one in _TABLE.items()}
+HEADS = tuple(one.head for one in _TABLE.values())
+CONDITIONED = tuple(name for name, one in _TABLE.items() if one.conditioned)
+# Bounds of other modules over these: psi of the Pi form is a sum of more terms, and a step goes one
+# turn at most.
 _TIMES = {"numpy-pi": 1.5, "c-pi": 1.5, "numpy-step": 0.5, "c-step": 0.5}
-# What is of one quaternion's length alone is as wrong after a step as ever.
-_OF_LENGTH = ("norm", "start")
-# Those whose bound is times a condition.
-CONDITIONED = ("energy", "momentum")
-MEANINGS = {
-    "angle": "rotation angle from the true attitude, with the right double-cover sign (rad)",
-    "omega": "|difference from the true rates| / |omega|",
-    "norm": "| |q| - 1 |",
-    "energy": "relative drift of H",
-    "momentum": "relative drift of K^2",
-    "residual": "|q(t2) - q(t1) - integral of q (0, omega)/2| over half a radian",
-    "jump": "|q(t+) - q(t)| for the next double t+, beyond what |omega| explains",
-    "start": "angle, or relative rates, from the given state at t = 0",
-    "entry_points": "one time, a grid, a batch, many times, reused arrays: "
-    "from states at the same times",
-}
 
 
 def bounds_of(implementation: str) -> dict[str, float]:
-    """The documented bounds of one implementation, by measure.
+    """Return the documented bounds of one implementation, by measure.
 
     >>> bounds_of("numpy-step")["angle"], bounds_of("numpy")["angle"]
     (1e-15, 2e-15)
     """
     times = _TIMES.get(implementation, 1.0)
-    of_length = max(times, 1.0)
     return {
-        name: bound * (of_length if name in _OF_LENGTH else times) for name, bound in BOUNDS.items()
+        name: bound * (max(times, 1.0) if _TABLE[name].of_length else times)
+        for name, bound in BOUNDS.items()
     }

@@ -2,17 +2,17 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from itertools import islice
+from typing import Any
 
 from rigidsym import inputs
 from rigidsym._version import __version__
 from rigidsym.errors import InputError
-from rigidsym.validate import second_oracle
 from rigidsym.validate.executors import Place
 from rigidsym.validate.finding import Asked, measure_case
 from rigidsym.validate.implementations import PEER, check_kinds, check_target, digest, own_peer
-from rigidsym.validate.oracle import precise_motion
+from rigidsym.validate.oracle import disagreement, is_due, precise_motion
 from rigidsym.validate.peers import PEERS
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.tally import Cell, Tally
@@ -23,7 +23,7 @@ CASES, DIGITS, SEED = 15, 40, 1
 LEAST_DIGITS, MOST_DIGITS = 20, 1000
 # Cases in a chunk: enough to be worth sending, few enough to be lost.
 CHUNK = 50
-# The keys of what the second oracle has to say.
+# The keys of the second oracle's results.
 ORACLES, DISAGREEMENT = "oracles", "disagreement"
 
 # A stratum, and the cases from one index to before another.
@@ -32,7 +32,7 @@ Chunk = tuple[str, int, int]
 
 @dataclass(frozen=True, slots=True)
 class Campaign:
-    """What is measured: two campaigns that are equal have equal results."""
+    """Everything that decides the results: equal campaigns have equal results."""
 
     targets: tuple[str, ...]
     peers: tuple[str, ...]
@@ -54,7 +54,7 @@ class Campaign:
         peers: Sequence[str] = (),
         strata: Sequence[str] = (),
     ) -> "Campaign":
-        """That of these targets and peers; InputError where one of them cannot be had here."""
+        """Check the choices of a campaign; raise InputError for missing targets or peers."""
         targets, peers, strata = (
             (names,) if isinstance(names, str) else names for names in (targets, peers, strata)
         )
@@ -77,69 +77,55 @@ class Campaign:
 
     @property
     def implementations(self) -> tuple[str, ...]:
-        """Targets, and peers with a word before them."""
+        """Targets, and peers with the word PEER before them."""
         return (*self.targets, *(PEER + name for name in self.peers))
 
     @property
     def user_integrators(self) -> tuple[str, ...]:
-        """Peers that are none of PEERS, which have no name elsewhere."""
+        """Peers that are not in PEERS, whose names mean nothing in other processes."""
         return tuple(name for name in self.peers if name not in PEERS)
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The implementations that have to keep the bounds; of other peers it is only said."""
+        """The implementations that have to keep the bounds; for other peers it is only reported."""
         return (*self.targets, *(PEER + name for name in self.user_integrators))
 
     @property
     def size(self) -> int:
-        """How many cases there are."""
+        """The number of cases."""
         return sum(count(stratum, self.cases) for stratum in self.strata)
 
     def to_data(self) -> report_data.Campaign:
-        """As JSON takes it."""
-        return {
-            "targets": list(self.targets),
-            "peers": list(self.peers),
-            "strata": list(self.strata),
-            "cases": self.cases,
-            "digits": self.digits,
-            "seed": self.seed,
-            "digests": list(self.digests),
-            "peer_versions": list(self.peer_versions),
-            "version": self.version,
-        }
+        """Return the campaign as plain data."""
+        values = {x.name: getattr(self, x.name) for x in fields(self)}
+        data: Any = {name: list(x) if isinstance(x, tuple) else x for name, x in values.items()}
+        return data
 
     @classmethod
     def from_data(cls, data: report_data.Campaign) -> "Campaign":
-        """The inverse of `to_data`."""
-        return cls(
-            tuple(data["targets"]),
-            tuple(data["peers"]),
-            tuple(data["strata"]),
-            data["cases"],
-            data["digits"],
-            data["seed"],
-            tuple(data["digests"]),
-            tuple(data["peer_versions"]),
-            data["version"],
-        )
+        """Return the campaign of plain data, the inverse of `to_data`."""
+        values: Any = {name: tuple(x) if isinstance(x, list) else x for name, x in data.items()}
+        return cls(**values)
 
 
 @dataclass(slots=True)
 class Progress:
-    """What a campaign has done: a tally, and the ranges of cases that are in it, by stratum."""
+    """Progress of a campaign: a tally, and the ranges of cases that are in it, by stratum."""
 
     tally: Tally = field(default_factory=Tally)
     done: dict[str, list[tuple[int, int]]] = field(default_factory=dict)
 
     @property
     def cases(self) -> int:
-        """How many cases are done."""
+        """The number of cases that are done."""
         return sum(stop - start for ranges in self.done.values() for start, stop in ranges)
 
     def missing(self, campaign: Campaign) -> Iterator[Chunk]:
-        """Chunks that are left to do, found one by one: those of a stratum are what is missing of
-        it when the first of them is asked for, whatever is taken in meanwhile."""
+        """Yield the chunks that are left to do.
+
+        Those of a stratum are missing at the time when the first of them is yielded, whatever is
+        counted meanwhile.
+        """
         for stratum in campaign.strata:
             begin = 0
             end = count(stratum, campaign.cases)
@@ -187,7 +173,7 @@ def complete(
 
 
 def tallied(campaign: Campaign, chunk: Chunk) -> tuple[Chunk, Tally]:
-    """Measure the cases of a chunk; where other modules are installed there is no result."""
+    """Measure the cases of a chunk; raise InputError where other modules are installed."""
     _check_installed(campaign)
     stratum, start, stop = chunk
     tally = Tally()
@@ -209,8 +195,8 @@ def add_case(
     tally.count(finding.reference)
     for name, errors in finding.errors.items():
         tally.add(name, finding.reference, errors)
-    if second_oracle.is_due(index):
-        found = second_oracle.disagreement(precise_motion(sample), backwards=index % 2 == 1)
+    if is_due(index):
+        found = disagreement(precise_motion(sample), backwards=index % 2 == 1)
         cell = Cell(1, found, (stratum, index, 0.0), 1.0)
         tally.put((ORACLES, DISAGREEMENT, "stratum", stratum), cell)
 
@@ -231,7 +217,7 @@ def _versions(peers: Sequence[str]) -> tuple[str, ...]:
 
 
 def _joined(ranges: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Ranges in order, those that touch made one."""
+    """Sort ranges, and join those that touch."""
     joined: list[tuple[int, int]] = []
     for start, stop in sorted(ranges):
         if joined and joined[-1][1] == start:

@@ -9,11 +9,10 @@ import numpy as np
 
 from rigidsym.validate.bounds import bounds_of
 from rigidsym.validate.case_file import hexadecimal
-from rigidsym.validate.implementations import Implementation, implementation
+from rigidsym.validate.implementations import Implementation, Steps, implementation
 from rigidsym.validate.measure import Errors, measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.user_integrator import Function, UserIntegrator
-from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import Sample, stepped
 from rigidsym.view.report_data import Figure, Numbers
 

@@ -1,16 +1,94 @@
-"""Who is measured: the generated modules by target, and peers."""
+"""Implementations under test: the generated modules by target, steps, and peers."""
 
 import json
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from rigidsym import engines
-from rigidsym.engines import Engine
+from rigidsym.engines import Engine, Prepared, States, Stepper
 from rigidsym.errors import InputError
 from rigidsym.validate.peers import Peer, peer
-from rigidsym.validate.steps import Steps
+
+# Inertia (1, 3) in kg m^2, q (1, 4) and omega (1, 3) in rad/s.
+Start = tuple[np.ndarray, np.ndarray, np.ndarray]
+# Bodies of other kinds, as moments, attitude and rates over some size: a symmetric one, a sphere,
+# one on the separatrix, one that spins, and one at rest.
+_OTHERS = np.array(
+    [
+        [2, 2, 1, 0.5, 0.5, -0.5, 0.5, 0.6, -0.64, 0.48],
+        [1, 1, 1, 1, 0, 0, 0, 0.6, -0.64, 0.48],
+        [3, 4, 6, 0, 1, 0, 0, 1, 0.5, 0.5],
+        [1, 2, 2.5, 0, 0, 0, -1, 0, 0.5, 0],
+        [1, 2, 2.5, 1, 1, 1, 1, 0, 0, 0],
+    ]
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Steps:
+    """Steps with the methods that `measure` calls: each state is one step from the start."""
+
+    stepper: Stepper
+
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
+        """Prepare one motion from float64 numbers: (3,), (3,) and (4,), the last of any length."""
+        inertia, q, omega = (np.array([x], float) for x in (inertia, attitude0, omega0))
+        return inertia, q, omega
+
+    def states(self, prepared: Start, t: ArrayLike) -> States:
+        """Return (q, omega), (N, 4) and (N, 3), after steps of t (N,) s."""
+        inertia, q, omega = prepared
+        times = np.atleast_1d(np.asarray(t, float))
+        return self._after(inertia, _rows(q, times), _rows(omega, times), times)
+
+    def ways(self, prepared: Start, times: np.ndarray) -> Iterator[tuple[States, States]]:
+        """Yield for each way of callers the states they get, and the states at the same times."""
+        expected = self.states(prepared, times)
+        # A call for each step.
+        alone = [self._after(*prepared, times[k : k + 1]) for k in range(len(times))]
+        q, omega = (np.concatenate([x[k] for x in alone]) for k in (0, 1))
+        yield (q, omega), expected
+        # Outputs that are the inputs, of bodies that have moments each.
+        inertia, q, omega = (_rows(x, times) for x in prepared)
+        self.stepper.step(inertia, q, omega, times, (q, omega))
+        yield (q, omega), expected
+        yield self._among_others(prepared, times), expected
+        # The last of several bodies that have one time.
+        few = np.full(3, times[-1])
+        q, omega = self._after(*(_rows(x, few) for x in prepared), few[:1])
+        yield (q[-1:], omega[-1:]), self.states(prepared, times[-1])
+
+    def _after(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray
+    ) -> States:
+        # New memory may hold numbers of an earlier call.
+        out = np.full_like(q, 99.0), np.full_like(omega, 99.0)
+        self.stepper.step(inertia, q, omega, dt, out)
+        return out
+
+    def _among_others(self, prepared: Start, times: np.ndarray) -> States:
+        """Return steps that alternate with those of bodies of other kinds."""
+        # Powers of two near the sizes, of which quarters are doubles of full length.
+        sizes = [np.frexp(np.max(np.abs(x)) or 1.0)[1] - 4 for x in prepared]
+        scales = 2.0 ** np.clip(np.array(sizes, float), -1000, 1000)
+        other = np.resize(_OTHERS, (len(times), 10)) * np.repeat(scales, (3, 4, 3))
+        pairs = np.stack([other, np.hstack([_rows(x, times) for x in prepared])], axis=1)
+        mixed = np.hsplit(pairs.reshape(-1, 10), [3, 7])
+        inertia, q, omega = map(np.ascontiguousarray, mixed)
+        q, omega = self._after(inertia, q, omega, np.repeat(times, 2))
+        return q[1::2], omega[1::2]
+
+
+def _rows(one: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Repeat a row for each time."""
+    return np.repeat(one, len(times), axis=0)
+
 
 PEER = "peer "
 TARGETS = (*engines.EVERY, *engines.STEPPERS)
@@ -28,14 +106,14 @@ def check_target(target: str) -> None:
 
 
 def check_kinds(targets: Sequence[str]) -> None:
-    """Raise InputError where some targets are steps and others are not."""
+    """Raise InputError if some targets are steps and others are not."""
     if len({target in engines.STEPPERS for target in targets}) > 1:
         rule = "steps go a turn at most, and motions all the way: validate them apart"
         raise InputError("target", ", ".join(targets), rule)
 
 
 def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
-    """Targets, each with the reason why it cannot be measured on this machine; "" where it can."""
+    """Return for each target why it cannot be measured on this machine; "" where it can."""
     found = {}
     for target in targets:
         try:
@@ -47,7 +125,7 @@ def missing(targets: Sequence[str] = engines.ENGINES) -> dict[str, str]:
 
 
 def implementation(name: str) -> Implementation:
-    """The engine of a target, or "peer NAME"; InputError where it cannot be had."""
+    """Return the engine of a target or "peer NAME"; raise InputError where there is none."""
     if name.startswith(PEER):
         return own_peer(name.removeprefix(PEER))
     if name in engines.STEPPERS:
@@ -56,7 +134,7 @@ def implementation(name: str) -> Implementation:
 
 
 def own_peer(name: str) -> Peer:
-    """The peer of a name that this thread has; InputError where it cannot be had."""
+    """Return this thread's peer of a name; raise InputError where there is none."""
     # Peers serve one thread at a time, and workers of a cluster have several.
     return _peer(name, threading.get_ident())
 
@@ -67,12 +145,12 @@ def _peer(name: str, thread: int) -> Peer:
 
 
 def forget() -> None:
-    """Look for every peer again when it is next asked for."""
+    """Clear the cache of peers."""
     _peer.cache_clear()
 
 
 def digest(target: str) -> str:
-    """What an installed module was generated from."""
+    """Return the digest of an installed module."""
     package = resources.files("rigidsym.generated")
     text = package.joinpath(f"{target}.map.json").read_text(encoding="utf-8")
     return json.loads(text)["manifest"]["digest"]

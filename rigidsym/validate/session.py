@@ -1,85 +1,55 @@
-"""What the command does around a validation: begin or resume it, and write its report."""
+"""Files of the command `validate`: a campaign is begun or resumed, and its results are written."""
 
+import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TypedDict
+from typing import Any
 
 from rigidsym import engines
+from rigidsym.codegen import forms, generate
+from rigidsym.codegen.header import MEASURED_FILE
 from rigidsym.errors import InputError
 from rigidsym.io.files import write_text
 from rigidsym.validate import case_file, checkpoint
-from rigidsym.validate.campaign import CASES, DIGITS, SEED, Campaign, Progress
+from rigidsym.validate.bounds import ULP
+from rigidsym.validate.campaign import Campaign, Progress
 from rigidsym.validate.finding import Finding, measure_case
-from rigidsym.validate.markdown import markdown
-from rigidsym.validate.report import FAILURES, ValidationReport, as_json
-from rigidsym.validate.strata import STRATA, Sample, count, draw
+from rigidsym.validate.report import FAILURES, ValidationReport, as_json, markdown
+from rigidsym.validate.strata import STRATA, count, draw
+from rigidsym.validate.tally import DRAWN
 from rigidsym.view.validation import page
 
-
-class Chosen(TypedDict):
-    """The arguments of `Campaign.of` that a user can choose."""
-
-    targets: Sequence[str]
-    peers: Sequence[str]
-    strata: Sequence[str]
-    cases: int
-    digits: int
-    seed: int
+# The arguments of `Campaign.of`.
+_CHOICES = ("targets", "peers", "strata", "cases", "digits", "seed")
 
 
-class Choices(TypedDict, total=False):
-    """Some of them."""
+def begin(
+    chosen: Mapping[str, Any], directory: Path | None, resume: bool
+) -> tuple[Campaign, Progress]:
+    """Return a new campaign, or the unfinished one of a directory.
 
-    targets: Sequence[str]
-    peers: Sequence[str]
-    strata: Sequence[str]
-    cases: int
-    digits: int
-    seed: int
-
-
-_DEFAULTS: Chosen = {
-    "targets": engines.ENGINES,
-    "peers": (),
-    "strata": (),
-    "cases": CASES,
-    "digits": DIGITS,
-    "seed": SEED,
-}
-
-
-def begin(chosen: Choices, directory: Path | None, resume: bool) -> tuple[Campaign, Progress]:
-    """A new campaign of what is chosen, or the unfinished one of a directory.
-
-    Raises InputError where that is another campaign, or would be lost.
+    chosen: arguments of `Campaign.of`; others have their defaults, or are those of the unfinished
+    campaign.  Raises InputError where that is another campaign, or would be lost.
     """
     if not resume:
         if directory and (directory / checkpoint.NAME).exists():
             rule = f"holds an unfinished campaign: --resume goes on, or remove {checkpoint.NAME}"
             raise InputError("output", directory, rule)
-        wanted: Chosen = {**_DEFAULTS, **chosen}
+        wanted: dict[str, Any] = {"targets": engines.ENGINES, **chosen}
         return Campaign.of(**wanted), Progress()
     if directory is None:
         raise InputError("resume", "nowhere", "needs -o DIR, the directory of the campaign")
     found, progress = checkpoint.load(directory)
-    known: Chosen = {
-        "targets": found.targets,
-        "peers": found.peers,
-        "strata": found.strata,
-        "cases": found.cases,
-        "digits": found.digits,
-        "seed": found.seed,
-    }
-    same: Chosen = {**known, **chosen}
-    checkpoint.check_same(directory, found, Campaign.of(**same))
+    known = {name: getattr(found, name) for name in _CHOICES}
+    checkpoint.check_same(directory, found, Campaign.of(**{**known, **chosen}))
     return found, progress
 
 
 def write(report: ValidationReport, directory: Path) -> Path:
-    """JSON, Markdown and the page; failing cases as case files. Returns the page's path."""
+    """Write JSON, Markdown, the page and a case file of each failure; return the page's path."""
     data = report.to_data()
-    # Those of an earlier report would be taken for this one's.
+    # Case files of an earlier report would be taken for this one's.
     for old in directory.glob(f"{FAILURES}/*/*.toml"):
         old.unlink()
     for failure in report.failures:
@@ -91,18 +61,51 @@ def write(report: ValidationReport, directory: Path) -> Path:
 
 
 def replay(name: str, campaign: Campaign) -> Finding:
-    """One case of a campaign, by a name such as "uniform:7", or that of a case file; raises
-    InputError for neither."""
-    sample = case_file.read(name) if name.endswith(".toml") else _drawn(name, campaign.seed)
+    """Measure one case, by a name such as "uniform:7" or by a case file.
+
+    Raises InputError for names of neither.
+    """
+    stratum, _, number = name.rpartition(":")
+    if name.endswith(".toml"):
+        sample = case_file.read(name)
+    elif stratum not in STRATA:
+        rule = f"must be FILE.toml or STRATUM:INDEX, with one of: {', '.join(map(repr, STRATA))}"
+        raise InputError("case", name, rule)
+    else:
+        most = count(stratum, 10**9)
+        if not re.fullmatch(r"[0-9]{1,9}", number) or int(number) >= most:
+            raise InputError("case", name, f"must end in a whole number below {most}")
+        sample = draw(stratum, int(number), campaign.seed)
     return measure_case(sample, campaign.digits, campaign.implementations)
 
 
-def _drawn(name: str, seed: int) -> Sample:
-    stratum, _, number = name.rpartition(":")
-    if stratum not in STRATA:
-        rule = f"must be FILE.toml or STRATUM:INDEX, with one of: {', '.join(map(repr, STRATA))}"
-        raise InputError("case", name, rule)
-    most = count(stratum, 10**9)
-    if not re.fullmatch(r"[0-9]{1,9}", number) or int(number) >= most:
-        raise InputError("case", name, f"must end in a whole number below {most}")
-    return draw(stratum, int(number), seed)
+def record(report: ValidationReport) -> Path:
+    """Keep the worst errors by stratum for the heads of the modules that codegen prints.
+
+    They belong to one version of the code: its digest is kept with them, and a head has none where
+    they belong to another version.  Raises InputError unless today's code was measured.
+    """
+    known: dict[str, dict[str, Any]] = {}
+    if MEASURED_FILE.is_file():
+        known = json.loads(MEASURED_FILE.read_text("utf-8"))
+    campaign = report.campaign
+    if not report.passed:
+        raise InputError("record", report.complaints[0], "only what passed is recorded")
+    if len(campaign.strata) < len(STRATA):
+        raise InputError("record", ", ".join(campaign.strata), "the heads speak of all strata")
+    for target, ran in zip(campaign.targets, campaign.digests, strict=True):
+        module, form = forms.split(target)
+        digest = generate(module, form=form).manifest["digest"]
+        if ran != digest:
+            command = f"rigidsym codegen {module}{forms.option(form)} --in-place"
+            rule = f"is not the module that `{command}` writes now: run that first"
+            raise InputError("record", ran[:12], rule)
+        views = [report.tally.view(target, measure, "stratum") for measure in DRAWN]
+        worst = [
+            [stratum, *(float(f"{view[stratum].worst * ULP:.1e}") for view in views)]
+            for stratum in campaign.strata
+        ]
+        drawn = f"--cases {campaign.cases} --digits {campaign.digits} --seed {campaign.seed}"
+        command = f"rigidsym validate {target} {drawn} --record"
+        known[target] = {"digest": digest, "command": command, "worst": worst}
+    return write_text(MEASURED_FILE, json.dumps(known, indent=1, sort_keys=True) + "\n")

@@ -1,25 +1,48 @@
-"""One validation from start to report, kept in a directory where it may be interrupted."""
+"""Validation from start to report: of generated modules, and of a user's integrator."""
 
+import math
+import os
+import platform
+import sys
 import time
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import AbstractContextManager
+from dataclasses import replace
+from fractions import Fraction
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
 
-from rigidsym import engines
+from rigidsym import engines, inputs
 from rigidsym.errors import InputError
+from rigidsym.motion import IDENTITY
 from rigidsym.validate import checkpoint, executors
 from rigidsym.validate.bounds import MEASURES
-from rigidsym.validate.campaign import CASES, DIGITS, SEED, Campaign, Progress, complete
-from rigidsym.validate.finding import measure_case
-from rigidsym.validate.provenance import environment
+from rigidsym.validate.campaign import (
+    CASES,
+    DIGITS,
+    SEED,
+    Campaign,
+    Progress,
+    add_case,
+    complete,
+)
+from rigidsym.validate.finding import Finding, measure_case
+from rigidsym.validate.implementations import PEER
+from rigidsym.validate.peers.protocol import Solver
+from rigidsym.validate.peers.user_integrator import Function, UserIntegrator
 from rigidsym.validate.report import Failure, ValidationReport
-from rigidsym.validate.shrink import simplest
-from rigidsym.validate.strata import Sample, draw
+from rigidsym.validate.strata import Sample, count, draw, in_doubles
+from rigidsym.validate.strata.sample import MAX_ANGLE
 from rigidsym.validate.tally import DRAWN, Cell, Place, Tally
 from rigidsym.view.report_data import Figure
 
+PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
+# The simplest failing case is searched for among so many samples, with numbers of so many digits.
+TRIALS, SIMPLE_DIGITS = 200, 6
 Show = Callable[[int, int], None]
+Fails = Callable[[Sample], bool]
 
 
 def validate(
@@ -34,11 +57,99 @@ def validate(
 ) -> ValidationReport:
     """Measure generated modules on `cases` samples of every stratum, or of those named.
 
-    workers: processes, None for one on each core; the report is the same for any number.  Raises
-    InputError for a target, a peer or a stratum that does not exist, and fewer than 20 digits.
+    Parameters
+    ----------
+    targets : names of generated modules, such as "numpy" and "c"
+    cases : samples of each stratum; a finite stratum may have fewer
+    digits : digits of the enclosures, at least 20
+    seed : of the cases
+    peers : names of other programs to measure beside the targets, see `PEERS`
+    strata : names of strata, all by default
+    workers : processes, None for one on each core; the report is the same for any number
+    progress : called with the number of cases done, and the total
+
+    Returns
+    -------
+    ValidationReport
+
+    Raises
+    ------
+    InputError
+        For a target, a peer or a stratum that does not exist, and fewer than 20 digits.
     """
     campaign = Campaign.of(targets, cases, digits, seed, peers, strata)
     return run(campaign, Progress(), executors.local(workers), progress)
+
+
+def examine(
+    integrator: Function | Solver,
+    cases: int = CASES,
+    digits: int = DIGITS,
+    seed: int = SEED,
+    strata: Sequence[str] = (),
+    name: str | None = None,
+    reach: float | None = None,
+    double_cover_sign: bool | None = None,
+    progress: Show = lambda done, total: None,
+) -> ValidationReport:
+    """Measure a user's integrator as the generated modules are measured, in this process.
+
+    It has to keep the bounds of the generated modules for the report to pass; `by_stratum` of the
+    report has its errors.  Exceptions, wrong shapes and NaN count as infinite errors, and their
+    messages are in `complaints`.
+
+    Parameters
+    ----------
+    integrator : function or object
+        A function of inertia (3,) in kg m^2 about principal axes, omega0 (3,) in rad/s, attitude0
+        (4,), a unit quaternion, and times (N,) in s, which returns q (N, 4), scalar first, body to
+        inertial, and omega (N, 3) in body axes; or an object with the methods of `Peer`.  The times
+        of a function are all positive or all negative, each farther from zero than the one before.
+    cases, digits, seed, progress : as in `validate`
+    strata : names of strata, by default those whose numbers are all doubles
+    name : the name in the report, by default that of the function
+    reach : the largest |omega0 t| at which it is measured, 300 rad by default; math.inf for an
+        integrator without steps
+    double_cover_sign : whether q is continuous from attitude0 on, its sign included; if not, either
+        sign is right
+
+    Returns
+    -------
+    ValidationReport
+
+    Raises
+    ------
+    InputError
+        For arguments without meaning.
+    """
+    user = UserIntegrator.of(integrator, name, reach, double_cover_sign)
+    chosen = Campaign.of((), cases, digits, seed, strata=strata or in_doubles())
+    campaign = replace(chosen, peers=(user.name,), peer_versions=(user.version,))
+    implementation, begin, tally = PEER + user.name, time.perf_counter(), Tally()
+    entered, messages = {implementation: user}, dict[tuple[str, int], str]()
+    for done, (stratum, index) in enumerate(
+        ((x, k) for x in campaign.strata for k in range(count(x, campaign.cases))), 1
+    ):
+        user.said.clear()
+        add_case(tally, campaign, stratum, index, entered)
+        if user.said:
+            messages[stratum, index] = user.said[0]
+        progress(done, campaign.size)
+    seconds = time.perf_counter() - begin
+    run = environment(campaign, "this process", seconds, sum(tally.states.values()))
+
+    @cache
+    def again(stratum: str, index: int) -> Finding:
+        return measure_case(draw(stratum, index, campaign.seed), campaign.digits, entered)
+
+    found = tuple(again(*place[:2]) for place in worst_places(campaign, tally))
+    # No simpler cases are searched for: that takes too long where all bounds are broken.
+    failures = (
+        Failure(implementation, measure, cell.worst, *case, again(*case), messages.get(case, ""))
+        for measure, cell in _broken(campaign, tally, implementation)
+        for case in [cell.place[:2]]
+    )
+    return ValidationReport(campaign, tally, found, tuple(failures), run)
 
 
 def run(
@@ -51,7 +162,7 @@ def run(
     """Do what is missing of a campaign and report; what is done is kept, however it ends.
 
     Raises InputError where workers or the scheduler are lost, KeyboardInterrupt where the user
-    stops it: both say what is kept.
+    stops it; the message says what is kept.
     """
     begin, before = time.perf_counter(), sum(progress.tally.states.values())
     if kept:
@@ -72,19 +183,17 @@ def run(
         how = environment(campaign, where.name, seconds, states)
         return reported(campaign, progress.tally, how)
     except BaseException as error:
+        fate = "nothing is kept without a directory (-o DIR)"
         if kept:
             with executors.undisturbed():
                 kept.write()
-        raise _told(error, progress, campaign, kept) from None
+            done = f"{progress.cases} of {campaign.size} cases"
+            fate = f"{done} are kept, --resume goes on from there"
+        raise _with_fate(error, fate) from None
 
 
-def _told(
-    error: BaseException, progress: Progress, campaign: Campaign, kept: checkpoint.Checkpoint | None
-) -> BaseException:
-    """What stopped a campaign, in one line that says what is kept."""
-    fate = "nothing is kept without a directory (-o DIR)"
-    if kept:
-        fate = f"{progress.cases} of {campaign.size} cases are kept, --resume goes on from there"
+def _with_fate(error: BaseException, fate: str) -> BaseException:
+    """Return the error that stopped a campaign, with what is kept in its one line."""
     if isinstance(error, KeyboardInterrupt):
         return KeyboardInterrupt(f"interrupted: {fate}")
     if isinstance(error, BrokenProcessPool):
@@ -97,18 +206,29 @@ def _told(
 def reported(
     campaign: Campaign, tally: Tally, run: Mapping[str, Figure | None]
 ) -> ValidationReport:
-    """The report of a campaign: its worst cases are measured once more, in full."""
-    worst = (
-        draw(stratum, index, campaign.seed) for stratum, index, _ in worst_places(campaign, tally)
+    """Return the report of a campaign; its worst cases are measured once more, in full."""
+
+    def measured(sample: Sample) -> Finding:
+        return measure_case(sample, campaign.digits, campaign.implementations)
+
+    worst = tuple(
+        measured(draw(stratum, index, campaign.seed))
+        for stratum, index, _ in worst_places(campaign, tally)
     )
-    findings = tuple(
-        measure_case(sample, campaign.digits, campaign.implementations) for sample in worst
+    failures = (
+        Failure(target, measure, cell.worst, *cell.place[:2], measured(simple))
+        for target in campaign.targets
+        for measure, cell in _broken(campaign, tally, target)
+        for simple in [_simplest_failure(campaign, target, measure, cell)]
     )
-    return ValidationReport(campaign, tally, findings, tuple(_failures(campaign, tally)), run)
+    return ValidationReport(campaign, tally, worst, tuple(failures), run)
 
 
 def worst_places(campaign: Campaign, tally: Tally) -> list[Place]:
-    """Where each who is judged is worst in each stratum, by angle and by rates; each case once."""
+    """Return the worst place of each judged implementation in each stratum, each case once.
+
+    Worst are angle and rates.
+    """
     cells = (
         cell
         for target in campaign.judged
@@ -119,22 +239,114 @@ def worst_places(campaign: Campaign, tally: Tally) -> list[Place]:
     return [places[key] for key in sorted(places)]
 
 
-def _failures(campaign: Campaign, tally: Tally) -> Iterator[Failure]:
-    """The worst broken bound of each target in each stratum, with the simplest case like it."""
-    for target in campaign.targets:
-        for stratum in campaign.strata:
-            shares = {m: tally.cells.get((target, m, "share", stratum)) for m in MEASURES}
-            found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
-            if found:
-                name = max(found, key=lambda m: found[m].worst)
-                yield _failure(campaign, target, name, found[name])
+def _broken(campaign: Campaign, tally: Tally, name: str) -> Iterator[tuple[str, Cell]]:
+    """Yield the worst broken bound in each stratum: a measure, and the part of the bound."""
+    for stratum in campaign.strata:
+        shares = {m: tally.cells.get((name, m, "share", stratum)) for m in MEASURES}
+        found = {m: cell for m, cell in shares.items() if cell and cell.worst > 1}
+        if found:
+            yield max(found.items(), key=lambda item: item[1].worst)
 
 
-def _failure(campaign: Campaign, target: str, measure: str, cell: Cell) -> Failure:
+def _simplest_failure(campaign: Campaign, target: str, measure: str, cell: Cell) -> Sample:
     def fails(sample: Sample) -> bool:
         return measure_case(sample, campaign.digits, [target]).shares(target).get(measure, 0.0) > 1
 
     stratum, index, _ = cell.place
-    simple = simplest(draw(stratum, index, campaign.seed), fails)
-    finding = measure_case(simple, campaign.digits, campaign.implementations)
-    return Failure(target, measure, cell.worst, stratum, index, finding)
+    return simplest(draw(stratum, index, campaign.seed), fails)
+
+
+def simplest(sample: Sample, fails: Fails) -> Sample:
+    """Return a sample that fails as the given one does, while none of its simpler neighbours does.
+
+    At most TRIALS neighbours are tried.
+    """
+    tried = 0
+    improved = True
+    while improved:
+        improved = False
+        for simpler in _simpler(sample):
+            tried += 1
+            if tried > TRIALS:
+                return sample
+            if _is_bounded(simpler) and fails(simpler):
+                sample, improved = simpler, True
+                break
+    return sample
+
+
+def _simpler(sample: Sample) -> Iterator[Sample]:
+    """Yield neighbours with one time, without an attitude, or with one simpler number."""
+    if len(sample.times) > 1:
+        yield from (replace(sample, times=(t,)) for t in sample.times)
+    if sample.attitude0 != IDENTITY:
+        yield replace(sample, attitude0=tuple(map(float, IDENTITY)))
+    for name in ("omega0", "inertia", "times"):
+        values = getattr(sample, name)
+        for k, value in enumerate(values):
+            for number in _simpler_numbers(value):
+                yield replace(sample, **{name: (*values[:k], number, *values[k + 1 :])})
+
+
+def _simpler_numbers(value: float | Fraction) -> Iterable[float | Fraction]:
+    """Return 0, 1, -1, then decimals of few digits, as far as these are simpler than the number."""
+    ladder = [0.0, 1.0, -1.0, *(float(f"{float(value):.{k}e}") for k in range(SIMPLE_DIGITS))]
+    listed: list[float | Fraction] = list(dict.fromkeys(ladder))
+    return listed[: listed.index(value)] if value in listed else listed
+
+
+def _is_bounded(sample: Sample) -> bool:
+    """Return True if the documented bounds hold for a sample: other samples may be refused.
+
+    Its body can exist, and its times are not beyond those that modules follow.
+    """
+    try:
+        inputs.inertia(sample.inertia)
+    except InputError:
+        return False
+    turned = math.hypot(*sample.omega0) * max(map(abs, sample.times))
+    # Decimals of the largest doubles can be infinite.
+    return all(map(math.isfinite, (*sample.inertia, turned))) and turned <= MAX_ANGLE
+
+
+def environment(
+    campaign: Campaign, place: str, seconds: float, states: int
+) -> dict[str, Figure | None]:
+    """Return versions, machine, time and memory: all of a report that differs from run to run."""
+    compiler = {}
+    if any(x.startswith("c") for x in campaign.targets):
+        from rigidsym.engines.compiler import find
+
+        compiler = {"compiler": find().version.partition("\n")[0]}
+    return {
+        "place": place,
+        "seconds": round(seconds, 2),
+        "enclosed states": states,
+        "enclosed states a second": round(states / seconds),
+        "peak memory of a process, MB": _peak(),
+        "python": platform.python_version(),
+        "system": f"{platform.system()} {platform.machine()}",
+        "cores": os.cpu_count(),
+        **{name: _version(name) for name in PACKAGES},
+        **compiler,
+        **dict(zip(campaign.peers, campaign.peer_versions, strict=True)),
+    }
+
+
+def _peak() -> int | None:
+    """Return the peak memory of this process and its children; None if the system has none."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return None
+    who = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    # Kilobytes, except on macOS.
+    unit = 2**20 if sys.platform == "darwin" else 2**10
+    return round(max(resource.getrusage(x).ru_maxrss for x in who) / unit)
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "unknown"

@@ -16,7 +16,7 @@ from rigidsym.proof.paper import Ruling, verdicts
 from rigidsym.solution import sealed
 from rigidsym.validate.campaign import CASES, SEED
 from rigidsym.validate.faults import all_faults
-from rigidsym.validate.second_oracle import SHARE, is_due
+from rigidsym.validate.oracle import SECOND_SHARE, is_due
 from rigidsym.validate.strata import STRATA, count, draw
 
 LEDGER = json.loads(ledger_text())
@@ -67,7 +67,7 @@ def test_trust_has_the_same_counts():
 
 
 def test_how_often_taylor_series_check_is_said_right():
-    share = SHARE // sum(map(is_due, range(SHARE)))
+    share = SECOND_SHARE // sum(map(is_due, range(SECOND_SHARE)))
     assert [is_due(k) for k in range(3)] == [True, True, False]
     for name in ("trust.md", "validation.md"):
         assert f"check one case in {share}, the first two of each stratum among" in words(name)

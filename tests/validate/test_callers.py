@@ -6,7 +6,7 @@ import pytest
 from rigidsym import inputs
 from rigidsym.engines import ENGINES, batches, exactly
 from rigidsym.engines.numpy_engine import NumpyEngine
-from rigidsym.validate import callers, entry_points
+from rigidsym.validate import entry_points
 from rigidsym.validate.faults import BY_HAND
 from rigidsym.validate.faults.detection import mutated_engine
 
@@ -40,7 +40,7 @@ class Reading(Unchecked):
 
 
 def apart(engine, body=BODY):
-    return [entry_points._apart(*both) for both in callers.differing(engine, body, TIMES)]
+    return [entry_points._apart(*both) for both in entry_points.by_callers(engine, body, TIMES)]
 
 
 @pytest.mark.parametrize("name", ENGINES)

@@ -27,12 +27,10 @@ from rigidsym.validate.bounds import BOUNDS
 from rigidsym.validate.campaign import Campaign, Progress, complete, tallied
 from rigidsym.validate.checkpoint import Checkpoint
 from rigidsym.validate.finding import measure_case
-from rigidsym.validate.record import record
-from rigidsym.validate.shrink import simplest
 from rigidsym.validate.strata import STRATA, count, draw
 from rigidsym.validate.strata.sample import MAX_ANGLE
 from rigidsym.validate.tally import Tally
-from rigidsym.validate.validation import run
+from rigidsym.validate.validation import run, simplest
 
 NAMES = ("sphere", "rest")
 # Small pieces of work are interrupted as large ones are.
@@ -333,7 +331,7 @@ def test_a_failure_is_made_simpler_as_a_failure_of_the_same_measure(monkeypatch)
 @pytest.mark.parametrize("strata", [["rest"], ["rest", "sphere"]])
 def test_figures_of_some_strata_are_not_recorded(strata):
     with pytest.raises(InputError, match=r"^record = .*: the heads speak of all strata"):
-        record(validate(["numpy"], cases=1, strata=strata))
+        session.record(validate(["numpy"], cases=1, strata=strata))
 
 
 def test_a_sample_that_nothing_simpler_is_like_stays_what_it_is():

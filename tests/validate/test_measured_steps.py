@@ -10,9 +10,9 @@ from rigidsym.engines import exact_stepper
 from rigidsym.validate import validate
 from rigidsym.validate.bounds import BOUNDS, MEASURES, bounds_of
 from rigidsym.validate.finding import measure_case
+from rigidsym.validate.implementations import Steps
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import enclose
-from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import STRATA, Sample, draw, stepped
 
 TARGETS = ("numpy-step", "c-step")

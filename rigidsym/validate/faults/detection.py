@@ -24,11 +24,11 @@ from rigidsym.engines.steps import CStepper, NumpyStepper
 from rigidsym.validate import sensitivities
 from rigidsym.validate.bounds import BOUNDS, bounds_of
 from rigidsym.validate.faults.fault import FILES, Fault
+from rigidsym.validate.implementations import Steps
 from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import Reference, enclose
 from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.sensitivities import ColumnsReference
-from rigidsym.validate.steps import Steps
 from rigidsym.validate.strata import Sample, count, draw, stepped
 
 # Detections without a measure: an error that is no refusal, and the end of the process.
