@@ -7,7 +7,7 @@ import numpy as np
 from rigidsym import TorqueFreeMotion
 from rigidsym.manoeuvre.flight.settings import Disturbances, Flight, Timing
 from rigidsym.manoeuvre.manoeuvre import manoeuvre
-from rigidsym.manoeuvre.robustness import robustness
+from rigidsym.manoeuvre.transfer import robustness
 
 INERTIA = ("0.0109", "0.04", "0.0506")
 OMEGA0 = (-0.016, 0.019, -0.003)

@@ -47,7 +47,7 @@ import numpy as np
 import rigidsym
 from rigidsym import engines
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.files import open_manoeuvre
+from rigidsym.manoeuvre.manoeuvre import open_manoeuvre
 from rigidsym.proof.kernel import Grade
 from support import grades, sealed, show, table
 
@@ -407,8 +407,8 @@ print(f"{len(misses)} transfers miss by less than 1e-12 rad:", bool(misses.max()
 # sunlight and a residual dipole.
 
 # %%
+from rigidsym.manoeuvre.classical import euler_angles
 from rigidsym.manoeuvre.figures import Figures
-from rigidsym.manoeuvre.figures.classical import euler_angles
 from rigidsym.manoeuvre.flight import fly, read
 from rigidsym.manoeuvre.flight.results import Tracked
 

@@ -53,7 +53,7 @@ def add(command: Command) -> None:
 
 def _plan(options: Namespace) -> int:
     from rigidsym.io.files import probe
-    from rigidsym.manoeuvre.files import open_manoeuvre
+    from rigidsym.manoeuvre.manoeuvre import open_manoeuvre
 
     asked, _ = open_manoeuvre(options.manoeuvre)
     if options.output:
@@ -72,7 +72,7 @@ def _plan(options: Namespace) -> int:
 
 def _track(options: Namespace) -> int:
     with packages():
-        from rigidsym.manoeuvre.flight.track import track
+        from rigidsym.manoeuvre.flight.results import track
     from rigidsym.io.files import probe
 
     if options.output:

@@ -7,8 +7,7 @@ from rigidsym.errors import require
 
 if TYPE_CHECKING:
     from rigidsym.manoeuvre.manoeuvre import Limits, Manoeuvre
-    from rigidsym.manoeuvre.picture import directions_of
-    from rigidsym.manoeuvre.planning import Plan, plan, solve
+    from rigidsym.manoeuvre.planning import Plan, directions_of, plan, solve
     from rigidsym.manoeuvre.transfer import Transfer
 
 __all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "directions_of", "plan", "solve"]
@@ -19,7 +18,7 @@ _HOMES = {
     "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",
     "Plan": "rigidsym.manoeuvre.planning",
     "Transfer": "rigidsym.manoeuvre.transfer",
-    "directions_of": "rigidsym.manoeuvre.picture",
+    "directions_of": "rigidsym.manoeuvre.planning",
     "plan": "rigidsym.manoeuvre.planning",
     "solve": "rigidsym.manoeuvre.planning",
 }

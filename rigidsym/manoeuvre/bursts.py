@@ -1,4 +1,4 @@
-"""What motions cost, and what limits allow, in the units of the problem without units.
+"""Costs of motions and their limits, in the units of the dimensionless problem.
 
 Momenta are in the largest moment of inertia over the duration, rates in 1 over the duration.
 """
@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
-from rigidsym.manoeuvre.peak import peaks
 from rigidsym.manoeuvre.problem import Problem
+from rigidsym.manoeuvre.transit import peaks
 
 # Limits are met within rounding.
 _ROUNDING = 1e-12
@@ -33,7 +33,7 @@ class Bursts:
 
     @classmethod
     def of(cls, problem: Problem, manoeuvre: Manoeuvre) -> "Bursts":
-        """The bursts of a manoeuvre."""
+        """Return the bursts of a manoeuvre."""
         largest = max(manoeuvre.inertia)
 
         def momentum(spin: tuple[Fraction, ...]) -> np.ndarray:
@@ -52,35 +52,35 @@ class Bursts:
 
     @cached_property
     def spin(self) -> float:
-        """By how much the cost of a motion can differ from twice its momentum, times 1 s."""
+        """Greatest difference of a cost from twice the momentum of the motion, times 1 s."""
         return float(np.linalg.norm(self.before) + np.linalg.norm(self.after))
 
     def sizes(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Of both bursts (N, 2) of motions with rates (N, 3)."""
+        """Return the sizes of both bursts (N, 2) of motions with rates (N, 3)."""
         begin = self.problem.inertia * rates
         end = begin @ self.problem.rotation
         bursts = [begin - duration * self.before, duration * self.after - end]
         return np.stack([np.linalg.norm(burst, axis=1) for burst in bursts], axis=1)
 
     def allowed(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """Which motions (N,) keep to the limits."""
+        """Return whether motions (N,) keep to the limits."""
         return self.excess(rates, duration) <= 1 + _ROUNDING
 
     def excess(self, rates: np.ndarray, duration: float) -> np.ndarray:
-        """What motions (N,) need over what the limits allow."""
+        """Return the ratios (N,) of what motions need to what the limits allow."""
         needed = self.sizes(rates, duration).max(axis=1) / (self.max_burst * duration)
         if np.isfinite(self.max_rate):
             needed = np.maximum(needed, peaks(self.problem, rates) / (self.max_rate * duration))
         return needed
 
     def most(self, duration: float) -> float:
-        """A momentum beyond which no motion keeps to the limits."""
+        """Return a momentum beyond which no motion keeps to the limits."""
         ends = [np.linalg.norm(end) for end in (self.before, self.after)]
         return duration * float(min([self.max_rate, *(self.max_burst + end for end in ends)]))
 
     @np.errstate(divide="ignore")
     def shortest(self, rates: np.ndarray) -> np.ndarray:
-        """The shortest durations (N,) in which motions keep to the limits; inf for never."""
+        """Return the shortest durations (N,) in which motions keep to the limits; inf for never."""
         fastest = np.full(len(rates), np.inf)
         slowest = np.zeros(len(rates))
         if np.isfinite(self.max_rate):
@@ -94,7 +94,7 @@ class Bursts:
 
 @np.errstate(divide="ignore", invalid="ignore")
 def _within(end: np.ndarray, outside: np.ndarray, limit: float) -> tuple[np.ndarray, np.ndarray]:
-    """From and to which factor s (N,) the change |s end - outside| is within a limit."""
+    """Return the interval of factors s (N,) whose change |s end - outside| is within a limit."""
     if not np.isfinite(limit):
         return np.zeros(len(end)), np.full(len(end), np.inf)
     square, mixed = np.sum(end * end, axis=1), end @ outside

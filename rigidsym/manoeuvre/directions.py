@@ -1,4 +1,4 @@
-"""In which directions a momentum can lie that a natural motion takes from start to target.
+"""The directions of momentum from which a natural motion can arrive at the target.
 
 The motion keeps the momentum in space, so the turn takes it from the target's body axes to the
 start's; it keeps the energy, too.  Both momenta m and mR of size 1 then have the same energy:
@@ -37,15 +37,17 @@ class Arcs:
     direction: Callable[[np.ndarray, np.ndarray], np.ndarray]
 
     def at(self, arc: np.ndarray, x: np.ndarray) -> np.ndarray:
-        """Directions (N, 3) on arcs (N,) at coordinates (N,)."""
+        """Return directions (N, 3) on arcs (N,) at coordinates (N,)."""
         begin, end = self.ends[arc].T
         share = (end - begin) / (1 + np.exp(np.abs(x)))
         return self.direction(np.where(x < 0, begin + share, end - share), arc)
 
 
 def arcs(problem: Problem) -> Arcs:
-    """All directions, or for a symmetry of the body one of each polhode, which then stands for
-    all of it; none for spheres."""
+    """Return the arcs of all directions; none for spheres.
+
+    For a symmetry of the body, one direction of each polhode stands for all of it.
+    """
     low, middle, high = problem.axes
     inverse, form = _inverse(problem), quadratic_form(problem)
     if not inverse.any():
@@ -61,8 +63,7 @@ def arcs(problem: Problem) -> Arcs:
 
 
 def is_symmetry(problem: Problem) -> bool:
-    """Whether the turn leaves the inertia as it is, so that motions come in one-parameter
-    families of equal cost.
+    """Return whether the turn keeps the inertia: motions then come in one-parameter families.
 
     Facts manoeuvre.symmetry, ring.euler.
     """
@@ -72,21 +73,21 @@ def is_symmetry(problem: Problem) -> bool:
 
 
 def _inverse(problem: Problem) -> np.ndarray:
-    """Inverse moments less that of the middle one, from differences of moments."""
+    """Return inverse moments less that of the middle one, from differences of moments."""
     c, middle = problem.inertia, problem.axes[1]
     return (c[middle] - c) / (c * c[middle])
 
 
 def quadratic_form(problem: Problem) -> np.ndarray:
-    """A = R J R^T - J, (3, 3)."""
+    """Return A = R J R^T - J, (3, 3)."""
     inverse = _inverse(problem)
     return (problem.rotation * inverse) @ problem.rotation.T - np.diag(inverse)
 
 
 def _meridian(problem: Problem, split: float) -> Arcs:
-    """Through the axes of the largest and the smallest moment, across every polhode.
+    """Return arcs through the axes of the largest and the smallest moment, across every polhode.
 
-    On both sides of both: about the axis of a symmetric body turns need not be half turns.
+    They lie on both sides of both: turns about the axis of a symmetric body need not be half turns.
     """
     low, _, high = problem.axes
 
@@ -103,15 +104,15 @@ def _meridian(problem: Problem, split: float) -> Arcs:
 def _cone(
     form: np.ndarray, axes: list[np.ndarray], middle: np.ndarray, planes: list[np.ndarray]
 ) -> Arcs:
-    """The directions m with m form m = 0, by their angle about the axis of the cone."""
+    """Return the directions m with m form m = 0, by their angle about the axis of the cone."""
     values, frame = np.linalg.eigh(form)
     if values[1] < 0:
         values, frame = -values[::-1], frame[:, ::-1]
     # One eigenvalue below zero, the cone's axis, and two that are not.
     opening = np.maximum(values[1:], 0.0) / -values[0]
     frame = np.roll(frame, -1, axis=1)
-    marks = [*axes, *(m for plane in planes for m in _on_plane(form, middle, plane))]
-    local = np.array([sign * mark @ frame for mark in marks for sign in (1, -1)])
+    points = [*axes, *(m for plane in planes for m in _on_plane(form, middle, plane))]
+    local = np.array([sign * point @ frame for point in points for sign in (1, -1)])
     ends, sides = [], []
     for side in (1, -1):
         cuts = _cuts(local[local[:, 2] * side > -_SAME], flat=opening[0] < _FLAT * opening[1])
@@ -129,16 +130,16 @@ def _cone(
     return Arcs(np.concatenate(ends), direction)
 
 
-def _cuts(marks: np.ndarray, flat: bool) -> np.ndarray:
-    """Where to cut a curve: at marks (N, 3), and where two planes nearly cross."""
-    angles = [0.0, *np.arctan2(marks[:, 1], marks[:, 0])]
+def _cuts(points: np.ndarray, flat: bool) -> np.ndarray:
+    """Return the angles that cut a curve: at points (N, 3), and where planes nearly cross."""
+    angles = [0.0, *np.arctan2(points[:, 1], points[:, 0])]
     angles += [0.0, np.pi] if flat else []
     cuts = np.unique(np.mod(angles, 2 * np.pi))
     return cuts[np.diff(cuts, prepend=-1.0) > _SAME]
 
 
 def _on_plane(form: np.ndarray, e: np.ndarray, f: np.ndarray) -> list[np.ndarray]:
-    """The directions on a cone in the plane of two vectors, up to sign: two or none."""
+    """Return the directions on a cone in the plane of two vectors, up to sign: two or none."""
     ee, ef, ff = e @ form @ e, e @ form @ f, f @ form @ f
     root = ef * ef - ee * ff
     if root < 0:

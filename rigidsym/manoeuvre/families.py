@@ -21,9 +21,9 @@ _LESS_THAN_ONE = (-1, 0)
 
 
 def least(problem: Problem) -> float:
-    """A momentum with which some motion arrives.
+    """Return a momentum with which some motion arrives.
 
-    Found from turns about the axis of the whole turn; where none leads to a motion it is a bound:
+    It is found from turns about the axis of the whole turn; where none arrives it is a bound:
     that turn at constant rates has energy enough for the shortest way, and of all motions with
     an energy the one about the axis of largest moment has the largest momentum (fact
     sorted_body.most_momentum).
@@ -34,10 +34,10 @@ def least(problem: Problem) -> float:
 
 
 def families(problem: Problem, bound: float) -> np.ndarray:
-    """All rates (N, 3) that arrive with a momentum up to `bound`, by momentum.
+    """Return all rates (N, 3) that arrive with a momentum up to `bound`, by momentum.
 
-    Of a one-parameter family, which a turn that is a symmetry of the body has, it is one motion.
-    Raises TooManyError where there are more than can be looked at.
+    A one-parameter family, of a turn that is a symmetry of the body, is represented by one motion.
+    Raises TooManyError where there are too many to search.
     """
     near = np.concatenate([_spins(problem, _more_turns(problem, bound)), starts(problem, bound)])
     refined = zip(_shortest(problem), refine(problem, near), strict=True)
@@ -47,21 +47,21 @@ def families(problem: Problem, bound: float) -> np.ndarray:
 
 @lru_cache(1)
 def _shortest(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
-    """Spins of less than a turn, refined; kept, since the bound needs them and then the search."""
+    """Return refined spins of less than a turn; cached for the bound and then the search."""
     return refine(problem, _spins(problem, _LESS_THAN_ONE))
 
 
 def _more_turns(problem: Problem, bound: float) -> list[int]:
-    """By how many whole turns other spins with a momentum up to `bound` are longer."""
+    """Return the numbers of whole turns of other spins with a momentum up to `bound`."""
     turn = 2 * np.pi * problem.momenta(_axes(problem)).min()
     most = int(min(bound // turn, _MOST_SPINS))
     return [*range(-1 - most, -1), *range(1, 1 + most)]
 
 
 def _spins(problem: Problem, whole: Sequence[int]) -> np.ndarray:
-    """Turns (N, 3) about the axis of the turn, with whole turns more.
+    """Return turns (N, 3) about the axis of the turn, by whole turns longer.
 
-    Exact where that is a principal axis, close where the body is nearly a sphere.
+    They arrive where that is a principal axis, and nearly where the body is nearly a sphere.
     """
     turns = problem.angle + 2 * np.pi * np.array(whole, float)
     return (turns[:, None, None] * _axes(problem)).reshape(-1, 3)
@@ -72,8 +72,8 @@ def _axes(problem: Problem) -> np.ndarray:
 
 
 def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Those that arrive, each once, by momentum; of a one-parameter family, one."""
-    # Of those that are the same the one that arrives best stays.
+    """Return the rates that arrive, each once, by momentum; of a one-parameter family, one."""
+    # Of equal ones the one that arrives best is kept.
     order = np.argsort(angles, kind="stable")
     rates = rates[order][_arrive(problem, rates[order], angles[order])]
     compared = problem.momenta(rates)[:, None] if is_symmetry(problem) else rates
@@ -87,7 +87,7 @@ def _distinct(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.nda
 
 
 def _arrive(problem: Problem, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Which motions (N,) arrive.
+    """Return whether motions (N,) arrive.
 
     Close to the separatrix doubles miss by more than rounding, but rates hardly differ from those
     that arrive; where misses hardly depend on the rates it is the other way round.

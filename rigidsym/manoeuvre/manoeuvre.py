@@ -1,11 +1,12 @@
-"""What is asked of a manoeuvre: from one attitude to another in a given time, within limits."""
+"""A manoeuvre, from one attitude to another in a given time, within limits, and its file."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from importlib import resources
 from itertools import combinations
 from pathlib import Path
-from typing import TypedDict
+from typing import Any
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
@@ -13,41 +14,39 @@ from rigidsym.inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.io import toml as toml_file
 from rigidsym.io.files import read_text
 
+PAPER = "paper.toml"
+"The file of the package."
 REST = (0, 0, 0)
+FLIGHT = frozenset(
+    {
+        *("orbit", "wheels", "thrusters", "controller", "spacecraft", "disturbances", "run"),
+        "message",
+    }
+)
+"Tables of a file for the flight, fields of `flight.settings.Flight`; planners leave them alone."
 _NEEDED = ("inertia", "start", "target")
-_OWN = {*_NEEDED, "duration", "spin", "limits", "degrees"}
+OWN = {*_NEEDED, "duration", "spin", "limits", "degrees"}
 # What doubles can hold, and the products of three of them too.
 _LARGEST = 10**60
 
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """What the spacecraft can do; None where there is no limit."""
+    """Limits of the spacecraft; None where there is none."""
 
     max_rate: Fraction | None = None
-    "Of the body rates at any time of the motion, |omega|, rad/s."
+    "Greatest body rate at any time of the motion, |omega|, rad/s."
     max_burst: Fraction | None = None
-    "Of either burst, the change of the momentum that it makes, N m s."
-
-
-class ManoeuvreTables(TypedDict):
-    """The tables of a manoeuvre file, numbers as strings."""
-
-    inertia: list[str]
-    start: list[str]
-    target: list[str]
-    duration: str | None
-    spin: dict[str, list[str]]
-    limits: dict[str, str]
+    "Greatest size of either burst, the change of momentum that it makes, N m s."
 
 
 @dataclass(frozen=True, slots=True)
 class Manoeuvre:
-    """From `start` to `target` (quaternions, scalar first, body to inertial), in `duration` s.
+    """A turn from `start` to `target` (quaternions, scalar first, body to inertial).
 
-    inertia: principal moments, kg m^2.  duration None: the shortest that the limits allow.
+    inertia: principal moments, kg m^2.  duration: s; None for the shortest that the limits allow.
     start_spin, target_spin: body rates before the first burst and after the last, rad/s.
-    All numbers are exact; `manoeuvre` and `parse` make one from what users give.
+    All numbers are exact; `manoeuvre` and `parse` make one from numbers of users.
     """
 
     inertia: tuple[Fraction, ...]
@@ -70,16 +69,16 @@ class Manoeuvre:
         turned = any(p * s != q * r for (p, q), (r, s) in pairs)
         return not (turned or any(self.start_spin) or any(self.target_spin))
 
-    def to_data(self) -> ManoeuvreTables:
-        """The tables of a manoeuvre file, numbers as strings that mean them exactly."""
-        given = {"max_rate": self.limits.max_rate, "max_burst": self.limits.max_burst}
+    def to_data(self) -> dict[str, Any]:
+        """Return the tables of a manoeuvre file, numbers as strings that mean them exactly."""
+        limits = {"max_rate": self.limits.max_rate, "max_burst": self.limits.max_burst}
         return {
             "inertia": _texts(self.inertia),
             "start": _texts(self.start),
             "target": _texts(self.target),
             "duration": None if self.duration is None else inputs.exact_text(self.duration),
             "spin": {"start": _texts(self.start_spin), "target": _texts(self.target_spin)},
-            "limits": {k: inputs.exact_text(x) for k, x in given.items() if x is not None},
+            "limits": {k: inputs.exact_text(x) for k, x in limits.items() if x is not None},
         }
 
 
@@ -99,7 +98,7 @@ def manoeuvre(
     max_burst: ExactNumber | None = None,
     degrees: bool = False,
 ) -> Manoeuvre:
-    """A manoeuvre from numbers as users give them; raises InputError for the first bad one.
+    """Make a manoeuvre from numbers of users; raises InputError for the first bad one.
 
     degrees: spins and `max_rate` are in deg/s, and are rounded to doubles in rad/s.
     """
@@ -123,7 +122,7 @@ def manoeuvre(
 
 
 def above_zero(field: str, value: ExactNumber) -> Fraction:
-    """An exact number above zero, and neither too large nor too small for what follows."""
+    """Read an exact number above zero that is neither too large nor too small for doubles."""
     number = inputs.exact(field, value)
     if number <= 0:
         raise InputError(field, value, "must be above zero")
@@ -138,32 +137,37 @@ def _spin(field: str, values: Vector3) -> tuple[Fraction, ...]:
 
 
 def _in_radians(values: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """Doubles, which files can hold in a few digits."""
+    """Return rates in rad/s, rounded to doubles, which files can hold in a few digits."""
     exact = inputs.certain("degrees", inputs.in_radians(values))
     return tuple(Fraction(float(x)) for x in exact)
 
 
 def _moderate(field: str, values: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
-    """The same numbers above zero; raises InputError for one that is too large or too small."""
+    """Return the same numbers; raises InputError for one that is too large or too small."""
     if any(not 1 <= x * _LARGEST <= _LARGEST**2 for x in values):
         raise InputError(field, inputs.shown(values), "must be from 1e-60 to 1e60")
     return values
 
 
-def load(
-    path: str | Path, others: frozenset[str] = frozenset()
-) -> tuple[Manoeuvre, toml_file.TomlTable]:
-    """A manoeuvre file and its tables as they are; raises InputError about the first bad thing.
+def open_manoeuvre(name: str) -> tuple[Manoeuvre, toml_file.TomlTable]:
+    """Read a file, `paper` being that of the package: the manoeuvre, and all tables as they are.
 
-    `others` are tables that a file may hold for those who fly the manoeuvre.
+    Raises InputError about the first error in the manoeuvre itself.
     """
-    tables = toml_file.parse("manoeuvre", read_text("manoeuvre", path))
-    return parse(tables, others), tables
+    if name == "paper":
+        text = resources.files("rigidsym.manoeuvre").joinpath(PAPER).read_text("utf-8")
+    else:
+        text = read_text("manoeuvre", Path(name))
+    tables = toml_file.parse("manoeuvre", text)
+    return parse(tables, FLIGHT), tables
 
 
 def parse(tables: toml_file.TomlTable, others: frozenset[str] = frozenset()) -> Manoeuvre:
-    """A manoeuvre from the tables of a file; numbers may be floats or strings of decimals."""
-    toml_file.check_keys("manoeuvre", tables, _OWN | others, _NEEDED)
+    """Make a manoeuvre from the tables of a file; numbers may be floats or strings of decimals.
+
+    others: names of further tables that the file may have.
+    """
+    toml_file.check_keys("manoeuvre", tables, OWN | others, _NEEDED)
     spin = _table(tables, "spin", {"start", "target"})
     limits = _table(tables, "limits", {"max_rate", "max_burst"})
     return manoeuvre(

@@ -1,8 +1,8 @@
-"""One-parameter families: where the turn is a symmetry of the body, each motion that arrives has
-others beside it, with the same momentum and energy, all round its polhode (facts ring.kinematics,
-ring.momentum, ring.euler).
+"""One-parameter families of motions, where the turn is a symmetry of the body.
 
-They differ in their bursts where there are spins, and in their largest rates.
+Each motion that arrives then has others beside it, with the same momentum and energy, all round its
+polhode (facts ring.kinematics, ring.momentum, ring.euler).  They differ in their bursts where there
+are spins, and in their largest rates.
 """
 
 from collections.abc import Callable
@@ -26,14 +26,14 @@ _IMAGES = np.array([signs for signs in product((1, -1), repeat=3) if np.prod(sig
 
 
 def matter(bursts: Bursts) -> bool:
-    """Whether motions of a family differ in what they cost or in what they need."""
+    """Return whether motions of a family differ in cost or in the limits they need."""
     return is_symmetry(bursts.problem) and (bursts.spin > 0 or bool(np.isfinite(bursts.max_rate)))
 
 
 def cheapest(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
-    """Of the family of each motion, rates (N, 3), the cheapest one within the limits.
+    """Return the cheapest motion within the limits of the family of each motion, rates (N, 3).
 
-    Where none is within them, the one that is nearest to the limits.
+    Where none is within them, it is the one nearest to the limits.
     """
 
     def excess(found: np.ndarray) -> np.ndarray:
@@ -49,7 +49,7 @@ def cheapest(bursts: Bursts, rates: np.ndarray, duration: float) -> np.ndarray:
 
 
 def least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
-    """Of the family of each of the motions with rates (N, 3), the one of least value."""
+    """Return the motion of least value of the family of each motion, rates (N, 3)."""
     return np.array([_least(bursts, one, values) for one in rates]).reshape(-1, 3)
 
 
@@ -71,7 +71,7 @@ def _least(bursts: Bursts, rates: np.ndarray, values: Values) -> np.ndarray:
 
 
 def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
-    """Rates (N, 3) in the family of rates (3,), shares (N,) of it further on."""
+    """Return rates (N, 3) in the family of rates (3,), shares (N,) of it further on."""
     problem, size = bursts.problem, bursts.problem.momenta(rates)
     if size == 0:
         return np.zeros((len(shares), 3))
@@ -83,7 +83,7 @@ def _along(bursts: Bursts, rates: np.ndarray, shares: np.ndarray) -> np.ndarray:
 
 
 def _turned(bursts: Bursts, rates: np.ndarray, angles: np.ndarray) -> np.ndarray:
-    """Rates (N, 3) of whole turns about other axes of the same moment; else the same rates."""
+    """Return rates (N, 3) of whole turns about other axes of the same moment; else the same."""
     frame = None if bursts.problem.angle else _equal_axes(bursts, rates)
     if frame is None:
         return np.tile(rates, (len(angles), 1))
@@ -92,7 +92,7 @@ def _turned(bursts: Bursts, rates: np.ndarray, angles: np.ndarray) -> np.ndarray
 
 
 def _equal_axes(bursts: Bursts, rates: np.ndarray) -> np.ndarray | None:
-    """Two axes (2, 3) of the moment of a spin: of a sphere, those next to the spins outside."""
+    """Return two axes (2, 3) of the moment of a spin; of a sphere, those nearest to both spins."""
     c = bursts.problem.inertia
     if c.min() == c.max():
         return np.linalg.svd([bursts.before, bursts.after])[2][:2]

@@ -4,6 +4,7 @@ import json
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,17 +13,22 @@ from rigidsym.errors import InputError, PrecisionError
 from rigidsym.inputs import ExactNumber, Quaternion, Vector3
 from rigidsym.io.files import remove, write_bytes, write_text
 from rigidsym.manoeuvre.bursts import Bursts
-from rigidsym.manoeuvre.cheapest import cheapest
-from rigidsym.manoeuvre.limits import refuse, shortest
+from rigidsym.manoeuvre.cheapest import cheapest, refuse, shortest
+from rigidsym.manoeuvre.directions import arcs, is_symmetry
 from rigidsym.manoeuvre.manoeuvre import REST, Manoeuvre, above_zero, manoeuvre
-from rigidsym.manoeuvre.peak import peaks
 from rigidsym.manoeuvre.problem import problem
+from rigidsym.manoeuvre.refine import verified
 from rigidsym.manoeuvre.search import TooManyError
 from rigidsym.manoeuvre.transfer import Transfer
-from rigidsym.manoeuvre.verify import verified
+from rigidsym.manoeuvre.transit import peaks
+
+if TYPE_CHECKING:
+    from rigidsym.view.scenes.scene import Figure
 
 SCHEMA = "rigidsym.plan/1"
 MOST_FAMILIES = 1000
+AN_ARC = 49
+"Points of the curve that draws an arc."
 ARRIVED = 1e-12
 "The largest angle by which a transfer may miss, rad."
 
@@ -41,7 +47,7 @@ COLUMNS = (
 class Plan:
     """Transfers for one manoeuvre, the cheapest first.
 
-    families: how many were wanted, of which the limits may leave fewer.
+    families: the number asked for; limits may leave fewer.
     """
 
     manoeuvre: Manoeuvre
@@ -50,15 +56,15 @@ class Plan:
 
     @property
     def best(self) -> Transfer:
-        """The cheapest transfer within the limits."""
+        """Cheapest transfer within the limits."""
         return self.transfers[0]
 
     def at(self, duration: ExactNumber) -> "Plan":
-        """The same manoeuvre in another duration, s.
+        """Return the plan of the same manoeuvre in another duration, s.
 
-        Without limits and spins it is a matter of scale: rates go with 1 / duration, and each
-        motion misses by the angle it did (facts faster.kinematics, faster.euler).  Else it is
-        planned anew.  Raises InputError as `plan` does.
+        Without limits and spins it only scales: rates go with 1 / duration, misses stay the same
+        (facts faster.kinematics, faster.euler).  Else it is planned anew.  Raises InputError as
+        `plan` does.
         """
         old, engine = self.manoeuvre, self.best.engine
         wanted = above_zero("duration", duration)
@@ -71,7 +77,7 @@ class Plan:
 
     @property
     def title(self) -> str:
-        """What is planned, in one line; says so where it costs nothing, and what limits leave."""
+        """Title of the table: duration, notes on zero cost, growing errors, missing families."""
         said = [f"rigidsym plan: {self.best.duration:.12g} s"]
         if self.manoeuvre.trivial:
             said.append("start equals target, nothing to do")
@@ -85,33 +91,30 @@ class Plan:
         return "; ".join(said)
 
     def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-        """Columns and rows for reading; the last is the miss by 1 % and by 1 deg of a burst."""
+        """Return columns and rows; the last column is the miss by 1 % and by 1 deg of a burst."""
         return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
 
     def write(self, directory: Path) -> list[Path]:
         """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
 
-        Case files of a plan that was there before go.  Without matplotlib there is no picture.
+        Case files of an earlier plan are removed.  Without matplotlib there is no picture.
         """
         texts = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
         paths = [write_text(directory / name, text) for name, text in texts.items()]
         for path in directory.glob("transfer-*.toml"):
             if path.name not in texts:
                 remove(path)
-        return [write_text(directory / "plan.json", self.to_json()), *paths, *self._draw(directory)]
+        paths = [write_text(directory / "plan.json", self.to_json()), *paths]
+        if find_spec("matplotlib") is not None:
+            from rigidsym.view.plots.histories import rendered
+            from rigidsym.view.plots.transfers import transfers
 
-    def _draw(self, directory: Path) -> list[Path]:
-        """transfers.svg and transfers.png."""
-        if find_spec("matplotlib") is None:
-            return []
-        from rigidsym.view.plots.histories import rendered
-        from rigidsym.view.plots.transfers import transfers
-
-        files = rendered(transfers(self.transfers)).items()
-        return [write_bytes(directory / f"transfers.{suffix}", data) for suffix, data in files]
+            for suffix, data in rendered(transfers(self.transfers)).items():
+                paths.append(write_bytes(directory / f"transfers.{suffix}", data))
+        return paths
 
     def to_json(self) -> str:
-        """The plan as JSON, schema rigidsym.plan/1."""
+        """Return the plan as JSON, schema rigidsym.plan/1."""
         data = {
             "schema": SCHEMA,
             "manoeuvre": self.manoeuvre.to_data(),
@@ -145,21 +148,46 @@ def plan(
     families: int = 1,
     engine: str = "c",
 ) -> Plan:
-    """Natural motions that take a body from one attitude to another in a given time.
-
-    inertia (3,): principal moments, kg m^2.  start, target (4,): quaternions, scalar first, body
-    to inertial; either sign of the target is reached.  duration: s; None for the shortest that the
-    limits allow.  start_spin, target_spin (3,): body rates before and after, rad/s.  max_rate:
-    of |omega| on the way, rad/s.  max_burst: of either burst, N m s.  degrees: spins and max_rate
-    are in deg/s.  families: how many transfers to give, the cheapest first; there are infinitely
-    many.  engine: as for `TorqueFreeMotion`.
+    """Plan natural motions that take a body from one attitude to another in a given time.
 
     Every transfer misses the target by at most 1e-12 rad, by the derived solution at thirty
-    digits.  Raises InputError for bad input, for limits that cannot be kept, with the limit that
-    binds and a duration that would do, and where spins turn the body so often in the duration,
-    some fifty times, that there are more motions than can be looked at.  Source: section V of the
-    paper.
+    digits.  Source: section V of the paper.
 
+    Parameters
+    ----------
+    inertia : array (3,)
+        Principal moments, kg m^2.
+    start, target : array (4,)
+        Quaternions, scalar first, body to inertial; either sign of the target is reached.
+    duration : number, optional
+        Time from the first burst to the last, s; None for the shortest that the limits allow.
+    start_spin, target_spin : array (3,)
+        Body rates before and after, rad/s.
+    max_rate : number, optional
+        Limit of |omega| on the way, rad/s.
+    max_burst : number, optional
+        Limit of either burst, N m s.
+    degrees : bool
+        Whether spins and `max_rate` are in deg/s.
+    families : int
+        Number of transfers, the cheapest first; there are infinitely many.
+    engine : str
+        Engine of the states, as for `TorqueFreeMotion`.
+
+    Returns
+    -------
+    Plan
+        The transfers, the cheapest first.
+
+    Raises
+    ------
+    InputError
+        For bad input; for limits that cannot be kept, with the limit that binds and a duration
+        that would do; and where spins turn the body so often in the duration, some fifty times,
+        that there are too many motions to search.
+
+    Examples
+    --------
     >>> found = plan((0.0109, 0.04, 0.0506), (1, 0, 0, 0), (0.5, 0.5, 0.5, 0.5), 180)
     >>> found.best.omega0.round(6), round(found.best.cost, 6)
     (array([0.010731, 0.00148 , 0.007482]), 0.000801)
@@ -179,7 +207,7 @@ def plan(
 
 
 def solve(asked: Manoeuvre, families: int = 1, engine: str = "c") -> Plan:
-    """See `plan`."""
+    """Plan a manoeuvre that is a value; arguments and errors are those of `plan`."""
     count = inputs.whole("families", families, MOST_FAMILIES)
     try:
         return _solve(asked, count, engine)
@@ -207,7 +235,7 @@ def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
 
 
 def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
-    """Field, value and rule where there are more motions than can be looked at."""
+    """Return field, value and rule where there are too many motions to search."""
     spins = {"spin.start": asked.start_spin, "spin.target": asked.target_spin}
     fastest = max(spins, key=lambda name: max(map(abs, spins[name])))
     if any(spins[fastest]):
@@ -223,3 +251,27 @@ def _row(place: int, one: Transfer) -> tuple[str, ...]:
     rates = ", ".join(f"{x:.9g}" for x in one.omega0)
     figures = (f"{x:.6g}" for x in (one.cost, one.energy, one.peak_rate))
     return (str(place), rates, *figures, one.miss, one.missed)
+
+
+def directions_of(plan: Plan) -> "Figure":
+    """Draw the sphere of momentum directions of a plan, in the body axes of the start.
+
+    It has the cone of all directions in which a natural motion can arrive; and of each transfer the
+    polhode, thin, and the path of the momentum on it, thick, from a dot on the cone on.  A turn
+    that is a symmetry of the body allows every direction: one of each polhode is drawn.  Raises
+    ImportError without plotly.
+    """
+    from rigidsym.view.scenes.directions import scene
+
+    asked = plan.manoeuvre
+    posed = problem(asked.inertia, asked.start, asked.target, engines.engine("numpy"))
+    curves = arcs(posed)
+    cone = [
+        curves.direction(np.linspace(begin, end, AN_ARC), np.full(AN_ARC, k))
+        for k, (begin, end) in enumerate(curves.ends)
+    ]
+    # A sphere has none: its momentum has the direction of its rates.
+    name = "one of each polhode" if is_symmetry(posed) else "cone of directions"
+    moving = {f"transfer {k}": x for k, x in enumerate(plan.transfers, 1) if x.momentum}
+    title = f"Momenta that arrive in {plan.best.duration:g} s"
+    return scene(asked.inertia, (name, cone), moving, title)

@@ -1,9 +1,9 @@
-"""The boundary-value problem without units: body axes of the start, time 1, largest moment 1.
+"""The dimensionless boundary-value problem: body axes of the start, time 1, largest moment 1.
 
 Natural motions keep their momentum in space (fact moving_body.momentum_is_constant), and time only
-scales their rates (facts faster.kinematics, faster.euler).  So all that matters of two attitudes is
-the turn from one to the other in the body axes of the first, and all that matters of a duration is
-the rates times it.
+scales their rates (facts faster.kinematics, faster.euler).  So the problem depends on two attitudes
+only by the turn from one to the other in the body axes of the first, and on a duration only by the
+rates times it.
 """
 
 from collections.abc import Sequence
@@ -22,7 +22,7 @@ IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Which rates turn a body of given moments by a given turn, either sign, in time 1?
+    """The search for rates that turn a body by a given turn, of either sign, in time 1.
 
     inertia (3,): moments over the largest of them.  turn (4,): unit quaternion from the body axes
     of the target to those of the start, with a scalar part that is not negative.  engine: the
@@ -41,41 +41,41 @@ class Problem:
 
     @cached_property
     def angle(self) -> float:
-        """Of the turn, from 0 to pi."""
+        """Angle of the turn, from 0 to pi."""
         return float(2 * np.arctan2(np.linalg.norm(self.turn[1:]), self.turn[0]))
 
     @cached_property
     def axis(self) -> np.ndarray:
-        """Of the turn, (3,); that of the largest moment where there is no turn."""
+        """Axis of the turn, (3,); that of the largest moment where there is no turn."""
         length = np.linalg.norm(self.turn[1:])
         return self.turn[1:] / length if length else np.eye(3)[self.axes[2]]
 
     @cached_property
     def rotation(self) -> np.ndarray:
-        """The turn as a matrix (3, 3): where the momentum m begins, it ends at m @ rotation."""
+        """The turn as a matrix (3, 3): a momentum that begins at m ends at m @ rotation."""
         scalar, vector = self.turn[0], self.turn[1:]
         cross = np.cross(np.eye(3), vector)
         return np.eye(3) + 2 * scalar * cross + 2 * cross @ cross
 
     @cached_property
     def _undo(self) -> np.ndarray:
-        """What turns arrivals q into q turn^-1, as q @ _undo."""
+        """Matrix (4, 4) that takes a quaternion q to q turn^-1 = q @ _undo."""
         w, x, y, z = self.turn
         return np.array([[w, -x, -y, -z], [x, w, z, -y], [y, -z, w, x], [z, y, -x, w]])
 
     def arrivals(self, rates: np.ndarray) -> np.ndarray:
-        """From the turn to where rates (..., 3) lead in time 1, as quaternions (..., 4)."""
+        """Return quaternions (..., 4) from the turn to where rates (..., 3) lead in time 1."""
         q, _ = self.engine.propagate(self.inertia, rates, IDENTITY, np.ones(1))
         return q[..., 0, :] @ self._undo
 
     def misses(self, rates: np.ndarray) -> np.ndarray:
-        """The same as rotation vectors (..., 3), rad, by the shorter way round."""
+        """Return arrivals as rotation vectors (..., 3), rad, by the shorter way round."""
         return rotation_vectors(self.arrivals(rates))
 
     def slopes(self, rates: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Misses (N, 3) of rates (N, 3), and what they change by with them (N, 3, 3).
+        """Return misses (N, 3) of rates (N, 3), and their derivatives by the rates (N, 3, 3).
 
-        Where the changes leave binary64, as they may beside the separatrix, these are not numbers.
+        Derivatives beyond binary64, as they may be beside the separatrix, are NaN.
         """
         engine = sensitive(self.engine)
         found = engine.propagate(self.inertia, rates, IDENTITY, np.ones(1), errors="nan")
@@ -84,7 +84,7 @@ class Problem:
         return misses, inverse_left_jacobian(misses) @ by_rates
 
     def momenta(self, rates: np.ndarray) -> np.ndarray:
-        """Sizes (...) of the momentum at rates (..., 3)."""
+        """Return sizes (...) of the momentum at rates (..., 3)."""
         return np.linalg.norm(self.inertia * rates, axis=-1)
 
 
@@ -94,7 +94,7 @@ def problem(
     target: Sequence[Fraction],
     engine: Engine,
 ) -> Problem:
-    """The problem of a body and two attitudes, from exact numbers."""
+    """Return the problem of a body and two attitudes, from exact numbers."""
     largest = max(inertia)
     moments = np.array([float(c / largest) for c in inertia])
     turn = unit(between(start, target))
@@ -102,7 +102,7 @@ def problem(
 
 
 def between(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    """The quaternion p* q: p^-1 q, but for its length."""
+    """Return the quaternion p* q: p^-1 q, but for its length."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return (
@@ -114,7 +114,7 @@ def between(p: Sequence[Fraction], q: Sequence[Fraction]) -> tuple[Fraction, ...
 
 
 def unit(quaternion: Sequence[Fraction]) -> np.ndarray:
-    """The same direction, (4,), of length 1."""
+    """Return the same direction, (4,), of length 1."""
     largest = max(map(abs, quaternion))
     scaled = np.array([float(x / largest) for x in quaternion])
     return scaled / np.linalg.norm(scaled)

@@ -1,4 +1,4 @@
-"""Where motions that arrive are to be looked for: samples of arcs, made finer until none hides.
+"""The search for all motions that arrive: samples of arcs, refined until none is missed.
 
 A motion from a direction on an arc brings the momentum where it should be after a known time, and
 again after each period of its polhode.  What is left of the attitude then is a turn about the
@@ -32,21 +32,20 @@ _CLOSER = 3
 # Times may dip between samples.
 _MARGIN = 1.02
 _FAR = 4.0
-# Motions and starts, of which more would take longer than a second.
+# Most motions and starts: more would take longer than a second.
 _MOST, _MOST_STARTS = 150_000, 10_000
 
 
 class TooManyError(ArithmeticError):
-    """There are more motions than can be looked at."""
+    """Error: there are too many motions to search."""
 
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """Points of arcs, and how the motions that start there arrive; arrays with N rows.
+    """Points of arcs, and the arrivals of motions that start there; arrays with N rows.
 
     turns: whole turns of the momentum round its polhode, which take `period` each.  time: momentum
-    times duration.
-    half: of the angle about the momentum that is left, rad.
+    times duration.  half: half of the angle about the momentum that is left, rad.
     """
 
     arc: np.ndarray
@@ -66,9 +65,9 @@ class Samples:
 
 
 def starts(problem: Problem, bound: float) -> np.ndarray:
-    """Rates (N, 3) close to all that arrive with a momentum up to `bound`.
+    """Return rates (N, 3) close to all that arrive with a momentum up to `bound`.
 
-    Raises TooManyError where motions of that momentum turn so often that these are too many.
+    Raises TooManyError where there are too many motions of that momentum.
     """
     curves = arcs(problem)
     if not len(curves.ends):
@@ -80,13 +79,13 @@ def starts(problem: Problem, bound: float) -> np.ndarray:
 
 
 def _check(count: float, most: int) -> None:
-    """Refuse what would take too long."""
+    """Raise TooManyError for a search that would take too long."""
     if not count <= most:
         raise TooManyError
 
 
 def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Samples, Samples]]:
-    """From where to where steps go that are fine enough."""
+    """Yield begins and ends of steps that are fine enough."""
     samples, left, right = _first(problem, curves, bound)
     for _ in range(_ROUNDS):
         begin, end = samples[left], samples[right]
@@ -103,7 +102,7 @@ def _steps(problem: Problem, curves: Arcs, bound: float) -> Iterator[tuple[Sampl
 
 
 def _first(problem: Problem, curves: Arcs, bound: float) -> tuple[Samples, np.ndarray, np.ndarray]:
-    """Samples, and the rows between which the first steps go."""
+    """Return samples, and the rows at begins and ends of the first steps."""
     count, grid = len(curves.ends), len(_GRID)
     arc, x = np.repeat(np.arange(count), grid), np.tile(_GRID, count)
     momenta = curves.at(arc, x)
@@ -133,7 +132,7 @@ def sample(
     x: np.ndarray,
     turns: np.ndarray,
 ) -> Samples:
-    """The samples there; what arrives much later than `bound` has no half angle."""
+    """Return the samples at points of arcs; arrivals much later than `bound` have no half angle."""
     momenta = curves.at(arc, x)
     return Samples(
         arc, x, turns, *_arriving(problem, bound, momenta, turns, *transits(problem, momenta))
@@ -148,8 +147,8 @@ def _arriving(
     first: np.ndarray,
     period: np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Of momenta (N, 3) of size 1 periods, times, rates and half angles, from their transits."""
-    # No turns take no time, also on the separatrix, where one takes for ever.
+    """Return periods, times, rates and half angles of momenta (N, 3) of size 1, from transits."""
+    # Zero turns take no time, also on the separatrix, where one takes for ever.
     time = first + np.multiply(turns, period, out=np.zeros(len(first)), where=turns > 0)
     rates = np.where(time <= _FAR * bound, time, np.nan)[:, None] * momenta / problem.inertia
     arrived = problem.arrivals(np.nan_to_num(rates))
@@ -167,14 +166,14 @@ def _is_coarse(begin: Samples, end: Samples, bound: float) -> np.ndarray:
 
 
 def _turned(begin: Samples, end: Samples) -> np.ndarray:
-    """By what half angles change, from -pi to pi."""
+    """Return the changes of half angles, from -pi to pi."""
     return np.mod(end.half - begin.half + np.pi, 2 * np.pi) - np.pi
 
 
 def _zeros(
     problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples
 ) -> np.ndarray:
-    """Rates where the half angle passes a multiple of pi, or comes close to one."""
+    """Return rates where the half angle passes a multiple of pi, or comes close to one."""
     step = _turned(begin, end)
     low, high = np.minimum(0, step), np.maximum(0, step)
     whole = np.ceil((begin.half + low) / np.pi) * np.pi - begin.half
@@ -190,9 +189,9 @@ def _zeros(
 def _crossings(
     problem: Problem, curves: Arcs, bound: float, begin: Samples, end: Samples, wanted: np.ndarray
 ) -> np.ndarray:
-    """Rates (N, 3) where half angles have changed by a wanted part of their change.
+    """Return rates (N, 3) where half angles have changed by a wanted part of their change.
 
-    By regula falsi, as Illinois does it.
+    The zero is found by regula falsi, in its Illinois variant.
     """
     step, rates = _turned(begin, end), begin.rates
     x, far = begin.x, end.x

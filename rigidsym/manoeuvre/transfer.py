@@ -1,36 +1,88 @@
-"""One natural motion from start to target, and the bursts that begin and end it."""
+"""One natural motion from start to target, its bursts, and its miss by errors at the start."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import TypedDict
+from typing import Any
 
 import numpy as np
 
 from rigidsym import inputs
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
-from rigidsym.manoeuvre.robustness import Robustness, exponent, robustness
 from rigidsym.motion import TorqueFreeMotion
 
 _SAMPLES = 181
+_PERCENT = 0.01
+# Parameters 1 - m below this are beside the separatrix; errors that grow by less are like others'.
+_BESIDE, _GROWN = 0.01, 3.0
 
 
-class TransferData(TypedDict):
-    """A transfer of the schema rigidsym.plan/1."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Robustness:
+    """First-order effect of small errors at the start on the arrival.
 
-    omega0: list[float]
-    rates: list[str]
-    omega1: list[float]
-    bursts: list[list[float]]
-    cost: float
-    momentum: float
-    energy: float
-    peak_rate: float
-    residual: float
-    miss_burst_size: float
-    miss_burst_direction: float
-    growth_exponent: float
+    Effects are small turns, vectors in space, rad.
+
+    burst (3,): the first burst, body axes, N m s.  by_burst (3, 3): by errors of it, per N m s.
+    by_attitude (3, 3): by a small turn of the body at the start, in space, per rad; bursts are
+    in body axes, so the whole motion turns with it.  by_moments (3, 3): by the principal moments,
+    per kg m^2, at the burst as it is.
+    """
+
+    burst: np.ndarray
+    by_burst: np.ndarray
+    by_attitude: np.ndarray
+    by_moments: np.ndarray
+
+    @property
+    def size(self) -> float:
+        """Miss by a burst that is 1 % too strong or too weak, rad."""
+        return _PERCENT * float(np.linalg.norm(self.by_burst @ self.burst))
+
+    @property
+    def direction(self) -> float:
+        """Miss by a burst that points off in the worst direction, rad per rad.
+
+        A burst points off where the attitude is not known exactly.
+        """
+        across = np.cross(np.eye(3), self.burst)
+        return float(np.linalg.norm(self.by_burst @ across, 2))
+
+
+def robustness(motion: TorqueFreeMotion, burst: np.ndarray, duration: float) -> Robustness:
+    """Return the robustness of a motion that a burst (3,) begins, N m s, after `duration` s.
+
+    Raises InputError as `motion.sensitivity` does.
+    """
+    inertia = np.array([float(c) for c in motion.exact["inertia"]])
+    changed = motion.sensitivity(duration)[2].attitude
+    by_rates = changed[:, 3:6]
+    by_moments = changed[:, 6:] - by_rates * (burst / inertia**2)
+    return Robustness(burst, by_rates / inertia, changed[:, :3], by_moments)
+
+
+def exponent(inertia: np.ndarray, omega0: np.ndarray, duration: float) -> float:
+    """Return the power of e by which errors grow on the way; 0 where they grow linearly.
+
+    They grow exponentially about the middle axis and beside the separatrix, where 1 - m is below
+    0.01, by e for each 1 / lambda of time; powers below 3 count as linear growth.  Inertia (3,) in
+    kg m^2, omega0 (3,) in rad/s, duration in s.
+    """
+    low, middle, high = np.sort(inertia)
+    if not low < middle < high:
+        return 0.0
+
+    def beyond(c: float) -> float:
+        """K^2 - 2 H c."""
+        return float(np.sum(inertia * (inertia - c) * omega0**2))
+
+    a, d = (high, low) if beyond(middle) >= 0 else (low, high)
+    if beyond(d) == 0:
+        return 0.0
+    complement = (a - d) * beyond(middle) / ((a - middle) * beyond(d))
+    power = duration * np.sqrt((a - middle) * beyond(d) / (a * middle * d))
+    return float(power) if complement < _BESIDE and power > _GROWN else 0.0
 
 
 @dataclass(frozen=True)
@@ -51,12 +103,12 @@ class Transfer:
 
     @cached_property
     def motion(self) -> TorqueFreeMotion:
-        """The motion, from t = 0 at `start`."""
+        """Torque-free motion, from t = 0 at `start`."""
         start = self.manoeuvre.start
         return TorqueFreeMotion(self.manoeuvre.inertia, self.rates, start, engine=self.engine)
 
     def faster(self, manoeuvre: Manoeuvre, ratio: Fraction) -> "Transfer":
-        """The same motion `ratio` times as fast, for a manoeuvre that is shorter by it."""
+        """Return the same motion `ratio` times as fast, for a manoeuvre that is shorter by it."""
         rates = tuple(ratio * x for x in self.rates)
         return replace(
             self, manoeuvre=manoeuvre, rates=rates, peak_rate=float(ratio) * self.peak_rate
@@ -64,7 +116,7 @@ class Transfer:
 
     @property
     def duration(self) -> float:
-        """From the first burst to the last, s."""
+        """Time from the first burst to the last, s."""
         return float(self.manoeuvre.duration or 0)
 
     @property
@@ -86,7 +138,7 @@ class Transfer:
 
     @cached_property
     def sensitivity(self) -> Robustness:
-        """What it misses by where the first burst, the attitude or the moments are not exact.
+        """Miss where the first burst, the attitude or the moments are not exact.
 
         Raises InputError where that leaves binary64, beside the separatrix.
         """
@@ -94,30 +146,30 @@ class Transfer:
 
     @property
     def miss(self) -> str:
-        """The residual in rad, as a bound where rounding alone decides its digits."""
+        """Residual in rad, as a bound where rounding alone decides its digits."""
         bounds = (f"< {bound:g}" for bound in (1e-14, 1e-12) if self.residual < bound)
         return next(bounds, f"{self.residual:.1e}")
 
     @property
     def missed(self) -> str:
-        """By a first burst wrong by 1 % and by 1 degree, in the worst direction, in degrees."""
+        """Misses by 1 % and by 1 degree of the first burst, in the worst direction, in degrees."""
         found = self.sensitivity
         grown = ", grows exponentially" if self.growth_exponent else ""
         return f"{np.degrees(found.size):.3g}, {found.direction:.3g}{grown}"
 
     @property
     def growth_exponent(self) -> float:
-        """The power of e by which errors grow on the way, 0 where they do not exponentially."""
+        """Power of e by which errors grow on the way; 0 where they grow linearly."""
         return exponent(_doubles(self.manoeuvre.inertia), self.omega0, self.duration)
 
     @property
     def cost(self) -> float:
-        """Of both bursts together, |I omega(0)| + |I omega(T)| from rest to rest, N m s."""
+        """Size of both bursts together, |I omega(0)| + |I omega(T)| from rest to rest, N m s."""
         return float(np.linalg.norm(self.bursts, axis=1).sum())
 
     @property
     def momentum(self) -> float:
-        """K, N m s."""
+        """Momentum K, N m s."""
         return float(np.linalg.norm(_doubles(self.manoeuvre.inertia) * self.omega0))
 
     @property
@@ -126,7 +178,7 @@ class Transfer:
         return float(_doubles(self.manoeuvre.inertia) @ self.omega0**2 / 2)
 
     def to_case(self) -> str:
-        """A case file of the motion, for `rigidsym propagate`."""
+        """Return a case file of the motion, for `rigidsym propagate`."""
         given = self.manoeuvre
         lines = [
             f"{name} = {_listed(values)}"
@@ -140,8 +192,8 @@ class Transfer:
         times = ["", "[times]", "start = 0", f'stop = "{stop}"', f"count = {_SAMPLES}"]
         return "\n".join([*lines, *times, ""])
 
-    def to_data(self) -> TransferData:
-        """What `rigidsym.plan/1` holds of a transfer; `rates` are omega0 exactly."""
+    def to_data(self) -> dict[str, Any]:
+        """Return the transfer of the schema rigidsym.plan/1; `rates` are omega0 exactly."""
         return {
             "omega0": self.omega0.tolist(),
             "rates": [inputs.exact_text(x) for x in self.rates],

@@ -1,7 +1,7 @@
-"""When a momentum has gone from one point of its polhode to another, in Jacobi's functions.
+"""Times at which a momentum passes points of its polhode, by Jacobi's functions.
 
-The formulas are the ledger's, evaluated over arrays; the argument u that their reading names, an
-elliptic integral of the first kind, is Carlson's R_F by SciPy.
+The formulas are the ledger's, evaluated over arrays; their argument u, an elliptic integral of the
+first kind, is Carlson's R_F by SciPy.
 """
 
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from itertools import combinations
 import numpy as np
 from scipy.special import elliprf
 
-from rigidsym.manoeuvre.problem import Problem
+from rigidsym.manoeuvre.problem import IDENTITY, Problem
 from rigidsym.solution.formulas import sequence
 from rigidsym.solution.partition import GIVEN, ONES, ROOT
 from rigidsym.solution.polhode import discriminant
@@ -20,7 +20,7 @@ from rigidsym.solution.signs import SIGNS, handedness
 def _choose(
     x: np.ndarray | float, y: np.ndarray | float, one: np.ndarray | int, other: np.ndarray | int
 ) -> np.ndarray | int:
-    """One where x <= y, else the other."""
+    """Return `one` where x <= y, else `other`."""
     first = x <= y
     if isinstance(first, np.ndarray):
         return np.where(first, one, other)
@@ -34,7 +34,7 @@ _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
 @dataclass(frozen=True, slots=True)
 class Phases:
-    """Where momenta of size 1 are on their polhodes; arrays (N,).
+    """Places of momenta of size 1 on their polhodes; arrays (N,).
 
     u: the argument of Jacobi's functions.  quarter: K(m).  speed: du/dt.  branch: which of the
     four families of polhodes, about either end of the axis of largest or of smallest moment.
@@ -47,13 +47,13 @@ class Phases:
 
     @property
     def period(self) -> np.ndarray:
-        """After which momenta are where they were."""
+        """Time after which momenta return."""
         return 4 * self.quarter / self.speed
 
 
 @np.errstate(divide="ignore", invalid="ignore")
 def phases(problem: Problem, momenta: np.ndarray) -> Phases:
-    """Of momenta (N, 3) of size 1; not a number where the momentum does not move."""
+    """Return the phases of momenta (N, 3) of size 1; NaN where the momentum does not move."""
     low, middle, high = problem.axes
     rates = momenta / problem.inertia
     sides = _sides(problem.inertia, rates, (high, middle, low))
@@ -66,8 +66,10 @@ def phases(problem: Problem, momenta: np.ndarray) -> Phases:
 
 
 def _sides(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -> np.ndarray:
-    """1 or -1 where rates (N, 3) circulate about the axis of largest or smallest moment, 0 where
-    they are constant; axes are sorted by their moments, largest first."""
+    """Return 1 or -1 where rates (N, 3) circulate about the axis of largest or smallest moment.
+
+    0 stands for constant rates.  Axes are sorted by their moments, largest first.
+    """
     differences = [c[j] - c[k] for j, k in combinations(axes, 2)]
     asked = [*differences, *(rates[:, k] for k in axes)]
     signs = [*(np.sign(np.abs(x)) for x in asked), discriminant([*c], [*rates.T])]
@@ -87,8 +89,10 @@ def _circulating(c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]) -
 def _constants(
     c: np.ndarray, rates: np.ndarray, axes: tuple[int, int, int]
 ) -> dict[str, np.ndarray | int]:
-    """What the ledger's formulas of a plan give for arrays; chi is 1 for all, so that phases are
-    counted from the same point."""
+    """Evaluate the ledger's formulas of constants over arrays.
+
+    chi is 1 for all, so that phases are counted from the same point.
+    """
     known: dict[str, np.ndarray | int] = {}
     for name, k in zip("abd", axes, strict=True):
         known |= {f"c_{name}": c[k], f"Omega_{name}": rates[:, k]}
@@ -100,12 +104,37 @@ def _constants(
 
 @np.errstate(divide="ignore", invalid="ignore")
 def transits(problem: Problem, momenta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """First times (N,) at which momenta (N, 3) of size 1 are where the turn puts them, and periods.
+    """Return first times (N,) at which momenta (N, 3) arrive where the turn puts them, and periods.
 
-    Not a number where they never are, being on another polhode, or do not move.
+    Momenta have size 1.  NaN where they never arrive, being on another polhode, or do not move.
     """
     count = len(momenta)
     both = phases(problem, np.concatenate([momenta, momenta @ problem.rotation]))
     first = np.mod(both.u[count:] - both.u[:count], 4 * both.quarter[:count]) / both.speed[:count]
     arrives = both.branch[:count] == both.branch[count:]
     return np.where(arrives, first, np.nan), both.period[:count]
+
+
+def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
+    """Return the largest |omega| (N,) in time 1 of motions that begin with rates (N, 3) and arrive.
+
+    On a polhode |omega|^2 is linear in sn^2, so that its extremes are at the ends of the motion
+    and where the argument of Jacobi's functions passes a multiple of K(m) (facts regular.speed,
+    regular.speed_rate).
+    """
+    sizes = problem.momenta(rates)
+    momenta = problem.inertia * rates / np.where(sizes > 0, sizes, 1.0)[:, None]
+    where = phases(problem, momenta)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        passed = np.ceil(where.u / where.quarter)[:, None] + np.arange(2)
+        times = (passed * where.quarter[:, None] - where.u[:, None]) / (where.speed * sizes)[
+            :, None
+        ]
+    # Times 1 stand for those that never come, or come too late.
+    times = np.concatenate([times, np.ones((len(rates), 1))], axis=1)
+    times = np.where((times > 0) & (times < 1), times, 1.0)
+    _, later = problem.engine.propagate(
+        problem.inertia, rates[:, None] * times[..., None], IDENTITY, np.ones(1)
+    )
+    reached = np.linalg.norm(later[..., 0, :], axis=-1) / times
+    return np.maximum(np.linalg.norm(rates, axis=1), reached.max(axis=1))

@@ -18,10 +18,10 @@ from fractions import Fraction
 
 import numpy as np
 
-from rigidsym.manoeuvre.files import open_manoeuvre
 from rigidsym.manoeuvre.flight import Flight, Run
-from rigidsym.manoeuvre.flight.reading import read
 from rigidsym.manoeuvre.flight.rotation import cross, matrix
+from rigidsym.manoeuvre.flight.settings import read
+from rigidsym.manoeuvre.manoeuvre import open_manoeuvre
 from rigidsym.manoeuvre.planning import solve
 from rigidsym.splitting import METHODS
 from rigidsym.splitting.state import State

@@ -9,9 +9,8 @@ from typing import Any
 from generate.form import Format
 from generate.text import code, fenced, prose, table
 from rigidsym.manoeuvre import planning, solve
-from rigidsym.manoeuvre.files import FLIGHT, PAPER, open_manoeuvre
 from rigidsym.manoeuvre.flight import fly, read, results
-from rigidsym.manoeuvre.manoeuvre import _OWN, Limits
+from rigidsym.manoeuvre.manoeuvre import FLIGHT, OWN, PAPER, Limits, open_manoeuvre
 
 _KEYS = {
     "inertia": "three principal moments, kg m²",
@@ -38,8 +37,8 @@ _KEYS = {
 
 def files() -> str:
     """The section about manoeuvre files, with the paper's as the sample."""
-    if _KEYS.keys() != _OWN | FLIGHT:
-        raise ValueError(f"manoeuvre files: {sorted(_KEYS.keys() ^ (_OWN | FLIGHT))}")
+    if _KEYS.keys() != OWN | FLIGHT:
+        raise ValueError(f"manoeuvre files: {sorted(_KEYS.keys() ^ (OWN | FLIGHT))}")
     rows = [(code(key), prose(words)) for key, words in _KEYS.items()]
     text = resources.files("rigidsym.manoeuvre").joinpath(PAPER).read_text("utf-8")
     return "\n".join(

@@ -8,7 +8,7 @@ technique": this is that work, on random manoeuvres from rest to rest.
 from rigidsym.errors import require
 
 require("comparing manoeuvres", "scipy", "erfa", "ppigrf", "matplotlib")
-require("comparing manoeuvres", "casadi", extra="optimal")
+require("comparing manoeuvres", "casadi", "pandas", extra="optimal")
 
 from rigidsym.manoeuvre.comparison.comparing import compare  # noqa: E402
 from rigidsym.manoeuvre.comparison.results import Comparison  # noqa: E402

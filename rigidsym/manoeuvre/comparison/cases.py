@@ -3,34 +3,25 @@
 from dataclasses import dataclass
 from functools import cached_property
 from math import ceil
-from typing import TypedDict
+from typing import Any
 
 import numpy as np
 
 from rigidsym.engines import engine
-from rigidsym.manoeuvre.manoeuvre import Manoeuvre, ManoeuvreTables, manoeuvre
+from rigidsym.manoeuvre.manoeuvre import Manoeuvre, manoeuvre
 from rigidsym.manoeuvre.problem import Problem, problem, unit
 
 PAPER = ("0.0109", "0.04", "0.0506")
-"kg m^2, of the paper's Figure 3."
+"Principal moments of the paper's Figure 3, kg m^2."
 LARGEST_MOMENTS = 0.02, 0.06
-"Of random bodies, kg m^2: nano-spacecraft as well."
+"Least and greatest largest moment of random bodies, kg m^2: nano-spacecraft as well."
 IMPULSE = 1e-3
-"""N m s: what decides durations.  In a duration the whole angle can be turned about the axis of the
+"""N m s: it decides durations.  In a duration the whole angle can be turned about the axis of the
 largest moment at constant rate with this momentum.  A burst of it takes a wheel of the paper 1 s
-at its limit; the paper's controller asks for 60 percent of the limit, 2 zeta omega_n times it."""
+at its limit; the paper's controller takes 60 percent of the limit, 2 zeta omega_n times it."""
 ROUNDED, SHORTEST = 10, 60
-"s: durations are whole multiples of the first, and not below the second, 18 times the loop's."
+"s: durations are whole multiples of the first, and at least the second, 18 times the loop's."
 _DIGITS = 6
-
-
-class CaseData(TypedDict):
-    """A case of the schema rigidsym.comparison/1."""
-
-    index: int
-    body: str
-    angle: float
-    manoeuvre: ManoeuvreTables
 
 
 @dataclass(frozen=True)
@@ -48,7 +39,7 @@ class Case:
 
     @property
     def duration(self) -> float:
-        """s."""
+        """Time from the first burst to the last, s."""
         return float(self.manoeuvre.duration or 0)
 
     @cached_property
@@ -58,32 +49,31 @@ class Case:
 
     @cached_property
     def turn(self) -> np.ndarray:
-        """The target's attitude (4,) from the start's axes, by the shorter way round."""
+        """The target's attitude (4,) relative to the start, by the shorter way round."""
         return _posed(self.manoeuvre).turn
 
     @cached_property
     def rotation_vector(self) -> np.ndarray:
-        """The same as axis times angle (3,), rad: the axis is Euler's, the eigenaxis."""
+        """The turn as axis times angle (3,), rad; the axis is the eigenaxis."""
         return self.angle * self.turn[1:] / np.linalg.norm(self.turn[1:])
 
     @property
     def angle(self) -> float:
-        """From start to target, rad."""
+        """Angle from start to target, rad."""
         return _posed(self.manoeuvre).angle
 
-    def to_data(self) -> CaseData:
-        """For files."""
-        angle = float(np.degrees(self.angle))
+    def to_data(self) -> dict[str, Any]:
+        """Return the entries of the schema rigidsym.comparison/1."""
         return {
             "index": self.index,
             "body": self.body,
-            "angle": angle,
+            "angle": float(np.degrees(self.angle)),
             "manoeuvre": self.manoeuvre.to_data(),
         }
 
 
 def draw(index: int, seed: int) -> Case:
-    """The manoeuvre of an index; attitudes are random in space, with six decimals."""
+    """Draw the manoeuvre of an index; attitudes are random in space, with six decimals."""
     rng = np.random.default_rng([seed, index])
     body = "random" if index % 2 else "paper"
     start, target = (_rounded(rng.normal(size=4)) for _ in range(2))
@@ -95,7 +85,7 @@ def draw(index: int, seed: int) -> Case:
 
 
 def _body(rng: np.random.Generator) -> np.ndarray:
-    """Moments (3,) of a positive distribution of mass, kg m^2."""
+    """Draw moments (3,) of a positive distribution of mass, kg m^2."""
     x, y, z = rng.uniform(0.05, 1, size=3)
     moments = np.array([y + z, z + x, x + y])
     return moments * rng.uniform(*LARGEST_MOMENTS) / moments.max()
@@ -106,5 +96,5 @@ def _rounded(values: np.ndarray) -> tuple[str, ...]:
 
 
 def _posed(asked: Manoeuvre) -> Problem:
-    """The turn of a manoeuvre and its angle; no motions, so that any engine will do."""
+    """Return the problem of a manoeuvre; it computes no motions, so that any engine will do."""
     return problem(asked.inertia, asked.start, asked.target, engine("numpy"))

@@ -1,20 +1,27 @@
-"""Random manoeuvres, shared among processes; one result however they are shared."""
+"""Random manoeuvres, shared among processes; the result does not depend on how they are shared.
 
-from collections.abc import Callable, Sequence
+The work is cut into pieces of a second or two, which processes share well and stop soon.  Each
+piece draws and plans its manoeuvre anew, or takes it from a cache.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from dataclasses import dataclass, field
-from functools import partial
+from functools import lru_cache, partial
 from itertools import islice, product
 from typing import TypeVar
 
+import numpy as np
+
 from rigidsym import inputs
-from rigidsym.manoeuvre.comparison import pieces
-from rigidsym.manoeuvre.comparison.cases import draw
+from rigidsym.manoeuvre import solve
+from rigidsym.manoeuvre.comparison import flights, optima
+from rigidsym.manoeuvre.comparison.cases import Case, draw
 from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
-from rigidsym.manoeuvre.comparison.flights import METHODS
-from rigidsym.manoeuvre.comparison.optima import TASKS
-from rigidsym.manoeuvre.comparison.record import Record
-from rigidsym.manoeuvre.comparison.results import Comparison
+from rigidsym.manoeuvre.comparison.flights import METHODS, Flown, Ways
+from rigidsym.manoeuvre.comparison.optima import TASKS, Solved
+from rigidsym.manoeuvre.comparison.results import Comparison, Record
+from rigidsym.manoeuvre.transfer import Transfer
 from rigidsym.validate.executors import Place, local
 
 MANOEUVRES, SEED = 20, 1
@@ -31,11 +38,28 @@ def compare(
     workers: int | None = None,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Comparison:
-    """Ways to turn, compared on random manoeuvres from rest to rest; raises InputError.
+    """Compare ways to turn on random manoeuvres from rest to rest.
 
-    manoeuvres: how many; the first ones of a larger number are those of a smaller one.  seed: of
-    the bodies and attitudes.  workers: processes, one for each core by default.  progress: called
-    with the pieces of work done and all of them.
+    Parameters
+    ----------
+    manoeuvres : int
+        Number of manoeuvres; a smaller number has the first ones of a larger.
+    seed : int
+        Seed of bodies and attitudes.
+    workers : int, optional
+        Number of processes; by default one for each core.
+    progress : callable
+        Called with the pieces of work done and all of them.
+
+    Returns
+    -------
+    Comparison
+        Costs of all ways, with statistics, tables and files.
+
+    Raises
+    ------
+    InputError
+        For a number out of range, or where a flight or an optimum fails.
     """
     count = inputs.whole("manoeuvres", manoeuvres, MOST_MANOEUVRES)
     chosen = inputs.whole("seed", seed, MOST_SEED)
@@ -46,17 +70,17 @@ def compare(
 
 
 def _records(work: "_Work", seed: int, indices: Sequence[int]) -> list[Record]:
-    """Optimal control first: its motions are flown."""
+    """Solve optimal control first, since its motions are flown."""
     tasks, ways = list(product(indices, TASKS)), list(product(indices, _WAYS))
     solved = dict(
-        zip(tasks, work.done([partial(pieces.solved, seed, *one) for one in tasks]), strict=True)
+        zip(tasks, work.done([partial(_solved, seed, *one) for one in tasks]), strict=True)
     )
     calls = [
-        partial(pieces.flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
+        partial(_flown, seed, k, model, method, solved[k, Task(model, Cost.FUEL)][1])
         for k, (model, method) in ways
     ]
     flown = dict(zip(ways, work.done(calls), strict=True))
-    ideals = work.done([partial(pieces.ideals, seed, k) for k in indices])
+    ideals = work.done([partial(_ideals, seed, k) for k in indices])
     return [
         Record(
             draw(k, seed),
@@ -68,9 +92,30 @@ def _records(work: "_Work", seed: int, indices: Sequence[int]) -> list[Record]:
     ]
 
 
+def _solved(seed: int, index: int, task: Task) -> tuple[Solved, np.ndarray]:
+    case, transfer = _planned(seed, index)
+    return optima.solved(case, task, optima.guesses(case, transfer))
+
+
+def _flown(seed: int, index: int, model: Model, method: str, impulses: np.ndarray) -> Flown:
+    case, transfer = _planned(seed, index)
+    return flights.flown(method, Ways(case, model, transfer, impulses))
+
+
+def _ideals(seed: int, index: int) -> Mapping[str, Mapping[str, float]]:
+    case, transfer = _planned(seed, index)
+    return {model.value: flights.ideal(case, model, transfer) for model in Model}
+
+
+@lru_cache(maxsize=8)
+def _planned(seed: int, index: int) -> tuple[Case, Transfer]:
+    case = draw(index, seed)
+    return case, solve(case.manoeuvre).best
+
+
 @dataclass(slots=True)
 class _Work:
-    """Pieces of work in one place, some of them ahead; how many are done of all."""
+    """Pieces of work in one place, some of them ahead; how many of all are done."""
 
     place: Place
     total: int
@@ -78,7 +123,7 @@ class _Work:
     finished: int = field(default=0)
 
     def done(self, calls: Sequence[Callable[[], Found]]) -> list[Found]:
-        """What calls give, in their order."""
+        """Return the results of calls, in their order."""
         left = iter(enumerate(calls))
         pending: dict[Future[Found], int] = {}
         found: dict[int, Found] = {}

@@ -1,41 +1,105 @@
 """Ways to the target, each flown by the same actuators, through the same disturbances.
 
-Wheels fly as `rigidsym track` does; what is known of a track ahead, its torque and its bursts, is
-fed forward, but where feedback alone is looked at.  Thrusters are flown with wheels that cancel
-what is felt of their own momentum (`feedforward`): the body moves as if they stored none, and what
-is counted is the torque without that part, which is what thrusters would exert.
+Wheels fly as `rigidsym track` does.  The torque of a track and its bursts are fed forward, except
+in the ways by feedback alone.  Thrusters are flown with wheels that cancel the gyroscopic torque of
+their own momentum (`feedforward`): the body moves as if the wheels stored none, and the torque
+without that part is counted, which is what thrusters would exert.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from math import e
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.special import lambertw
 
-from rigidsym.manoeuvre.comparison import tracks
+from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.comparison.cases import Case
-from rigidsym.manoeuvre.comparison.collocation import Model
-from rigidsym.manoeuvre.comparison.collocation.driven import Driven
-from rigidsym.manoeuvre.comparison.collocation.mesh import Mesh
-from rigidsym.manoeuvre.flight.control import Track
+from rigidsym.manoeuvre.comparison.collocation import Driven, Guess, Mesh, Model
+from rigidsym.manoeuvre.flight.control import Motion, Track
 from rigidsym.manoeuvre.flight.fly import fly
 from rigidsym.manoeuvre.flight.rotation import angle
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Controller, Flight, Timing
 from rigidsym.manoeuvre.transfer import Transfer
+from rigidsym.quaternions import product
 
 HOLD = 60
-"s that the target is held after the manoeuvre's duration."
+"Time for which the target is held after the manoeuvre's duration, s."
 PERIOD = Fraction(1, 5)
-"Of control, s: a sixteenth of the loop's time, and half the work of the paper's flight."
+"Period of control, s: a sixteenth of the loop's time, and half the work of the paper's flight."
+FAMILIES = 10
+"Natural motions among which the least sum over axes is looked for."
+_SAMPLES = 2001
+
+# From times from 0 to 1 (N,) to shares of a turn and their derivatives.
+Profile = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+
+
+@dataclass(frozen=True, slots=True)
+class Followed:
+    """A track that takes as long as the manoeuvre."""
+
+    duration: float
+    motion: Motion
+
+
+def constant(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Turn at constant rate: it starts and stops at once, as natural motions do."""
+    return x, np.ones_like(x)
+
+
+def smooth(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Turn by 3 x^2 - 2 x^3, from rest to rest.
+
+    Its torque is linear in time, and has the least integral of its square for a single axis.
+    """
+    return x * x * (3 - 2 * x), 6 * x * (1 - x)
+
+
+def step(x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Stay at the target from the beginning."""
+    return np.ones_like(x), np.zeros_like(x)
+
+
+def turned(vector: np.ndarray, profile: Profile, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return attitudes (N, 4), relative to the start, and rates (N, 3) of a turn about one axis.
+
+    vector (3,): axis times angle, rad.  t (N,): times from 0 to 1.
+    """
+    share, rate = profile(np.asarray(t))
+    angle = np.linalg.norm(vector)
+    half, axis = share[:, None] * angle / 2, vector / angle
+    return np.hstack([np.cos(half), np.sin(half) * axis]), rate[:, None] * vector
+
+
+def eigenaxis(case: Case, profile: Profile) -> Followed:
+    """Return the turn about the eigenaxis of start and target, the shorter way round."""
+    return _followed(case, partial(turned, case.rotation_vector, profile))
+
+
+def _followed(case: Case, motion: Guess) -> Followed:
+    """Return the track of a motion of times from 0 to 1, relative to the start."""
+
+    def at(t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        x = np.atleast_1d(np.asarray(t, float)) / case.duration
+        q, omega = motion(np.clip(x, 0.0, 1.0))
+        found = product(case.start, q), omega / case.duration
+        return found if np.ndim(t) else (found[0][0], found[1][0])
+
+    return Followed(case.duration, at)
 
 
 @dataclass(frozen=True, slots=True)
 class Ways:
-    """What the ways of a case are made of: its cheapest natural motion, and what drives that of
-    least fuel for the actuators that fly, impulses without units on the mesh of collocation."""
+    """The data from which the ways of a case are made.
+
+    transfer: its cheapest natural motion.  impulses: of the motion of least fuel for the actuators
+    that fly, without units, on the mesh of collocation.
+    """
 
     case: Case
     actuators: Model
@@ -44,24 +108,53 @@ class Ways:
 
     @property
     def flight(self) -> Flight:
-        """That of the paper, as long as it takes."""
+        """The paper's flight, as long as the manoeuvre takes, by feedback alone."""
         length = Fraction(self.case.duration) + HOLD
         controller = Controller(feedforward=self.actuators is Model.THRUSTERS)
         return Flight(run=Timing(length=length, period=PERIOD), controller=controller)
 
     @property
     def foreseen(self) -> Flight:
-        """The same with the torque of the track, bursts included, fed forward."""
+        """The same flight with the torque of the track, bursts included, fed forward."""
         controller = Controller(feedforward=True, track_feedforward=True)
         return replace(self.flight, controller=controller)
+
+    @property
+    def slow(self) -> Flight:
+        """The same flight with gains so low that a step takes the duration."""
+        flight = self.flight
+        frequency = slowest(self.case.angle, np.radians(flight.run.settled)) / self.case.duration
+        controller = replace(flight.controller, natural_frequency=frequency)
+        return replace(flight, controller=controller)
+
+    @property
+    def optimum(self) -> Followed:
+        """The motion of least fuel."""
+        inertia = self.case.inertia / self.case.inertia.max()
+        return _followed(self.case, Driven(self.actuators, inertia, self.impulses, Mesh()))
+
+
+METHODS: Mapping[str, Callable[[Ways], tuple[Track, Flight]]] = {
+    "natural": lambda ways: (ways.transfer, ways.foreseen),
+    "natural, feedback alone": lambda ways: (ways.transfer, ways.flight),
+    "eigenaxis": lambda ways: (eigenaxis(ways.case, constant), ways.foreseen),
+    "eigenaxis, smooth": lambda ways: (eigenaxis(ways.case, smooth), ways.foreseen),
+    "optimum": lambda ways: (ways.optimum, ways.foreseen),
+    # With the gains of all others a step is much faster than the duration.
+    "step": lambda ways: (eigenaxis(ways.case, step), ways.flight),
+    "step, slow": lambda ways: (eigenaxis(ways.case, step), ways.slow),
+}
+"Track and flight of each way, by its name in the report."
 
 
 @dataclass(frozen=True, slots=True)
 class Flown:
-    """torque_integral: of |torque|, summed over the axes, N m s.  torque_square: the integral of
-    torque^2, summed as well, N^2 m^2 s.  torque_peak: of any axis, N m.
-    errors: degrees from the target when the duration is over, and at the end of the hold.
-    saturated: whether a wheel reached its limit."""
+    """Measures of a flight.
+
+    torque_integral: of |torque|, summed over the axes, N m s.  torque_square: integral of torque^2,
+    summed over the axes, N^2 m^2 s.  torque_peak: of any axis, N m.  error_at_duration,
+    error_after_hold: degrees from the target.  saturated: whether a wheel reached its limit.
+    """
 
     torque_integral: float
     torque_square: float
@@ -69,65 +162,6 @@ class Flown:
     error_at_duration: float
     error_after_hold: float
     saturated: bool
-
-    def to_data(self) -> dict[str, float]:
-        """For files."""
-        return asdict(self)
-
-
-def natural(ways: Ways) -> tuple[Track, Flight]:
-    """The cheapest natural motion."""
-    return ways.transfer, ways.foreseen
-
-
-def pursued(ways: Ways) -> tuple[Track, Flight]:
-    """The same by feedback alone, which falls behind each burst and catches up."""
-    return ways.transfer, ways.flight
-
-
-def optimum(ways: Ways) -> tuple[Track, Flight]:
-    """The motion of least fuel, by collocation."""
-    case = ways.case
-    driven = Driven(ways.actuators, case.inertia / case.inertia.max(), ways.impulses, Mesh())
-    return tracks.Followed(case.duration, tracks.placed(case, driven)), ways.foreseen
-
-
-def eigenaxis(ways: Ways) -> tuple[Track, Flight]:
-    """The eigenaxis at constant rate."""
-    return tracks.eigenaxis(ways.case, tracks.constant), ways.foreseen
-
-
-def smooth(ways: Ways) -> tuple[Track, Flight]:
-    """The eigenaxis by a cubic, from rest to rest."""
-    return tracks.eigenaxis(ways.case, tracks.smooth), ways.foreseen
-
-
-def step(ways: Ways) -> tuple[Track, Flight]:
-    """Quaternion feedback straight to the target, the gains as for all others: it is much faster
-    than asked."""
-    return tracks.eigenaxis(ways.case, tracks.step), ways.flight
-
-
-def slow_step(ways: Ways) -> tuple[Track, Flight]:
-    """The same with gains so low that it takes the duration, and that stay so for the hold."""
-    track, flight = step(ways)
-    within = np.radians(flight.run.settled)
-    frequency = slowest(ways.case.angle, within) / ways.case.duration
-    return track, replace(
-        flight, controller=replace(flight.controller, natural_frequency=frequency)
-    )
-
-
-METHODS: Mapping[str, Callable[[Ways], tuple[Track, Flight]]] = {
-    "natural": natural,
-    "natural, feedback alone": pursued,
-    "eigenaxis": eigenaxis,
-    "eigenaxis, smooth": smooth,
-    "optimum": optimum,
-    "step": step,
-    "step, slow": slow_step,
-}
-"By the names of the report."
 
 
 def flown(method: str, ways: Ways) -> Flown:
@@ -137,7 +171,7 @@ def flown(method: str, ways: Ways) -> Flown:
 
 
 def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
-    """The figures of a flight."""
+    """Measure a flight."""
     size = np.abs(exerted(run, actuators))
     errors = np.degrees(angle(run.reference.q[-1], run.q))
     return Flown(
@@ -151,13 +185,45 @@ def measured(run: Run, flight: Flight, actuators: Model) -> Flown:
 
 
 def exerted(run: Run, actuators: Model) -> np.ndarray:
-    """The torques (N, 3) of a flight that count, N m."""
+    """Return the torques (N, 3) of a flight that are counted, N m."""
     if actuators is Model.WHEELS:
         return run.torque
     return run.torque - np.cross(run.omega, run.wheel_momentum)
 
 
 def slowest(turn: float, within: float) -> float:
-    """The natural frequency times the time in which a critically damped oscillator that is `turn`
-    off comes `within` (rad): (1 + x) exp(-x) = within / turn, by Lambert's function."""
+    """Return the natural frequency times the time that a critically damped oscillator takes.
+
+    It is `turn` off at first and `within` at last, rad: (1 + x) exp(-x) = within / turn, solved
+    by Lambert's function.
+    """
     return float(-1 - lambertw(-within / turn / e, -1).real) if turn > within else 1.0
+
+
+def ideal(case: Case, model: Model, transfer: Transfer) -> Mapping[str, float]:
+    """Return the cost of ways if bursts took no time and nothing disturbed.
+
+    It is the integral of |torque|, summed over the axes, N m s, by way.  Wheels have to exert the
+    gyroscopic torque of a natural motion, thrusters have to cancel that of a turn at constant rate.
+    """
+
+    def gyroscopic(omega: np.ndarray) -> np.ndarray:
+        return np.abs(np.cross(omega, case.inertia * omega)).sum(axis=-1)
+
+    def natural(one: Transfer) -> float:
+        bursts = float(np.abs(one.bursts).sum())
+        if model is Model.THRUSTERS:
+            return bursts
+        t = np.linspace(0, case.duration, _SAMPLES)
+        return bursts + float(np.trapezoid(gyroscopic(one.motion(t)[1]), t))
+
+    rates = case.rotation_vector / case.duration
+    turn = 2 * float(np.abs(case.inertia * rates).sum())
+    if model is Model.THRUSTERS:
+        turn += case.duration * float(gyroscopic(rates))
+    several = solve(case.manoeuvre, FAMILIES).transfers
+    return {
+        "natural": natural(transfer),
+        f"natural, best of {FAMILIES}": min(map(natural, several)),
+        "eigenaxis": turn,
+    }

@@ -1,29 +1,26 @@
 """Optimal control of a case: each task from each guess, with each setting of the optimiser."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import partial
-from typing import TypedDict
+from typing import Any
 
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre.comparison import tracks
 from rigidsym.manoeuvre.comparison.cases import Case
 from rigidsym.manoeuvre.comparison.collocation import (
     Cost,
+    Driven,
     Guess,
+    Mesh,
     Model,
-    Optimum,
-    Posed,
     Task,
     guessed,
-    optimum,
+    still,
 )
-from rigidsym.manoeuvre.comparison.collocation.driven import Driven
-from rigidsym.manoeuvre.comparison.collocation.guess import still
-from rigidsym.manoeuvre.comparison.collocation.mesh import Mesh
-from rigidsym.manoeuvre.comparison.collocation.solver import SETTINGS
+from rigidsym.manoeuvre.comparison.flights import constant, turned
+from rigidsym.manoeuvre.comparison.optimiser import SETTINGS, Posed, optimum
 from rigidsym.manoeuvre.flight.rotation import angle, relative
 from rigidsym.manoeuvre.flight.settings import Wheels
 from rigidsym.manoeuvre.transfer import Transfer
@@ -34,29 +31,12 @@ TASKS = tuple(
     for cost, limited in ((Cost.FUEL, True), (Cost.FUEL, False), (Cost.ENERGY, True))
 )
 SAME = 1e-4
-"Relative: costs that differ by less are the same."
-
-
-class AttemptData(TypedDict):
-    """An attempt of the schema rigidsym.comparison/1; best: whether it found the best."""
-
-    cost: float
-    iterations: int
-    converged: bool
-    best: bool
-
-
-class SolvedData(TypedDict):
-    """What was solved, of the same schema; attempts: by setting and guess."""
-
-    best: float
-    miss: float
-    attempts: dict[str, dict[str, AttemptData]]
+"Relative difference below which two costs count as the same."
 
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """cost: N m s for fuel, N^2 m^2 s for energy."""
+    """A search from one guess; cost: N m s for fuel, N^2 m^2 s for energy."""
 
     cost: float
     iterations: int
@@ -65,66 +45,55 @@ class Attempt:
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """best: the least cost of all attempts that converged.  miss: degrees from the target where
-    its torques lead by another integrator.  attempts: by setting and guess."""
+    """A task that was solved.
+
+    best: the least cost of all attempts that converged.  miss: degrees from the target at which
+    the best torques arrive by another integrator.  attempts: by setting and guess.
+    """
 
     best: float
     miss: float
     attempts: Mapping[str, Mapping[str, Attempt]]
 
-    def to_data(self) -> SolvedData:
-        """For files, with whether each attempt found the best."""
+    def to_data(self) -> dict[str, Any]:
+        """Return the entries of the schema rigidsym.comparison/1, with who found the best."""
         attempts = {
-            setting: {guess: self._told(one) for guess, one in guesses.items()}
+            setting: {
+                guess: {**asdict(one), "best": self.is_best(one)} for guess, one in guesses.items()
+            }
             for setting, guesses in self.attempts.items()
         }
         return {"best": self.best, "miss": self.miss, "attempts": attempts}
 
     def is_best(self, one: Attempt) -> bool:
-        """Whether an attempt arrived where the best did."""
+        """Return whether an attempt found the best cost."""
         return one.converged and one.cost <= self.best * (1 + SAME)
-
-    def _told(self, one: Attempt) -> AttemptData:
-        return {
-            "cost": one.cost,
-            "iterations": one.iterations,
-            "converged": one.converged,
-            "best": self.is_best(one),
-        }
 
 
 def guesses(case: Case, transfer: Transfer) -> Mapping[str, Guess]:
-    """Where optimisers begin, by name; times from 0 to 1, attitudes from the start's axes."""
+    """Return the first guesses by name; times from 0 to 1, attitudes relative to the start."""
 
     def natural(t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         q, omega = transfer.motion(t * case.duration)
         return relative(case.start, q), omega * case.duration
 
-    eigenaxis = partial(tracks.turned, case.rotation_vector, tracks.constant)
+    eigenaxis = partial(turned, case.rotation_vector, constant)
     return {"natural": natural, "eigenaxis": eigenaxis, "still": still}
 
 
-def posed(case: Case) -> Posed:
-    """A case without units; the torques' limit is the wheels'."""
-    largest = case.inertia.max()
-    limit = Wheels().max_torque * case.duration**2 / largest
-    return Posed(case.inertia / largest, case.turn, float(limit))
-
-
 def solved(case: Case, task: Task, begin: Mapping[str, Guess]) -> tuple[Solved, np.ndarray]:
-    """All attempts at a task, and the impulses of the best, without units, on the mesh.
+    """Solve a task from each guess, and return the impulses of the best on the mesh, too.
 
-    Raises InputError where no attempt converges.
+    These are without units.  The limit of torques is the wheels'.  Raises InputError where no
+    attempt converges.
     """
-    without_units, mesh = posed(case), Mesh()
-    points = {
-        name: guessed(mesh, without_units.inertia, task.model, motion)
-        for name, motion in begin.items()
-    }
+    largest = float(case.inertia.max())
+    inertia, mesh = case.inertia / largest, Mesh()
+    posed = Posed(inertia, case.turn, Wheels().max_torque * case.duration**2 / largest)
+    points = {name: guessed(mesh, inertia, task.model, motion) for name, motion in begin.items()}
     found = {
         setting: {
-            name: optimum(task, without_units, point, setting, mesh)
-            for name, point in points.items()
+            name: optimum(task, posed, point, setting, mesh) for name, point in points.items()
         }
         for setting in SETTINGS
     }
@@ -133,20 +102,17 @@ def solved(case: Case, task: Task, begin: Mapping[str, Guess]) -> tuple[Solved, 
         rule = f"{task.name}: no optimum was found; another seed has other manoeuvres"
         raise InputError("manoeuvre", case.index, rule)
     best = min(every, key=lambda one: one.cost)
-    motion = Driven(task.model, without_units.inertia, best.trajectory.impulses, mesh)
+    impulses = best.trajectory.impulses
+    arrived, _ = Driven(task.model, inertia, impulses, mesh).end
+    # Impulses are in the largest moment over the duration.
+    impulse = largest / case.duration
+    cost = impulse if task.cost is Cost.FUEL else impulse**2 / case.duration
     attempts = {
-        setting: {name: _attempt(case, task, one) for name, one in several.items()}
+        setting: {
+            name: Attempt(one.cost * cost, one.iterations, one.converged)
+            for name, one in several.items()
+        }
         for setting, several in found.items()
     }
-    miss = float(np.degrees(angle(case.turn, motion.end[0])))
-    return Solved(_cost(case, task, best), miss, attempts), best.trajectory.impulses
-
-
-def _attempt(case: Case, task: Task, one: Optimum) -> Attempt:
-    return Attempt(_cost(case, task, one), one.iterations, one.converged)
-
-
-def _cost(case: Case, task: Task, one: Optimum) -> float:
-    """In units: impulses are in the largest moment over the duration."""
-    impulse = float(case.inertia.max()) / case.duration
-    return one.cost * (impulse if task.cost is Cost.FUEL else impulse**2 / case.duration)
+    miss = float(np.degrees(angle(case.turn, arrived)))
+    return Solved(best.cost * cost, miss, attempts), impulses

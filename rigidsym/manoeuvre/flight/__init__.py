@@ -7,12 +7,11 @@ third axis is the Earth's, to a tenth of a degree).
 
 from rigidsym.errors import require
 
-require("flying a manoeuvre", "scipy", "erfa", "ppigrf")
+require("flying a manoeuvre", "scipy", "erfa", "ppigrf", "pydantic")
 
 from rigidsym.manoeuvre.flight.environment import Environment  # noqa: E402
 from rigidsym.manoeuvre.flight.fly import fly  # noqa: E402
-from rigidsym.manoeuvre.flight.reading import read  # noqa: E402
 from rigidsym.manoeuvre.flight.run import Run  # noqa: E402
-from rigidsym.manoeuvre.flight.settings import Flight  # noqa: E402
+from rigidsym.manoeuvre.flight.settings import Flight, read  # noqa: E402
 
 __all__ = ["Environment", "Flight", "Run", "fly", "read"]

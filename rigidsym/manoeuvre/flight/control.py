@@ -1,5 +1,6 @@
 """The attitude to follow at each time, and the torque that brings the spacecraft there."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -11,26 +12,21 @@ from rigidsym.manoeuvre.flight.settings import Controller
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.motion import TorqueFreeMotion
 
-
-class Motion(Protocol):
-    """Attitude and body rates at a time (4,), (3,), or at N of them, (N, 4), (N, 3)."""
-
-    def __call__(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """At t, s."""
-        ...
+# Attitude and body rates at a time (4,), (3,), or at N of them, (N, 4), (N, 3).
+Motion = Callable[[ArrayLike], tuple[np.ndarray, np.ndarray]]
 
 
 class Track(Protocol):
-    """What can be followed to the target."""
+    """A motion that can be followed to the target."""
 
     @property
     def duration(self) -> float:
-        """From the start to the target, s."""
+        """Time from the start to the target, s."""
         ...
 
     @property
     def motion(self) -> Motion:
-        """Where to be, and how fast to turn, until then."""
+        """Attitude and rates to follow until then."""
         ...
 
 
@@ -44,8 +40,10 @@ class Reference:
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """At one sample: attitude (4,), rates (3,), and the torque (3,) that the track takes at the
-    next, which is when the wheels exert it."""
+    """The wanted state at one sample: attitude (4,), rates (3,), and the torque (3,) of the track.
+
+    The torque is that at the next sample, when the wheels exert it.
+    """
 
     q: np.ndarray
     omega: np.ndarray
@@ -53,12 +51,12 @@ class Wanted:
 
 
 def along(track: Track, t: np.ndarray) -> Reference:
-    """The track at times (N,), on beyond the end of the manoeuvre."""
+    """Return the track at times (N,), on beyond the end of the manoeuvre."""
     return Reference(*track.motion(t))
 
 
 def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
-    """The start until t = 0, the track until the target is reached; then the target.
+    """Return the start until t = 0, the track until the target is reached, then the target.
 
     A start and a target that spin do so as free bodies.  The attitudes are continuous in the double
     cover: of the two quaternions of the target it is the one at which the track arrives.
@@ -74,10 +72,10 @@ def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
 
 
 def torques(inertia: np.ndarray, track: Track, t: np.ndarray) -> np.ndarray:
-    """I omega' + omega x I omega (N, 3) of a track at evenly spaced times, N m.
+    """Return I omega' + omega x I omega (N, 3) of a track at evenly spaced times, N m.
 
-    None on a natural motion.  Means about each time, so that lines between them have the track's
-    impulse; between its own times alone, so that its bursts are left out.
+    It vanishes on a natural motion.  Values are means about each time, so that lines between them
+    have the track's impulse, without its bursts.
     """
     half = (t[1] - t[0]) / 2
     low, now, high = (np.clip(x, 0.0, track.duration) for x in (t - half, t, t + half))
@@ -89,9 +87,10 @@ def torques(inertia: np.ndarray, track: Track, t: np.ndarray) -> np.ndarray:
 def feedback(
     controller: Controller, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, wanted: Wanted
 ) -> np.ndarray:
-    """-2 Kp sign(d0) d - Kd (omega - omega wanted), N m, with d the error's quaternion: the way
+    """Return -2 Kp sign(d0) d - Kd (omega - omega wanted), N m, d being the error's quaternion.
 
-    back is the shorter one."""
+    The way back is the shorter one.
+    """
     error = relative(wanted.q, q)
     slip = omega - wanted.omega @ matrix(error)
     towards = np.copysign(2.0, error[0]) * error[1:]
@@ -102,11 +101,11 @@ def feedback(
 def feedforward(
     controller: Controller, q: np.ndarray, omega: np.ndarray, momentum: np.ndarray, wanted: Wanted
 ) -> np.ndarray:
-    """What is known without looking at errors, N m.
+    """Return the torque that does not depend on errors, N m.
 
-    With `feedforward`, omega x h of the wheels' momentum h: the body then feels them as if they
-    were not there, and needs no torque on a natural motion.  With `track_feedforward`, the torque
-    that the track takes.
+    With `feedforward`, omega x h of the wheels' momentum h: the body then moves as if it had no
+    wheels, and needs no torque on a natural motion.  With `track_feedforward`, the torque of the
+    track.
     """
     torque = cross(omega, momentum) if controller.feedforward else np.zeros(3)
     if controller.track_feedforward:

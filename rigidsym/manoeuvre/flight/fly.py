@@ -10,12 +10,11 @@ from scipy.integrate import solve_ivp
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import control
-from rigidsym.manoeuvre.flight.burns import Burns, of_thrusters, of_wheels
+from rigidsym.manoeuvre.flight.actuators import Burns, next_torque, of_thrusters, of_wheels
 from rigidsym.manoeuvre.flight.environment import Environment
 from rigidsym.manoeuvre.flight.rotation import cross, matrix, size
 from rigidsym.manoeuvre.flight.run import Run
 from rigidsym.manoeuvre.flight.settings import Flight
-from rigidsym.manoeuvre.flight.wheels import next_torque
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.motion import TorqueFreeMotion
 
@@ -28,7 +27,7 @@ _NONE = np.zeros(3)
 
 @dataclass(frozen=True, slots=True)
 class _Sample:
-    """At one time: what is integrated (11,), and the wheels' torque and momentum (3,) each."""
+    """The integrated state (11,) at one time, and the wheels' torque and momentum (3,) each."""
 
     state: np.ndarray
     torque: np.ndarray
@@ -37,7 +36,7 @@ class _Sample:
 
 @dataclass(frozen=True, slots=True)
 class _Ramp:
-    """The wheels between two samples: their torque goes to `then` along a straight line."""
+    """The wheels between two samples; their torque goes to `then` along a straight line."""
 
     begin: float
     end: float
@@ -45,7 +44,7 @@ class _Ramp:
     then: np.ndarray
 
     def at(self, t: float) -> tuple[np.ndarray, np.ndarray]:
-        """Torque on the body and momentum stored, (3,) each."""
+        """Return torque on the body and momentum stored, (3,) each."""
         share = (t - self.begin) / (self.end - self.begin)
         torque = self.now.torque + share * (self.then - self.now.torque)
         return torque, self.now.momentum - (t - self.begin) / 2 * (self.now.torque + torque)
@@ -57,38 +56,62 @@ def fly(
     track: control.Track,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Run:
-    """Follow a track, such as a transfer, from t = 0 and hold the target once it is reached.
+    """Follow a track, such as a transfer, from t = 0, then hold the target.
 
     At each period of `flight.run` the controller reads the true state and says which torque it
     wants; until the next one the wheels go there along a straight line, as far as they can.  So
     the torques are continuous, their limits hold exactly, and between the samples the equations
     are smooth: I omega' = -omega x (I omega + h) + torque + disturbances and h' = -torque, with h
-    what the wheels store, and I the spacecraft with its wheels locked.  They are integrated anew
-    from each sample by SciPy's DOP853, together with the impulse from outside (inertial axes) and
-    the work of all torques, which the checks of a `Run` need.
+    the momentum of the wheels, and I the spacecraft with its wheels locked.  They are integrated
+    anew from each sample by SciPy's DOP853, together with the impulse from outside (inertial axes)
+    and the work of all torques, which the checks of a `Run` need.
 
-    Bursts that are known ahead, of thrusters or with `track_feedforward`, are burns centred on
+    Bursts of thrusters or with `track_feedforward` are burns centred on
     their instants: the flight begins when the first does, before t = 0, and feedback waits while
     one lasts.  Wheels exert the mean of a burn about each sample, so that their straight lines
     have its impulse; thrusters are on or off, and steps end where they change.
 
-    `progress` is called with the samples done and all of them.  Raises InputError for torques too
-    wild to follow, and names the greatest; and for burns that last too long.
+    Parameters
+    ----------
+    manoeuvre : Manoeuvre
+        Body, attitudes and spins before and after.
+    flight : Flight
+        Settings of the spacecraft, its orbit and its controller.
+    track : Transfer or Track
+        Motion to follow from the start to the target.
+    progress : callable
+        Called with the samples done and all of them.
+
+    Returns
+    -------
+    Run
+        States and torques at the samples.
+
+    Raises
+    ------
+    InputError
+        For torques too wild to follow, naming the greatest, and for burns that last too long.
     """
     inertia = np.array([float(x) for x in manoeuvre.inertia])
-    told = of_wheels(flight, manoeuvre, track)
+    ahead = of_wheels(flight, manoeuvre, track)
     burns = of_thrusters(flight, manoeuvre, track)
-    t = _times(flight, burns or told)
+    t = _times(flight, burns or ahead)
     reference = control.reference(manoeuvre, track, t)
     needed = control.torques(inertia, track, t)
     environment = Environment(flight, inertia, float(t[0]))
     samples = [_first(manoeuvre, flight, float(t[0]))]
     for k, span in enumerate(pairwise(t.tolist())):
         wanted = control.Wanted(reference.q[k], reference.omega[k], needed[k + 1])
-        ramp = _steered(flight, inertia, samples[-1], wanted, span, told or burns)
+        ramp = _steered(flight, inertia, samples[-1], wanted, span, ahead or burns)
         state = _flown(inertia, ramp, environment, burns, flight.run.tolerance)
         if state is None:
-            raise _too_fast(_causes(flight, environment, ramp, wanted.omega), span[0])
+            causes = _causes(flight, environment, ramp, wanted.omega)
+            name = max(causes, key=causes.__getitem__)
+            rule = (
+                "torques turn the spacecraft too fast to be followed; the greatest, "
+                f"{causes[name]:.1e} N m, is that of {name}"
+            )
+            raise InputError("run", f"beyond {span[0]} s", rule)
         samples.append(_Sample(state, ramp.then, ramp.at(span[1])[1]))
         progress(k + 1, len(t) - 1)
     states = np.array([sample.state for sample in samples])
@@ -117,29 +140,29 @@ def _steered(
     span: tuple[float, float],
     burns: Burns | None,
 ) -> _Ramp:
-    """What the wheels do until the next sample, so that q and omega become what is wanted."""
+    """Return the wheels' course until the next sample, by feedback, feedforward and burns."""
     begin, end = span
     q, omega, controller = now.state[_Q], now.state[_OMEGA], flight.controller
-    told = control.feedforward(controller, q, omega, now.momentum, wanted)
+    command = control.feedforward(controller, q, omega, now.momentum, wanted)
     half = (end - begin) / 2
     burst = burns.between(end - half, end + half) if burns else np.zeros(3)
     if not burst.any():
-        told = told + control.feedback(controller, inertia, q, omega, wanted)
+        command = command + control.feedback(controller, inertia, q, omega, wanted)
     elif flight.thrusters is None:
-        told = told + burst
-    then = next_torque(flight.wheels, now.torque, now.momentum, told, end - begin)
+        command = command + burst
+    then = next_torque(flight.wheels, now.torque, now.momentum, command, end - begin)
     return _Ramp(begin, end, now, then)
 
 
 def _times(flight: Flight, burns: Burns | None) -> np.ndarray:
-    """All samples, whole periods from t = 0; the first before all burns, or at zero."""
+    """Return all samples, whole periods from t = 0; the first before all burns, or at zero."""
     run = flight.run
     early = ceil(-burns.begin / float(run.period)) if burns else 0
     return np.array([float(k * run.period) for k in range(-early, run.length // run.period + 1)])
 
 
 def _first(manoeuvre: Manoeuvre, flight: Flight, begin: float) -> _Sample:
-    """At a time until which the body has been turning freely."""
+    """Return the first sample, of a body that has turned freely until then."""
     still = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
     state = np.concatenate([*still(begin), np.zeros(4)])
     return _Sample(state, np.zeros(3), np.array(flight.wheels.momentum))
@@ -152,7 +175,7 @@ def _flown(
     burns: Burns | None,
     tolerance: float,
 ) -> np.ndarray | None:
-    """The state at the next sample; None where it is lost."""
+    """Return the state at the next sample; None where the integration fails."""
     state, pieces = ramp.now.state, [(ramp.begin, ramp.end)]
     if burns:
         pieces = burns.pieces(ramp.begin, ramp.end)
@@ -167,7 +190,7 @@ def _flown(
 def _equations(
     inertia: np.ndarray, ramp: _Ramp, environment: Environment, burning: np.ndarray
 ) -> Callable[[float, np.ndarray], np.ndarray]:
-    """The right-hand side between two samples, while thrusters exert one torque (3,)."""
+    """Return the right-hand side between two samples, with one torque (3,) of thrusters."""
 
     def derivative(t: float, state: np.ndarray) -> np.ndarray:
         q, omega = state[_Q], state[_OMEGA]
@@ -181,7 +204,7 @@ def _equations(
 
 
 def _turn(q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """q' = q (0, omega) / 2."""
+    """Return q' = q (0, omega) / 2."""
     (a, b, c, d), (x, y, z) = q.tolist(), (omega / 2).tolist()
     return np.array(
         [
@@ -199,7 +222,7 @@ def _advance(
     span: tuple[float, float],
     tolerance: float,
 ) -> np.ndarray | None:
-    """The state at the end of a span, its quaternion of unit length; None where it is lost."""
+    """Return the state at the end of a span, q of unit length; None where the integration fails."""
     try:
         with np.errstate(over="raise", invalid="raise"):
             found = solve_ivp(
@@ -224,10 +247,10 @@ def _advance(
 def _causes(
     flight: Flight, environment: Environment, ramp: _Ramp, turning: np.ndarray
 ) -> dict[str, float]:
-    """Sizes of the torques of a span at its beginning, N m, by what they come from.
+    """Return the sizes of torques at the beginning of a span, N m, by their cause.
 
-    Control counts with what the wheels ramp to; the wheels' first momentum with the gyroscopic
-    torque that it makes at the rates (3,) that are wanted, since those flown come of all torques.
+    Control counts with the torque at the end of the wheels' ramp, the wheels' first momentum with
+    its gyroscopic torque at the wanted rates (3,), since the rates flown come of all torques.
     """
     q = ramp.now.state[_Q]
     each = environment.each(np.array([ramp.begin]), q[None])
@@ -238,10 +261,3 @@ def _causes(
         **{name.replace("_", " "): size(torque) for name, torque in each.items()},
     }
     return {name: float(np.nan_to_num(size, nan=np.inf)) for name, size in found.items()}
-
-
-def _too_fast(causes: dict[str, float], begin: float) -> InputError:
-    name = max(causes, key=causes.__getitem__)
-    told = f"the greatest, {causes[name]:.1e} N m, is that of {name}"
-    rule = f"torques turn the spacecraft too fast to be followed; {told}"
-    return InputError("run", f"beyond {begin} s", rule)

@@ -1,4 +1,4 @@
-"""Quaternions and cross products of single vectors, plain and quick: they run in the inner loop."""
+"""Quaternions and cross products of single vectors, fast enough for the inner loop."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ Numbers = np.ndarray | Sequence[float]
 
 
 def matrix(q: Numbers) -> np.ndarray:
-    """The rotation (3, 3), body to inertial, of a unit quaternion (4,)."""
+    """Return the rotation (3, 3), body to inertial, of a unit quaternion (4,)."""
     a, b, c, d = map(float, q)
     return np.array(
         [
@@ -22,23 +22,23 @@ def matrix(q: Numbers) -> np.ndarray:
 
 
 def relative(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """conj(p) q, of (..., 4) each: from the axes of q to those of p."""
+    """Return conj(p) q, of (..., 4) each: from the axes of q to those of p."""
     return product(conjugate(p), q)
 
 
 def angle(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """The angle (...) between attitudes (..., 4), rad, well rounded where it is small."""
+    """Return the angle (...) between attitudes (..., 4), rad, accurate where it is small."""
     error = relative(p, q)
     return 2 * np.arctan2(np.linalg.norm(error[..., 1:], axis=-1), np.abs(error[..., 0]))
 
 
 def cross(a: Numbers, b: Numbers) -> np.ndarray:
-    """a x b, of (3,) each; numpy's takes ten times as long."""
+    """Return a x b, of (3,) each; numpy's takes ten times as long."""
     a0, a1, a2 = map(float, a)
     b0, b1, b2 = map(float, b)
     return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])
 
 
 def size(vector: np.ndarray) -> float:
-    """|vector| of (3,)."""
+    """Return |vector| of (3,)."""
     return float(np.linalg.norm(vector))

@@ -1,7 +1,12 @@
-"""Where the Sun stands, how the Earth is turned, and its magnetic field along an orbit."""
+"""The orbit, the Sun, the turning Earth and its magnetic field.
 
+Sources of constants: WGS 84 (mu, radius, rotation); IAU 2012 and 2015 resolutions (astronomical
+unit, radius and irradiance of the Sun).
+"""
+
+import math
 import warnings
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from datetime import datetime
 
@@ -9,14 +14,74 @@ import erfa
 import numpy as np
 
 from rigidsym.errors import InputError
-from rigidsym.manoeuvre.flight.earth import ASTRONOMICAL_UNIT
+from rigidsym.manoeuvre.flight.settings import Orbit
 
 DAY = 86400.0
+MU = 3.986004418e14
+"Gravitational parameter of the Earth, m^3/s^2."
+RADIUS = 6378137.0
+"Radius of the Earth, taken as a sphere of its equator's radius, m."
+ROTATION = 7.292115e-5
+"Rate of the Earth about its axis, rad/s."
+ASTRONOMICAL_UNIT = 149597870700.0
+SUN_RADIUS = 6.957e8
+SUNLIGHT = 1361.0 / 299792458.0
+"Pressure of sunlight on what absorbs it, at one astronomical unit, N/m^2."
+
+
+class Path:
+    """A circular orbit of Kepler, inertial."""
+
+    def __init__(self, orbit: Orbit) -> None:
+        node, tilt, self._start = np.radians(
+            [orbit.node, orbit.inclination, orbit.latitude_argument]
+        )
+        self.radius = RADIUS + 1e3 * orbit.altitude
+        "From the Earth's middle, m."
+        self.mean_motion = math.sqrt(MU / self.radius**3)
+        "rad/s."
+        ascending = [np.cos(node), np.sin(node), 0.0]
+        highest = [-np.sin(node) * np.cos(tilt), np.cos(node) * np.cos(tilt), np.sin(tilt)]
+        self._ascending = self.radius * np.array(ascending)
+        self._highest = self.radius * np.array(highest)
+
+    def __call__(self, t: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return position (m) and velocity (m/s), (3,) each, at a time in s."""
+        along = self._start + self.mean_motion * t
+        cosine, sine = math.cos(along), math.sin(along)
+        position = cosine * self._ascending + sine * self._highest
+        return position, self.mean_motion * (cosine * self._highest - sine * self._ascending)
+
+
+def sunlit(position: Sequence[float], sun: Sequence[float]) -> float:
+    """Return the share of the Sun's disc that the Earth leaves visible: a conical shadow.
+
+    position, sun: (3,) from the Earth's middle, m.  Montenbruck and Gill, Satellite Orbits,
+    section 3.4.2: a, b are the apparent radii of Sun and Earth, c the angle between their middles.
+    """
+    away = [s - p for s, p in zip(sun, position, strict=True)]
+    distance, radius = math.hypot(*away), math.hypot(*position)
+    cosine = -sum(p * s for p, s in zip(position, away, strict=True)) / (distance * radius)
+    # Close to the surface rounding may bring the position below it.
+    a, b = math.asin(SUN_RADIUS / distance), math.asin(min(1.0, RADIUS / radius))
+    c = _arccos(cosine)
+    if c >= a + b:
+        return 1.0
+    if c <= abs(a - b):
+        return 0.0 if a <= b else 1 - (b / a) ** 2
+    x = (c**2 + a**2 - b**2) / (2 * c)
+    y = math.sqrt(max(a**2 - x**2, 0.0))
+    hidden = a**2 * _arccos(x / a) + b**2 * _arccos((c - x) / b) - c * y
+    return 1 - hidden / (math.pi * a**2)
+
+
+def _arccos(x: float) -> float:
+    return math.acos(max(-1.0, min(1.0, x)))
 
 
 def terrestrial_time(epoch: datetime, t: np.ndarray) -> tuple[float, np.ndarray]:
-    """Two-part Julian dates (TT) of the times t (N,) s after an epoch in UTC."""
-    with _without_doubt():
+    """Return two-part Julian dates (TT) of the times t (N,) s after an epoch in UTC."""
+    with _unwarned():
         first, second = erfa.utctai(*_utc(epoch))
     return erfa.taitt(first, second + np.asarray(t) / DAY)
 
@@ -24,30 +89,30 @@ def terrestrial_time(epoch: datetime, t: np.ndarray) -> tuple[float, np.ndarray]
 def _utc(epoch: datetime) -> tuple[float, float]:
     seconds = epoch.second + 1e-6 * epoch.microsecond
     date = (epoch.year, epoch.month, epoch.day, epoch.hour, epoch.minute, seconds)
-    with _without_doubt():
+    with _unwarned():
         return erfa.dtf2d("UTC", *date)
 
 
 @contextmanager
-def _without_doubt() -> Generator[None]:
-    """Years before 1960 or to come have unsure leap seconds, some an unsure Sun: no matter."""
+def _unwarned() -> Generator[None]:
+    """Silence warnings of unsure leap seconds, before 1960 and to come, and of an unsure Sun."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", erfa.ErfaWarning)
         yield
 
 
 def sun_position(epoch: datetime, t: np.ndarray) -> np.ndarray:
-    """Of the Sun from the Earth's middle, inertial, m, (N, 3), as it is at the times t (N,).
+    """Return the Sun's position from the Earth's middle, inertial, m, (N, 3), at times t (N,).
 
     The aberration of its light, 20 arc seconds, is left out.
     """
-    with _without_doubt():
+    with _unwarned():
         heliocentric, _ = erfa.epv00(*terrestrial_time(epoch, t))
     return -ASTRONOMICAL_UNIT * heliocentric["p"]
 
 
 def earth_turn(epoch: datetime, t: np.ndarray) -> np.ndarray:
-    """Rotations (N, 3, 3), inertial to Earth-fixed, by precession, nutation and the Earth's angle.
+    """Return rotations (N, 3, 3), inertial to Earth-fixed: precession, nutation, Earth's angle.
 
     UT1 is taken as UTC (15 arc seconds at most) and the polar motion (half of one) as none.
     """
@@ -57,7 +122,7 @@ def earth_turn(epoch: datetime, t: np.ndarray) -> np.ndarray:
 
 
 def magnetic_field(epoch: datetime, t: np.ndarray, position: np.ndarray) -> np.ndarray:
-    """The Earth's field (IGRF), inertial, T, (N, 3), at inertial positions (N, 3) in m.
+    """Return the Earth's field (IGRF), inertial, T, (N, 3), at inertial positions (N, 3) in m.
 
     Raises InputError for an epoch that the field's coefficients do not cover.
     """
@@ -80,7 +145,7 @@ def magnetic_field(epoch: datetime, t: np.ndarray, position: np.ndarray) -> np.n
 
 
 def _local_axes(colatitude: np.ndarray, longitude: np.ndarray) -> np.ndarray:
-    """Unit vectors upwards, southwards and eastwards as rows (N, 3, 3), Earth-fixed."""
+    """Return unit vectors upwards, southwards and eastwards as rows (N, 3, 3), Earth-fixed."""
     c, s = np.cos(colatitude), np.sin(colatitude)
     cosine, sine, none = np.cos(longitude), np.sin(longitude), np.zeros_like(longitude)
     rows = ((s * cosine, s * sine, c), (c * cosine, c * sine, -s), (-sine, cosine, none))

@@ -7,18 +7,16 @@ import pytest
 from rigidsym import TorqueFreeMotion
 from rigidsym.manoeuvre.comparison.collocation import (
     Cost,
+    Driven,
+    Mesh,
     Model,
-    Posed,
+    Tableau,
     Task,
+    gauss,
     guessed,
-    optimum,
+    still,
 )
-from rigidsym.manoeuvre.comparison.collocation.driven import Driven
-from rigidsym.manoeuvre.comparison.collocation.gauss import Tableau, gauss
-from rigidsym.manoeuvre.comparison.collocation.guess import still
-from rigidsym.manoeuvre.comparison.collocation.mesh import Mesh
-from rigidsym.manoeuvre.comparison.collocation.solver import SETTINGS
-from rigidsym.manoeuvre.comparison.collocation.transcription import defects
+from rigidsym.manoeuvre.comparison.optimiser import SETTINGS, Posed, defects, optimum
 
 INERTIA = np.array([0.3, 1.0, 0.8])
 ANGLE, LIMIT = 1.0, 10.0

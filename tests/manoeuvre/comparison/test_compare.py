@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from dataclasses import asdict
 from fractions import Fraction
 from functools import partial
 
@@ -17,7 +18,7 @@ from rigidsym.manoeuvre.comparison.cases import draw
 from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
 from rigidsym.manoeuvre.comparison.comparing import _Work
 from rigidsym.manoeuvre.comparison.optima import Attempt, Solved
-from rigidsym.manoeuvre.comparison.statistics import spread
+from rigidsym.manoeuvre.comparison.results import spread
 from rigidsym.validate.executors import local
 
 # Control at long periods makes flights quick.
@@ -90,7 +91,7 @@ def test_the_same_each_time(data, monkeypatch):
     solved, impulses = optima.solved(case, task, optima.guesses(case, transfer))
     assert json.loads(json.dumps(solved.to_data())) == one["optimal"][task.name]
     ways = flights.Ways(case, Model.THRUSTERS, transfer, impulses)
-    flown = flights.flown("natural", ways).to_data()
+    flown = asdict(flights.flown("natural", ways))
     assert flown == one["flown"]["thrusters"]["natural"]
 
 

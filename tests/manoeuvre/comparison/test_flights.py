@@ -10,12 +10,10 @@ import pytest
 from manoeuvre_flights import NOTHING
 
 from rigidsym.manoeuvre import solve
-from rigidsym.manoeuvre.comparison import flights, tracks
+from rigidsym.manoeuvre.comparison import flights
 from rigidsym.manoeuvre.comparison.cases import PAPER, Case, draw
-from rigidsym.manoeuvre.comparison.collocation import Model, guessed
-from rigidsym.manoeuvre.comparison.collocation.mesh import Mesh
-from rigidsym.manoeuvre.comparison.flights import METHODS, Ways, exerted, measured
-from rigidsym.manoeuvre.comparison.ideal import ideal
+from rigidsym.manoeuvre.comparison.collocation import Mesh, Model, guessed
+from rigidsym.manoeuvre.comparison.flights import METHODS, Ways, exerted, ideal, measured
 from rigidsym.manoeuvre.flight.fly import fly
 from rigidsym.manoeuvre.flight.rotation import angle
 from rigidsym.manoeuvre.flight.settings import Controller, Flight
@@ -36,7 +34,7 @@ def _seldom(monkeypatch):
 def ways(actuators, case=CASE):
     """With the eigenaxis, its bursts in the first and last intervals, for the optimum."""
     inertia = case.inertia / case.inertia.max()
-    motion = partial(tracks.turned, case.rotation_vector, tracks.constant)
+    motion = partial(flights.turned, case.rotation_vector, flights.constant)
     impulses = guessed(Mesh(), inertia, actuators, motion).impulses
     return Ways(case, actuators, solve(case.manoeuvre).best, impulses)
 
@@ -76,8 +74,8 @@ def test_tracks_lead_from_start_to_target(method):
 
 
 def test_rates_of_turns_are_those_of_their_attitudes():
-    for profile in (tracks.constant, tracks.smooth):
-        motion = tracks.eigenaxis(CASE, profile).motion
+    for profile in (flights.constant, flights.smooth):
+        motion = flights.eigenaxis(CASE, profile).motion
         before, now, after = motion(np.array([29.9, 30.0, 30.1]))[0]
         _, rates = motion(30.0)
         assert angle(before, after) / 0.2 == pytest.approx(np.linalg.norm(rates), rel=1e-4)

@@ -5,7 +5,7 @@ from math import radians
 import numpy as np
 
 from rigidsym.manoeuvre import plan
-from rigidsym.manoeuvre.flight.summary import predicted
+from rigidsym.manoeuvre.flight.run import predicted
 
 
 def test_the_prediction_says_both_in_degrees():

@@ -9,7 +9,8 @@ import pytest
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import sky
-from rigidsym.manoeuvre.flight.earth import (
+from rigidsym.manoeuvre.flight.settings import Orbit
+from rigidsym.manoeuvre.flight.sky import (
     ASTRONOMICAL_UNIT,
     MU,
     RADIUS,
@@ -17,7 +18,6 @@ from rigidsym.manoeuvre.flight.earth import (
     Path,
     sunlit,
 )
-from rigidsym.manoeuvre.flight.settings import Orbit
 
 SUN = [ASTRONOMICAL_UNIT, 0.0, 0.0]
 NOON = datetime(2000, 1, 1, 12, tzinfo=UTC)

@@ -3,10 +3,8 @@
 import numpy as np
 import pytest
 
-from rigidsym.manoeuvre.flight import torques
-from rigidsym.manoeuvre.flight.atmosphere import LAYERS, density
-from rigidsym.manoeuvre.flight.box import Box
-from rigidsym.manoeuvre.flight.earth import ASTRONOMICAL_UNIT, MU
+from rigidsym.manoeuvre.flight.environment import LAYERS, Box, density, dipole, drag, radiation
+from rigidsym.manoeuvre.flight.sky import ASTRONOMICAL_UNIT, MU
 from rigidsym.splitting import Tide
 
 CUBE = Box((1.0, 1.0, 1.0), (0.0, 0.1, 0.0))
@@ -29,12 +27,12 @@ def test_gravity_gradient_vanishes_on_the_axes(axis):
 
 
 def test_dipole():
-    found = torques.dipole((0.5, 0.0, 0.0), np.array([1e-5, 2e-5, -3e-5]))
+    found = dipole((0.5, 0.0, 0.0), np.array([1e-5, 2e-5, -3e-5]))
     np.testing.assert_allclose(found, [0, 1.5e-5, 1e-5])
 
 
 def test_drag():
-    found = torques.drag(CUBE, np.array([7500.0, 0, 0]), 1e-13, 2.0)
+    found = drag(CUBE, np.array([7500.0, 0, 0]), 1e-13, 2.0)
     # The face at x = 1/2 feels 1/2 1e-13 2 7500^2 = 5.625e-6 N along -x, 0.1 m off the centre.
     np.testing.assert_allclose(found, [0, 0, 5.625e-7], atol=1e-20)
 
@@ -43,7 +41,7 @@ def test_drag():
 def test_drag_of_a_box_in_its_middle_is_none(direction):
     # Air meets as much on one side of the line through the middle as on the other.
     wind = 7500 * direction / np.linalg.norm(direction)
-    found = torques.drag(LONG, wind, 1e-13, 2.2)
+    found = drag(LONG, wind, 1e-13, 2.2)
     np.testing.assert_allclose(found, np.zeros(3), atol=1e-22)
 
 
@@ -53,7 +51,7 @@ def test_drag_by_the_force_and_the_lever(direction):
     offset = np.array([0.02, -0.01, 0.03])
     area = abs(v / 7500) @ [0.1 * 0.2, 0.2 * 0.3, 0.3 * 0.1]
     force = -0.5 * 1e-13 * 2.2 * 7500 * v * area
-    found = torques.drag(Box((0.3, 0.1, 0.2), tuple(offset)), v, 1e-13, 2.2)
+    found = drag(Box((0.3, 0.1, 0.2), tuple(offset)), v, 1e-13, 2.2)
     np.testing.assert_allclose(found, np.cross(offset, force), rtol=1e-12, atol=1e-22)
 
 
@@ -62,23 +60,23 @@ def test_drag_by_the_force_and_the_lever(direction):
 )
 def test_radiation(specular, diffuse, times):
     sun = np.array([ASTRONOMICAL_UNIT, 0, 0])
-    found = torques.radiation(CUBE, sun, 1.0, specular, diffuse)
+    found = radiation(CUBE, sun, 1.0, specular, diffuse)
     np.testing.assert_allclose(found, [0, 0, 0.1 * times * PRESSURE], rtol=1e-6, atol=1e-20)
 
 
 def test_radiation_by_distance_and_shadow():
     sun = np.array([0.4, -0.7, 0.2]) * ASTRONOMICAL_UNIT
-    full = torques.radiation(CUBE, sun, 1.0, 0.1, 0.2)
-    np.testing.assert_allclose(torques.radiation(CUBE, 2 * sun, 1.0, 0.1, 0.2), full / 4)
-    np.testing.assert_allclose(torques.radiation(CUBE, sun, 0.25, 0.1, 0.2), full / 4)
-    np.testing.assert_array_equal(torques.radiation(CUBE, sun, 0.0, 0.1, 0.2), np.zeros(3))
+    full = radiation(CUBE, sun, 1.0, 0.1, 0.2)
+    np.testing.assert_allclose(radiation(CUBE, 2 * sun, 1.0, 0.1, 0.2), full / 4)
+    np.testing.assert_allclose(radiation(CUBE, sun, 0.25, 0.1, 0.2), full / 4)
+    np.testing.assert_array_equal(radiation(CUBE, sun, 0.0, 0.1, 0.2), np.zeros(3))
 
 
 def test_a_mirror_is_pushed_along_its_normal():
     # Light at 60 degrees to the normal of the face y = 1/2: 2 P A cos^2 = P / 2, at x = 0.2.
     plate = Box((1.0, 1e-9, 1.0), (0.2, 0.0, 0.0))
     sun = ASTRONOMICAL_UNIT * np.array([0, 0.5, np.sqrt(0.75)])
-    found = torques.radiation(plate, sun, 1.0, 1.0, 0.0)
+    found = radiation(plate, sun, 1.0, 1.0, 0.0)
     np.testing.assert_allclose(found, [0, 0, -0.2 * PRESSURE / 2], rtol=1e-6, atol=1e-14)
 
 

@@ -3,15 +3,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rigidsym.manoeuvre.flight.reading import (
+from rigidsym.manoeuvre.flight.actuators import next_torque
+from rigidsym.manoeuvre.flight.settings import (
     LEAST_RATE,
     LONGEST,
     MOST_MOMENTUM,
     MOST_RATE,
     SHORTEST,
+    Wheels,
 )
-from rigidsym.manoeuvre.flight.settings import Wheels
-from rigidsym.manoeuvre.flight.wheels import next_torque
 
 PAPER = Wheels()
 

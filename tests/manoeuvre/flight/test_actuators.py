@@ -6,7 +6,7 @@ from manoeuvre_flights import NOTHING, known, short
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
-from rigidsym.manoeuvre.flight.burns import Burns, bursts, of_thrusters, of_wheels
+from rigidsym.manoeuvre.flight.actuators import Burns, bursts, of_thrusters, of_wheels
 from rigidsym.manoeuvre.flight.rotation import matrix
 from rigidsym.manoeuvre.flight.settings import Thrusters
 

@@ -10,9 +10,8 @@ import pytest
 
 from rigidsym.errors import InputError
 from rigidsym.io.messages import UNNAMED
-from rigidsym.manoeuvre.files import FLIGHT, PAPER, open_manoeuvre
-from rigidsym.manoeuvre.flight.reading import read
-from rigidsym.manoeuvre.flight.settings import Flight, Thrusters
+from rigidsym.manoeuvre.flight.settings import Flight, Thrusters, read
+from rigidsym.manoeuvre.manoeuvre import FLIGHT, PAPER, open_manoeuvre
 
 COMMENTED = {"thrusters", "message"}
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rigidsym import TorqueFreeMotion
-from rigidsym.manoeuvre.figures.classical import difference, euler_angles
+from rigidsym.manoeuvre.classical import difference, euler_angles
 from rigidsym.manoeuvre.flight.rotation import matrix
 
 INERTIA = (0.0109, 0.04, 0.0506)

@@ -10,7 +10,7 @@ from rigidsym import engines
 from rigidsym.manoeuvre import solve
 from rigidsym.manoeuvre.manoeuvre import manoeuvre
 from rigidsym.manoeuvre.problem import problem
-from rigidsym.manoeuvre.verify import miss, verified
+from rigidsym.manoeuvre.refine import miss, verified
 from rigidsym.motion import TorqueFreeMotion
 
 BODY = ("1", "2", "2.5")

@@ -26,14 +26,14 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(12)
 
 @dataclass(frozen=True, slots=True)
 class EulerAngles:
-    """Angles (N,) in rad."""
+    """Euler's angles (N,) in rad."""
 
     precession: np.ndarray
     nutation: np.ndarray
     spin: np.ndarray
 
     def quaternion(self) -> np.ndarray:
-        """Body to fixed axes, (N, 4), of either sign."""
+        """Return quaternions (N, 4), body to fixed axes, of either sign."""
         total, difference = self.precession + self.spin, self.precession - self.spin
         cosine, sine = np.cos(self.nutation / 2), np.sin(self.nutation / 2)
         parts = (
@@ -45,48 +45,46 @@ class EulerAngles:
         return np.stack(parts, axis=-1)
 
     def jumps(self) -> dict[str, int]:
-        """How often each angle jumps, by more than half a turn from one sample to the next."""
+        """Count the jumps of each angle, by more than half a turn from one sample to the next."""
         angles = {"precession": self.precession, "nutation": self.nutation, "spin": self.spin}
         return {name: int(np.sum(np.abs(np.diff(x)) > np.pi)) for name, x in angles.items()}
 
 
 def euler_angles(motion: TorqueFreeMotion, t: np.ndarray) -> EulerAngles:
-    """At increasing times (N,); for bodies whose momentum never lies along their third axis."""
+    """Return the angles at increasing times (N,).
+
+    The momentum must never lie along the third axis of the body.
+    """
     fixed = upright(_fixed_momentum(motion))
     body = moments(motion) * motion(t)[1]
     size = np.linalg.norm(body, axis=1)
-    start = product(fixed, motion(t[:1])[0])[0]
+    # The rotation is Rz(precession) Rx(nutation) Rz(spin).
+    a, b, c, d = product(fixed, motion(t[:1])[0])[0]
+    first = float(np.arctan2(b * d + a * c, a * b - c * d))
     nutation = np.arccos(np.clip(body[:, 2] / size, -1, 1))
     spin = np.arctan2(body[:, 0], body[:, 1])
-    turned = _first_precession(start) + _precession(motion, t)
-    return EulerAngles(_principal(turned), nutation, spin)
+    turned = first + _precession(motion, t)
+    # Above -pi and up to pi.
+    precession = np.pi - np.mod(np.pi - turned, 2 * np.pi)
+    return EulerAngles(precession, nutation, spin)
 
 
 def difference(motion: TorqueFreeMotion, t: np.ndarray, angles: EulerAngles) -> float:
-    """The largest angle (rad) between the attitudes of Euler's angles and the library's own."""
+    """Return the largest angle (rad) between attitudes by Euler's angles and the library's own."""
     found = product(upright(_fixed_momentum(motion)), motion(t)[0])
     # The sines of half the angles: small ones are not lost beside one.
-    apart = np.minimum(*(_distance(found, side * angles.quaternion()) for side in (1, -1)))
+    sides = [np.linalg.norm(found - side * angles.quaternion(), axis=1) for side in (1, -1)]
+    apart = np.minimum(*sides)
     return float(np.max(2 * apart))
 
 
-def _distance(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(p - q, axis=1)
-
-
 def _fixed_momentum(motion: TorqueFreeMotion) -> np.ndarray:
-    """In inertial axes."""
+    """Return the momentum in inertial axes."""
     return rotated(motion(0.0)[0], momentum(motion))
 
 
-def _first_precession(q: np.ndarray) -> float:
-    """Of Rz(precession) Rx(nutation) Rz(spin)."""
-    a, b, c, d = q
-    return float(np.arctan2(b * d + a * c, a * b - c * d))
-
-
 def _precession(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
-    """The integral (N,) from the first time on, by Gauss's rule between any two."""
+    """Integrate the precession's rate (N,) from the first time on, by Gauss's rule."""
     half = np.diff(t) / 2
     nodes = (t[:-1] + half)[:, None] + half[:, None] * NODES
     rate = _rate(motion, nodes.ravel()).reshape(nodes.shape)
@@ -98,8 +96,3 @@ def _rate(motion: TorqueFreeMotion, t: np.ndarray) -> np.ndarray:
     size = float(np.linalg.norm(momentum(motion)))
     across = body * rates
     return size * np.sum(across * rates, axis=1) / np.sum(across**2, axis=1)
-
-
-def _principal(angle: np.ndarray) -> np.ndarray:
-    """Above -pi and up to pi."""
-    return np.pi - np.mod(np.pi - angle, 2 * np.pi)
