@@ -458,7 +458,7 @@ class TorqueFreeMotion:
         """
         times, single = inputs.times(t)
         limits = inputs.digits(digits), inputs.seconds(max_seconds)
-        from rigidsym.precise.certain import certain
+        from rigidsym.precise.printed import certain
 
         if inputs.is_true("sensitivity", sensitivity):
             _ = self.exact

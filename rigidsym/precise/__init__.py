@@ -1,4 +1,4 @@
-"""Any number of digits: the derived solution in Arb's balls, and by mpmath's numbers."""
+"""The derived solution to any number of digits, in Arb's balls and mpmath's numbers."""
 
 from rigidsym.precise.motion import ESTIMATED, METHODS, PreciseMotion
 

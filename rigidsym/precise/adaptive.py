@@ -1,4 +1,4 @@
-"""How the working precision rises: as far as the digits need, the time allows, the inputs merit."""
+"""Working precisions that rise until the digits are certain, or time or inputs allow no more."""
 
 from bisect import bisect
 from collections.abc import Callable, Sequence
@@ -12,23 +12,23 @@ from rigidsym.precise.balls import bits_of, working
 
 GUARD_BITS = 40
 MOST_ROUNDS = 24
-# Where time is limited precision rises from here, so that something is known when it is over.
+# Where time is limited the precision rises from here, so that some digits are reached.
 FIRST_BITS = 256
-# Uncertain inputs that say nothing at this precision, or at that of the digits, never do.
+# Uncertain inputs are given up whose balls are infinite at this precision or that of the digits.
 MOST_BITS = 2**12
 SAYS_NOTHING = "the inputs are too uncertain to say anything"
 
 
-# Of so many bits and, where there is a limit, before the clock says so much; else TimeoutError.
+# Returns balls at so many bits; raises TimeoutError where the clock passes the limit, if any.
 Numbers = Callable[[int, float | None], list[arb]]
 
 
 class TooUncertainError(PrecisionError):
-    """The formulas say nothing at any precision."""
+    """The formulas give no enclosure at any precision."""
 
 
 class AdaptivePrecision:
-    """Working precisions that rise until balls are small enough: Ziv's loop."""
+    """Working precisions that rise until balls are small enough (Ziv's loop)."""
 
     def __init__(
         self, digits: int, enough: Callable[[arb, int], bool], max_seconds: float | None
@@ -39,7 +39,7 @@ class AdaptivePrecision:
         self.bits = whole if self.end is None else min(whole, FIRST_BITS)
 
     def read(self, numbers: Numbers, what: str) -> list[arb]:
-        """The numbers, at the first precision at which all have enough digits."""
+        """Return the numbers at the first precision at which all have enough digits."""
         found = [arb.nan()]
         with suppress(TimeoutError):
             for _ in range(MOST_ROUNDS):
@@ -54,7 +54,7 @@ class AdaptivePrecision:
         raise PrecisionError(f"{what}: {self._reached(found)} of {self.digits} digits were reached")
 
     def read_uncertain(self, numbers: Numbers, what: str) -> list[arb]:
-        """The numbers, when twice the precision does not make the balls smaller any more."""
+        """Return the numbers at a precision whose double makes the balls no smaller."""
         widest, most = None, max(MOST_BITS, 2 * self.bits)
         with suppress(TimeoutError):
             while self.bits <= most:
@@ -63,7 +63,7 @@ class AdaptivePrecision:
                 if all(value.is_finite() for value in found):
                     radius = max(float(value.rad()) for value in found)
                     if widest is not None and radius >= widest / 2:
-                        self.bits //= 2  # for the next time: this was enough
+                        self.bits //= 2  # enough for the next call
                         return found
                     widest = radius
                 self.bits *= 2
@@ -73,7 +73,7 @@ class AdaptivePrecision:
         raise PrecisionError(f"{what}: {known}")
 
     def _reached(self, found: Sequence[arb]) -> int:
-        """How many digits all numbers have."""
+        """Return the number of digits that all numbers have."""
 
         def is_beyond(digits: int) -> bool:
             return not all(self.enough(value, digits) for value in found)
@@ -82,12 +82,12 @@ class AdaptivePrecision:
             return max(bisect(range(self.digits + 1), 0, key=is_beyond) - 1, 0)
 
     def check(self) -> None:
-        """TimeoutError where the time is over."""
+        """Raise TimeoutError where the time is over."""
         if self.end is not None and perf_counter() >= self.end:
             raise TimeoutError
 
     def _missing(self, value: arb) -> int:
-        """About how many bits more a number needs: 0 where it is good, as many again for none."""
+        """Return about how many more bits a number needs: 0 if good, twice as many if infinite."""
         if self.enough(value, self.digits):
             return 0
         if not value.is_finite() or value.contains(0):

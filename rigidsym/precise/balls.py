@@ -1,11 +1,11 @@
-"""Arb's balls as numbers: a precision that is always given back, and what is certain of a ball.
+"""Arb's balls: working precisions, conversions, and the digits that are certain of a ball.
 
-FLINT has one working precision for the whole process, so work at another one holds a lock: threads
-of this project take turns, and processes do not mind.
+FLINT has one working precision for the whole process.  Work at another precision holds a lock, so
+threads of this project take turns; processes are independent.
 """
 
 import os
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
 from functools import lru_cache
@@ -17,25 +17,24 @@ from mpmath import mp, mpf
 
 from rigidsym.inputs import Number, Uncertain
 
-# What a ball is made of.
+# A ball can be made of any of these.
 Quantity = Number | int | arb
-
 
 _lock = RLock()
 BITS_PER_DIGIT = log2(10)
-# A ball around zero that has shrunk below 2^-4000 is taken for zero where digits are counted.
+# A ball around zero below this counts as zero when digits are counted.
 ZERO = arb(2) ** -4000
 
 
 @contextmanager
 def working(bits: int) -> Generator[None]:
-    """Work at a precision of so many bits, and leave the one that was found."""
+    """Work at a precision of so many bits, and restore the one before."""
     with _lock, ctx.workprec(bits):
         yield
 
 
 def _renew() -> None:
-    """A child of fork has one thread, and nobody to release a lock that another one held."""
+    """Renew the lock in a child of fork, where a thread that held it does not exist."""
     global _lock
     _lock = RLock()
 
@@ -45,12 +44,12 @@ if hasattr(os, "register_at_fork"):
 
 
 def bits_of(digits: int) -> int:
-    """Bits that hold so many decimal digits."""
+    """Return the bits that hold so many decimal digits."""
     return ceil(digits * BITS_PER_DIGIT)
 
 
 def ball(value: Quantity) -> arb:
-    """The ball of an exact or uncertain number, at the working precision."""
+    """Return the ball of an exact or uncertain number, at the working precision."""
     if isinstance(value, Uncertain):
         return ball(value.middle) + arb(0, ball(value.radius).upper())
     if isinstance(value, Fraction):
@@ -59,29 +58,35 @@ def ball(value: Quantity) -> arb:
 
 
 def difference(x: Number, y: Number) -> arb:
-    """x - y; exactly zero where exact numbers agree."""
+    """Return x - y; exactly zero where exact numbers agree."""
     if isinstance(x, Uncertain) or isinstance(y, Uncertain):
         return ball(x) - ball(y)
     return ball(x - y)
 
 
 def dyadic(value: arb) -> Fraction:
-    """The rational that the middle of a ball is."""
+    """Return the middle of a ball as a fraction."""
     mantissa, exponent = map(int, value.mid().man_exp())
     return mantissa * Fraction(2) ** exponent
 
 
+def unit(quaternion: Sequence[arb]) -> list[arb]:
+    """Return a quaternion divided by its norm, its components within [-1, 1]."""
+    length = sum((power(x, 2) for x in quaternion), arb(0)).sqrt()
+    return [(x / length).intersection(arb(0, 1)) for x in quaternion]
+
+
 def meeting(one: arb, other: arb) -> arb:
-    """What two balls have in common; the one that is finite, and the first where they are apart."""
+    """Return the intersection of two balls; the finite one, or the first of disjoint ones."""
     if not other.is_finite() or not one.overlaps(other):
         return one
     return one.intersection(other) if one.is_finite() else other
 
 
 def power(x: arb, exponent: int) -> arb:
-    """An integer power of a ball, whose square is not negative around zero.
+    """Return an integer power of a ball; even powers are not negative.
 
-    By products: FLINT's power of a ball centred at zero is no number.
+    It is computed by products: FLINT's power of a ball centred at zero is no number.
     """
     square = x * x
     if x.contains(0):
@@ -93,30 +98,30 @@ def power(x: arb, exponent: int) -> arb:
 
 
 def is_within(value: arb, digits: int) -> bool:
-    """Whether the radius is at most 10^-digits of max(1, |value|)."""
+    """Return True if the radius is at most 10^-digits of max(1, |value|)."""
     over = value.rad() * _power_of_ten(digits)
     return bool(over <= 1) or bool(over <= value.abs_lower())
 
 
 @lru_cache
 def _power_of_ten(digits: int) -> arb:
-    """Exactly, at any working precision."""
+    """Return 10^digits exactly, at any working precision."""
     return arb(10**digits)
 
 
 def has_digits(value: arb, digits: int) -> bool:
-    """Whether so many significant digits are certain, up to one unit in the last."""
+    """Return True if so many significant digits are certain, up to one unit in the last."""
     if value.contains(0):
         return bool(value.abs_upper() < ZERO)
     return bool(value.rad() * arb(10) ** digits <= value.abs_lower())
 
 
 def to_mpf(value: arb) -> mpf:
-    """The midpoint as an mpf, not rounded."""
+    """Return the midpoint as an mpf, not rounded."""
     return mp.make_mpf(value.mid()._mpf_)
 
 
 def of_mpf(value: mpf) -> arb:
-    """The ball of radius 0 around an mpf, not rounded."""
+    """Return the ball of radius 0 around an mpf, not rounded."""
     sign, mantissa, exponent, _ = value._mpf_
     return arb((fmpz(-mantissa if sign else mantissa), fmpz(exponent)))

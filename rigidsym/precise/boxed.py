@@ -1,4 +1,4 @@
-"""States of all motions whose inputs lie in a box: by the theorem of the mean, and by the flow."""
+"""States of all motions of a box of inputs: by the mean value theorem, and by the flow."""
 
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import contextmanager
@@ -9,32 +9,31 @@ from functools import cached_property
 from flint import arb
 
 from rigidsym.errors import InputError, PrecisionError, written
-from rigidsym.inputs import Number, is_uncertain
+from rigidsym.inputs import is_uncertain
 from rigidsym.precise.adaptive import AdaptivePrecision, TooUncertainError
 from rigidsym.precise.balls import is_within, working
 from rigidsym.precise.evaluation import State
-from rigidsym.precise.flowing import MOST_STEPS, Flowing, bits_for
+from rigidsym.precise.lohner import MOST_STEPS, FlowEnclosure, bits_for
 from rigidsym.precise.motion import PreciseMotion
-from rigidsym.precise.sensitivity.boxes import MeanStates
+from rigidsym.precise.regime import MotionInputs
+from rigidsym.precise.sensitivity.parts import MeanStates
 
 # Steps of the flow that take a fraction of a second.
 FEW_STEPS = 100
 
 
 @dataclass(frozen=True)
-class BoxedMotion:
-    """Motions: inertia (3), body rates (3), attitude (4), some of these numbers uncertain."""
-
-    inertia: tuple[Number, ...]
-    omega0: tuple[Number, ...]
-    attitude0: tuple[Number, ...]
+class BoxedMotion(MotionInputs):
+    """All motions of a box of inputs, some of which are uncertain."""
 
     def enclosures(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
-        """(q, omega) at each time as balls: by the theorem of the mean, over parts of the box
-        where it has to be, and by the flow where that does not serve all of the box.  Rates that
-        are constant in all of the box have formulas of their own.
+        """Yield (q, omega) at each time as balls.
+
+        They follow from the mean value theorem, over parts of the box if necessary, and from the
+        flow where that has no enclosure of some part.  Rates that are constant in all of the box
+        have formulas of their own.
 
         Raises PrecisionError where `max_seconds` for all times are over.
         """
@@ -57,9 +56,9 @@ class BoxedMotion:
     def mean_values(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
-        """The same by the theorem of the mean alone.
+        """Yield (q, omega) at each time by the mean value theorem alone.
 
-        Raises PrecisionError where it says nothing.
+        Raises PrecisionError where it gives no enclosure.
         """
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
@@ -73,7 +72,7 @@ class BoxedMotion:
     def sensitivities(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[list[arb]]:
-        """At each time (q, omega) and what `sensitivity.point.listed` lists, of all motions.
+        """Yield (q, omega) and the numbers of `sensitivity.columns.listed` at each time.
 
         Raises PrecisionError where they are too uncertain.
         """
@@ -87,7 +86,7 @@ class BoxedMotion:
     def flows(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
     ) -> Iterator[State]:
-        """The same by the flow alone."""
+        """Yield (q, omega) at each time by the flow alone."""
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
             yield self._by_flow(precision, time)
@@ -96,10 +95,14 @@ class BoxedMotion:
         self, precision: AdaptivePrecision, time: Fraction, most: int = MOST_STEPS
     ) -> State:
         with _saying(time):
-            return self._flowing(precision).state(time, precision.check, most)
+            bits = bits_for(self, precision.digits)
+            if bits not in self._flows:
+                self._flows.clear()
+                self._flows[bits] = FlowEnclosure(self, bits, precision.check)
+            return self._flows[bits].state(time, precision.check, most)
 
     def _by_regime(self, precision: AdaptivePrecision, time: Fraction) -> State | None:
-        """By the formulas of constant rates; None where they do not hold for all of the box."""
+        """Return the state by constant rates; None where the rates of some motion change."""
         try:
             return self._steady.read(precision, time) if self._steady else None
         except TooUncertainError:
@@ -114,7 +117,7 @@ class BoxedMotion:
             return None
 
     def _by_mean_values(self, digits: int) -> MeanStates:
-        bits = self._bits(digits)
+        bits = bits_for(self, digits)
         if bits not in self._means:
             self._means.clear()
             self._means[bits] = MeanStates(self.inertia, self.omega0, self.attitude0, bits)
@@ -124,30 +127,20 @@ class BoxedMotion:
         reason = self._by_mean_values(digits).reason
         return TooUncertainError(f"t = {written(time)}: {reason}")
 
-    def _flowing(self, precision: AdaptivePrecision) -> Flowing:
-        """The flow at a precision for so many digits, with the steps it has made."""
-        bits = self._bits(precision.digits)
-        if bits not in self._kept:
-            self._kept.clear()
-            given = self.inertia, self.omega0, self.attitude0
-            self._kept[bits] = Flowing(*given, bits, precision.check)
-        return self._kept[bits]
-
-    def _bits(self, digits: int) -> int:
-        return bits_for((self.inertia, self.omega0, self.attitude0), digits)
-
     @cached_property
-    def _kept(self) -> dict[int, Flowing]:
+    def _flows(self) -> dict[int, FlowEnclosure]:
+        """The flow at the last precision, with the steps it has made."""
         return {}
 
     @cached_property
     def _means(self) -> dict[int, MeanStates]:
+        """The mean value form at the last precision."""
         return {}
 
 
 @contextmanager
 def _saying(time: Fraction) -> Generator[None]:
-    """Where the time is over, at which state that was."""
+    """Name the time of the state where the limit of seconds is over."""
     try:
         yield
     except TimeoutError:

@@ -1,7 +1,8 @@
 """Cost and accuracy of the methods, against digits and against the distance from the separatrix.
 
-Seconds are medians: a motion's set-up with its first state, and one more state.  The error bounds
-that of the seven midpoints, by balls of a reference to more digits; the radius is the largest.
+Seconds are medians: of a motion's set-up with its first state, and of one more state.  The error
+is an upper bound for the seven midpoints, by balls of a reference method to more digits.  The
+radius is the largest of the seven.
 """
 
 import json
@@ -19,7 +20,8 @@ from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.io.cases import Case
 from rigidsym.precise.balls import bits_of, of_mpf, to_mpf, working
-from rigidsym.precise.motion import ESTIMATED, METHODS, Inputs, PreciseMotion
+from rigidsym.precise.motion import ESTIMATED, METHODS, PreciseMotion
+from rigidsym.precise.regime import ExactInputs
 from rigidsym.precise.taylor import integrate
 from rigidsym.view.svg import Panel, svg
 
@@ -42,7 +44,7 @@ Numbers = list[arb]
 
 @dataclass(frozen=True, slots=True)
 class Measurement:
-    """What one method took for one state, and how good that is; None where it was not run."""
+    """The time that one method took for a state, and its error; None where it was not run."""
 
     method: str
     digits: int
@@ -53,7 +55,7 @@ class Measurement:
     radius: str | None = None
 
     def row(self, place: str) -> tuple[str, ...]:
-        """One line of a table, about something."""
+        """Return the cells of a table row that begins with `place`."""
         if self.seconds is None:
             return place, self.method, "not run", "", "", ""
         first, more = map(_milliseconds, (self.seconds, self.seconds_more or self.seconds))
@@ -62,7 +64,7 @@ class Measurement:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """The measurements; without a separatrix the body has no second half."""
+    """The measurements; none by distance for a body without a separatrix."""
 
     motion: dict[str, list[str]]
     neighbour: dict[str, list[str]] | None
@@ -72,7 +74,7 @@ class Comparison:
 
     @property
     def conclusion(self) -> str:
-        """What was found, in a sentence: who is quickest at each number of digits."""
+        """A sentence that names the quickest method at each number of digits."""
         found: dict[int, Measurement] = {}
         for one in self.by_digits:
             before = found.get(one.digits)
@@ -82,11 +84,11 @@ class Comparison:
         return f"The cheapest for one more state, by digits: {', '.join(each)}."
 
     def to_json(self) -> str:
-        """The schema rigidsym.methods/1."""
+        """Return the comparison as JSON in the schema rigidsym.methods/1."""
         return json.dumps({"schema": SCHEMA, **asdict(self)}, indent=1) + "\n"
 
     def to_svg(self) -> str:
-        """Seconds and errors against digits, and against the distance where that is not zero."""
+        """Return plots of seconds and errors by digits, and by distances that are not zero."""
         near = [m for m in self.by_distance if m.distance != "0"]
         halves = [
             ("by digits", "digits", self.by_digits),
@@ -110,7 +112,7 @@ def compare(
     digits: Sequence[int] = DIGITS,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> Comparison:
-    """All methods on the motion of a case at its last time, and on motions near a separatrix.
+    """Compare all methods on a case's motion at its last time, and on motions near a separatrix.
 
     Raises InputError for uncertain numbers and where there is no time.
     """
@@ -135,7 +137,7 @@ def compare(
 
 
 def _measure(
-    motion: Inputs, time: Fraction, digits: int, distance: str | None
+    motion: ExactInputs, time: Fraction, digits: int, distance: str | None
 ) -> Iterator[Measurement]:
     reference = next(_states(REFERENCE, motion, [time], digits + MORE_DIGITS))
     times = [time, time * SECOND_TIME]
@@ -151,11 +153,11 @@ def _measure(
 
 
 def _states(
-    method: str, motion: Inputs, times: Sequence[Fraction], digits: int
+    method: str, motion: ExactInputs, times: Sequence[Fraction], digits: int
 ) -> Iterator[Numbers]:
-    """Seven numbers for each time, as balls; those of mpmath and of the series have no radius.
+    """Yield seven balls for each time; those of mpmath and of the series have no radius.
 
-    The series are summed for the first time only: they have no set-up.
+    The series have no set-up, so they are summed for the first time only.
     """
     if method == "taylor":
         numbers = [x for part in integrate(*motion, times[0], digits) for x in part]
@@ -168,15 +170,15 @@ def _states(
     yield from ([*q, *w] for q, w in precise.enclosures(times, digits))
 
 
-def _is_quick(method: str, motion: Inputs, time: Fraction, digits: int) -> bool:
+def _is_quick(method: str, motion: ExactInputs, time: Fraction, digits: int) -> bool:
     if method == "taylor":
         radians = abs(time) * max(map(abs, motion[1]))
         return digits**2 * radians <= TAYLOR_WORK
     return method != "quadrature" or digits <= QUADRATURE_DIGITS
 
 
-def _serves(method: str, motion: Inputs) -> bool:
-    """Whether the motion is one that the method is for."""
+def _serves(method: str, motion: ExactInputs) -> bool:
+    """Return True if the method serves the motion's regime."""
     try:
         if method in ESTIMATED:
             PreciseMotion(*motion, method).start(1)
@@ -186,7 +188,7 @@ def _serves(method: str, motion: Inputs) -> bool:
 
 
 def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None, Numbers]:
-    """The first numbers, and medians of a few repetitions, fewer where they are long."""
+    """Return medians of the seconds of some repetitions, fewer of long ones, and the numbers."""
     first: list[float] = []
     more: list[float] = []
     while True:
@@ -202,8 +204,8 @@ def _timed(states: Callable[[], Iterator[Numbers]]) -> tuple[float, float | None
 
 def _family(
     inertia: Sequence[Fraction], omega0: Sequence[Fraction], attitude0: Sequence[Fraction]
-) -> list[tuple[str, Inputs]]:
-    """Motions whose rate about one axis is off the separatrix by parts of itself, the last on it.
+) -> list[tuple[str, ExactInputs]]:
+    """Return motions whose rate about one axis is off the separatrix by parts of itself.
 
     The separatrix is c_a (c_a - c_b) Omega_a^2 = c_d (c_b - c_d) Omega_d^2, and seldom has
     rational points; it has them once the middle moment c_b is moved in its twelfth digit or so.
@@ -225,7 +227,7 @@ def _family(
 
 
 def _root(value: Fraction) -> Fraction:
-    """The square root to twelve digits or so."""
+    """Return the square root to about twelve digits."""
     context = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
     return Fraction(context.sqrt(Decimal(inputs.decimal(value, 15))))
 
@@ -267,7 +269,7 @@ def _shown(motion: Sequence[Sequence[Fraction]]) -> dict[str, list[str]]:
 
 
 def _exactly(value: Fraction) -> str:
-    """A decimal where that is exact and short, else a fraction."""
+    """Return a decimal where that is exact and short, else a fraction."""
     text = inputs.decimal(value, 17)
     if Fraction(text) == value:
         return text

@@ -1,56 +1,43 @@
 """The formulas of the solution with the constants of one motion at one precision.
 
-Numbers are balls, or whatever else the functions and `number` make of exact ones.
+Numbers are balls, or any other kind that the functions and `number` compute with.
 """
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from itertools import chain
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Generic, TypeVar
 
 from flint import arb
 
 from rigidsym import inputs
-from rigidsym.inputs import Number
 from rigidsym.language.sequence import FormulaSequence
-from rigidsym.precise.apart import Asked, Sensitive
-from rigidsym.precise.sensitivity.point import Point
+from rigidsym.precise.regime import MotionInputs
+from rigidsym.precise.sensitivity.columns import Point
 from rigidsym.solution.formulas import AXES, sequence
-from rigidsym.solution.polhode import Polhode, Regime
+from rigidsym.solution.polhode import Regime
 
 State = tuple[list[arb], list[arb]]
-# The numbers of an evaluation, and what formulas have of them: exact ones too.
+# A number of an evaluation.
 Value = TypeVar("Value")
-# m and 1 - m where the regime says them, however uncertain the rates are.
+# m and 1 - m where they follow from the regime, however uncertain the rates are.
 PARAMETER = {Regime.SYMMETRIC: {"m": 0, "m_1": 1}, Regime.SEPARATRIX: {"m": 1, "m_1": 0}}
 
 _OF_PERIODS = ("period", "psi_mean", "Omega_mean")
 _BY_THETA = ("theta", "theta_state", "pull_back")
 
 
-class Given(Protocol):
-    """A motion as it is given, rationals or uncertain numbers, and its kind."""
+@dataclass(frozen=True, slots=True)
+class Sensitive:
+    """A request for the state at a time and its sensitivities."""
 
-    @property
-    def inertia(self) -> tuple[Number, ...]:
-        """Principal moments (3,)."""
-        ...
+    time: Fraction
 
-    @property
-    def omega0(self) -> tuple[Number, ...]:
-        """Body rates at t = 0 (3,)."""
-        ...
 
-    @property
-    def attitude0(self) -> tuple[Number, ...]:
-        """Attitude at t = 0 (4,), of any length but zero."""
-        ...
-
-    @property
-    def polhode(self) -> Polhode:
-        """Regime and axes."""
-        ...
+# A request: for the state at a time, for that with sensitivities, or for constants by name.
+Request = Fraction | Sensitive | tuple[str, ...]
 
 
 def exactly(
@@ -59,7 +46,7 @@ def exactly(
     functions: Mapping[str, Any],
     number: Callable[[Any], Any],
 ) -> dict[str, Any]:
-    """Every formula; exactly, as long as all it uses is rational."""
+    """Return every quantity, rational as long as all that its formula uses is."""
 
     def of(function: Callable[..., Any]) -> Callable[..., Any]:
         return lambda *arguments: function(*map(number, arguments))
@@ -73,14 +60,14 @@ def exactly(
 
 
 class Evaluation(Generic[Value]):
-    """One motion at the working precision, by the table of functions of a method.
+    """A motion at the working precision, by the table of functions of a method.
 
-    `functions` that include theta_4 make it the theta form, wherever that exists: it knows
-    neither the separatrix nor symmetric bodies.  `number` makes one of theirs of any number.
+    With theta_4 among the functions it is computed by the theta form, wherever that exists: neither
+    on the separatrix nor for symmetric bodies.  `number` converts any number to their kind.
     """
 
     def __init__(
-        self, given: Given, functions: Mapping[str, Any], number: Callable[[Any], Value]
+        self, given: MotionInputs, functions: Mapping[str, Any], number: Callable[[Any], Value]
     ) -> None:
         self.given, self.functions, self.number = given, functions, number
         regime = given.polhode.regime
@@ -89,25 +76,24 @@ class Evaluation(Generic[Value]):
         norm = functions["sqrt"](sum(x * x for x in quaternion))
         self.start = [x / norm for x in quaternion], list(map(number, given.omega0))
 
-    def numbers(self, asked: Asked) -> list[Value]:
-        """The seven numbers of the state at a time, with sensitivities if balls are asked for them;
-        or constants by their names."""
-        if isinstance(asked, tuple):
-            return [self.constant(name) for name in asked]
-        if isinstance(asked, Sensitive):
-            q, omega = self.state(asked.time)
-            return [*q, *omega, *self._point.at(asked.time, q)]
-        return [*chain(*self.state(asked))]
+    def numbers(self, request: Request) -> list[Value]:
+        """Return the seven numbers of a state, the sensitivities after them, or constants."""
+        if isinstance(request, tuple):
+            return [self.constant(name) for name in request]
+        if isinstance(request, Sensitive):
+            q, omega = self.state(request.time)
+            return [*q, *omega, *self._point.at(request.time, q)]
+        return [*chain(*self.state(request))]
 
     def state(self, time: Fraction) -> tuple[list[Value], list[Value]]:
-        """(q, omega) at one time; the given state itself at t = 0."""
+        """Return (q, omega) at one time; at t = 0 the given state itself."""
         regime = self.given.polhode.regime
         if time == 0 or regime == Regime.REST:
             return self.start
         return self._steady(time) if regime.steady else self._moving(self.number(time))
 
     def constant(self, name: str) -> Value:
-        """One constant of the motion, or of its periods where m_c is not 1 and the rates move."""
+        """Return a constant of the motion, or of its periods where the rates change and m_c < 1."""
         if name in _OF_PERIODS:
             return self._periods[name]
         return self.number(self._computed(frozenset([name]))[name])
@@ -126,7 +112,7 @@ class Evaluation(Generic[Value]):
 
     @cached_property
     def _exact(self) -> dict[str, Any]:
-        """What the formula sequences of a state need of it."""
+        """The constants that the formula sequences of a state need."""
         wanted = [sequence(n).used for n in (_BY_THETA if self.by_theta else ("state",))]
         return self._computed(frozenset().union(*wanted))
 
@@ -139,11 +125,12 @@ class Evaluation(Generic[Value]):
             begin |= {f"c_{x}": given.inertia[k], f"Omega_{x}": given.omega0[k]}
             begin |= {f"q_{x}": vector[k]}
         known = {**signs, **begin, **PARAMETER.get(polhode.regime, {})}
-        return self._exactly(sequence("constants").up_to(wanted), known)
+        formulas = sequence("constants").up_to(wanted)
+        return exactly(formulas, known, self.functions, self.number)
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
-        """The constants as numbers of this kind, with what the theta form adds to it."""
+        """The constants as numbers of this kind, with those of the theta form."""
         constants = {
             name: value if isinstance(value, int) else self.number(value)
             for name, value in self._exact.items()
@@ -151,7 +138,7 @@ class Evaluation(Generic[Value]):
         if not self.by_theta:
             return constants
         constants |= sequence("theta").evaluate(constants, self.functions)
-        # psi of the theta form does not start at zero: the quaternion in front has to make up.
+        # psi of the theta form does not start at zero; the quaternion in front makes up for it.
         identity = {"p_0": 1, "p_a": 0, "p_b": 0, "p_d": 0}
         begin = sequence("theta_state").evaluate(
             {**constants, **identity, "t": self.number(0)}, self.functions
@@ -159,10 +146,6 @@ class Evaluation(Generic[Value]):
         start = {f"q_{x}": constants[f"q_{x}"] for x in ("0", *AXES)}
         front = sequence("pull_back").evaluate({**begin, **start}, self.functions)
         return constants | {name: front[name] for name in identity}
-
-    def _exactly(self, formulas: FormulaSequence, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Every formula; exactly, as long as all it uses is rational."""
-        return exactly(formulas, values, self.functions, self.number)
 
     def _moving(self, time: Value) -> tuple[list[Value], list[Value]]:
         formulas = sequence("theta_state" if self.by_theta else "state")
@@ -176,5 +159,6 @@ class Evaluation(Generic[Value]):
     def _steady(self, time: Fraction) -> tuple[list[Value], list[Value]]:
         rates = {f"Omega{k + 1}": x for k, x in enumerate(self.given.omega0)}
         begin = {f"p{k}": x for k, x in enumerate(self.start[0])}
-        known = self._exactly(sequence("steady"), {**rates, **begin, "t": time})
+        given = {**rates, **begin, "t": time}
+        known = exactly(sequence("steady"), given, self.functions, self.number)
         return [self.number(known[f"q{k}"]) for k in range(4)], self.start[1]

@@ -1,6 +1,7 @@
-"""The flow of the equations of motion over a box, and its derivative: Taylor series with remainder.
+"""Euler's equations over a box: bounds of the rates at all times, and the flow by Taylor series.
 
-The unknowns are y = (w, p), rates and the turn since t = 0 as a quaternion:
+Energy and momentum bound the rates in every regime (`rate_bounds`).  The flow has the unknowns
+y = (w, p), rates and the turn since t = 0 as a quaternion:
 
     w_i' = k_i w_j w_k,  (i, j, k) = (1, 2, 3) and round;     p' = p (0, w)/2,
 
@@ -12,20 +13,57 @@ ever reach, times step^N; that of V, by the chain rule, also times V itself.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 
 from flint import arb, arb_mat
 
-from rigidsym.precise.balls import power
+from rigidsym.inputs import Number
+from rigidsym.precise.balls import ball, difference, power
 
 RATES, SIZE, COLUMNS = 3, 7, 10
 LONGEST = 8
-# Of p (0, w): for each component sign, component of p, component of w.
+# How often the bound of a rate is passed on to the others.
+PASSES = 3
+# The components of p (0, w): sign, component of p and component of w of each term.
 _PRODUCT = (
     ((-1, 1, 0), (-1, 2, 1), (-1, 3, 2)),
     ((1, 0, 0), (1, 2, 2), (-1, 3, 1)),
     ((1, 0, 1), (1, 3, 0), (-1, 1, 2)),
     ((1, 0, 2), (1, 1, 1), (-1, 2, 0)),
 )
+
+
+def euler_factor(inertia: Sequence[Number], k: int) -> arb:
+    """Return (c_i - c_j)/c_k of Euler's equations."""
+    return difference(inertia[k - 2], inertia[k - 1]) / ball(inertia[k])
+
+
+def rate_bounds(inertia: Sequence[arb], factors: Sequence[arb], omega: Sequence[arb]) -> list[arb]:
+    """Return balls that contain the rates (3) at every time, for all bodies and rates in the balls.
+
+    By Euler's equations Omega_i^2 changes at the rate 2 k_i Omega_1 Omega_2 Omega_3, where k_i are
+    the `factors` (3), so Omega_i^2 - (k_i/k_j) Omega_j^2 is constant.  Bounds of one rate give
+    bounds of the others; the first ones follow from the energy.  They are kept as two ends: the
+    radius of a ball would blur small ones.
+    """
+    start = [power(w, 2) for w in omega]
+    energy = sum((c * s for c, s in zip(inertia, start, strict=True)), arb(0))
+    ends = [(arb(0), (energy / c).upper()) for c in inertia]
+    for i, j in list(permutations(range(3), 2)) * PASSES:
+        linked = [start[i] + factors[i] / factors[j] * (end - start[j]) for end in ends[j]]
+        if all(square.is_finite() for square in linked):
+            low, high = ends[i]
+            least, most = min(x.lower() for x in linked), max(x.upper() for x in linked)
+            ends[i] = low.max(least), high.min(most)
+    return [_root_between(*squares, w) for squares, w in zip(ends, omega, strict=True)]
+
+
+def _root_between(low: arb, high: arb, start: arb) -> arb:
+    """Return the numbers with squares between these, of one sign where these exclude zero."""
+    most = high.max(0).sqrt().upper()
+    if not low > 0:
+        return arb(0, most)
+    return (low.sqrt().union(most)) if start > 0 else (-low.sqrt()).union(-most)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,28 +89,28 @@ class Flow:
         terms: int,
         tick: Callable[[], None] = lambda: None,
     ) -> "Flow":
-        """With the largest of the first coefficients that are cut off."""
+        """Return the series, with the largest of the first coefficients that are cut off."""
         series, columns = _derivatives(factors, tube, terms + 1, tick)
         rows = [sum(map(abs, row), arb(0)) for row in columns[-1].tolist()]
         return cls(factors, starts, tube, terms, tick, max_of([*rows, *series[-1].entries()]))
 
     def step(self, bits: int) -> arb:
-        """A time after which about so many bits are right."""
+        """Return a time after which about so many bits are right."""
         return (arb(2) ** -bits / self.cut).root(self.terms).min(LONGEST)
 
     def moved(self, factors: Sequence[arb], y: arb_mat, step: arb) -> arb_mat:
-        """y (7, 1) after a step of time, of all starts in the box y and of all such factors."""
+        """Return y (7, 1) after a step, for all starts in the box y and all such factors."""
         return _summed(
             _series(factors, y, self.terms, self.tick)[0], step, self._remainder(y, step)
         )
 
     def derivative(self, y: arb_mat, step: arb) -> arb_mat:
-        """(7, 10): how that changes with y and with the factors, at all starts in the box y."""
+        """Return the derivatives (7, 10) of that by y and the factors, for all starts in y."""
         columns = _derivatives(self.factors, y, self.terms, self.tick)[1]
         return _summed(columns, step, self._remainder(y, step))
 
     def _remainder(self, y: arb_mat, step: arb) -> arb:
-        """The bound of what is cut off; infinite for starts outside of the box.
+        """Return the bound of the terms that are cut off; infinite for starts outside of the box.
 
         |dw/dw_0| <= e, |dw/dk| <= w^2 h e, |dp/dp_0| = 1, |dp/dw_0| <= p h e/2 and |dp/dk| <=
         p w^2 h^2 e/2 after a time h, where e = exp(2 k w h): their rates say so, by Gronwall.
@@ -88,9 +126,9 @@ class Flow:
 def _derivatives(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """The coefficients of y, and those of V."""
+    """Return the coefficients of y, and those of V."""
     series, slopes = _series(factors, y, terms, tick)
-    columns = [arb_mat(SIZE, COLUMNS, [int(i == j) for i in range(SIZE) for j in range(COLUMNS)])]
+    columns = [arb_mat(SIZE, COLUMNS, 1)]
     for n in range(terms - 1):
         tick()
         products = (slopes[i] * columns[n - i] for i in range(n + 1))
@@ -101,7 +139,7 @@ def _derivatives(
 def _series(
     factors: Sequence[arb], y: arb_mat, terms: int, tick: Callable[[], None]
 ) -> tuple[list[arb_mat], list[arb_mat]]:
-    """The coefficients of y, and A of each of them."""
+    """Return the coefficients of y, and A of each of them."""
     series, slopes = [y], [_slope(factors, y)]
     for n in range(terms - 1):
         tick()
@@ -112,7 +150,7 @@ def _series(
 
 
 def _slope(factors: Sequence[arb], y: arb_mat) -> arb_mat:
-    """A(y) (7, 7)."""
+    """Return A(y) (7, 7)."""
     w, p = y.entries()[:RATES], y.entries()[RATES:]
     slope = [[arb(0)] * SIZE for _ in range(SIZE)]
     for i, factor in enumerate(factors):
@@ -125,7 +163,7 @@ def _slope(factors: Sequence[arb], y: arb_mat) -> arb_mat:
 
 
 def multiplied(q: Sequence[arb]) -> arb_mat:
-    """The matrix (7, 7) that leaves the rates and makes q p of a turn p."""
+    """Return the matrix (7, 7) that keeps the rates and maps a turn p to q p."""
     matrix = [[arb(int(i == j)) for j in range(SIZE)] for i in range(SIZE)]
     for part, row, products in zip(q, matrix[RATES:], _PRODUCT, strict=True):
         row[RATES:] = [part, *[arb(0)] * 3]
@@ -135,7 +173,7 @@ def multiplied(q: Sequence[arb]) -> arb_mat:
 
 
 def _by_factors(series: Sequence[arb_mat], n: int) -> arb_mat:
-    """The n-th coefficients of w_j w_k, in the columns of the factors."""
+    """Return the n-th coefficients of w_j w_k, in the columns of the factors."""
     direct = arb_mat(SIZE, COLUMNS)
     for i in range(RATES):
         j, k = (i + 1) % 3, (i + 2) % 3
@@ -146,7 +184,7 @@ def _by_factors(series: Sequence[arb_mat], n: int) -> arb_mat:
 
 
 def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
-    """The polynomial in the step, and the remainder around every entry."""
+    """Return the polynomial in the step, with the remainder added to the radius of every entry."""
     value = terms[-1]
     for term in reversed(terms[:-1]):
         value = value * step + term
@@ -155,12 +193,12 @@ def _summed(terms: Sequence[arb_mat], step: arb, remainder: arb) -> arb_mat:
 
 
 def norm(values: Sequence[arb]) -> arb:
-    """An upper bound of Euclid's norm."""
+    """Return an upper bound of Euclid's norm."""
     return sum((power(x, 2) for x in values), arb(0)).upper().sqrt().upper()
 
 
 def max_of(values: Sequence[arb]) -> arb:
-    """An upper bound of their sizes."""
+    """Return an upper bound of the absolute values."""
     first, *others = (abs(x).upper() for x in values)
     for other in others:
         first = first.max(other)

@@ -1,6 +1,6 @@
-"""What characterises a motion as a whole, in doubles: energy, momentum, periods, angles.
+"""Quantities of a whole motion in doubles: energy, momentum, periods, angles.
 
-The same quantities as expressions are those of `motion.symbolic().quantities`.
+The same quantities as expressions are in `motion.symbolic().quantities`.
 """
 
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from rigidsym.inputs import decimal
 from rigidsym.precise.motion import PreciseMotion
 from rigidsym.solution.polhode import Regime
 
-# Of each constant, so that what is made of them is right as a double.
+# Digits of each constant, so that results are right as doubles.
 _DIGITS = 20
 _CONTEXT = Context(prec=_DIGITS, Emax=MAX_EMAX, Emin=MIN_EMIN)
 _AMPLITUDES = ("A_a", "A_b", "A_d", "k_c")
@@ -21,7 +21,7 @@ _AMPLITUDES = ("A_a", "A_b", "A_d", "k_c")
 
 @dataclass(frozen=True)
 class Quantities:
-    """Of a motion whose numbers are exact; SI units and radians.
+    """Quantities of a motion whose numbers are exact; SI units and radians.
 
     Raises InputError where a number is uncertain.
     """
@@ -63,13 +63,15 @@ class Quantities:
 
     @cached_property
     def precession_rate(self) -> float | None:
-        """At which the attitude turns about the momentum, on the average over a period, rad/s; None
-        on the separatrix."""
+        """The mean rate of the attitude's turn about the momentum over a period, rad/s.
+
+        None on the separatrix.
+        """
         if self._steady:
             return _root(sum(w * w for w in self.motion.exact[1]))
         if self._separatrix:
             return None
-        # No nodding, no part of it: J_c is 0/0 there.
+        # A symmetric body does not nod, and J_c is 0/0.
         symmetric = self.motion.polhode.regime == Regime.SYMMETRIC
         return self._constant("psi_0" if symmetric else "psi_mean")
 
@@ -77,7 +79,7 @@ class Quantities:
     def mean_rates(self) -> tuple[float, float, float]:
         """The body rates averaged over a period, rad/s; over all times on the separatrix.
 
-        That about the circulation axis alone has a mean, unless all are constant.
+        Only the mean about the circulation axis differs from zero, unless all are constant.
         """
         if self._steady:
             first, second, third = map(float, self.motion.exact[1])
@@ -91,7 +93,7 @@ class Quantities:
 
     @property
     def circulation_rate(self) -> float | None:
-        """2 pi/period, rad/s: at which the momentum goes round in the body, on the average.
+        """The mean rate 2 pi/period of the momentum's circulation in the body, rad/s.
 
         Zero on the separatrix, None where the rates are constant.
         """
@@ -99,9 +101,9 @@ class Quantities:
 
     @property
     def phase_per_period(self) -> float | None:
-        """The angle about the momentum by which the attitude is off after a period, rad.
+        """The angle about the momentum that the attitude turns by in a period, rad.
 
-        Whole turns included; None without a period, and on the separatrix.
+        It includes whole turns.  None without a period, and on the separatrix.
         """
         rate, period = self.precession_rate, self.period
         return None if rate is None or period is None else rate * period
@@ -134,5 +136,5 @@ class Quantities:
 
 
 def _root(square: Fraction | int) -> float:
-    """The square root, whatever its exponent."""
+    """Return the square root, whatever its exponent."""
     return float(_CONTEXT.sqrt(Decimal(decimal(Fraction(square), _DIGITS))))

@@ -1,6 +1,6 @@
-"""By Taylor series of the equations of motion (3) and (5), without elliptic functions.
+"""States by Taylor series of the equations of motion (3) and (5), without elliptic functions.
 
-It shares no formula with the other methods, and its numbers are mpmath's, not balls.  Order and
+They share no formula with the other methods, and are mpmath's numbers, not balls.  Order and
 step are those of Jorba and Zou (Experimental Mathematics 14, 2005): at d digits an order of about
 d ln(10)/2 is cheapest, and the step is where the last two terms reach the tolerance.
 """
@@ -13,7 +13,7 @@ from mpmath import mpf
 from mpmath.ctx_mp import MPContext
 
 GUARD_DIGITS = 15
-# p' = p Omega/2 by components: of each, sign, component of p, component of Omega.
+# The components of p Omega: sign, component of p and component of Omega of each term.
 _KINEMATICS = (
     ((-1, 1, 0), (-1, 2, 1), (-1, 3, 2)),
     ((1, 0, 0), (1, 2, 2), (-1, 3, 1)),
@@ -29,7 +29,7 @@ def integrate(
     time: Fraction,
     digits: int = 40,
 ) -> tuple[list[mpf], list[mpf]]:
-    """(q, omega) at one time as mpf numbers, with errors about 10^-digits (1, |omega0|).
+    """Return (q, omega) at one time as mpf numbers, with errors about 10^-digits (1, |omega0|).
 
     The guard digits cover the instability of the middle axis for 30 rad or so.
     """
@@ -55,7 +55,7 @@ def integrate(
 def _rate_series(
     ctx: MPContext, factors: Sequence[mpf], w: Sequence[mpf], order: int
 ) -> list[list[mpf]]:
-    """Taylor coefficients of Omega: Omega_1' = (c_2 - c_3)/c_1 Omega_2 Omega_3, and round."""
+    """Return Taylor coefficients of Omega, by Omega_1' = (c_2 - c_3)/c_1 Omega_2 Omega_3, ..."""
     series = [[x] for x in w]
     for n in range(order):
         products = [ctx.fdot(series[k - 2], series[k - 1][::-1]) for k in range(3)]
@@ -67,7 +67,7 @@ def _rate_series(
 def _attitude_series(
     ctx: MPContext, q: Sequence[mpf], omega: Sequence[Sequence[mpf]], order: int
 ) -> list[list[mpf]]:
-    """Taylor coefficients of the quaternion, by those of the rates."""
+    """Return Taylor coefficients of the quaternion, by those of the rates."""
     series = [[x] for x in q]
     for n in range(order):
         turned = [x[n::-1] for x in omega]
@@ -80,7 +80,7 @@ def _attitude_series(
 
 
 def _step(ctx: MPContext, series: Sequence[Sequence[mpf]], tolerance: mpf) -> mpf:
-    """Where the last two terms are `tolerance` of the first, in the largest component."""
+    """Return the time at which the last two terms are `tolerance` times the first."""
     sizes = [max(map(abs, terms)) for terms in zip(*series, strict=True)]
     last = [(n, sizes[n]) for n in (len(sizes) - 2, len(sizes) - 1) if sizes[n]]
     return min((ctx.root(tolerance * sizes[0] / x, n) for n, x in last), default=ctx.inf)

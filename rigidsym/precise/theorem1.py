@@ -19,9 +19,9 @@ from typing import Any
 
 from rigidsym.errors import InputError
 from rigidsym.inputs import certain
-from rigidsym.precise.apart import Asked
-from rigidsym.precise.evaluation import Given, exactly
+from rigidsym.precise.evaluation import Request, exactly
 from rigidsym.precise.floating import CTX, Floating, Point, quarter_period
+from rigidsym.precise.regime import MotionInputs
 from rigidsym.solution import sines
 from rigidsym.solution.formulas import sequence
 
@@ -32,7 +32,7 @@ _ABD = ("0", "a", "b", "d")
 
 @dataclass(frozen=True, slots=True)
 class _Amplitude:
-    """am(u), by its u: what is asked of it is Pi, which u tells without a branch."""
+    """am(u), represented by u: formulas only need Pi of it, which has no branches in u."""
 
     u: Point
 
@@ -41,7 +41,7 @@ class _Lines(Floating):
     """sn, its inverse and Pi, on the real line and on those through +-K(mu) across it."""
 
     def table(self) -> dict[str, Any]:
-        """The functions of Theorem 1 by the names that formulas use."""
+        """Return the functions of Theorem 1 by the names that formulas use."""
         return {
             **super().table(),
             "jacobi_sn": self.sn,
@@ -51,13 +51,13 @@ class _Lines(Floating):
         }
 
     def sn(self, u: Point, mc: Point) -> Point:
-        """sn(u | 1 - mc)."""
+        """Return sn(u | 1 - mc)."""
         if CTX.im(u) == 0:
             return self._kept("sn", self._real, CTX.re(u), mc)[0]
         return CTX.sign(CTX.re(u)) / self._kept("dn", self._real, CTX.im(u), 1 - mc)[2]
 
     def third_kind(self, n: Point, u: Point, mc: Point) -> Point:
-        """Pi(n; am(u) | 1 - mc), and across the real line what it is more than at +-K."""
+        """Return Pi(n; am(u) | 1 - mc), and across the real line its excess over that of +-K."""
         if CTX.im(u) == 0:
             return self._real_third_kind(n, CTX.re(u), mc)
         y = CTX.im(u)
@@ -65,14 +65,14 @@ class _Lines(Floating):
         return CTX.mpc(0, y + n / (1 - n) * part)
 
     def _real(self, u: Point, mc: Point) -> tuple[Point, Point, Point]:
-        """sn, cn, dn, of m < 0 too."""
+        """Return sn, cn, dn, also for m < 0."""
         turns, v = self._reduced(u, mc)
         m, flip = CTX.fsub(1, mc, exact=True), -1 if turns % 2 else 1
         s, c, d = (CTX.re(CTX.ellipfun(kind, v, m=m)) for kind in ("sn", "cn", "dn"))
         return flip * s, flip * c, d
 
     def _real_third_kind(self, n: Point, u: Point, mc: Point) -> Point:
-        """Pi by R_J (DLMF 19.25.14), and by its complete value as often as u has passed 2 K."""
+        """Return Pi by R_J (DLMF 19.25.14), with twice its complete value for every 2 K in u."""
         turns, v = self._reduced(u, mc)
         s, c, d = self._real(v, mc)
         part = v + n * s**3 * CTX.elliprj(c * c, d * d, 1, 1 - n * s * s) / 3
@@ -80,11 +80,12 @@ class _Lines(Floating):
 
 
 def _complete(n: Point, mc: Point) -> Point:
+    """Return Pi(n | 1 - mc)."""
     return quarter_period(mc) + n * CTX.elliprj(0, mc, 1, 1 - n) / 3
 
 
 def _arcsn(s: Point, mc: Point) -> Point:
-    """The u with sn(u | 1 - mc) = s, real within +-1 and beyond it +-(K + i y), 0 <= y <= K'."""
+    """Return u with sn(u | 1 - mc) = s, real within +-1, beyond it +-(K + i y), 0 <= y <= K'."""
     s = CTX.re(s)
     if abs(s) <= 1:
         return s * CTX.elliprf(1 - s * s, 1 - (1 - mc) * s * s, 1)
@@ -98,9 +99,9 @@ def _number(value: Any) -> Any:
 
 
 class Theorem1:
-    """One motion at the working precision; raises InputError where the theorem does not hold."""
+    """A motion at the working precision; raises InputError where the theorem does not hold."""
 
-    def __init__(self, given: Given) -> None:
+    def __init__(self, given: MotionInputs) -> None:
         self.inertia = certain("inertia", given.inertia)
         self.omega0 = certain("omega0", given.omega0)
         self.polhode, self.functions = given.polhode, _Lines().table()
@@ -109,15 +110,15 @@ class Theorem1:
         norm = CTX.norm(quaternion)
         self.start = [x / norm for x in quaternion], [CTX.convert(x) for x in self.omega0]
 
-    def numbers(self, asked: Asked) -> list[Point]:
-        """The seven numbers of the state at a time."""
-        if not isinstance(asked, Fraction):
-            lacking = "constants of the regular form" if isinstance(asked, tuple) else "changes"
+    def numbers(self, request: Request) -> list[Point]:
+        """Return the seven numbers of the state at a time."""
+        if not isinstance(request, Fraction):
+            lacking = "constants of the regular form" if isinstance(request, tuple) else "changes"
             raise InputError("method", "'theorem1'", f"has no {lacking}")
-        return [*chain(*self.state(asked))]
+        return [*chain(*self.state(request))]
 
     def state(self, time: Fraction) -> tuple[list[Point], list[Point]]:
-        """(q, omega) at one time; the given state itself at t = 0."""
+        """Return (q, omega) at one time; at t = 0 the given state itself."""
         if time == 0:
             return self.start
         t = CTX.convert(time)
@@ -143,7 +144,7 @@ class Theorem1:
 
     @cached_property
     def _constants(self) -> dict[str, Any]:
-        """Those of phi1, which is by Omega1."""
+        """The constants of phi1, which depends on Omega1."""
         known: dict[str, Any] = {f"c{k + 1}": x for k, x in enumerate(self.inertia)}
         known |= {f"Omega{k + 1}": x for k, x in enumerate(self.omega0)}
         sine = self._sines[0]
@@ -152,7 +153,7 @@ class Theorem1:
         return {name: _number(value) for name, value in found.items()}
 
     def _by_angles(self, t: Point, rates: list[Point]) -> dict[str, Any]:
-        """The quaternion of (18), axes 1, 2, 3 being a, b, d."""
+        """Return the quaternion of (18), axes 1, 2, 3 being a, b, d."""
         known = {f"Omega{k + 1}": x for k, x in enumerate(rates)}
         known |= {"side": -1 if rates[2] < 0 else 1, "t": t}
         formulas = sequence("theorem1_state")
@@ -168,7 +169,7 @@ class Theorem1:
         return {name: found[name] for name in (f"p_{x}" for x in _ABD)}
 
     def _flips(self, t: Point) -> int:
-        """How often Omega2 passes zero, which it does at arguments 2 n K, while Omega3 < 0."""
+        """Count the zeros of Omega2, at arguments 2 n K, while Omega3 < 0."""
         (a, *_), c, w, sine = self.polhode.axes, self.inertia, self.omega0, self._sines[1]
         if a == 1:
             return 0

@@ -22,7 +22,7 @@ from rigidsym.precise.taylor import integrate
 from rigidsym.solution.polhode import Regime, discriminant
 from rigidsym.validate.strata.sample import Numbers, Sample
 
-# Of `sensitivity.point.listed`: three numbers of the state change with nine inputs, three of them
+# Of `sensitivity.columns.listed`: three numbers of the state change with nine inputs, three of them
 # the attitude at t = 0, and with the time.
 _ROWS, _COLUMNS = 3, 9
 _BLOCK = _ROWS * _COLUMNS

@@ -5,13 +5,13 @@ import time
 
 import pytest
 
-from rigidsym.precise import adaptive, apart
+from rigidsym.precise import adaptive, worker
 
 
 def _spent():
-    """Return the seconds that this process, its ended children and that of many digits took."""
+    """Return the seconds that this process, its ended children and the worker took."""
     own = os.times()
-    server = apart._server
+    server = worker._worker
     # The clock of another process, as clock_getcpuclockid(3) of Linux has it.
     live = time.clock_gettime(~server.process.pid << 3 | 2) if server else 0.0
     return own.user + own.system + own.children_user + own.children_system + live
@@ -20,6 +20,6 @@ def _spent():
 @pytest.fixture
 def processor_time(monkeypatch):
     """Return the clock by which `max_seconds` counts here: the time of processors."""
-    for module in (adaptive, apart):
+    for module in (adaptive, worker):
         monkeypatch.setattr(module, "perf_counter", _spent)
     return _spent

@@ -16,11 +16,9 @@ from flint import arb, fmpq
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.errors import PrecisionError
 from rigidsym.inputs import Uncertain, exact
-from rigidsym.precise import carlson
-from rigidsym.precise.amplitude import quarter_period
+from rigidsym.precise import functions
 from rigidsym.precise.balls import ball, has_digits, is_within, working
-from rigidsym.precise.landen import amplitude
-from rigidsym.precise.motion import METHODS
+from rigidsym.precise.functions import METHODS, amplitude, quarter_period
 from rigidsym.precise.taylor import integrate
 from rigidsym.validate.strata import STRATA, draw
 
@@ -231,7 +229,7 @@ def first_kind(phi, mc):
     rest = phi - turns * arb.pi()
     if 2 * rest > arb.pi():
         turns, rest = turns + 1, rest - arb.pi()
-    return 2 * turns * quarter_period(mc) + carlson.first_kind(rest, mc)[0]
+    return 2 * turns * quarter_period(mc) + functions.first_kind(rest, mc)[0]
 
 
 @needs_reference

@@ -10,9 +10,9 @@ from flint import arb, arb_mat, ctx
 from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.errors import PrecisionError
 from rigidsym.inputs import Uncertain
-from rigidsym.precise import flow, flowing
+from rigidsym.precise import flow, lohner
 from rigidsym.precise.balls import ball, working
-from rigidsym.precise.shells import shells
+from rigidsym.precise.flow import rate_bounds
 
 BODY = ("0.0109", "0.04", "0.0506")
 ATTITUDE = (1, 2, -3, "0.5")
@@ -153,14 +153,15 @@ def test_rates_of_a_tilted_spin_stay_certain_for_ever():
 
 
 @pytest.mark.parametrize("box", ["across the separatrix", "wide", "needle", "about rest"])
-def test_shells_hold_the_rates_of_all_times(box):
+def test_bounds_hold_the_rates_of_all_times(box):
     motion = TorqueFreeMotion(*BOXES[box], allow_nonphysical=True)
     with working(80):
         factors = [
             (ball(motion.inertia[k - 2]) - ball(motion.inertia[k - 1])) / ball(motion.inertia[k])
             for k in range(3)
         ]
-        limits = shells(list(map(ball, motion.inertia)), factors, list(map(ball, motion.omega0)))
+        moments, rates = (list(map(ball, x)) for x in (motion.inertia, motion.omega0))
+        limits = rate_bounds(moments, factors, rates)
     for point in points(motion, 6):
         exact = TorqueFreeMotion(*point, allow_nonphysical=True)
         for time in (1, 17, -333, "1e6"):
@@ -247,7 +248,7 @@ def test_radii_far_below_the_formulas_rounding_are_left_to_the_formulas():
     motion = TorqueFreeMotion(BODY, ("0.05 +/- 1e-300", "0.03", "-0.02"))
     q, omega = motion.enclose(3, 300)
     assert max(float(x.rad() * arb(10) ** 300) for x in (*q, *omega)) < 1e4
-    assert not motion._boxed._kept
+    assert not motion._boxed._flows
 
 
 def test_flow_is_for_uncertain_inputs():
@@ -263,6 +264,6 @@ def test_moments_that_may_be_zero_are_refused():
 
 
 def test_late_times_are_bounded_without_steps(monkeypatch):
-    monkeypatch.setattr(flowing, "MOST_STEPS", 3)
+    monkeypatch.setattr(lohner, "MOST_STEPS", 3)
     motion = TorqueFreeMotion(*BOXES["across the separatrix"])
     assert holds(numbers(motion.enclose(50, 15)), motion, 50, 3)

@@ -17,7 +17,7 @@ from flint import arb, ctx
 
 from rigidsym import InputError, TorqueFreeMotion, inputs
 from rigidsym.errors import PrecisionError
-from rigidsym.precise import METHODS, apart
+from rigidsym.precise import METHODS, worker
 from rigidsym.precise.balls import working
 from rigidsym.precise.motion import PreciseMotion
 
@@ -35,7 +35,7 @@ def is_same(value, back):
 @pytest.fixture(autouse=True)
 def _no_process_is_left():
     yield
-    apart.stop()
+    worker.stop()
 
 
 def given():
@@ -99,8 +99,9 @@ def test_interrupts_are_heard_and_leave_all_in_order():
 @pytest.mark.parametrize("method", METHODS)
 def test_the_other_process_says_the_same(method):
     motion = PreciseMotion(*given(), method)
-    for asked in (Fraction(1, 3), ("m", "m_1")):
-        here, there = motion.numbers_here(asked, 300), apart.numbers(motion, asked, 300, None)
+    for request in (Fraction(1, 3), ("m", "m_1")):
+        here = motion.numbers_here(request, 300)
+        there = worker.numbers(motion.numbers_here, request, 300)
         assert all(map(is_same, here, there))
 
 
@@ -109,7 +110,7 @@ def test_digits_beyond_the_quick_ones_come_from_elsewhere(monkeypatch):
     expected = motion.enclose("1/3", 300)
     monkeypatch.setattr(METHODS["theta"], "quick_bits", 100)
     again = TorqueFreeMotion(*PAPER).enclose("1/3", 300)
-    assert apart._server
+    assert worker._worker
     for a, b in zip((*expected[0], *expected[1]), (*again[0], *again[1]), strict=True):
         assert a.overlaps(b)
     TorqueFreeMotion(*PAPER).precise(1, 15)
@@ -118,38 +119,38 @@ def test_digits_beyond_the_quick_ones_come_from_elsewhere(monkeypatch):
 
 def test_few_digits_need_no_process():
     TorqueFreeMotion(*PAPER).precise(3, 4000)
-    assert apart._server is None
+    assert worker._worker is None
 
 
 def test_errors_over_there_are_errors_here():
     motion = PreciseMotion(*given(), "theta")
     with pytest.raises(KeyError):
-        apart.numbers(motion, ("no such constant",), 100, None)
+        worker.numbers(motion.numbers_here, ("no such constant",), 100)
 
 
 def test_a_process_that_dies_is_an_error_once():
     motion = PreciseMotion(*given(), "theta")
-    apart.numbers(motion, Fraction(1), 100, None)
-    assert apart._server
-    apart._server.process.kill()
-    apart._server.process.wait()
+    worker.numbers(motion.numbers_here, Fraction(1), 100)
+    assert worker._worker
+    worker._worker.process.kill()
+    worker._worker.process.wait()
     with pytest.raises((ChildProcessError, OSError)):
-        apart.numbers(motion, Fraction(1), 100, None)
-    assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
+        worker.numbers(motion.numbers_here, Fraction(1), 100)
+    assert len(worker.numbers(motion.numbers_here, Fraction(1), 100)) == 7
 
 
 def test_where_no_process_can_be_started_the_same_is_computed_here(monkeypatch):
     motion = PreciseMotion(*given(), "theta")
     monkeypatch.setattr(sys, "executable", "/no/such/python")
-    assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
+    assert len(worker.numbers(motion.numbers_here, Fraction(1), 100)) == 7
     monkeypatch.setattr(sys, "executable", "")
-    assert len(apart.numbers(motion, Fraction(1), 100, None)) == 7
-    assert apart._server is None
+    assert len(worker.numbers(motion.numbers_here, Fraction(1), 100)) == 7
+    assert worker._worker is None
 
 
 def in_child(digits):
     motion = PreciseMotion(*given(), "theta")
-    return [str(x) for x in apart.numbers(motion, Fraction(1), digits, None)]
+    return [str(x) for x in worker.numbers(motion.numbers_here, Fraction(1), digits)]
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
@@ -165,7 +166,7 @@ def test_threads_wait_for_their_turn():
     motion, found = PreciseMotion(*given(), "theta"), []
     times = [Fraction(k) for k in range(6)]
     threads = [
-        Thread(target=lambda t=t: found.append((t, apart.numbers(motion, t, 200, None))))
+        Thread(target=lambda t=t: found.append((t, worker.numbers(motion.numbers_here, t, 200))))
         for t in times
     ]
     for thread in threads:
@@ -183,7 +184,7 @@ def test_threads_wait_for_their_turn():
 @pytest.mark.parametrize("value", [arb.nan(), arb(0), arb(-3) / 7, arb(2, 1e-9), arb(2) ** 5000])
 def test_balls_travel_as_they_are(value):
     before = ctx.prec
-    back = apart._ball(pickle.loads(pickle.dumps(apart._parts(value))))
+    back = worker._ball(pickle.loads(pickle.dumps(worker._data_of(value))))
     assert value.is_nan() == back.is_nan()
     assert value.is_nan() or is_same(value, back)
     assert ctx.prec == before

@@ -5,7 +5,7 @@ V the matrix of these directions and any W, what inputs are off the part's middl
 
     d = W (V d) + (1 - W V) d,
 
-so that numbers have slopes by V d, which the slabs limit, and by d, which the box does.  W is the
+so numbers have slopes by V d, which the slabs limit, and by d, which the box limits.  W is the
 pseudoinverse of V: then (1 - W V) W = 0, and d may be taken from the middle of the whole box, where
 it is least.
 """
@@ -29,7 +29,7 @@ from rigidsym.precise.sensitivity.sloped import Sloped, power
 STILL = tuple(map(arb, (1, 0, 0, 0)))
 # Steps towards the slabs' middles and back into the box.
 _PROJECTIONS = 20
-# How often slabs are looked at; a share of theirs that says too little; room for rounding.
+# Passes over the slabs; the least share of an input that is used; room for rounding.
 _PASSES, _LEAST_SHARE, MARGIN = 2, 1e-3, 1e-9
 
 
@@ -47,8 +47,11 @@ class Slab:
 
 @dataclass(frozen=True)
 class Box:
-    """Inertia (3) and body rates (3), some of them uncertain, or what slabs leave of these; at the
-    working precision."""
+    """A box of inertia (3) and body rates (3), or its part within some slabs.
+
+    All numbers have the working precision.  The open inputs are the n uncertain ones.  The sides of
+    the part are its s slabs and the open inputs.
+    """
 
     inertia: tuple[Number, ...]
     omega0: tuple[Number, ...]
@@ -56,21 +59,21 @@ class Box:
 
     @cached_property
     def open(self) -> list[int]:
-        """Which of the `INPUTS` are uncertain; one at least, be it exact."""
+        """The indices of the uncertain `INPUTS`; the first one if all are exact."""
         return [k for k, x in enumerate(self._given) if radius(x)] or [0]
 
     @property
     def names(self) -> list[str]:
-        """The same by their names."""
+        """The names of the open inputs."""
         return [INPUTS[k] for k in self.open]
 
     @cached_property
     def limits(self) -> np.ndarray | None:
-        """Ends (n, 2) of what slabs leave of the open inputs, less the middles of the box and in
-        units of their radii; None for nothing.
+        """Ends (n, 2) of the open inputs in the part, less the middles of the box and in units of
+        their radii; None for an empty part.
 
-        By each slab an input can be no more than the others leave it.  `MARGIN` is far above what
-        doubles round here.
+        A slab and the ends of all other inputs limit each input.  `MARGIN` is far above the
+        rounding errors of doubles here.
         """
         ends = np.tile([-1.0, 1.0], (len(self.open), 1))
         for slab in self.slabs * _PASSES:
@@ -87,7 +90,7 @@ class Box:
 
     @cached_property
     def shift(self) -> list[Fraction]:
-        """How far the middle of the part is from that of the box (n), within what slabs leave."""
+        """The middle of the part less that of the box (n), within the ends."""
         if self.limits is None or not self.slabs:
             return [Fraction(0)] * len(self.open)
         found = self.limits.mean(axis=1)
@@ -100,7 +103,7 @@ class Box:
 
     @cached_property
     def inputs(self) -> arb_mat:
-        """The inputs (n, 1) less those of a middle, up to what only counts along the slabs."""
+        """The inputs (n, 1) less those of a middle, up to differences along the slabs."""
         off = arb_mat([[x] for x in self._left])
         if not self.slabs or self.limits is None:
             return off
@@ -112,12 +115,12 @@ class Box:
 
     @cached_property
     def radii(self) -> np.ndarray:
-        """Of the open inputs (n,), in doubles; infinite beyond these."""
+        """The radii of the open inputs (n,) in doubles; infinite beyond their range."""
         return np.array([_double(radius(self._given[k])) for k in self.open])
 
     @cached_property
     def _left(self) -> list[arb]:
-        """What slabs leave of the open inputs, less the middles of the box."""
+        """The open inputs of the part, less the middles of the box."""
         radii = [radius(self._given[k]) for k in self.open]
         if self.limits is None or not self.slabs:
             return [arb(0, ball(r).upper()) for r in radii]
@@ -130,23 +133,23 @@ class Box:
 
     @cached_property
     def along(self) -> arb_mat:
-        """What slabs leave of the inputs along their directions, from the part's middle (s, 1)."""
+        """The inputs along the directions of the slabs, from the part's middle (s, 1)."""
         shift = list(map(ball, self.shift))
         rows = []
         for slab in self.slabs:
             begin = sum((arb(g) * x for g, x in zip(slab.direction, shift, strict=True)), arb(0))
-            # With the middle itself: straight lines from it have to stay inside.
+            # The middle is included, as straight lines from it must stay inside.
             rows.append([(arb(slab.low) - begin).union(arb(slab.high) - begin).union(arb(0))])
         return arb_mat(rows) if rows else arb_mat(0, 1)
 
     @cached_property
     def sides(self) -> arb_mat:
-        """What numbers have slopes by (s + n, 1): along the slabs' directions, and inputs."""
+        """The variables of slopes (s + n, 1): along the slabs' directions, and the inputs."""
         return arb_mat([*self.along.tolist(), *self.inputs.tolist()])
 
     @cached_property
     def by_sides(self) -> arb_mat:
-        """(n, s + n): inputs less those of the part's middle, by the sides."""
+        """The inputs less those of the part's middle, as a matrix (n, s + n) of the sides."""
         if not self.slabs:
             return self._across
         rows = zip(self._back.tolist(), self._across.tolist(), strict=True)
@@ -155,8 +158,7 @@ class Box:
     @cached_property
     def _across(self) -> arb_mat:
         """1 - W V (n, n)."""
-        count = len(self.open)
-        unit = arb_mat(count, count, [int(i == j) for i in range(count) for j in range(count)])
+        unit = arb_mat(len(self.open), len(self.open), 1)
         return unit - self._back * arb_mat(self._directions) if self.slabs else unit
 
     @cached_property
@@ -170,14 +172,14 @@ class Box:
 
     @cached_property
     def directions(self) -> dict[str, list[arb]]:
-        """How much of each input there is in the sides (s + n), by name."""
+        """The components of the sides (s + n) along each open input, by name."""
         return dict(zip(self.names, self.by_sides.tolist(), strict=True))
 
     def reach(self, slopes: Sequence[arb]) -> arb:
-        """What slopes by the sides (s + n) lead to over the part.
+        """Return the range over the part of a number with slopes by the sides (s + n).
 
-        What goes by the inputs may be seen as going along the slabs, and the other way round: it is
-        taken as it is least slab by slab, and by the inputs alone.
+        A slope by the inputs may also be counted along the slabs, and the other way round.  The
+        result is the intersection of the least range slab by slab and that by the inputs alone.
         """
         count = len(self.slabs)
         rest, plain = list(slopes[count:]), list(slopes[count:])
@@ -200,13 +202,13 @@ class Box:
 
     @cached_property
     def _offsets(self) -> list[arb]:
-        """By how much inputs as `inputs` has them are farther along each slab than `along` says."""
+        """The excess of `inputs` over `along`, along each slab."""
         if self.limits is None:
             return []
         center = self._unscaled(self.limits.mean(axis=1))
-        apart = [ball(x - y) for x, y in zip(self.shift, center, strict=True)]
+        excess = [ball(x - y) for x, y in zip(self.shift, center, strict=True)]
         rows = (map(arb, slab.direction) for slab in self.slabs)
-        return [sum((g * x for g, x in zip(row, apart, strict=True)), arb(0)) for row in rows]
+        return [sum((g * x for g, x in zip(row, excess, strict=True)), arb(0)) for row in rows]
 
     @property
     def _directions(self) -> list[list[float]]:
@@ -214,7 +216,7 @@ class Box:
 
     @property
     def is_sphere(self) -> bool:
-        """Whether all moments are one exact number."""
+        """True if all moments are one exact number."""
         return self._is_sphere_amid and not is_uncertain(*self.inertia)
 
     @property
@@ -246,8 +248,11 @@ class Box:
         return Columns(inertia, omega0, STILL, self._axes, functions, self.is_sphere, product)
 
     def _product(self) -> arb:
-        """Of all rates at any time, whose squares are at most |omega|^2/3 in the mean, and that
-        the energy over the least moment."""
+        """Return a bound of the product of all rates at any time.
+
+        It is at most (|omega|^2/3)^(3/2), as the geometric mean of the squares is at most their
+        mean; and |omega|^2 is at most twice the energy over the least moment.
+        """
         omega, moments = self._wholes[:3], self._wholes[3:]
         least = reduce(arb.min, moments)
         energy = sum((c * balls.power(w, 2) for c, w in zip(moments, omega, strict=True)), arb(0))
@@ -279,7 +284,7 @@ class Box:
 
     @property
     def middles(self) -> tuple[list[Fraction], list[Fraction]]:
-        """Inertia and rates of the part's middle."""
+        """The inertia and the rates of the part's middle."""
         return self._amid[3:], self._amid[:3]
 
     @cached_property
@@ -298,8 +303,10 @@ def _share(
     along: arb,
     side: arb,
 ) -> float:
-    """How much of a direction to take out of slopes, and put along it, so that they lead to the
-    least: at one of the corners of this function."""
+    """Return the multiple of a direction to count along the slab instead of in the slopes.
+
+    It makes the range least, at one of the corners of this piecewise linear function.
+    """
     have, half = float(along.mid()), float(side.rad())
     corners = [0.0, *(x / g for x, g in zip(slopes, direction, strict=True) if g)]
 

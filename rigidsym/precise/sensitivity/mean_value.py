@@ -2,10 +2,10 @@
 
     state  in  state(middle) + S (inputs - middle),
 
-where S holds the sensitivities of all motions of the box, by the ledger's formulas over numbers
-with slopes.  With S itself in S(middle) + s (inputs - middle), what it leaves open counts half: it
-is integrated along the straight line from the middle.  The change of the attitude needs the
-attitude, so it is guessed, as `over_box` has it.
+where S contains the sensitivities of all motions of the box, by the ledger's formulas over numbers
+with slopes.  As S is itself in S(middle) + s (inputs - middle), this deviation counts half: it is
+integrated along the straight line from the middle.  The change of the attitude depends on the
+attitude, so it is guessed, as the functions of elapsed time are (see `elapsed`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -16,13 +16,18 @@ import numpy as np
 from flint import arb, arb_mat
 
 from rigidsym.precise.balls import ball, meeting
+from rigidsym.precise.functions import Theta
 from rigidsym.precise.sensitivity.box import Box
-from rigidsym.precise.sensitivity.columns import NUMBERS
-from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed, until_quarter
-from rigidsym.precise.sensitivity.over_box import TRIES, Range, wider
+from rigidsym.precise.sensitivity.columns import NUMBERS, TurnColumns
+from rigidsym.precise.sensitivity.elapsed import (
+    TRIES,
+    Elapsed,
+    Range,
+    elapsed,
+    until_quarter,
+    wider,
+)
 from rigidsym.precise.sensitivity.sloped import Sloped
-from rigidsym.precise.sensitivity.turning import Turning
-from rigidsym.precise.theta import Theta
 
 ONE = arb(0, 1)
 _TINY = 1e-300
@@ -31,8 +36,8 @@ Rows = list[list[arb]]
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """Rates with their columns, by name, and what they change by along the sides (3, m); the turn
-    since t = 0 (4) with its changes (4, m), None where these are not found."""
+    """Rates with their columns, by name, and their changes along the sides (3, m); the turn since
+    t = 0 (4) with its changes (4, m), or None."""
 
     rates: Mapping[str, Sloped]
     of_rates: list[list[Sloped]]
@@ -41,7 +46,7 @@ class Moving:
 
 
 @dataclass(frozen=True, slots=True)
-class Amid:
+class Middle:
     """The middle of a box at a time: functions of elapsed time, the turn (4) and the rates (3), and
     their changes along the sides (7, m)."""
 
@@ -57,15 +62,15 @@ class MeanValue:
 
     box: Box
 
-    def amid(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> Amid:
-        """With what else there is to know of the middle."""
+    def amid(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> Middle:
+        """Return the middle at a time, from its turn and rates then."""
         functions = elapsed(t, *map(ball, self.box.parameters), Theta())
         rates = self.box.point.rates(t, functions._asdict())
-        turning = Turning(self.box.point, t, rates, self.box.directions)
-        return Amid(functions, turn, omega, [*turning.of(turn), *turning.of_rates])
+        columns = TurnColumns(self.box.point, t, rates, self.box.directions)
+        return Middle(functions, turn, omega, [*columns.of(turn), *columns.of_rates])
 
-    def state(self, t: arb, amid: Amid) -> tuple[list[Sloped] | None, list[Sloped] | None]:
-        """The turn since t = 0 (4) and the rates (3); None for what is not found."""
+    def state(self, t: arb, amid: Middle) -> tuple[list[Sloped] | None, list[Sloped] | None]:
+        """Return the turn since t = 0 (4) and the rates (3), each None without an enclosure."""
         moving = self.moving(t, amid)
         if moving is None:
             return None, None
@@ -78,56 +83,58 @@ class MeanValue:
         return [self._moved(*x) for x in given], rates
 
     def _moved(self, start: arb, row: Sequence[Sloped], whole: arb) -> Sloped:
-        """What derivatives in a box move a number to: on the straight line from the middle half of
-        what they leave open."""
-        slopes = [meeting(x.middle + x.apart() / 2, x.whole) for x in row]
+        """Return a number over the box, from its value at the middle and its derivatives.
+
+        On the straight line from the middle, half of the derivatives' deviations counts.
+        """
+        slopes = [meeting(x.middle + x.deviation() / 2, x.whole) for x in row]
         known = meeting(start + self.box.reach(slopes), whole)
         return Sloped.of(start, arb_mat([slopes]), known, self.box.sides)
 
-    def moving(self, t: arb, amid: Amid) -> Moving | None:
-        """At a time; None where not even the rates are found."""
+    def moving(self, t: arb, amid: Middle) -> Moving | None:
+        """Return rates and turn with their changes; None without an enclosure of the rates."""
         functions = self._elapsed(t, amid.functions)
         if functions is None:
             return None
         rates = self.box.whole.rates(t, functions)
-        turning = Turning(self.box.whole, t, rates, self.box.directions)
-        turn, changes = self._guessed(turning, amid) or (None, None)
-        return Moving(rates, turning.of_rates, turn, changes)
+        columns = TurnColumns(self.box.whole, t, rates, self.box.directions)
+        turn, changes = self._guessed(columns, amid) or (None, None)
+        return Moving(rates, columns.of_rates, turn, changes)
 
     def _guessed(
-        self, turning: Turning, amid: Amid
+        self, columns: TurnColumns, amid: Middle
     ) -> tuple[list[Sloped], list[list[Sloped]]] | None:
-        """The turn and its changes; None where no guess is found."""
+        """Return the turn and its changes; None where no guess is right."""
         image = amid.changes[:4]
         for _ in range(TRIES):
             guess = [list(map(wider, row)) for row in image]
-            _, changes = self._image(turning, amid, guess)
+            _, changes = self._image(columns, amid, guess)
             image = [[x.whole for x in row] for row in changes]
             if not all(x.is_finite() for x in _flat(image)):
                 return None
             if all(map(arb.contains_interior, _flat(guess), _flat(image))):
-                return self._image(turning, amid, image)
+                return self._image(columns, amid, image)
         return None
 
     def _image(
-        self, turning: Turning, amid: Amid, guess: Rows
+        self, columns: TurnColumns, amid: Middle, guess: Rows
     ) -> tuple[list[Sloped], list[list[Sloped]]]:
-        """The turn by a guess of its changes (4, m), and the changes that it leads to."""
+        """Return the turn by a guess of its changes (4, m), and the changes that follow from it."""
         turn = []
         for start, row in zip(amid.turn, guess, strict=True):
             whole = meeting(start + self.box.reach(row), ONE)
             turn.append(Sloped.of(start, arb_mat([row]), whole, self.box.sides))
-        return turn, turning.of(turn)
+        return turn, columns.of(turn)
 
     def _elapsed(self, t: arb, middles: Elapsed) -> dict[str, Sloped] | None:
-        """The functions of elapsed time over the box; None where nothing is found."""
+        """Return the functions of elapsed time over the box; None without an enclosure."""
         if self.box.is_sphere:
             still = arb_mat(len(middles), self.box.sides.nrows())
             return self._sloped(middles, still, middles)
         p, r, gap = (self.box.whole.constants[name] for name in ("p", "r", "apart"))
-        apart = arb_mat([[x.apart()] for x in (p, gap)])
+        deviation = arb_mat([[x.deviation()] for x in (p, gap)])
         grows = until_quarter(t, *map(ball, self.box.parameters))
-        found = Range(t, p.whole, r.whole, gap.whole, grows).over(middles, apart)
+        found = Range(t, p.whole, r.whole, gap.whole, grows).over(middles, deviation)
         if found is None:
             return None
         wholes, slopes = found
@@ -142,14 +149,14 @@ class MeanValue:
         }
 
     @np.errstate(all="ignore")
-    def bends(self, t: arb, amid: Amid) -> np.ndarray:
-        """Return by how much phases change along the sides of the box (6, s + n), rad.
+    def bends(self, t: arb, amid: Middle) -> np.ndarray:
+        """Return the changes of phases along the sides of the box (6, s + n), rad.
 
         These are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
         of a period, log(16 p/(p - r))/2 near the separatrix.
         """
         p, gap = (self.box.whole.constants[x] for x in ("p", "apart"))
-        rate, near = float(abs(p.middle) + p.apart().rad()), abs(float(gap.middle))
+        rate, near = float(abs(p.middle) + p.deviation().rad()), abs(float(gap.middle))
         by_rate = by_quarter = 0.0
         if rate > 0:
             u = abs(float(t)) * sqrt(rate)

@@ -4,8 +4,8 @@ A quantity f has its value at the middle of the box, the ball of its values, and
 
     f(y) - f(middle)  in  s (y - middle)    for all y of the box
 
-(Krawczyk and Neumaier, SIAM Journal on Numerical Analysis 22, 604-616, 1985): what is proportional
-to the radii of the inputs is as it is, so that terms which cancel do.
+(Krawczyk and Neumaier, SIAM Journal on Numerical Analysis 22, 604-616, 1985).  Terms that are
+proportional to the radii of the inputs keep their sign, so they cancel where they should.
 """
 
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ Operand = Union["Sloped", arb, int]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sloped:
-    """middle, slopes (1, n), whole; `box` (n, 1) holds the inputs less their middles."""
+    """A number over a box (n, 1) of inputs less their middles: middle, slopes (1, n) and whole."""
 
     middle: arb
     slopes: arb_mat
@@ -30,19 +30,12 @@ class Sloped:
 
     @classmethod
     def of(cls, middle: arb, slopes: arb_mat, whole: arb, box: arb_mat) -> "Sloped":
-        """With the values that both the slopes and `whole` allow."""
+        """Return the number, its values restricted to those that the slopes allow."""
         return cls(middle, slopes, meeting(middle + (slopes * box)[0, 0], whole), box)
 
-    def apart(self) -> arb:
-        """How far from its middle it may be, by the slopes."""
+    def deviation(self) -> arb:
+        """Return the deviations from the middle that the slopes allow."""
         return (self.slopes * self.box)[0, 0]
-
-    def least(self) -> arb:
-        """A radius that no ball of its values can be below: at a corner of the box, and the one
-        across, all that slopes surely add up to is reached."""
-        sure = arb_mat([[x.abs_lower() for x in self.slopes.entries()]])
-        radii = arb_mat([[x.rad()] for x in self.box.entries()])
-        return (sure * radii)[0, 0].lower()
 
     def __neg__(self) -> "Sloped":
         return Sloped(-self.middle, -self.slopes, -self.whole, self.box)
@@ -82,18 +75,18 @@ class Sloped:
     __radd__, __rmul__ = __add__, __mul__
 
     def sqrt(self) -> "Sloped":
-        """Its square root; no number where it may be negative."""
+        """Return the square root; no number where the radicand may be negative."""
         middle, whole = self.middle.sqrt(), self.whole.sqrt()
         return self.of(middle, self.slopes / (middle + whole), whole, self.box)
 
     def square(self) -> "Sloped":
-        """Its square, which is not negative."""
+        """Return the square, which is not negative."""
         slopes = self.slopes * (self.middle + self.whole)
         return self.of(self.middle * self.middle, slopes, balls.power(self.whole, 2), self.box)
 
 
 def power(x: Operand, exponent: int) -> "Sloped | arb":
-    """A power by squares and products, of exponents that are positive."""
+    """Return a power with a positive exponent, by squares and products."""
     if not isinstance(x, Sloped):
         return balls.power(arb(x), exponent)
     return _power(x, exponent)

@@ -1,7 +1,7 @@
 """The forms of the solution by name, made of the sequences of the ledger."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 from types import MappingProxyType
@@ -171,7 +171,8 @@ def _quantities(work: Calculation, form: str) -> dict[str, Any]:
     if form == "symmetric":
         period, mean, along = 2 * pi / known["mu"], known["psi_0"], known["sigma"] * known["A_a"]
     else:
-        at = work.work_out("periods", {})
+        # The facts of the solution are those of the state alone.
+        at = replace(work, facts={}).work_out("periods", {})
         period, mean, along = at["period"], at["psi_mean"], at["Omega_mean"]
     return {
         **found,

@@ -7,10 +7,8 @@ import pytest
 from flint import arb, arb_mat
 
 from rigidsym.precise.balls import ball, working
-from rigidsym.precise.quadrature import Quadrature
-from rigidsym.precise.sensitivity.elapsed import Elapsed, elapsed, until_quarter
-from rigidsym.precise.sensitivity.over_box import Range
-from rigidsym.precise.theta import Theta
+from rigidsym.precise.functions import Quadrature, Theta
+from rigidsym.precise.sensitivity.elapsed import Elapsed, Range, elapsed, until_quarter
 
 PARAMETERS = [("2", "1"), ("2", "1.999999"), ("1", "1e-20"), ("1", "0"), ("1", "1"), ("0", "0")]
 

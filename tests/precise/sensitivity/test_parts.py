@@ -12,8 +12,7 @@ from rigidsym.inputs import Uncertain, middle, radius
 from rigidsym.precise.balls import ball, working
 from rigidsym.precise.boxed import BoxedMotion
 from rigidsym.precise.sensitivity.box import Box, Slab
-from rigidsym.precise.sensitivity.boxes import MeanStates
-from rigidsym.precise.sensitivity.parts import Part, parts_of
+from rigidsym.precise.sensitivity.parts import MeanStates, Part, parts_of
 
 # Moments and rates, their radii as parts of the largest of each, times, and how much wider than the
 # sampled motions the balls may be.

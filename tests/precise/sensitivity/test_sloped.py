@@ -41,11 +41,9 @@ def test_values_and_slopes_hold_all_points():
             assert moved.overlaps(point), name
 
 
-def test_what_cancels_does_and_least_is_a_lower_bound():
-    x, y = inputs()
+def test_what_cancels_does():
+    x, _ = inputs()
     assert (x - x).whole.is_zero()
-    assert (x * 3 - y).least() <= (x * 3 - y).whole.rad()
-    assert (x * 3 - y).least() > 1.24
 
 
 def test_nothing_finite_is_said_of_a_quotient_by_zero_or_a_root_below():

@@ -1,6 +1,9 @@
-"""The regime of a motion whose numbers are uncertain: what decides it has to have one sign."""
+"""The inputs of a motion, and its regime, which uncertain inputs must not leave open."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
 from itertools import combinations
 from math import inf
 
@@ -16,24 +19,57 @@ from rigidsym.solution.polhode import Polhode, classify
 
 BITS = 4096
 _E_B = frozenset({"E_b"})
+# Inertia, omega0 and attitude0.
+ExactInputs = tuple[tuple[Fraction, ...], tuple[Fraction, ...], tuple[Fraction, ...]]
+
+
+@dataclass(frozen=True)
+class MotionInputs:
+    """Principal moments (3), body rates (3) and attitude (4) at t = 0: rational or uncertain.
+
+    The attitude has any length but zero.
+    """
+
+    inertia: tuple[Number, ...]
+    omega0: tuple[Number, ...]
+    attitude0: tuple[Number, ...]
+
+    @cached_property
+    def polhode(self) -> Polhode:
+        """Regime and axes, decided exactly; InputError where uncertainty leaves them open."""
+        return classify_uncertain(self.inertia, self.omega0)
+
+    @property
+    def exact(self) -> ExactInputs:
+        """Inertia, omega0 and attitude0; InputError where one is uncertain."""
+        given = {"inertia": self.inertia, "omega0": self.omega0, "attitude0": self.attitude0}
+        inertia, omega0, attitude0 = (inputs.certain(*named) for named in given.items())
+        return inertia, omega0, attitude0
+
+    @property
+    def is_uncertain(self) -> bool:
+        """True where any input is uncertain."""
+        return inputs.is_uncertain(*self.inertia, *self.omega0, *self.attitude0)
 
 
 def classify_uncertain(inertia: Sequence[Number], omega: Sequence[Number]) -> Polhode:
-    """The polhode that all numbers within the radii share; InputError names what keeps it open."""
-    middles = [[inputs.middle(x) for x in values] for values in (inertia, omega)]
-    polhode = classify(*middles)
+    """Return the polhode of all numbers within the radii; InputError where there are several."""
+    polhode = classify(*([inputs.middle(x) for x in values] for values in (inertia, omega)))
     if inputs.is_uncertain(*inertia, *omega):
         with working(BITS):
-            for what, value in _deciding(polhode, inertia, omega):
-                _decide(what, value, inertia, omega)
+            for name, value in _deciding(polhode, inertia, omega):
+                _check_sign(name, value, inertia, omega)
     return polhode
 
 
 def _deciding(
     polhode: Polhode, inertia: Sequence[Number], omega: Sequence[Number]
 ) -> Iterator[tuple[str, arb]]:
-    """What has to be exactly zero, or to keep its sign: the order of the moments, what the ledger's
-    partition asks on the way to this leaf, and the rate that sigma is the sign of."""
+    """Yield the quantities that must be exactly zero or keep their sign, with their names.
+
+    These are the differences of the moments, those that lead to this leaf of the ledger's
+    partition, and the rate whose sign is sigma.
+    """
     w = list(map(ball, omega))
     gaps = {(j, k): difference(inertia[j], inertia[k]) for j, k in combinations(range(3), 2)}
     yield from ((f"inertia[{j}] - inertia[{k}]", gap) for (j, k), gap in gaps.items())
@@ -55,7 +91,7 @@ def _deciding(
 
 
 def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[int]) -> arb:
-    """E_b by the ledger's formula, with differences that are exactly zero where moments agree."""
+    """Return E_b by the ledger's formula, with differences exactly zero where moments agree."""
     known = {}
     for x, k in zip("abd", axes, strict=True):
         known |= {f"c_{x}": ball(inertia[k]), f"Omega_{x}": w[k]}
@@ -68,21 +104,21 @@ def _discriminant(inertia: Sequence[Number], w: Sequence[arb], axes: Sequence[in
 
 
 def _surest(*values: arb) -> arb:
-    """The one that is farthest from zero for its radius."""
-    given = [value for value in values if not value.is_zero()]
-    return min(given, key=_ratio)
+    """Return the value that is farthest from zero, relative to its radius."""
+    return min((value for value in values if not value.is_zero()), key=_ratio)
 
 
 def _ratio(value: arb) -> float:
-    """Radius over size: 1 or more where it may be zero."""
+    """Return radius over size: 1 or more where the value may be zero."""
     return float(value.rad() / abs(value.mid())) if value.mid() != 0 else inf
 
 
-def _decide(what: str, value: arb, inertia: Sequence[Number], omega: Sequence[Number]) -> None:
+def _check_sign(name: str, value: arb, inertia: Sequence[Number], omega: Sequence[Number]) -> None:
+    """Raise InputError for a value whose ball contains zero, unless it is exactly zero."""
     if value.is_zero() or not value.contains(0):
         return
     ratio = _ratio(value)
     narrower = "exact" if ratio == inf else f"about {ratio * 1.1 + 0.1:.1f} times narrower"
-    rule = f"{what} may be zero or have either sign: the inputs would have to be {narrower}"
+    rule = f"{name} may be zero or have either sign: the inputs would have to be {narrower}"
     given = f"{inputs.shown(inertia)}, omega0 = {inputs.shown(omega)}"
     raise InputError("inertia", given, rule)
