@@ -4,42 +4,13 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
-from rigidsym.cli.arguments import Command, as_path
 from rigidsym.cli.output import say, say_written
 from rigidsym.errors import InputError
 
 
-def add(command: Command) -> None:
-    """Give the command line its commands about generated code."""
-    codegen = command("codegen", _codegen, "write a numeric module", "codegen c -o attitude")
-    codegen.add_argument("target", metavar="TARGET", help="numpy or c")
-    codegen.add_argument(
-        "--form", metavar="FORM", default="theta", help="theta, or the paper's: pi"
-    )
-    where = codegen.add_mutually_exclusive_group()
-    where.add_argument("-o", "--output", metavar="DIR", type=as_path, help="for the files")
-    where.add_argument(
-        "--in-place",
-        action="store_true",
-        help="into the package itself, whose modules they replace",
-    )
-    instead = codegen.add_mutually_exclusive_group()
-    instead.add_argument(
-        "--check", action="store_true", help="compare with what is in DIR, or in the package"
-    )
-    instead.add_argument("--stdout", action="store_true", help="print the module")
-
-    trace = command(
-        "trace",
-        _trace,
-        "a generated line's facts and equations; an equation's lines",
-        "trace --equation 34",
-    )
-    trace.add_argument("place", metavar="FILE[:LINE]", nargs="?", help="of a generated file")
-    trace.add_argument("--equation", metavar="NUMBER", help="as the paper numbers it")
-
-
-def _codegen(options: Namespace) -> int:
+def codegen(options: Namespace) -> int:
+    """Write a generated module, print it, or compare it with files; return 1 where it differs."""
+    import rigidsym.generated
     from rigidsym.cli.proofs import replayed
     from rigidsym.codegen import generate
     from rigidsym.codegen.seal import seal, seal_text
@@ -57,21 +28,15 @@ def _codegen(options: Namespace) -> int:
     if options.stdout:
         print("".join(generated.files.values()), end="")
         return 0
-    directory = options.output or _generated_directory()
+    directory = options.output or Path(rigidsym.generated.__path__[0])
     if options.check:
         return _differences(generated.texts(), directory)
     say_written(generated.write(directory))
     return 0
 
 
-def _generated_directory() -> Path:
-    import rigidsym.generated
-
-    return Path(rigidsym.generated.__path__[0])
-
-
 def _differences(texts: dict[str, str], directory: Path) -> int:
-    """Print a diff against the files that are there; 1 where there is one."""
+    """Print a diff against the files in a directory; return 1 where there is one."""
     from difflib import unified_diff
 
     status = 0
@@ -86,7 +51,8 @@ def _differences(texts: dict[str, str], directory: Path) -> int:
     return status
 
 
-def _trace(options: Namespace) -> int:
+def trace(options: Namespace) -> int:
+    """Print the facts and equations of a generated line, or the lines of an equation."""
     from rigidsym.codegen.trace import TraceError, lines_of_equation, told
     from rigidsym.proof.paper import EQUATIONS
 

@@ -1,12 +1,13 @@
-"""What commands print: tables to stdout, messages and progress to stderr."""
+"""Output of commands: tables on stdout, messages and progress on stderr."""
 
 import io
 import os
 import sys
+from argparse import Namespace
 from collections.abc import Callable, Generator, Iterable, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from rigidsym.errors import InputError
 
@@ -18,7 +19,7 @@ BARS = ExitStack()
 
 
 def prepare_output() -> None:
-    """Closed streams and encodings without our letters are no reason to fail."""
+    """Make closed streams and encodings without our characters harmless."""
     for name in ("stdout", "stderr"):
         stream = getattr(sys, name)
         if stream is None:
@@ -28,13 +29,13 @@ def prepare_output() -> None:
 
 
 def discard_output() -> None:
-    """What is still buffered goes nowhere, so that leaving does not fail again."""
+    """Discard what is still buffered, so that the exit does not fail again."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 @contextmanager
 def reader_may_leave() -> Generator[None]:
-    """Printing to a reader that goes away, as `head` does, changes no exit status."""
+    """Keep the exit status when the reader of a pipe closes it, as `head` does."""
     try:
         yield
         sys.stdout.flush()
@@ -44,7 +45,7 @@ def reader_may_leave() -> Generator[None]:
 
 @contextmanager
 def packages() -> Generator[None]:
-    """A package that is not installed becomes one line."""
+    """Turn a package that is not installed into an InputError."""
     try:
         yield
     except ImportError as error:
@@ -52,8 +53,10 @@ def packages() -> Generator[None]:
 
 
 def progress(label: str) -> Callable[[int, int], None]:
-    """A progress bar with the time left on a terminal, silence elsewhere; called with what is done
-    and the total."""
+    """Return a function that shows the steps done and their total as a progress bar.
+
+    The bar is shown on a terminal only, with the time left.
+    """
     if not sys.stderr.isatty():
         return lambda done, total: None
     from rich.console import Console
@@ -79,7 +82,7 @@ def table(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> 
 
 
 def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """The table that `table` prints."""
+    """Return the table that `table` prints."""
     from rich.table import Table
     from rich.text import Text
 
@@ -92,7 +95,10 @@ def table_text(title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]
 
 
 def entries_text(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    """Names and what they are, below a title; a name is said once for all that follow it."""
+    """Return names and their descriptions below a title.
+
+    A name is shown once for all consecutive entries.
+    """
     from rich.table import Table
     from rich.text import Text
 
@@ -116,8 +122,10 @@ def _rendered(table: "Table") -> str:
 
 
 def page(text: str) -> None:
-    """Print what may be long: through the user's pager on a terminal, which ends by itself where
-    all is on one screen."""
+    """Print long text, through the user's pager on a terminal.
+
+    The pager exits by itself where all fits on one screen.
+    """
     if not sys.stdout.isatty():
         sys.stdout.write(text)
         return
@@ -127,12 +135,33 @@ def page(text: str) -> None:
     pydoc.pager(text)
 
 
+class Result(Protocol):
+    """A result that can be written to a directory and printed as JSON."""
+
+    def write(self, directory: Path) -> Iterable[Path]:
+        """Write the files."""
+
+    def to_json(self) -> str:
+        """Return JSON."""
+
+
+def deliver(options: Namespace, result: Result, show: Callable[[], None]) -> None:
+    """Write a result to -o DIR, print it as JSON or by `show`, and name the written files."""
+    with packages():
+        written = list(result.write(options.output)) if options.output else []
+    if options.json:
+        print(result.to_json(), end="")
+    else:
+        show()
+    say_written(written)
+
+
 def say(message: str) -> None:
     """Print to stderr."""
     print(message, file=sys.stderr)
 
 
 def say_written(paths: Iterable[Path]) -> None:
-    """Tell which files there are now."""
+    """Report the files that were written."""
     for path in paths:
         say(f"wrote {path}")

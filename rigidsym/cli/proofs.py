@@ -1,99 +1,33 @@
-"""The commands `derive`, `check`, `export` and `audit`."""
+"""The commands `derive`, `check`, `export`, `audit` and `errata`."""
 
+import json
 import sys
-from argparse import ArgumentParser, Namespace
+from argparse import Namespace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rigidsym.cli.arguments import Command, as_path
-from rigidsym.cli.output import progress, say, table
+from rigidsym.cli.commands import SETTING
+from rigidsym.cli.output import entries_text, page, progress, say, table, table_text
 from rigidsym.errors import InputError, LedgerError
 
 if TYPE_CHECKING:
     from rigidsym.proof.coq import Export
     from rigidsym.proof.derivation import Derivation
+    from rigidsym.proof.paper import Verdict
+    from rigidsym.proof.paper.prose import Judged
+
+ERRATA_SCHEMA = "rigidsym.errata/2"
 
 
-def add(command: Command) -> None:
-    """Give the command line its commands about proofs."""
-    derive = command(
-        "derive", _derive, "prove the claims and write the ledger", "derive -o ledger.json"
-    )
-    derive.add_argument("chapters", metavar="CHAPTER", nargs="*", help="all, unless some are named")
-    where = derive.add_mutually_exclusive_group()
-    where.add_argument(
-        "-o", "--output", metavar="FILE", type=as_path, help="for the ledger, or the article"
-    )
-    where.add_argument(
-        "--in-place", action="store_true", help="into the package itself: seals the ledger anew"
-    )
-    derive.add_argument("--json", action="store_true", help="to stdout alone")
-    derive.add_argument(
-        "--mutants",
-        action="store_true",
-        help="count all mutants again; by default, and unless --in-place is given, those of facts "
-        "that are as sealed keep the counts of the sealed ledger",
-    )
-    derive.add_argument("--show", action="store_true", help="line by line, in the terminal")
-    forms = ("text", "markdown", "latex", "html")
-    derive.add_argument("--format", choices=forms, help="an article, to stdout or --output")
-    _add_setting(derive)
-
-    check = command(
-        "check",
-        _check,
-        "replay the certificates of a ledger in a fresh kernel",
-        "check --independent",
-    )
-    check.add_argument(
-        "ledger", metavar="LEDGER", nargs="?", type=as_path, help="the sealed one by default"
-    )
-    check.add_argument("--independent", action="store_true", help="by the checker on python-flint")
-    check.add_argument(
-        "--facts", action="store_true", help="no specification: of another derivation"
-    )
-
-    export = command("export", _export, "write a ledger for another prover", "export coq -o coq")
-    export.add_argument("prover", metavar="PROVER", choices=("coq",), help="coq")
-    export.add_argument(
-        "-o", "--output", metavar="DIR", type=as_path, required=True, help="for its files"
-    )
-    export.add_argument(
-        "--ledger", metavar="LEDGER", type=as_path, help="the sealed one by default"
-    )
-    export.add_argument(
-        "--check", action="store_true", help="let it decide: runs make, for minutes"
-    )
-
-    audit = command("audit", _audit, "what is trusted and not decided, theorem by theorem", "audit")
-    audit.add_argument("--json", action="store_true", help="to stdout alone")
-
-
-def _add_setting(derive: ArgumentParser) -> None:
-    """Another derivation, as far as Theorem 1: nothing of it touches the sealed ledger."""
-    other = derive.add_argument_group("another derivation, up to Theorem 1")
-    other.add_argument("--sequence", metavar="I-J-I", help="axes of the turns; 1-2-1 by default")
-    other.add_argument(
-        "--axis", metavar="I", help="where the momentum is turned; the outer axis by default"
-    )
-    other.add_argument(
-        "--factor", metavar="F", help="of the basis (4): 1/2, which is the default, or 1"
-    )
-    other.add_argument(
-        "--sign", metavar="S", help="of the basis (4): 1, which is the default, or -1"
-    )
-    other.add_argument("--order", metavar="I-J-K", help="of i, j, k in the basis; 1-2-3 by default")
-    other.add_argument("--lagrangian", metavar="L", help="with wheels: ... + h1*Omega1")
-
-
-def _derive(options: Namespace) -> int:
+def derive(options: Namespace) -> int:
+    """Derive chapters; print them as a table, JSON or an article, and write the ledger."""
     from derivations.setting import setting_of
     from rigidsym.proof.derivation import DerivationError, derive, sealed_counts
 
-    names = ("sequence", "axis", "factor", "sign", "order", "lagrangian")
-    if options.in_place and (options.chapters or any(getattr(options, x) for x in names)):
+    if options.in_place and (options.chapters or any(getattr(options, x) for x in SETTING)):
         raise InputError("in-place", "given", "is for all chapters of the paper's derivation")
-    chosen = {name: value for name in names if (value := getattr(options, name)) is not None}
+    chosen = {name: value for name in SETTING if (value := getattr(options, name)) is not None}
     reading = options.show or options.format is not None
     if reading and options.json:
         raise InputError("json", "given", "is not for --show and --format")
@@ -117,7 +51,7 @@ def _derive(options: Namespace) -> int:
 
 
 def _chapters(derivation: "Derivation") -> None:
-    """Each chapter with its facts: how many a step computed, and how many were guessed."""
+    """Print each chapter with its numbers of computed and of guessed facts."""
     rows = []
     for chapter in derivation.chapters:
         facts, computed = len(chapter.facts), chapter.computed
@@ -129,7 +63,7 @@ def _chapters(derivation: "Derivation") -> None:
 
 
 def _mutants(derivation: "Derivation") -> None:
-    """Say how many mutants are counted, and which counts are not of this run."""
+    """Report how many mutants are counted, and which counts are of an earlier run."""
     facts = derivation.mutants
     if not facts:
         return
@@ -158,7 +92,7 @@ def _article(derivation: "Derivation", form: str, output: Path | None) -> int:
 
 
 def _seal(derivation: "Derivation", options: Namespace, sealed: bool) -> None:
-    """Write the ledger: of all chapters to its place, else where the user says."""
+    """Write the ledger of all chapters to its place, or to the user's file."""
     from rigidsym.io.files import write_text
     from rigidsym.io.ledger import SEAL, seal
     from rigidsym.proof.derivation import sealed_path
@@ -185,8 +119,8 @@ def _compared(ledger: str) -> str:
     return f"the ledger is {'the one that is' if same else 'NOT the one that is'} sealed"
 
 
-def _check(options: Namespace) -> int:
-    """Facts by grade; 1 where the ledger is refused, or a fact rests on a reference alone."""
+def check(options: Namespace) -> int:
+    """Print facts by grade; return 1 where the ledger is refused, or a fact is only assumed."""
     from rigidsym.io.ledger import specification_text
 
     grades = _independent_grades if options.independent else _kernel_grades
@@ -204,7 +138,6 @@ def _check(options: Namespace) -> int:
 
 
 def _kernel_grades(text: str, specification: str) -> dict[str, int] | None:
-    import json
     from collections import Counter
 
     from rigidsym.language.specification import Unproved, require
@@ -231,7 +164,7 @@ def _independent_grades(text: str, specification: str) -> dict[str, int] | None:
 
 
 def replayed() -> str:
-    """The sealed ledger, if the independent checker accepts it; LedgerError where it does not."""
+    """Return the sealed ledger; raise LedgerError unless the independent checker accepts it."""
     from rigidsym.io.ledger import specification_text
     from rigidsym.proof.checker import Refused, check
 
@@ -250,7 +183,8 @@ def _ledger_text(path: Path | None) -> str:
     return ledger_text() if path is None else read_text("ledger", path)
 
 
-def _export(options: Namespace) -> int:
+def export(options: Namespace) -> int:
+    """Write a ledger for Coq, and let Coq decide it with --check."""
     from rigidsym.io.files import write_text
     from rigidsym.proof.algebra.suppositions import encloses
     from rigidsym.proof.coq import export
@@ -270,7 +204,7 @@ def _export(options: Namespace) -> int:
 
 
 def _exported(written: "Export") -> None:
-    """How many facts of each rule are theorems there, and what is not."""
+    """Print how many facts of each rule are theorems in Coq, and which are not."""
     from rigidsym.proof.coq import SUPPOSED
 
     total = sum(written.exported.values())
@@ -287,7 +221,7 @@ def _exported(written: "Export") -> None:
 
 
 def _make(directory: Path) -> int:
-    """Let Coq decide all of it; 1 where it refuses, or is not here."""
+    """Run Coq by make; return 1 where it refuses, or is not installed."""
     from os import cpu_count
     from shutil import which
     from subprocess import run
@@ -302,8 +236,8 @@ def _make(directory: Path) -> int:
     return min(done.returncode, 1)
 
 
-def _audit(options: Namespace) -> int:
-    import json
+def audit(options: Namespace) -> int:
+    """Print what is trusted, theorem by theorem."""
     from dataclasses import asdict
 
     from rigidsym.codegen.lines import RUNTIMES, handwritten
@@ -329,3 +263,63 @@ def _audit(options: Namespace) -> int:
     print("in all: " + ", ".join(f"{count} {kind}" for kind, count in counts.items()))
     print("by hand: " + ", ".join(f"{count} lines beside {name}" for name, count in lines.items()))
     return 0
+
+
+def errata(options: Namespace) -> int:
+    """Print the verdicts on the printed equations and on claims in the paper's prose."""
+    from rigidsym.io.ledger import ledger_data
+    from rigidsym.proof.paper import judged, verdicts
+
+    ledger = ledger_data(replayed())
+    ruled = _chosen(verdicts(ledger), options)
+    chosen = bool(options.equations or options.verdict)
+    prose = [] if chosen else judged(ledger)
+    if options.json:
+        data = {
+            "schema": ERRATA_SCHEMA,
+            "equations": [verdict.to_json() for verdict in ruled],
+            "prose": [claim.to_json() for claim in prose],
+        }
+        print(json.dumps(data, indent=1))
+    elif options.equations:
+        page("\n".join(map(_whole, ruled)))
+    else:
+        page(_overview(ruled, prose))
+    return 0
+
+
+def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
+    """Return the verdicts that are asked for; raise InputError for an unknown equation."""
+    numbers = {verdict.equation.number.lower(): verdict for verdict in ruled}
+    wanted = [name.strip("()").lower() for name in options.equations]
+    for name, given in zip(wanted, options.equations, strict=True):
+        if name not in numbers:
+            known = ", ".join(verdict.equation.number for verdict in ruled)
+            raise InputError("equation", given, f"must be one of: {known}")
+    found = [numbers[name] for name in wanted] if wanted else [*ruled]
+    ruling = (options.verdict or "").replace("-", " ")
+    return [verdict for verdict in found if not ruling or verdict.ruling == ruling]
+
+
+def _whole(verdict: "Verdict") -> str:
+    from rigidsym.proof.paper.table import details
+
+    return entries_text(f"({verdict.equation.number})", list(details(verdict)))
+
+
+def _overview(ruled: "Sequence[Verdict]", prose: "Sequence[Judged]") -> str:
+    from rigidsym.proof.paper.table import COLUMNS, counted, row
+
+    parts = [
+        f"{counted(ruled)}; all about one of them: rigidsym errata 10\n",
+        table_text("rigidsym errata", COLUMNS, [row(verdict) for verdict in ruled]),
+    ]
+    if prose:
+        columns = ("claim in words", "judgement", "reason", "decided by")
+        parts.append(table_text("in the paper's prose", columns, [_prose(x) for x in prose]))
+    return "".join(parts)
+
+
+def _prose(found: "Judged") -> tuple[str, str, str, str]:
+    decided_by = (*found.facts, *(f"`{command}`" for command in found.prose.commands))
+    return found.prose.claim, found.judgement, found.prose.reason, "\n".join(decided_by)

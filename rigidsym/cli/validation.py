@@ -1,10 +1,9 @@
-"""The command `validate`."""
+"""The commands `validate` and `compare-forms`."""
 
 import signal
 from argparse import Namespace
 from typing import TYPE_CHECKING, Any
 
-from rigidsym.cli.arguments import Command, as_count, as_path
 from rigidsym.cli.output import progress, reader_may_leave, say, table
 from rigidsym.errors import InputError
 
@@ -24,75 +23,8 @@ _NOT_WITH = {
 _APPLICATIONS = {"fits": "rigidsym.validate.fits", "torques": "rigidsym.validate.torques"}
 
 
-def add(command: Command) -> None:
-    """Give the command line its command about accuracy."""
-    forms = command(
-        "compare-forms",
-        _compare_forms,
-        "theta functions, the third kind and Fourier series, side by side",
-        "compare-forms -o forms",
-    )
-    forms.add_argument("-o", "--output", metavar="DIR", type=as_path, help="JSON, Markdown, figure")
-    forms.add_argument("--json", action="store_true", help="to stdout alone")
-
-    validate = command(
-        "validate",
-        _validate,
-        "measure generated modules against the derivation",
-        "validate numpy --stratum separatrix --cases 50",
-    )
-    validate.add_argument(
-        "targets",
-        metavar="TARGET",
-        nargs="*",
-        help="numpy, c; by default both, or numpy alone where there is no C compiler",
-    )
-    validate.add_argument(
-        "--cases", metavar="N", type=as_count, help="samples of each stratum; 15 by default"
-    )
-    validate.add_argument(
-        "--digits", metavar="D", type=as_count, help="digits of the oracle; 40 by default"
-    )
-    validate.add_argument("--seed", metavar="S", type=int, help="of the cases; 1 by default")
-    validate.add_argument(
-        "--stratum", metavar="NAME", action="append", help="only this, repeatable; all by default"
-    )
-    validate.add_argument(
-        "--peer",
-        metavar="NAME",
-        action="append",
-        help="heyoka, dop853, lsoda…, beside the targets; none by default",
-    )
-    instead = validate.add_mutually_exclusive_group()
-    instead.add_argument("--case", metavar="CASE", help="STRATUM:INDEX or FILE.toml, at each time")
-    instead.add_argument("--faults", action="store_true", help="which injected faults are noticed")
-    instead.add_argument(
-        "--sensitivity", action="store_true", help="what states change by, column by column"
-    )
-    instead.add_argument(
-        "--fits", action="store_true", help="errors of fits, where linear ones bend"
-    )
-    instead.add_argument(
-        "--torques", action="store_true", help="tolerances of integrate, torque by torque"
-    )
-    instead.add_argument("--resume", action="store_true", help="go on with the campaign in -o DIR")
-    where = validate.add_mutually_exclusive_group()
-    where.add_argument(
-        "--workers", metavar="W", type=as_count, help="processes; one for each core by default"
-    )
-    where.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask cluster, tcp://…")
-    validate.add_argument(
-        "-o", "--output", metavar="DIR", type=as_path, help="for JSON, Markdown and a page"
-    )
-    validate.add_argument("--json", action="store_true", help="to stdout alone")
-    validate.add_argument(
-        "--record",
-        action="store_true",
-        help="what was measured, for the heads of the modules that codegen writes next",
-    )
-
-
-def _compare_forms(options: Namespace) -> int:
+def compare_forms(options: Namespace) -> int:
+    """Compare the three forms of the solution."""
     from rigidsym.io.files import probe, write_text
     from rigidsym.validate.forms import COLUMNS, STRATA_COLUMNS, compare_forms
 
@@ -114,7 +46,8 @@ def _compare_forms(options: Namespace) -> int:
     return 0
 
 
-def _validate(options: Namespace) -> int:
+def validate(options: Namespace) -> int:
+    """Measure modules, faults, sensitivities, fits or torques; return 1 for broken bounds."""
     from rigidsym.io.files import probe
     from rigidsym.validate import session
 
@@ -139,7 +72,7 @@ def _validate(options: Namespace) -> int:
 
 
 def _chosen(options: Namespace) -> dict[str, Any]:
-    """What is given of the arguments of a campaign."""
+    """Return the arguments of a campaign that the user gave."""
     chosen: dict[str, Any] = {}
     if options.targets:
         chosen["targets"] = options.targets
@@ -159,7 +92,7 @@ def _chosen(options: Namespace) -> dict[str, Any]:
 
 
 def _available(faults: bool) -> list[str]:
-    """The targets that can be measured on this machine; says why another cannot."""
+    """Return the targets that can be measured on this machine; report why others cannot."""
     from rigidsym import engines
     from rigidsym.validate.implementations import missing
 
