@@ -64,7 +64,6 @@ ALLOWED = {
     "rigidsym.io": "errors io",
     "rigidsym.io.attitude_ephemeris": "errors io motion",
     "rigidsym.io.cases": "errors inputs io motion view",
-    "rigidsym.io.splines": "errors io motion",
     "rigidsym.io.tables": "inputs io precise",
     "rigidsym.io.tracks": "errors io motion",
     # What a user calls for all of it.

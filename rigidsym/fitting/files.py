@@ -14,7 +14,7 @@ from rigidsym.engines import batches
 from rigidsym.errors import InputError
 from rigidsym.fitting.observations import KINDS, Attitudes, Observations, Rates, Units
 from rigidsym.fitting.published import TOUTATIS_EPOCH, text, toutatis
-from rigidsym.io import attitude_messages, epochs
+from rigidsym.io import attitude_ephemeris, epochs
 from rigidsym.io import toml as toml_file
 from rigidsym.io.files import read_text
 
@@ -210,7 +210,7 @@ def parse_message(content: str, sigma: Mapping[str, float]) -> File:
 
     Times are zero at the first state.  Messages have no errors: sigma gives them.
     """
-    found = attitude_messages.read(content)
+    found = attitude_ephemeris.read(content)
     kinds = ("attitudes",) if found.rates is None else ("attitudes", "rates")
     check_sigma(kinds, sigma)
     sets: dict[str, list[Observations]] = {

@@ -1,4 +1,4 @@
-"""Case files: one motion and the times at which it is wanted, as TOML."""
+"""Case files: one motion and its times, as TOML."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -20,7 +20,7 @@ _KEYS = {"inertia", "omega0", "attitude0", "times", "degrees", "message"}
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A motion and its times, both exact, and what a message of it says: see `messages`."""
+    """A motion and its times, both exact, and the fields of a message: see `messages`."""
 
     motion: TorqueFreeMotion
     times: tuple[Fraction, ...]
@@ -36,17 +36,17 @@ class Case:
 
 
 def paper_case() -> Case:
-    """The paper's spacecraft, as it ships with the package."""
+    """Return the paper's spacecraft, as it comes with the package."""
     return parse_case(resources.files("rigidsym.io").joinpath(PAPER).read_text("utf-8"))
 
 
 def load_case(path: str | Path, allow_nonphysical: bool = False) -> Case:
-    """Read a case file; raises InputError with one line about the first thing that is wrong."""
+    """Read a case file; raise InputError with one line about the first mistake."""
     return parse_case(read_text("case", path), allow_nonphysical)
 
 
 def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
-    """A case from TOML text; numbers may be floats or strings, strings being exact decimals."""
+    """Return a case from TOML text; numbers may be floats or strings, which are exact decimals."""
     data = toml_file.parse("case", text)
     toml_file.check_keys("case", data, _KEYS, needed=("inertia", "omega0", "times"))
     motion = TorqueFreeMotion(
@@ -56,17 +56,16 @@ def parse_case(text: str, allow_nonphysical: bool = False) -> Case:
         allow_nonphysical=allow_nonphysical,
         degrees=data.get("degrees", False),
     )
-    return Case(motion, _times(data["times"]), messages.read(data.get("message", {})))
-
-
-def _times(value: inputs.Times | toml_file.TomlTable) -> tuple[Fraction, ...]:
-    if isinstance(value, Mapping):
-        return _grid(value)
-    return inputs.times(inputs.sequence("times", value))[0]
+    times = data["times"]
+    if isinstance(times, Mapping):
+        exact = _grid(times)
+    else:
+        exact = inputs.times(inputs.sequence("times", times))[0]
+    return Case(motion, exact, messages.read(data.get("message", {})))
 
 
 def _grid(table: toml_file.TomlTable) -> tuple[Fraction, ...]:
-    """count times from start to stop, both included."""
+    """Return count times from start to stop, both included."""
     if set(table) != {"start", "stop", "count"}:
         raise InputError("times", sorted(table), "a table of times has start, stop and count")
     start, stop = (inputs.exact(f"times.{key}", table[key]) for key in ("start", "stop"))

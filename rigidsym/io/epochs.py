@@ -1,7 +1,7 @@
-"""Epochs as text, and what they are some seconds later, to 1e-14 s and through leap seconds.
+"""Epochs as text, and epochs some seconds later, exact to 1e-14 s and through leap seconds.
 
 An instant is a whole number of ticks of 1e-14 s since 0001-01-01T00:00:00 of its own time system,
-counted as that system's clock runs: days of 86400 s, and in UTC the leap seconds besides.
+counted by that system's clock: days of 86400 s, and in UTC the leap seconds besides.
 """
 
 import math
@@ -15,7 +15,7 @@ from rigidsym.errors import InputError
 
 # A fixed-point number has at most 16 digits (CCSDS 504.0-B-2, 6.8.4.1), two of them whole seconds.
 DECIMALS = 14
-# What readers of milliseconds and readers that expect a fraction are both content with.
+# Enough for readers that expect milliseconds, and for those that expect any fraction.
 FEWEST_DECIMALS = 3
 SECOND = 10**DECIMALS
 TIME_SYSTEMS = ("UTC", "TAI", "TT", "GPS")
@@ -44,9 +44,9 @@ _FORMAT = "must be YYYY-MM-DDThh:mm:ss[.d...] or YYYY-DDDThh:mm:ss[.d...]"
 
 
 def parse(field: str, text: str, system: str) -> int:
-    """The instant an epoch names (CCSDS 504.0-B-2, 6.8.9); Z may end it where the system is UTC.
+    """Return the instant of an epoch (CCSDS 504.0-B-2, 6.8.9); in UTC it may end in Z.
 
-    23:59:60 is an epoch on days that had a leap second.  Raises InputError.
+    23:59:60 is an epoch on days with a leap second.  Raises InputError.
     """
     if system not in TIME_SYSTEMS:
         rule = f"must be one of: {', '.join(TIME_SYSTEMS)}"
@@ -63,12 +63,13 @@ def parse(field: str, text: str, system: str) -> int:
         raise InputError(field, repr(text), f"there is no such time of that day in {system}")
     if system == "UTC" and day < _UTC_STARTS:
         raise InputError(field, repr(text), "UTC has had SI seconds since 1972: take TAI")
-    whole = day * DAY + _leaps_before(day, system) + hours * 3600 + minutes * 60 + seconds
+    leaps = bisect_left(_LEAP_DAYS, day) if system == "UTC" else 0
+    whole = day * DAY + leaps + hours * 3600 + minutes * 60 + seconds
     return whole * SECOND + int(fraction.ljust(DECIMALS, "0"))
 
 
 def _day(field: str, text: str) -> tuple[int, tuple[str, ...]]:
-    """The number of a day, from zero, and what the clock shows."""
+    """Return the number of a day, from zero, and the time of day."""
     calendar = _CALENDAR.fullmatch(text) if isinstance(text, str) else None
     ordinal = _ORDINAL.fullmatch(text) if isinstance(text, str) else None
     try:
@@ -88,21 +89,17 @@ def _day_of_year(year: int, number: int) -> int:
     return day
 
 
-def _leaps_before(day: int, system: str) -> int:
-    return bisect_left(_LEAP_DAYS, day) if system == "UTC" else 0
-
-
 def later(instant: int, seconds: float) -> int:
-    """The instant so many seconds later, rounded to a tick.
+    """Return the instant so many seconds later, rounded to a tick.
 
-    A double stands for its shortest decimal: 0.1 s later is .100, and a reader who takes the epoch
-    away again has the same double.
+    A double stands for its shortest decimal: 0.1 s later is .100, and subtracting the epoch again
+    gives the same double.
     """
     return instant + round(Fraction(repr(seconds)) * SECOND)
 
 
 def decimals(instants: Iterable[int]) -> int:
-    """The fewest decimals of a second, at least 3, that write all instants without loss."""
+    """Return the fewest decimals of a second, at least 3, that write all instants without loss."""
     common = math.gcd(SECOND, *instants)
     count = DECIMALS
     while count > FEWEST_DECIMALS and common % 10 == 0:
@@ -112,9 +109,9 @@ def decimals(instants: Iterable[int]) -> int:
 
 
 def printed(instant: int, system: str, digits: int) -> str:
-    """YYYY-MM-DDThh:mm:ss and `digits` decimals, in a time system.
+    """Return YYYY-MM-DDThh:mm:ss and `digits` decimals, in a time system.
 
-    Raises InputError outside of the years that have four digits, and for UTC before 1972.
+    Raises InputError outside of the years with four digits, and for UTC before 1972.
     """
     seconds, fraction = divmod(instant, SECOND)
     day, clock = _clock(seconds, system)
@@ -130,7 +127,7 @@ def printed(instant: int, system: str, digits: int) -> str:
 
 
 def _clock(seconds: int, system: str) -> tuple[int, int]:
-    """The day and the second of the day; the leap second is second 86400."""
+    """Return the day and the second of the day; the leap second is second 86400."""
     leaps = _AFTER_LEAPS if system == "UTC" else []
     past = bisect_right(leaps, seconds)
     if past < len(leaps) and seconds == leaps[past] - 1:

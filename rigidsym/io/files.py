@@ -1,4 +1,4 @@
-"""Reading files with one clear line when that fails; writing them whole or not at all."""
+"""Files: read with one clear line of error, written whole or not at all."""
 
 import os
 import tempfile
@@ -8,7 +8,7 @@ from rigidsym.errors import InputError
 
 
 def probe(directory: Path) -> None:
-    """Raise InputError where a directory cannot be written, before work is spent."""
+    """Raise InputError if a directory cannot be written, before work is spent."""
     try:
         directory.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=directory):
@@ -18,7 +18,7 @@ def probe(directory: Path) -> None:
 
 
 def read_text(field: str, path: str | Path) -> str:
-    """The text of a user's file; raises InputError where it cannot be read or is not UTF-8."""
+    """Return the text of a user's file; raise InputError if it cannot be read or is not UTF-8."""
     try:
         return Path(path).read_text("utf-8")
     except OSError as error:
@@ -28,19 +28,21 @@ def read_text(field: str, path: str | Path) -> str:
 
 
 def write_text(path: Path, text: str) -> Path:
-    """Write under a temporary name and move into place; raises InputError where that fails."""
+    """Write text under a temporary name and move it into place; raise InputError on failure."""
     return write_bytes(path, text.encode("utf-8"))
 
 
 def write_bytes(path: Path, data: bytes) -> Path:
-    """Like `write_text`."""
+    """Write bytes under a temporary name and move them into place; raise InputError on failure."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor, name = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
         try:
             with os.fdopen(descriptor, "wb") as file:
                 file.write(data)
-            os.chmod(name, 0o666 & ~_umask())
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(name, 0o666 & ~mask)
             os.replace(name, path)
         except BaseException:
             os.unlink(name)
@@ -51,14 +53,8 @@ def write_bytes(path: Path, data: bytes) -> Path:
 
 
 def remove(path: Path) -> None:
-    """Take away a file that may be there; raises InputError where that fails."""
+    """Remove a file if it exists; raise InputError on failure."""
     try:
         path.unlink(missing_ok=True)
     except OSError as error:
         raise InputError("output", path, f"cannot be removed: {error.strerror}") from None
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -1,4 +1,4 @@
-"""States as labelled tables: a DataFrame of pandas, a Dataset of xarray.  Neither is needed."""
+"""States as labelled tables: a pandas DataFrame, an xarray Dataset; both are optional."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -15,9 +15,9 @@ RATES = ("omega1", "omega2", "omega3")
 
 
 def dataframe(t: np.ndarray, q: np.ndarray, omega: np.ndarray) -> "DataFrame":
-    """A row for each of N times: index t, columns q0 ... q3 and omega1 ... omega3.
+    """Return a row for each of N times: index t, columns q0 ... q3 and omega1 ... omega3.
 
-    Raises ImportError where pandas is not installed.
+    Raises ImportError if pandas is not installed.
     """
     pandas: Any = package("pandas", "to_dataframe", "frames")
     index = pandas.Index(t, name="t")
@@ -25,9 +25,9 @@ def dataframe(t: np.ndarray, q: np.ndarray, omega: np.ndarray) -> "DataFrame":
 
 
 def dataset(t: np.ndarray, q: np.ndarray, omega: np.ndarray, rate_unit: str) -> "Dataset":
-    """Variables q (t, component) and omega (t, axis), with units as attributes.
+    """Return variables q (t, component) and omega (t, axis), with units as attributes.
 
-    Raises ImportError where xarray is not installed.
+    Raises ImportError if xarray is not installed.
     """
     xarray: Any = package("xarray", "to_xarray", "frames")
     said = {"long_name": "attitude, body to inertial, scalar first", "units": "1"}

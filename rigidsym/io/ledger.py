@@ -1,4 +1,4 @@
-"""The sealed ledger as a file: what the proof wing writes and the number wing reads."""
+"""The sealed ledger as a file, written by the proof wing and read by the number wing."""
 
 import hashlib
 import json
@@ -11,15 +11,15 @@ SEAL = "ledger.sha256"
 
 
 def ledger_text() -> str:
-    """The sealed ledger that came with this installation."""
+    """Return the sealed ledger that came with this installation."""
     return _derived("ledger.json", "run `rigidsym derive --in-place` to write it")
 
 
 def sealed_text() -> str:
-    """The same; LedgerError unless it is the one that the kernel decided when it was written.
+    """Return the sealed ledger; raise LedgerError if it is not the text that was sealed.
 
     Certificates are not replayed for numbers: a digest that `rigidsym derive` leaves beside the
-    ledger says that they were.  It finds what was changed by accident, or by hand.
+    ledger certifies that they were.  It detects accidental changes and edits by hand.
     """
     text = ledger_text()
     if seal(text) != _derived(SEAL, "run `rigidsym derive --in-place` to write it"):
@@ -31,12 +31,12 @@ def sealed_text() -> str:
 
 
 def seal(text: str) -> str:
-    """What the file beside a ledger says of it."""
+    """Return the content of the seal of a ledger."""
     return f"{hashlib.sha256(text.encode()).hexdigest()}  ledger.json\n"
 
 
 def specification_text() -> str:
-    """What a ledger has to prove, as `rigidsym.language.specification` reads it."""
+    """Return the text of the specification, which `rigidsym.language.specification` reads."""
     return _derived("specification.txt", "it comes with this package")
 
 
@@ -48,7 +48,7 @@ def _derived(name: str, advice: str) -> str:
 
 
 def ledger_data(text: str) -> dict[str, Any]:
-    """A ledger as plain data; raises LedgerError unless it has the parts of one."""
+    """Return a ledger as plain data; raise LedgerError unless it has the parts of one."""
     try:
         data = json.loads(text)
         for part, key in (("facts", "id"), ("contexts", "name")):

@@ -1,4 +1,4 @@
-"""The table [message] of a file: what an attitude ephemeris message says of itself."""
+"""The table [message] of a file: fields of an attitude ephemeris message."""
 
 from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
@@ -9,20 +9,20 @@ from rigidsym.io import toml as toml_file
 from rigidsym.io.attitude_ephemeris import text_value
 
 MISSION = ("object_name", "object_id", "originator", "creation_date", "ref_frame_b")
-"Who flies, who writes, and when: what a file can say of any message."
+"Fields that a file can set for any message."
 ALL = (*MISSION, "epoch", "time_system", "ref_frame_a")
-"With those of a message whose epoch and inertial frame nothing else decides."
+"All fields, where nothing else determines the epoch and the inertial frame."
 UNNAMED = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
-"For files that name nothing (CCSDS 504.0-B-2, table 4-3)."
+"Defaults (CCSDS 504.0-B-2, table 4-3)."
 
 Message = Mapping[str, str]
 
 
 def read(table: object, known: Collection[str] = ALL) -> Message:
-    """The arguments of `rigidsym.io.aem` that a table gives, by name.
+    """Return the arguments of `rigidsym.io.aem` in a table, by name.
 
-    Dates are strings or TOML's own.  Raises InputError about the first key that is not known and
-    text that the standard has no place for.
+    Dates are strings or TOML's own.  Raises InputError about the first unknown key, and text that
+    the standard does not allow.
     """
     if not isinstance(table, Mapping):
         raise InputError("message", repr(table), f"must be a table of {', '.join(sorted(known))}")
@@ -34,7 +34,7 @@ def read(table: object, known: Collection[str] = ALL) -> Message:
 
 
 def _text(field: str, value: object) -> str:
-    """Text as it is, a date of TOML as the standard writes it."""
+    """Return text as it is, a date of TOML in the standard's form."""
     if isinstance(value, datetime):
         utc = value if value.tzinfo is None else value.astimezone(UTC)
         return utc.replace(tzinfo=None).isoformat()

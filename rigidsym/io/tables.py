@@ -21,7 +21,7 @@ Time = TypeVar("Time")
 
 
 class How(TypedDict, total=False):
-    """The arguments of `precise` and `enclose` besides times and digits."""
+    """Arguments of `precise` and `enclose` besides times and digits."""
 
     method: str
     max_seconds: float
@@ -41,13 +41,13 @@ class Table:
 
 
 def doubles(case: Case) -> Table:
-    """By the generated module; the shortest decimals that stand for the doubles."""
+    """Return the states of the generated module, in the shortest decimals of the doubles."""
     times = inputs.doubles("times", case.times)
     return _table(times, case.motion(times), repr, lambda x: repr(float(x)))
 
 
 def decimals(case: Case, digits: int, **how: Unpack[How]) -> Table:
-    """`digits` digits of each number; `how` are the other arguments of `precise`."""
+    """Return `digits` digits of each number; `how` are the other arguments of `precise`."""
     from mpmath import mp
 
     def text(x: "mpf") -> str:
@@ -58,7 +58,7 @@ def decimals(case: Case, digits: int, **how: Unpack[How]) -> Table:
 
 
 def balls(case: Case, digits: int, **how: Unpack[How]) -> Table:
-    """Decimal balls that contain the true values; `how` are the other arguments of `enclose`."""
+    """Return decimal balls that contain the true values; `how` as for `enclose`."""
     from rigidsym.precise.printed import printed_ball, printed_rational
 
     states = case.motion.enclose(list(case.times), digits, **how)
@@ -82,26 +82,23 @@ def _table(
 
 
 def to_csv(table: Table) -> bytes:
-    """One line per time under a header; a ball takes two columns, q0_mid and q0_rad."""
+    """Return one line per time under a header; a ball takes two columns, q0_mid and q0_rad."""
     columns = [f"{c}_{part}" for c in COLUMNS for part in table.parts] or COLUMNS
     lines = [",".join(columns)]
     for t, q, omega in table.rows:
-        lines.append(",".join(x for number in (t, *q, *omega) for x in _strings(number)))
+        numbers = ((x,) if isinstance(x, str) else x.values() for x in (t, *q, *omega))
+        lines.append(",".join(text for number in numbers for text in number))
     return ("\n".join(lines) + "\n").encode()
 
 
-def _strings(number: Number) -> Iterable[str]:
-    return (number,) if isinstance(number, str) else number.values()
-
-
 def to_json(table: Table) -> bytes:
-    """The schema rigidsym.states/1: every number a decimal string, or a ball of two."""
+    """Return the schema rigidsym.states/1: every number a decimal string, or a ball of two."""
     states = [{"t": t, "q": q, "omega": omega} for t, q, omega in table.rows]
     return (json.dumps({"schema": SCHEMA, "states": states}, indent=1) + "\n").encode()
 
 
 def to_npz(table: Table) -> bytes:
-    """float64 arrays t (N,), q (N, 4) and omega (N, 3)."""
+    """Return float64 arrays t (N,), q (N, 4) and omega (N, 3)."""
     t, q, omega = (np.array([row[k] for row in table.rows], dtype=float) for k in range(3))
     buffer = io.BytesIO()
     np.savez(buffer, t=t, q=q.reshape(-1, 4), omega=omega.reshape(-1, 3))

@@ -1,4 +1,4 @@
-"""TOML files of users: one clear line when something is wrong."""
+"""TOML files of users, with one clear line for a mistake."""
 
 import tomllib
 from collections.abc import Collection, Mapping
@@ -16,7 +16,7 @@ _READ_BY |= dict.fromkeys(("attitudes", "rates", "vectors"), "fit")
 
 
 def parse(field: str, text: str) -> TomlTable:
-    """The tables of TOML text; raises InputError where it is none."""
+    """Return the tables of TOML text; raise InputError if it is not TOML."""
     try:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:

@@ -1,4 +1,4 @@
-"""Tracks: attitudes and rates at increasing times, all that an export needs to know."""
+"""Tracks: attitudes and rates at increasing times, for export; splines through them."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -9,16 +9,19 @@ from numpy.typing import ArrayLike
 from rigidsym.errors import InputError
 
 if TYPE_CHECKING:
+    from scipy.spatial.transform import RotationSpline
+
     from rigidsym.motion import TorqueFreeMotion
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Track:
-    """times (N,) in s, increasing; q (N, 4), scalar first, body to inertial; omega (N, 3), rad/s.
+    """Attitudes and rates at increasing times.
 
-    omega is along the axes of the body.  Quaternions are normalised here and keep their signs.
-    There is at least one state.  Raises InputError for other shapes, numbers that are not finite,
-    times that do not increase, and a quaternion that is zero.
+    times (N,) in s; q (N, 4), scalar first, body to inertial; omega (N, 3), rad/s, along the axes
+    of the body.  Quaternions are normalised here and keep their signs.  There is at least one
+    state.  Raises InputError for other shapes, numbers that are not finite, times that do not
+    increase, and a quaternion that is zero.
     """
 
     times: np.ndarray
@@ -37,13 +40,13 @@ class Track:
 
 
 def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
-    """The track of a motion at times (N,), s.  Raises InputError as the motion and `Track` do."""
+    """Return the track of a motion at times (N,), s; raise InputError as both of them do."""
     given = np.atleast_1d(_array("times", times))
     return Track(given, *motion(given))
 
 
 def _array(field: str, value: ArrayLike) -> np.ndarray:
-    """A copy, of finite doubles."""
+    """Return a copy of finite doubles."""
     try:
         array = np.array(value)
         if value is None or array.dtype.kind in "bmMcSU":
@@ -66,7 +69,7 @@ def _rows(field: str, value: ArrayLike, count: int, width: int) -> np.ndarray:
 
 
 def _unit(q: np.ndarray) -> np.ndarray:
-    """Scaled first by powers of two, so that no square overflows or is lost."""
+    """Return unit quaternions, scaled first by powers of two so that no square overflows."""
     most = np.max(np.abs(q), axis=1, keepdims=True)
     for k in np.flatnonzero(most == 0)[:1]:
         raise InputError(f"q[{k}]", q[k].tolist(), "must not be zero")
@@ -76,3 +79,34 @@ def _unit(q: np.ndarray) -> np.ndarray:
 
 def _shape(array: np.ndarray) -> str:
     return f"an array of shape {array.shape}"
+
+
+def rotation_spline(track: Track) -> "RotationSpline":
+    """Return a SciPy RotationSpline through the attitudes of a track, body to inertial.
+
+    It is cubic between the times, with continuous rates and angular accelerations: spline(t),
+    spline(t, 1) in rad/s along the axes of the body, spline(t, 2).  Where the times are h apart,
+    the angle between it and the motion decreases as h^4, but at both ends as h^2, because SciPy
+    takes the mean rates of the first and of the last interval for the rates at the ends.  This
+    error decreases by a factor of about 4 with each interval, so sample some intervals further than
+    needed.
+
+    Raises InputError for a single state and for steps of half a turn and more, |omega| h >= pi, and
+    ImportError without SciPy.
+    """
+    try:
+        from scipy.spatial.transform import Rotation, RotationSpline
+    except ImportError:
+        raise ImportError("rotation_spline needs SciPy: pip install 'rigidsym[app]'") from None
+    if track.times.size < 2:
+        raise InputError("times", track.times.tolist(), "a spline needs at least two times")
+    _check_steps(track)
+    return RotationSpline(track.times, Rotation.from_quat(np.roll(track.q, -1, axis=1)))
+
+
+def _check_steps(track: Track) -> None:
+    """Raise InputError where a step is half a turn or more, since SciPy takes the shorter way."""
+    speed = np.linalg.norm(track.omega, axis=1)
+    angles = np.maximum(speed[1:], speed[:-1]) * np.diff(track.times)
+    for k in np.flatnonzero(angles >= np.pi)[:1] + 1:
+        raise InputError(f"times[{k}]", track.times[k], "must be less than half a turn later")

@@ -1,6 +1,5 @@
-"""Bodies that something pushes: splitting methods on the exact free motion (`integrate`)."""
+"""Motion under torques: splitting methods on the exact free motion (`integrate`)."""
 
-from rigidsym.splitting.in_c import TorqueInC
 from rigidsym.splitting.integration import integrate
 from rigidsym.splitting.methods import METHODS, Method
 from rigidsym.splitting.orbits import KeplerOrbit
@@ -12,6 +11,7 @@ from rigidsym.splitting.torques import (
     Potential,
     Tide,
     Torque,
+    TorqueInC,
 )
 from rigidsym.splitting.trajectory import Trajectory
 

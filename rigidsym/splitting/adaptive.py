@@ -1,4 +1,4 @@
-"""The steps that a tolerance asks for."""
+"""Choice of steps by a tolerance."""
 
 from dataclasses import dataclass, replace
 
@@ -7,20 +7,19 @@ import numpy as np
 from rigidsym.errors import PrecisionError
 from rigidsym.quaternions import conjugate, product, rotation_vectors
 from rigidsym.splitting.panels import HopelessError, Panels, rounding
-from rigidsym.splitting.running import run
-from rigidsym.splitting.state import State
-from rigidsym.splitting.stepping import Splitting
-from rigidsym.splitting.trajectory import Mesh, Trajectory
+from rigidsym.splitting.stepping import Splitting, State
+from rigidsym.splitting.trajectory import Mesh, Trajectory, run
 
-# The first run may be off by this, rad, or by the tolerance times this to the power of the order.
+# Error of the first run: at most _FIRST, rad, or the tolerance times _LOOSE to the power of the
+# order.
 _FIRST, _LOOSE = 0.02, 3.0
-# Meshes, each looking closer than the one before, and halvings of the steps of each.
+# Number of meshes, each finer than the one before, and halvings of the steps of each.
 _MESHES, _HALVINGS = 4, 20
-# A change of the start that is as small as its rounding, rad.
+# Change of the start of the size of rounding, rad.
 _NOTHING = 1e-15
-# Runs that are farther apart tell nothing about their order, rad.
+# Difference between runs above which it does not show their order, rad.
 _FAR = 0.1
-# Steps that show how far a torque can be followed that is not smooth.
+# Steps of a span for a torque that is not smooth.
 _COARSE = 128
 
 
@@ -72,8 +71,10 @@ class _Search:
         raise self._refused("runs with ever shorter steps do not come closer to each other")
 
     def _halved(self, last: Trajectory, panels: Panels) -> Trajectory:
-        """The last of runs, each with half the steps of the one before: it is below the tolerance,
-        or the runs do not come closer as they should."""
+        """Return the last of runs, each with half the steps of the one before.
+
+        It is below the tolerance, or the runs do not converge as they should.
+        """
         most, coarsest = 2.0**self.splitting.method.order, last
         ratio, before = min(panels.ratio, most), 0.0
         for k in range(_HALVINGS):
@@ -151,8 +152,10 @@ class _Search:
 
 
 def gap(one: Trajectory, other: Trajectory) -> float:
-    """The largest rotation between two trajectories, rad, or difference of rates as a part of the
-    largest rate of that body."""
+    """Return the largest difference between two trajectories.
+
+    It is a rotation, rad, or a difference of rates as a part of the largest rate of that body.
+    """
     turns = np.linalg.norm(rotation_vectors(product(conjugate(one.q), other.q)), axis=-1)
     rates = np.linalg.norm(one.omega - other.omega, axis=-1)
     sizes = np.max(np.linalg.norm(other.omega, axis=-1), axis=-1, keepdims=True)

@@ -10,11 +10,9 @@ from rigidsym.engines import batches
 from rigidsym.errors import InputError
 from rigidsym.splitting import methods
 from rigidsym.splitting.adaptive import chosen
-from rigidsym.splitting.running import run
-from rigidsym.splitting.state import State
-from rigidsym.splitting.stepping import Bodies, Splitting
+from rigidsym.splitting.stepping import Bodies, Splitting, State
 from rigidsym.splitting.torques import Torque
-from rigidsym.splitting.trajectory import Mesh, Trajectory
+from rigidsym.splitting.trajectory import Mesh, Trajectory, run
 
 TOLERANCE = 1e-6
 
@@ -34,32 +32,64 @@ def integrate(
     engine: str = "numpy",
     allow_nonphysical: bool = False,
 ) -> Trajectory:
-    """Bodies that a torque pushes: states at times (N,), from those at times[0].
+    """Integrate the motion of bodies under a torque.
 
-    inertia (..., 3), q0 (..., 4), omega0 (..., 3): leading shapes broadcast; units, conventions
-    and engines are those of `TorqueFreeMotion`.  torque: a function of t (s), q (..., 4) and omega
-    (..., 3) that returns N m in body axes, (..., 3); those in `rigidsym.splitting` are ready made.
-    One that depends on omega needs `rate_dependent=True`, and four evaluations a kick.  With
-    engine="c" runs under the ready-made ones, but for `Potential`, go without Python in between.
+    Parameters
+    ----------
+    inertia : (..., 3)
+        Principal moments; leading shapes of bodies broadcast.  Units, conventions and engines are
+        those of `TorqueFreeMotion`.
+    q0 : (..., 4)
+        Attitudes at times[0].
+    omega0 : (..., 3)
+        Rates at times[0].
+    torque : function
+        Torque in body axes, N m, (..., 3), of t (s), q (..., 4) and omega (..., 3); common ones are
+        in `rigidsym.splitting`.  With engine="c" those, except `Potential`, run without Python in
+        between.
+    times : (N,)
+        Times, s, increasing.
+    step : float or None
+        Step, s, the same throughout, counted from times[0].  None chooses steps, shorter where the
+        torque requires it, until the error is below `tolerance`.
+    method : {"strang", "saba2", "aba84", "bm4", "bm6"}
+        Splitting into free motions, which are exact, and kicks by the torque; the coefficients,
+        orders and sources are in `rigidsym.splitting.METHODS`.  The errors are those of the torque
+        alone: a weak one allows steps of a radian.  All methods are symplectic and symmetric; with
+        a torque from a potential the energy does not drift.
+    tolerance : float
+        Largest error at any of `times` for step=None, 1e-6 by default: a rotation, rad, or a change
+        of rates as a part of the body's largest.  It is estimated from runs with steps halved, by
+        the observed order of convergence.  The torque is probed at a thousand times or more, so
+        that jumps, kinks and pulses of 1/200 of the span or more are found; narrower pulses may be
+        missed.
+    discontinuities : (D,)
+        Times at which steps begin anew, s; those outside of `times` are ignored.
+    rate_dependent : bool
+        Must be True for a torque that depends on omega; a kick then takes four evaluations.
+    engine : str
+        As for `TorqueFreeMotion`.
+    allow_nonphysical : bool
+        Accept moments of bodies that cannot exist.
 
-    method: "strang", "saba2", "aba84", "bm4" or "bm6" (`rigidsym.splitting.METHODS` has their
-    coefficients, orders and sources): free motions, which are exact, and kicks by the torque in
-    turn.  So errors are those of the torque alone: a weak one bears steps of a radian.  All are
-    symplectic and symmetric; with a torque from a potential the energy does not drift.
+    Returns
+    -------
+    Trajectory
+        `q, omega = integrate(...)` has (..., N, 4) and (..., N, 3); it can be called with other
+        times.
 
-    step: s, the same throughout, counted from times[0].  None chooses steps, shorter where the
-    torque asks for it, until the error is below `tolerance`, 1e-6 by default: the largest rotation,
-    rad, or change of rates as a part of the body's largest, at any of `times`.  The error is
-    estimated from runs with steps halved, by the order of convergence that is observed.  The torque
-    is probed at a thousand times or more, so that jumps, kinks and pulses of 1/200 of the span or
-    more are found; narrower pulses may be missed.  discontinuities: (D,), s, times at which steps
-    begin anew; those outside of `times` are ignored.
+    Raises
+    ------
+    InputError
+        For arguments that are refused, and a torque that is not finite.
+    PrecisionError
+        With the reason, where no step reaches the tolerance.
 
-    Returns a `Trajectory`: `q, omega = integrate(...)` has (..., N, 4) and (..., N, 3), and it can
-    be called with other times.  Whatever stops an integration, Ctrl-C or a torque that is not
-    finite, has the states until then as the exception's attribute `trajectory`.  Raises InputError,
-    and PrecisionError with the reason where no step reaches the tolerance.
+    Whatever stops an integration, Ctrl-C included, the exception has the states until then as its
+    attribute `trajectory`.
 
+    Examples
+    --------
     >>> from rigidsym.splitting import GravityGradient, KeplerOrbit
     >>> inertia = (0.0109, 0.04, 0.0506)
     >>> torque = GravityGradient(inertia, KeplerOrbit(mu=3.986004418e14, periapsis=6.778e6))
@@ -89,7 +119,7 @@ def integrate(
 def _started(
     inertia: ArrayLike, q0: ArrayLike, omega0: ArrayLike, engine: str, allow_nonphysical: bool
 ) -> tuple[Bodies, State]:
-    """Bodies that can exist and their states, all of one leading shape."""
+    """Return bodies that can exist and their states, all of one leading shape."""
     sizes = {"inertia": 3, "q0": 4, "omega0": 3}
     arrays = dict(zip(sizes, (inertia, q0, omega0), strict=True))
     given = {name: batches.array(name, value) for name, value in arrays.items()}
@@ -129,7 +159,7 @@ def _times(times: ArrayLike) -> np.ndarray:
 
 
 def _stops(discontinuities: ArrayLike, times: np.ndarray) -> np.ndarray:
-    """The first of `times`, the discontinuities before the last, and the last, s, rising."""
+    """Return the first of `times`, the discontinuities before the last, and the last, s, rising."""
     array = batches.array("discontinuities", discontinuities)
     if array.ndim != 1:
         rule = "must be one-dimensional"
@@ -157,7 +187,10 @@ def _step(step: float, times: np.ndarray) -> float:
 
 
 def _refuse_rate_dependence(splitting: Splitting, state: State, t: float) -> None:
-    """Kicks would be of the first order only, so what is seen of it at the start is an error."""
+    """Raise InputError for a torque that changes with the rates at the start.
+
+    Kicks would then be of the first order only.
+    """
     other = -0.5 * state.omega + 0.25 * np.max(np.abs(state.omega), initial=1e-3)
     pushed = splitting.acceleration(t, state.q, state.omega)
     if not np.array_equal(pushed, splitting.acceleration(t, state.q, other)):

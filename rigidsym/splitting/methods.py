@@ -35,21 +35,21 @@ class Method:
 
     @property
     def order(self) -> int:
-        """Of the error when steps shrink, however strong the torque."""
+        """Return the order of the error in the step, for a torque of any strength."""
         return min(self.orders)
 
 
 def _symmetric(
     drifts: tuple[float, ...], kicks: tuple[float, ...], orders: tuple[int, int], source: str
 ) -> Method:
-    """From the first parts of either kind; what they leave of a step is in the middle."""
+    """Return a method from the first parts of either kind; the middle completes the step."""
     one_kick = len(drifts) == len(kicks)
     whole = _mirrored(drifts, 2 if one_kick else 1), _mirrored(kicks, 1 if one_kick else 2)
     return Method(*whole, orders, source)
 
 
 def _mirrored(half: tuple[float, ...], middle: int) -> tuple[float, ...]:
-    """The parts, what they leave of 1 in so many equal ones, and the parts from behind."""
+    """Return the parts, the rest of 1 in so many equal parts, and the parts reversed."""
     rest = (1 - 2 * fsum(half)) / middle
     return (*half, *[rest] * middle, *reversed(half))
 
@@ -97,7 +97,7 @@ METHODS = {
 
 
 def checked(name: str) -> Method:
-    """The method of a name; raises InputError for others."""
+    """Return the method of a name; raise InputError for others."""
     if not isinstance(name, str) or name not in METHODS:
         raise InputError("method", repr(name), f"must be one of: {', '.join(METHODS)}")
     return METHODS[name]

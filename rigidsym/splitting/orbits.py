@@ -1,4 +1,4 @@
-"""Where a planet is seen from a body on a Kepler orbit, elliptic or hyperbolic."""
+"""Kepler orbits, elliptic or hyperbolic: position, and the tide of the mass point."""
 
 import math
 from dataclasses import dataclass
@@ -45,17 +45,17 @@ class KeplerOrbit:
 
     @property
     def mean_motion(self) -> float:
-        """rad/s; of a hyperbola by the size of its semi-major axis."""
+        """Return the mean motion, rad/s; of a hyperbola by the size of its semi-major axis."""
         return math.sqrt(self.mu / self._semi_major**3)
 
     @property
     def period(self) -> float:
-        """s; infinite on a hyperbola."""
+        """Return the period, s; infinite on a hyperbola."""
         return 2 * math.pi / self.mean_motion if self.eccentricity < 1 else math.inf
 
     @property
     def axes(self) -> tuple[np.ndarray, np.ndarray]:
-        """Unit vectors (3,) towards periapsis, and a right angle on from there, inertial axes."""
+        """Return unit vectors (3,) towards periapsis and 90 degrees ahead of it, inertial axes."""
         (c_n, s_n), (c_i, s_i), (c_w, s_w) = (
             (math.cos(x), math.sin(x)) for x in (self.node, self.inclination, self.argument)
         )
@@ -64,18 +64,20 @@ class KeplerOrbit:
         return c_w * ascending + s_w * highest, c_w * highest - s_w * ascending
 
     def position(self, t: float) -> np.ndarray:
-        """From the mass point to the body at a time, m, inertial axes (3,)."""
+        """Return the position from the mass point at a time, m, inertial axes (3,)."""
         along, across = self._in_plane(self.mean_motion * (t - self.epoch))
         return along * self.axes[0] + across * self.axes[1]
 
     def tide(self, t: float) -> np.ndarray:
-        """The position times sqrt(3 mu / r^5): a body's gravity gradient is v x I v, N m, where v
-        are its components (3,) in body axes."""
+        """Return the position times sqrt(3 mu / r^5) at a time.
+
+        A body's gravity gradient is v x I v, N m, where v are its components (3,) in body axes.
+        """
         return tidal(self.mu, self.position(t))
 
     @property
     def numbers(self) -> np.ndarray:
-        """What `torque_free_orbit` has in C, (11,)."""
+        """Return the fields of `torque_free_orbit` in C, (11,)."""
         shape = self.mean_motion, self.epoch, self.eccentricity, self._semi_major, 3 * self.mu
         return np.array([*shape, *self.axes[0], *self.axes[1]])
 
@@ -84,7 +86,7 @@ class KeplerOrbit:
         return self.periapsis / abs(1 - self.eccentricity)
 
     def _in_plane(self, mean_anomaly: float) -> tuple[float, float]:
-        """Towards periapsis, and at a right angle to it, m."""
+        """Return the position towards periapsis, and at a right angle to it, m."""
         a, e = self._semi_major, self.eccentricity
         if e < 1:
             E = elliptic_anomaly(math.remainder(mean_anomaly, 2 * math.pi), e)
@@ -94,7 +96,7 @@ class KeplerOrbit:
 
 
 def tidal(mu: float, position: np.ndarray) -> np.ndarray:
-    """A position (3,), m, times sqrt(3 mu / r^5)."""
+    """Return a position (3,), m, times sqrt(3 mu / r^5)."""
     r = math.hypot(*position)
     return math.sqrt(3 * mu / r) / (r * r) * position
 

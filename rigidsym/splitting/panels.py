@@ -1,10 +1,10 @@
-"""Panels: a mesh that is chosen while a run goes on, by local errors and by probes of the torque.
+"""Panels: a mesh chosen during a run, by local errors and by probes of the torque.
 
 A panel is covered by 1, 2, 4 and at most 32 steps.  It is accepted when the differences of these
-fall and are small, and when the torque, probed along the panel, is smooth there and adds up to the
-impulse of the kicks.  Otherwise it is divided: around a jump or kink where the probes show one, in
-the middle where not.  So a pulse is not stepped over, and steps are short only where they have to
-be.
+decrease and are small, and when the torque, probed along the panel, is smooth there and its
+integral is the impulse of the kicks.  Otherwise it is divided: around a jump or kink where the
+probes show one, else in the middle.  So no pulse is stepped over, and steps are short only where
+they have to be.
 """
 
 from collections.abc import Callable
@@ -13,8 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from rigidsym.quaternions import conjugate, product, rotation_vectors
-from rigidsym.splitting.state import State
-from rigidsym.splitting.stepping import Splitting
+from rigidsym.splitting.stepping import Splitting, State
 from rigidsym.splitting.torques import DirectionTorque
 from rigidsym.splitting.trajectory import Mesh
 
@@ -25,20 +24,20 @@ _LEVELS = 5
 # Probes of a block, at Chebyshev's points, and blocks in the whole run: narrower pulses than some
 # three probes, 1/200 of the run, may be missed.
 _DEGREE, _BLOCKS = 16, 64
-# A torque is smooth if Chebyshev's last coefficients are small.
+# Number of the last Chebyshev coefficients, which are small for a smooth torque.
 _LAST = 4
 # Blocks of bodies that are probed at once, some hundred megabytes.
 _AT_ONCE = 1 << 17
-# Second differences this much larger than the middle one of their neighbours show a jump or kink.
+# Ratio of a second difference to the median of its neighbours that indicates a jump or kink.
 _OUTLIER = 6.0
-# What the rounding of a few steps amounts to, as a part of what is rounded.
+# Relative rounding error of a few steps.
 _ROUNDING = 2.0**-50
 # Slower bodies are at rest, rad/s.
 _REST = 1e-150
-# So many panels say how many there will be.
+# Number of panels from which the total number is estimated.
 _FEW = 64
-# Panels are short beside a turn of the body or the run.  So many in a row in which the torque is
-# nowhere smooth are noise, and so many in a row are hopeless if a turn would take this many.
+# Length of a short panel, relative to a turn of the body or the run.  _NOISE short panels in a row
+# without a smooth torque are noise; _ROW in a row are hopeless if a turn would take _HOPELESS.
 _SHORT, _NOISE, _ROW, _HOPELESS = 2.0**-8, 64, 64, 2.0**18
 
 _ANGLES = np.pi * np.arange(_DEGREE, -1, -1) / _DEGREE
@@ -53,7 +52,7 @@ Panel = tuple[float, float]
 
 
 def rounding(count: float, turned: float) -> float:
-    """The error by the rounding of so many kicks of a body that turns by an angle, rad.
+    """Return the error by rounding of so many kicks of a body that turns by an angle, rad.
 
     >>> 1e-15 < rounding(100.0, 1.0) < 1e-14
     True
@@ -102,7 +101,7 @@ class Panels(Mesh):
 
     @property
     def ratio(self) -> float:
-        """How the differences of successive steps fall over all panels."""
+        """Return the ratio of the differences of successive steps, over all panels."""
         coarse, fine = self.differences
         return float(coarse / fine) if fine else np.inf
 
@@ -133,7 +132,7 @@ class Panels(Mesh):
             raise HopelessError(f"rounding alone amounts to {whole:.0e} rad")
 
     def _judged(self, begin: float, end: float, state: State) -> float | list[float]:
-        """The step of a panel that is accepted, or the edges of its parts."""
+        """Return the step of a panel that is accepted, or the edges of its parts."""
         length, middle = end - begin, [begin, (begin + end) / 2, end]
         is_last = length <= self._least
         fastest = float(np.max(_lengths(state.omega)))
@@ -148,8 +147,8 @@ class Panels(Mesh):
         except HopelessError:
             raise
         except Exception:
-            # Too long a step may drive the rates beyond all bounds; and states before what the
-            # torque fails at are kept.
+            # Too long a step may drive the rates beyond all bounds.  The panel is halved so that
+            # the states before a failure of the torque are kept.
             if is_last:
                 raise
             return middle
@@ -158,7 +157,7 @@ class Panels(Mesh):
         return middle if found is None else found
 
     def _step(self, begin: float, end: float, state: State) -> float | list[float] | None:
-        """The step, or the edges of parts; None where the panel has to be halved."""
+        """Return the step, or the edges of parts; None where the panel has to be halved."""
         length = end - begin
         blocks = self._blocks(length)
         ends = [self._by(begin, length, state, level) for level in (0, 1)]
@@ -222,20 +221,25 @@ class Panels(Mesh):
         return self._splitting.advance(state, begin, length / 2**level, 0, 2**level)
 
     def _apart(self, one: State, other: State, begin: float) -> float:
-        """How far apart two states at the end of a panel may be at the end of the run."""
+        """Return the difference at the end of the run by two states at the end of a panel."""
         turns = _lengths(rotation_vectors(product(conjugate(one.q), other.q)))
         return float(np.max(turns + _lengths(one.omega - other.omega) * self._reach(begin)))
 
     def _reach(self, begin: float) -> np.ndarray:
-        """The weight of a change of rates, s: it turns the body until the end of the run, and it is
-        a part of the body's rates."""
+        """Return the weight of a change of rates, s.
+
+        It turns the body until the end of the run, and it is a part of the body's rates.
+        """
         parts = np.divide(
             1.0, self._rates, out=np.zeros_like(self._rates), where=self._rates > _REST
         )
         return self._end - begin + parts
 
     def _path(self, begin: float, length: float, state: State, after: State) -> Path:
-        """States between the ends of a panel: from the free motion before to the one behind."""
+        """Return a function for states between the ends of a panel.
+
+        It goes from the free motion before the panel to the free motion after it.
+        """
 
         def path(times: np.ndarray) -> State:
             drifts = self._splitting.bodies.drifts
@@ -263,21 +267,21 @@ class Panels(Mesh):
         return self._splitting.probe(times, states.q, states.omega)
 
     def _weights(self, begin: float, torques: np.ndarray, times: np.ndarray) -> np.ndarray:
-        """The weight of an impulse, (..., 1), rad over N m s; the rates it gives count as such."""
+        """Return the weight of an impulse, (..., 1), rad over N m s; its rates are included."""
         means = (torques[1:] + torques[:-1]) / 2 * _along(np.diff(times), torques)
         gained = np.max(_lengths(np.cumsum(means, axis=0)), axis=0) / self._least_moment
         self._rates = np.maximum(self._rates, gained)
         return (self._reach(begin) / self._least_moment)[..., None]
 
     def _impulse(self, torques: np.ndarray, length: float) -> np.ndarray:
-        """The integral of the torque over blocks of a length, (..., 3), N m s."""
+        """Return the integral of the torque over blocks of a length, (..., 3), N m s."""
         firsts = torques[:-1].reshape(-1, _DEGREE, *torques.shape[1:])
         lasts = torques[_DEGREE::_DEGREE]
         inner = np.tensordot(_WEIGHTS[:-1], firsts, (0, 1))
         return length * np.sum(inner + _WEIGHTS[-1] * lasts, axis=0)
 
     def _kicked(self, path: Path, begin: float, step: float, count: int) -> np.ndarray:
-        """The impulse by the kicks of steps, (..., 3), N m s."""
+        """Return the impulse by the kicks of steps, (..., 3), N m s."""
         method = self._splitting.method
         into = (np.arange(count)[:, None] + np.cumsum(method.drifts[:-1])).ravel()
         kicks, found = np.tile(method.kicks, count), np.zeros(3)
@@ -298,8 +302,10 @@ class Panels(Mesh):
     def _located(
         self, path: Path, times: np.ndarray, torques: np.ndarray, weight: np.ndarray, unseen: float
     ) -> Panel | None:
-        """A part in which all that is not smooth is too short to be seen; None where there is no
-        jump or kink."""
+        """Return a part that contains all that is not smooth and is too short to matter.
+
+        None where there is no jump or kink.
+        """
         while True:
             bends = _bends(times, torques * weight)
             k = int(np.argmax(bends))
@@ -322,13 +328,12 @@ def _lengths(vectors: np.ndarray) -> np.ndarray:
 
 
 def _along(numbers: np.ndarray, array: np.ndarray) -> np.ndarray:
-    """Numbers (M,) as an array (M, 1, ...) of as many dimensions as another."""
+    """Return numbers (M,) as an array (M, 1, ...) of as many dimensions as another."""
     return numbers.reshape(-1, *[1] * (array.ndim - 1))
 
 
 def _tails(torques: np.ndarray, length: float) -> np.ndarray:
-    """Chebyshev's last coefficients of each block times its length, (blocks,), of the worst
-    body."""
+    """Return the last Chebyshev coefficients times the length, (blocks,), of the worst body."""
     count = (len(torques) - 1) // _DEGREE
     blocks = np.array([torques[_DEGREE * k : _DEGREE * (k + 1) + 1] for k in range(count)])
     last = np.tensordot(_TO_COEFFICIENTS[-_LAST:], blocks, (1, 1))
@@ -336,7 +341,7 @@ def _tails(torques: np.ndarray, length: float) -> np.ndarray:
 
 
 def _bends(times: np.ndarray, torques: np.ndarray) -> np.ndarray:
-    """Second divided differences, (M - 2,), of the worst body."""
+    """Return second divided differences, (M - 2,), of the worst body."""
     slopes = np.diff(torques, axis=0) / _along(np.diff(times), torques)
     bends = np.diff(slopes, axis=0) / _along(times[2:] - times[:-2], torques)
     return np.max(_lengths(bends).reshape(len(bends), -1), axis=1)

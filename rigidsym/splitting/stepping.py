@@ -9,34 +9,47 @@ from rigidsym import engines
 from rigidsym.engines import arrays, batches
 from rigidsym.errors import InputError
 from rigidsym.quaternions import rotated
-from rigidsym.splitting import compiled
 from rigidsym.splitting.methods import Method
-from rigidsym.splitting.state import State
+from rigidsym.splitting.orbits import KeplerOrbit
 from rigidsym.splitting.torques import DirectionTorque, Torque
+
+# Kicks of bodies in one call of C, some hundredths of a second, after which Ctrl-C is handled.
+_AT_ONCE = 1 << 18
+
+
+@dataclass(slots=True)
+class State:
+    """Attitudes (..., 4) and rates (..., 3) of bodies at one time."""
+
+    q: np.ndarray
+    omega: np.ndarray
 
 
 @dataclass(frozen=True, slots=True)
 class Bodies:
-    """The moments of bodies that can exist, (3,) of all or of shape that broadcasts with states,
-    and what moves them freely."""
+    """Bodies that can exist: their moments, and the engine that moves them freely.
+
+    inertia: (3,) for all, or of a shape that broadcasts with states.
+    """
 
     inertia: np.ndarray
     engine: str
 
     def drift(self, state: State, dt: float) -> State:
-        """The free motion over a time, s, of states that were looked at before: straight by the
-        engine, which takes less than looking again would."""
+        """Return the states after a free motion over a time, s.
+
+        States must have been checked before: they go straight to the engine, which takes less time
+        than another check.
+        """
+        # Steps of NumPy take twice as long as its engine for one body alone.
+        stepped = self.engine == "c" or (self.engine == "numpy" and state.omega.ndim > 1)
         try:
-            return self._stepped(state, dt) if self._steps(state) else self._propagated(state, dt)
+            return self._stepped(state, dt) if stepped else self._propagated(state, dt)
         except engines.EngineError as error:
             # Some body turns further than a step goes.
             if error.field == "dt":
                 return self._propagated(state, dt)
             raise _refused(error) from None
-
-    def _steps(self, state: State) -> bool:
-        """Whether steps are for these; of one body alone, NumPy's takes twice as long."""
-        return self.engine == "c" or (self.engine == "numpy" and state.omega.ndim > 1)
 
     def _stepped(self, state: State, dt: float) -> State:
         shape = state.omega.shape[:-1]
@@ -66,10 +79,10 @@ def _refused(error: engines.EngineError) -> InputError:
 
 @dataclass(slots=True)
 class Splitting:
-    """Bodies, a torque, and a method that takes them forward in time.
+    """Bodies, a torque, and the method that integrates their motion.
 
     Kicks change the momentum at fixed attitude.  By a torque of attitude and time they are exact;
-    by a `rate_dependent` one they follow Runge and Kutta's method of order four.  evaluations and
+    by a `rate_dependent` one they follow the Runge-Kutta method of order four. evaluations and
     probes: calls of the torque, in steps and between them.
     """
 
@@ -81,12 +94,15 @@ class Splitting:
     probes: int = field(default=0, init=False)
 
     def advance(self, state: State, begin: float, step: float, first: int, last: int) -> State:
-        """From begin + first step to begin + last step, s; drifts that meet are one."""
+        """Return the states from begin + first step to begin + last step, s.
+
+        Drifts that follow each other are one.
+        """
         if (kicks := self._compiled(state)) is not None:
             try:
-                after = compiled.advance(kicks, state, begin, step, (first, last))
+                after = _advance_in_c(kicks, state, begin, step, (first, last))
             except engines.EngineError:
-                # What follows says which torque, or goes further than steps do.
+                # The loop below names the torque, or takes longer drifts than steps can.
                 pass
             else:
                 self.evaluations += len(kicks.kicks) * (last - first)
@@ -94,13 +110,23 @@ class Splitting:
         return self._advanced(state, begin, step, first, last)
 
     def _compiled(self, state: State) -> engines.Kicks | None:
-        """What C's loop takes; None where it is not asked for, or the torque is none of its."""
+        """Return the arguments of C's loop; None if it does not apply to the engine or torque."""
         torque = self.torque
         if self.bodies.engine != "c" or self.rate_dependent:
             return None
         if not isinstance(torque, DirectionTorque):
             return None
-        return compiled.kicks(self.bodies.inertia, torque, self.method, state.omega.shape[:-1])
+        shape, source = state.omega.shape[:-1], torque.source
+        on_orbit = isinstance(source, KeplerOrbit)
+        return engines.Kicks(
+            inertia=arrays.row_or_rows(self.bodies.inertia, shape),
+            coefficients=arrays.row_or_rows(torque.coefficients, shape),
+            vector=None if on_orbit else arrays.row_or_rows(source, shape),
+            orbit=source.numbers if on_orbit else None,
+            drifts=np.array(self.method.drifts),
+            kicks=np.array(self.method.kicks),
+            more=torque.more,
+        )
 
     def _advanced(self, state: State, begin: float, step: float, first: int, last: int) -> State:
         drifts, kicks = self.method.drifts, self.method.kicks
@@ -121,7 +147,7 @@ class Splitting:
         return State(q, omega + dt * self.acceleration(t, q, omega))
 
     def _runge_kutta(self, t: float, q: np.ndarray, omega: np.ndarray, dt: float) -> np.ndarray:
-        """How rates change in a kick; the time stands still in it as the attitude does."""
+        """Return the change of the rates by a kick, in which attitude and time are fixed."""
         k1 = self.acceleration(t, q, omega)
         k2 = self.acceleration(t, q, omega + dt / 2 * k1)
         k3 = self.acceleration(t, q, omega + dt / 2 * k2)
@@ -129,7 +155,7 @@ class Splitting:
         return dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
 
     def acceleration(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """What the torque does to the rates, rad/s^2; raises InputError for what is no torque."""
+        """Return the torque over the moments, rad/s^2; raise InputError for invalid torques."""
         self.evaluations += 1
         return _checked(self.torque(t, q, omega), t, omega.shape) / self.bodies.inertia
 
@@ -149,7 +175,7 @@ class Splitting:
             alone = replace(kicks, drifts=np.zeros(2), kicks=np.ones(1))
             resting = State(state.q, np.zeros_like(state.omega))
             try:
-                after = compiled.advance(alone, resting, t, 1.0, (0, 1))
+                after = _advance_in_c(alone, resting, t, 1.0, (0, 1))
             except engines.EngineError:
                 pass
             else:
@@ -159,7 +185,7 @@ class Splitting:
 
 
 def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
-    """A torque of finite numbers, one vector for each body."""
+    """Return a torque of finite numbers, one vector for each body; raise InputError for others."""
     array = batches.array("torque", torque, lenient=True)
     if array.shape != shape:
         rule = f"must be of shape {shape}, as omega is (t = {t:.17g} s)"
@@ -173,3 +199,19 @@ def _checked(torque: ArrayLike, t: float, shape: tuple[int, ...]) -> np.ndarray:
             f"torque[{axis}]", array[tuple(place)], f"must be finite ({where}t = {t:.17g} s)"
         )
     return array
+
+
+def _advance_in_c(
+    found: engines.Kicks, state: State, begin: float, step: float, numbers: tuple[int, int]
+) -> State:
+    """Return the states after whole steps; raise EngineError if the C engine refuses."""
+    shape, (first, last) = state.omega.shape[:-1], numbers
+    q, omega = (np.array(arrays.rows(x, shape)) for x in (state.q, state.omega))
+    integrator = engines.integrator("c")
+    if integrator is None:
+        raise engines.EngineError("engine", "has no compiler")
+    some = max(1, _AT_ONCE // (len(q) * len(found.kicks)))
+    for start in range(first, last, some):
+        span = begin, step, start, min(start + some, last)
+        integrator.integrate(found, span, q, omega)
+    return State(q.reshape(*shape, 4), omega.reshape(*shape, 3))

@@ -4,8 +4,10 @@ A torque is any callable of the time (s), attitudes (..., 4) and rates (..., 3) 
 (..., 3); these are the common ones.
 """
 
+import ctypes
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,36 +23,39 @@ _NO_TURN = np.array([1.0, 0.0, 0.0, 0.0])
 
 
 class DirectionTorque:
-    """What a vector in space exerts, whose components in body axes are v: b + k v + v x (Q v - m).
+    """Torque of a vector in space with body components v: b + k v + v x (Q v - m).
 
-    source: the vector, (..., 3), or an orbit, on which it is `KeplerOrbit.tide`; coefficients
-    (..., 13): b, k, m, and Q11, Q22, Q33, Q23, Q13, Q12.  The ledger proves (`kick`) that the last
-    two terms are the torque of v Q v / 2 - m v.  With C's engine whole runs are made of these
-    without Python in between.
+    source: the vector, (..., 3), or an orbit, on which it is `KeplerOrbit.tide`; coefficients (...,
+    13): b, k, m, and Q11, Q22, Q33, Q23, Q13, Q12.  The ledger proves (`kick`) that the last two
+    terms are the torque of v Q v / 2 - m v.  The C engine integrates these without Python in
+    between.
     """
 
     more: tuple[int | None, int | None] = (None, None)
-    "Addresses of a function of C that adds to the torque, and of what it is handed."
+    "Addresses of a C function that adds to the torque, and of the data it receives."
 
     def __init__(self, source: np.ndarray | KeplerOrbit, coefficients: np.ndarray) -> None:
         self.source, self.coefficients = source, coefficients
 
     @property
     def is_steady(self) -> bool:
-        """Whether the torque depends on the attitude alone, and smoothly."""
+        """Return whether the torque depends on the attitude alone, and smoothly."""
         return isinstance(self.source, np.ndarray) and self.more == (None, None)
 
     def vector(self, t: float) -> np.ndarray:
-        """In inertial axes, (..., 3)."""
+        """Return the vector in inertial axes, (..., 3)."""
         return self.source.tide(t) if isinstance(self.source, KeplerOrbit) else self.source
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """N m, (..., 3)."""
+        """Return the torque, N m, (..., 3)."""
         return by_direction(q, self.vector(t), self.coefficients)
 
 
 class ConstantInBody(DirectionTorque):
-    """The same in body axes: a thruster.  torque: (..., 3), N m."""
+    """Torque that is constant in body axes, as of a thruster.
+
+    torque: (..., 3), N m.
+    """
 
     def __init__(self, torque: ArrayLike) -> None:
         self.torque = _vectors("torque", torque)
@@ -58,7 +63,10 @@ class ConstantInBody(DirectionTorque):
 
 
 class ConstantInSpace(DirectionTorque):
-    """The same in inertial axes.  torque: (..., 3), N m."""
+    """Torque that is constant in inertial axes.
+
+    torque: (..., 3), N m.
+    """
 
     def __init__(self, torque: ArrayLike) -> None:
         self.torque = _vectors("torque", torque)
@@ -66,7 +74,7 @@ class ConstantInSpace(DirectionTorque):
 
 
 class FieldPotential(DirectionTorque):
-    """Of the energy v Q v / 2 - m v in a field that is constant in space and v in body axes.
+    """Torque of the energy v Q v / 2 - m v in a constant field with components v in body axes.
 
     field (..., 3); linear (..., 3), m: a dipole's moment in a magnetic field, or the mass times the
     lever from the pivot where the field is gravity; quadratic (..., 3, 3), Q, symmetric.
@@ -84,14 +92,14 @@ class FieldPotential(DirectionTorque):
         super().__init__(self.field, _coefficients(m=self.linear, Q=self.quadratic))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """J, (...)."""
+        """Return the energy, J, (...)."""
         v = _in_body(q, self.field)
         quadratic = np.sum(v * np.squeeze(self.quadratic @ v[..., None], -1), axis=-1)
         return quadratic / 2 - np.sum(self.linear * v, axis=-1)
 
 
 class Tide:
-    """That of a mass point on one body, 3 mu / r^5  r x I r, by where the body is.
+    """Gravity gradient of a mass point on one body, 3 mu / r^5  r x I r, by its position.
 
     mu: m^3/s^2; inertia: (3,), kg m^2, about principal axes.
     """
@@ -101,12 +109,12 @@ class Tide:
         self._coefficients = _coefficients(Q=_differences(inertia))
 
     def __call__(self, position: np.ndarray) -> np.ndarray:
-        """N m, of a position from the mass point, m, (3,) each in body axes."""
+        """Return the torque, N m, at a position from the mass point, m, (3,) each in body axes."""
         return by_direction(_NO_TURN, tidal(self.mu, position), self._coefficients)
 
 
 class GravityGradient(DirectionTorque):
-    """The tide of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
+    """Gravity gradient of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
 
     inertia: (..., 3), kg m^2, about principal axes.  Hughes, Spacecraft Attitude Dynamics, 8.1.
     """
@@ -116,24 +124,26 @@ class GravityGradient(DirectionTorque):
         super().__init__(orbit, _coefficients(Q=_differences(self.inertia)))
 
     def energy(self, t: float, q: np.ndarray) -> np.ndarray:
-        """What depends on the attitude of the potential energy, J, (...): that which the torque
-        lowers, to the second order in the size of the body (MacCullagh's formula)."""
+        """Return the part of the potential energy that depends on the attitude, J, (...).
+
+        It is of second order in the size of the body (MacCullagh's formula).
+        """
         return np.sum(self.inertia * _in_body(q, self.vector(t)) ** 2, axis=-1) / 2
 
 
 @dataclass(frozen=True, slots=True)
 class Potential:
-    """Of bodies whose energy depends on their attitude and the time.
+    """Torque of an energy that depends on attitude and time.
 
     gradient: of the time (s) and attitudes (..., 4); the energy's derivatives, J, by the four
-    components of the quaternion, (..., 4).  Only how the energy changes along rotations counts:
+    components of the quaternion, (..., 4).  Only the change of the energy along rotations counts:
     the torque is -1/2 of the vector of conj(q) gradient, as q' = q (0, omega) / 2.
     """
 
     gradient: Callable[[float, np.ndarray], np.ndarray]
 
     def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """N m, (..., 3)."""
+        """Return the torque, N m, (..., 3)."""
         return -0.5 * product(conjugate(q), np.asarray(self.gradient(t, q)))[..., 1:]
 
 
@@ -152,12 +162,15 @@ def _coefficients(
 
 
 def _differences(inertia: np.ndarray) -> np.ndarray:
-    """Principal moments (..., 3) less the least, which exerts nothing, as matrices (..., 3, 3)."""
+    """Return principal moments (..., 3) less the least, as matrices (..., 3, 3).
+
+    The same moment about all axes exerts no torque.
+    """
     return (inertia - np.min(inertia, axis=-1, keepdims=True))[..., None] * np.eye(3)
 
 
 def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Components along the axes of bodies, (..., 3)."""
+    """Return components along the axes of bodies, (..., 3)."""
     shape = np.broadcast_shapes(q.shape[:-1], vector.shape[:-1])
     return rotated(conjugate(q), np.broadcast_to(vector, (*shape, 3)))
 
@@ -177,3 +190,48 @@ def _symmetric(value: ArrayLike) -> np.ndarray:
     if not np.array_equal(array, np.swapaxes(array, -1, -2)):
         raise InputError("quadratic", array.tolist(), "must be symmetric")
     return array
+
+
+_DOUBLES = ctypes.POINTER(ctypes.c_double)
+SIGNATURE = ctypes.CFUNCTYPE(None, ctypes.c_double, _DOUBLES, _DOUBLES, ctypes.c_void_p)
+"""void (double t, const double q[4], double torque[3], void *data)"""
+
+
+class TorqueInC(DirectionTorque):
+    """Torque of a C function of time (s) and attitude: N m in body axes.
+
+    function: `void (double t, const double q[4], double torque[3], void *data)`, one of ctypes or
+    an address, such as `numba.cfunc(...).address`; data: the address of data it receives.  It is
+    called from several threads where there are many bodies, and has to live as long as this object.
+    """
+
+    def __init__(self, function: Any, data: int | None = None) -> None:
+        super().__init__(np.zeros(3), np.zeros(13))
+        self._kept = function  # ctypes frees its memory with it
+        self.more = _address(function), _whole("data", data)
+        self._function = SIGNATURE(self.more[0])
+
+    def __call__(self, t: float, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
+        """Return the torque, N m, (..., 3)."""
+        found = np.zeros(omega.shape)
+        attitudes = np.ascontiguousarray(q, float).reshape(-1, 4)
+        for attitude, torque in zip(attitudes, found.reshape(-1, 3), strict=True):
+            self._function(
+                t, *(x.ctypes.data_as(_DOUBLES) for x in (attitude, torque)), self.more[1]
+            )
+        return found
+
+
+def _address(function: Any) -> int:
+    if hasattr(function, "argtypes"):
+        function = ctypes.cast(function, ctypes.c_void_p).value
+    rule = "must be a function of ctypes, or the address of one"
+    if not (address := _whole("function", function, rule)):
+        raise InputError("function", function, rule)
+    return address
+
+
+def _whole(field: str, value: Any, rule: str = "must be an address, or None") -> int | None:
+    if value is not None and (isinstance(value, bool) or not isinstance(value, int) or value < 0):
+        raise InputError(field, repr(value), rule)
+    return value

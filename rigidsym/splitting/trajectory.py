@@ -1,4 +1,4 @@
-"""States of a body under a torque at the times asked for, and between them."""
+"""Trajectories of bodies under a torque: a run, its states at given times, and between them."""
 
 from bisect import bisect_right
 from collections.abc import Iterator
@@ -9,10 +9,9 @@ from numpy.typing import ArrayLike
 
 from rigidsym.engines import batches
 from rigidsym.errors import InputError
-from rigidsym.splitting.state import State
-from rigidsym.splitting.stepping import Splitting
+from rigidsym.splitting.stepping import Splitting, State
 
-# Times are rounded: nearer to the end of a step than this, a time is that end.
+# Relative distance from the end of a step below which a time is that end, because of rounding.
 _NEAR = 4 * float(np.finfo(float).eps)
 
 
@@ -35,7 +34,7 @@ class Mesh:
 
     @property
     def halved(self) -> "Mesh":
-        """The mesh with half the steps, pieces with equal steps made one."""
+        """Return the mesh with half the steps; pieces with equal steps are joined."""
         found = Mesh([], [])
         for edge, step in zip(self.edges, self.steps, strict=True):
             half = step / 2 or step  # the least double has no half
@@ -77,11 +76,24 @@ class Trajectory:
         yield self.omega
 
     def __call__(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Attitudes and rates at t (s): (..., 4), (..., 3) for a number, (..., M, 4), (..., M, 3)
-        for M of them.
+        """Return attitudes and rates at t (s).
 
-        By the method itself, from the last of `times` before each and with a shorter step at the
-        end, so that nothing is lost between steps.  Raises InputError outside of `times`.
+        Parameters
+        ----------
+        t : number or (M,)
+            Times within `times`, s.
+
+        Returns
+        -------
+        q, omega : arrays
+            (..., 4), (..., 3) for a number; (..., M, 4), (..., M, 3) for M of them.  The method
+            itself continues from the last of `times` before each, with a shorter step at the end,
+            so that no accuracy is lost between steps.
+
+        Raises
+        ------
+        InputError
+            For times outside of `times`.
         """
         given = batches.array("t", t)
         if given.ndim > 1:
@@ -94,7 +106,7 @@ class Trajectory:
         return (q, omega) if given.ndim else (q[..., 0, :], omega[..., 0, :])
 
     def _between(self, wanted: np.ndarray) -> Iterator[tuple[int, State]]:
-        """Places in `wanted` and their states, interval by interval."""
+        """Yield indices in `wanted` and their states, interval by interval."""
         intervals = np.searchsorted(self.times, wanted, side="right") - 1
         for k in np.unique(intervals):
             places = np.flatnonzero(intervals == k)
@@ -104,24 +116,20 @@ class Trajectory:
             yield from zip(places, found, strict=True)
 
     def _refuse_beyond(self, wanted: np.ndarray) -> None:
-        for k in np.flatnonzero(~self._reached(wanted))[:1]:
-            reach = (
-                f"{self.times[0]:.17g} to {self.times[-1]:.17g} s" if self.times.size else "none"
-            )
+        inside, reach = np.zeros(wanted.shape, bool), "none"
+        if self.times.size:
+            inside = (self.times[0] <= wanted) & (wanted <= self.times[-1])
+            reach = f"{self.times[0]:.17g} to {self.times[-1]:.17g} s"
+        for k in np.flatnonzero(~inside)[:1]:
             raise InputError(f"t[{k}]", wanted[k], f"is not among the times reached, {reach}")
-
-    def _reached(self, wanted: np.ndarray) -> np.ndarray:
-        if not self.times.size:
-            return np.zeros(wanted.shape, bool)
-        return (self.times[0] <= wanted) & (wanted <= self.times[-1])
 
 
 def states(
     splitting: Splitting, state: State, begin: float, times: np.ndarray, mesh: Mesh
 ) -> Iterator[State]:
-    """Yield the states at times that do not fall, from one at `begin`.
+    """Yield the states at times that do not decrease, from one at `begin`.
 
-    Which times are asked for changes no step: each is reached by a shorter one aside.
+    The times do not influence the steps: each is reached by a shorter step aside.
     """
     end, step, done = begin, 0.0, 0
     for t in times.tolist():
@@ -142,16 +150,39 @@ def states(
 def _reach(
     splitting: Splitting, state: State, begin: float, t: float, step: float, done: int
 ) -> State:
-    """The state at t by whole steps from begin, of which some are done, and a shorter one."""
+    """Return the state at t, by the whole steps that remain to it and a shorter one."""
     count, rest = _steps(t, begin, step)
     state = splitting.advance(state, begin, step, done, count)
     return splitting.advance(state, begin + count * step, rest, 0, 1) if rest else state
 
 
 def _steps(t: float, begin: float, step: float) -> tuple[int, float]:
-    """How many whole steps lie between, and what remains, s."""
+    """Return the number of whole steps between two times, and the remaining time, s."""
     count = int((t - begin) / step + 0.5)
     rest = t - (begin + count * step)
     if abs(rest) <= _NEAR * max(abs(t), abs(begin)):
         return count, 0.0
     return (count, rest) if rest > 0 else (count - 1, rest + step)
+
+
+def run(splitting: Splitting, start: State, times: np.ndarray, mesh: Mesh) -> Trajectory:
+    """Return the trajectory at times that grow, from times[0] on.
+
+    An exception that stops it keeps the states until then as its attribute `trajectory`.
+    """
+    q, omega = (np.empty((*x.shape[:-1], times.size, x.shape[-1])) for x in (start.q, start.omega))
+    reached = 0
+
+    def trajectory() -> Trajectory:
+        found = times[:reached], q[..., :reached, :], omega[..., :reached, :]
+        steps = Mesh(mesh.edges, mesh.steps)
+        return Trajectory(*found, steps, splitting.evaluations, splitting, probes=splitting.probes)
+
+    try:
+        for state in states(splitting, start, float(times[0]), times, mesh):
+            q[..., reached, :], omega[..., reached, :] = state.q, state.omega
+            reached += 1
+    except BaseException as stop:
+        vars(stop)["trajectory"] = trajectory()
+        raise
+    return trajectory()

@@ -24,8 +24,7 @@ from rigidsym.manoeuvre.flight.settings import read
 from rigidsym.manoeuvre.manoeuvre import open_manoeuvre
 from rigidsym.manoeuvre.planning import solve
 from rigidsym.splitting import METHODS
-from rigidsym.splitting.state import State
-from rigidsym.splitting.stepping import Bodies
+from rigidsym.splitting.stepping import Bodies, State
 
 # The module, whose name is that of its function in the package.
 fly = importlib.import_module("rigidsym.manoeuvre.flight.fly")

@@ -6,7 +6,7 @@ from simulated import TUMBLING
 
 from rigidsym.errors import InputError
 from rigidsym.fitting.files import load, parse_csv, parse_message, parse_toml
-from rigidsym.io import aem, attitude_messages, sampled
+from rigidsym.io import aem, attitude_ephemeris, sampled
 
 T = np.array([0.0, 1.5, 4.0])
 Q, OMEGA = TUMBLING(T)
@@ -63,7 +63,7 @@ def test_csv_has_attitudes_and_rates_where_there_are_any():
 def test_a_message_comes_back_as_it_was_written():
     names = {"object_name": "UNKNOWN", "object_id": "UNKNOWN", "originator": "RIGIDSYM"}
     text = aem(sampled(TUMBLING, T), "2016-12-31T23:59:59", **names)
-    found = attitude_messages.read(text)
+    found = attitude_ephemeris.read(text)
     assert found.epoch == "2016-12-31T23:59:59.000"
     assert found.times == pytest.approx(T, abs=1e-14)
     assert found.q == pytest.approx(Q, abs=1e-15)
@@ -78,7 +78,7 @@ def test_older_messages_say_where_the_scalar_is():
         "META_START\nTIME_SYSTEM = TAI\nATTITUDE_TYPE = QUATERNION\nQUATERNION_TYPE = FIRST\n"
         "ATTITUDE_DIR = B2A\nMETA_STOP\nDATA_START\n2020-001T00:00:00 1 2 3 4\nDATA_STOP\n"
     )
-    assert attitude_messages.read(text).q.tolist() == [[1, -2, -3, -4]]
+    assert attitude_ephemeris.read(text).q.tolist() == [[1, -2, -3, -4]]
 
 
 @pytest.mark.parametrize(

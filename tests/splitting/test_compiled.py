@@ -16,7 +16,7 @@ from rigidsym.splitting import (
     GravityGradient,
     KeplerOrbit,
     TorqueInC,
-    compiled,
+    stepping,
 )
 
 BODY = (2.0, 3.0, 4.0)
@@ -48,13 +48,13 @@ def apart(one, other):
 @pytest.fixture
 def calls(monkeypatch):
     """Of the loop, with the numbers of steps."""
-    found, advance = [], compiled.advance
+    found, advance = [], stepping._advance_in_c
 
     def counted(*arguments):
         found.append(arguments[-1])
         return advance(*arguments)
 
-    monkeypatch.setattr(compiled, "advance", counted)
+    monkeypatch.setattr(stepping, "_advance_in_c", counted)
     return found
 
 
@@ -96,7 +96,7 @@ def test_how_many_steps_go_into_a_call_changes_nothing(monkeypatch):
     torque = TORQUES["a dipole"]
     start = BODY, START, [RATES, (0.1, 0.7, 0.2)], torque, TIMES
     whole = rigidsym.integrate(*start, step=0.1, engine="c")
-    monkeypatch.setattr(compiled, "_AT_ONCE", 12)
+    monkeypatch.setattr(stepping, "_AT_ONCE", 12)
     assert apart(whole, rigidsym.integrate(*start, step=0.1, engine="c")) < 1e-13
 
 
@@ -188,14 +188,14 @@ def test_a_torque_that_overflows_is_named_by_body_and_time():
 
 
 def test_ctrl_c_is_heard_between_calls_and_keeps_what_was_reached(monkeypatch):
-    advance = compiled.advance
+    advance = stepping._advance_in_c
 
     def stopping(found, state, begin, step, numbers):
         if numbers[1] > 4:
             raise KeyboardInterrupt
         return advance(found, state, begin, step, numbers)
 
-    monkeypatch.setattr(compiled, "advance", stopping)
+    monkeypatch.setattr(stepping, "_advance_in_c", stopping)
     with pytest.raises(KeyboardInterrupt) as stop:
         rigidsym.integrate(
             BODY, START, RATES, TORQUES["a dipole"], [0.0, 1.0, 2.0, 3.0], step=0.5, engine="c"
