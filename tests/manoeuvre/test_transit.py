@@ -1,12 +1,13 @@
-"""Cone and transit times, of motions that are there: propagated, not planned."""
+"""Cone, transit times and largest rates, of motions that are propagated, not planned."""
 
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from random_manoeuvres import BODIES, manoeuvre
+from random_manoeuvres import BODIES, TARGETS, manoeuvre
 
 from rigidsym import engines
+from rigidsym.manoeuvre import plan, solve
 from rigidsym.manoeuvre.directions import arcs, quadratic_form
 from rigidsym.manoeuvre.problem import problem
 from rigidsym.manoeuvre.transit import transits
@@ -59,3 +60,18 @@ def test_a_momentum_that_does_not_move_has_no_transit(axis):
     posed = problem((Fraction(1), Fraction(2), Fraction(5, 2)), START, turn, ENGINE)
     first, period = transits(posed, np.eye(3)[[axis]])
     assert np.isnan(first[0]) or not np.isfinite(period[0])
+
+
+@pytest.mark.parametrize("index", range(len(BODIES) * len(TARGETS)))
+def test_no_sample_is_faster_and_one_is_as_fast(index):
+    for one in solve(manoeuvre(index, 31), 4).transfers:
+        omega = one.motion(np.linspace(0, one.duration, 4001))[1]
+        sampled = np.linalg.norm(omega, axis=1).max()
+        assert sampled <= one.peak_rate * (1 + 1e-12)
+        assert sampled == pytest.approx(one.peak_rate, rel=1e-4)
+
+
+@pytest.mark.parametrize("size", [1e-6, 1e-12, 1e-15])
+def test_it_is_no_less_than_at_the_start(size):
+    best = plan((1, 2, 2.5), (1, 0, 0, 0), (1, size, 0, -size), 10).best
+    assert best.peak_rate >= np.linalg.norm(best.omega0) * (1 - 1e-12) > 0

@@ -1,8 +1,10 @@
 """`rigidsym compare`: what it prints, leaves behind and refuses, and that it is always the same."""
 
 import json
+import re
 import subprocess
 import sys
+from copy import deepcopy
 from dataclasses import asdict
 from fractions import Fraction
 from functools import partial
@@ -18,6 +20,7 @@ from rigidsym.manoeuvre.comparison.cases import draw
 from rigidsym.manoeuvre.comparison.collocation import Cost, Model, Task
 from rigidsym.manoeuvre.comparison.comparing import _Work
 from rigidsym.manoeuvre.comparison.optima import Attempt, Solved
+from rigidsym.manoeuvre.comparison.page import page
 from rigidsym.manoeuvre.comparison.results import spread
 from rigidsym.validate.executors import local
 
@@ -58,6 +61,13 @@ def test_files_and_tables(compared, data):
     text = (directory / "comparison.md").read_text()
     assert "| natural | " in text
     assert "near the guess" in text
+
+
+@pytest.mark.parametrize(("way", "name"), [("natural", "natural motion"), ("step", "step with")])
+def test_conclusions_follow_the_numbers(data, way, name):
+    summary = deepcopy(data["summary"])
+    summary["flown"]["wheels"][way]["over_least_square"]["median"] = 1e9
+    assert re.search(rf"The {name}[^.]* costs the most, 1e\+09 times", page("", 1, summary))
 
 
 def test_what_holds_of_any_manoeuvre(data):

@@ -1,4 +1,4 @@
-"""What surrounds a flight is a torque for splitting methods."""
+"""Each disturbance against values worked out by hand, and their sum as a torque."""
 
 import numpy as np
 import pytest
@@ -7,6 +7,9 @@ from scipy.integrate import solve_ivp
 import rigidsym
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import Environment, Flight
+from rigidsym.manoeuvre.flight.environment import LAYERS, Box, density, dipole, drag, radiation
+from rigidsym.manoeuvre.flight.sky import ASTRONOMICAL_UNIT, MU
+from rigidsym.splitting import Tide
 from rigidsym.validate.peers.integrators import rates
 
 INERTIA = np.array([0.0109, 0.04, 0.0506])
@@ -44,3 +47,88 @@ def test_it_pushes_each_of_many(around):
 def test_beyond_the_flight_nothing_is_known(around, t):
     with pytest.raises(InputError, match=r"^t = .*must be of the flight, 0 to 180 s"):
         around(t, np.array(START), np.zeros(3))
+
+
+CUBE = Box((1.0, 1.0, 1.0), (0.0, 0.1, 0.0))
+LONG = Box((0.3, 0.1, 0.2), (0.0, 0.0, 0.0))
+DIRECTIONS = np.array([[1, 0, 0], [0, -1, 0], [1, 1, 1], [-3, 1, 2], [0.2, -5, 0.1], [-1, -2, 4]])
+PRESSURE = 4.539806e-06  # 1361 / 299792458 N/m^2
+
+
+def test_gravity_gradient():
+    position = 7e6 / np.sqrt(2) * np.array([1.0, 1.0, 0.0])
+    found = Tide(MU, np.array([1.0, 2.0, 3.0]))(position)
+    # 3 * 3.986004418e14 / (7e6)^3 * (2 - 1) / 2
+    np.testing.assert_allclose(found, [0, 0, 1.7431507e-06], rtol=1e-7)
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_gravity_gradient_vanishes_on_the_axes(axis):
+    found = Tide(MU, np.array([1.0, 2.0, 3.0]))(7e6 * np.eye(3)[axis])
+    np.testing.assert_array_equal(found, np.zeros(3))
+
+
+def test_dipole():
+    found = dipole((0.5, 0.0, 0.0), np.array([1e-5, 2e-5, -3e-5]))
+    np.testing.assert_allclose(found, [0, 1.5e-5, 1e-5])
+
+
+def test_drag():
+    found = drag(CUBE, np.array([7500.0, 0, 0]), 1e-13, 2.0)
+    # The face at x = 1/2 feels 1/2 1e-13 2 7500^2 = 5.625e-6 N along -x, 0.1 m off the centre.
+    np.testing.assert_allclose(found, [0, 0, 5.625e-7], atol=1e-20)
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_drag_of_a_box_in_its_middle_is_none(direction):
+    # Air meets as much on one side of the line through the middle as on the other.
+    wind = 7500 * direction / np.linalg.norm(direction)
+    found = drag(LONG, wind, 1e-13, 2.2)
+    np.testing.assert_allclose(found, np.zeros(3), atol=1e-22)
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+def test_drag_by_the_force_and_the_lever(direction):
+    v = 7500 * direction / np.linalg.norm(direction)
+    offset = np.array([0.02, -0.01, 0.03])
+    area = abs(v / 7500) @ [0.1 * 0.2, 0.2 * 0.3, 0.3 * 0.1]
+    force = -0.5 * 1e-13 * 2.2 * 7500 * v * area
+    found = drag(Box((0.3, 0.1, 0.2), tuple(offset)), v, 1e-13, 2.2)
+    np.testing.assert_allclose(found, np.cross(offset, force), rtol=1e-12, atol=1e-22)
+
+
+@pytest.mark.parametrize(
+    ("specular", "diffuse", "times"), [(0, 0, 1), (1, 0, 2), (0, 1, 5 / 3), (0.3, 0.3, 1.5)]
+)
+def test_radiation(specular, diffuse, times):
+    sun = np.array([ASTRONOMICAL_UNIT, 0, 0])
+    found = radiation(CUBE, sun, 1.0, specular, diffuse)
+    np.testing.assert_allclose(found, [0, 0, 0.1 * times * PRESSURE], rtol=1e-6, atol=1e-20)
+
+
+def test_radiation_by_distance_and_shadow():
+    sun = np.array([0.4, -0.7, 0.2]) * ASTRONOMICAL_UNIT
+    full = radiation(CUBE, sun, 1.0, 0.1, 0.2)
+    np.testing.assert_allclose(radiation(CUBE, 2 * sun, 1.0, 0.1, 0.2), full / 4)
+    np.testing.assert_allclose(radiation(CUBE, sun, 0.25, 0.1, 0.2), full / 4)
+    np.testing.assert_array_equal(radiation(CUBE, sun, 0.0, 0.1, 0.2), np.zeros(3))
+
+
+def test_a_mirror_is_pushed_along_its_normal():
+    # Light at 60 degrees to the normal of the face y = 1/2: 2 P A cos^2 = P / 2, at x = 0.2.
+    plate = Box((1.0, 1e-9, 1.0), (0.2, 0.0, 0.0))
+    sun = ASTRONOMICAL_UNIT * np.array([0, 0.5, np.sqrt(0.75)])
+    found = radiation(plate, sun, 1.0, 1.0, 0.0)
+    np.testing.assert_allclose(found, [0, 0, -0.2 * PRESSURE / 2], rtol=1e-6, atol=1e-14)
+
+
+def test_density():
+    assert density(600.0) == 1.454e-13
+    assert density(650.0) == pytest.approx(1.454e-13 * np.exp(-50 / 71.835))
+    assert density(0.0) == 1.225
+    assert density(2000.0) == pytest.approx(3.019e-15 * np.exp(-1000 / 268))
+
+
+@pytest.mark.parametrize("height", [layer[0] for layer in LAYERS[1:]])
+def test_layers_meet(height):
+    assert density(height - 1e-9) == pytest.approx(density(height), rel=0.01)

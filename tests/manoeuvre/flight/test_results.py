@@ -5,15 +5,19 @@ import json
 import zipfile
 from dataclasses import replace
 from datetime import UTC, datetime
+from math import radians
+from shutil import copytree
 
 import numpy as np
 import pytest
 from manoeuvre_flights import INERTIA, NOTHING, known, short
 
 from rigidsym.errors import InputError
+from rigidsym.manoeuvre import plan
 from rigidsym.manoeuvre.flight import fly
 from rigidsym.manoeuvre.flight.results import Tracked
 from rigidsym.manoeuvre.flight.rotation import angle
+from rigidsym.manoeuvre.flight.run import predicted
 from rigidsym.manoeuvre.flight.settings import Thrusters
 from rigidsym.manoeuvre.manoeuvre import manoeuvre
 
@@ -31,19 +35,26 @@ def found():
     return tracked()
 
 
-def test_the_files(found, tmp_path):
-    names = {path.name for path in found.write(tmp_path)}
+@pytest.fixture(scope="module")
+def written(found, tmp_path_factory):
+    """A folder with all files of the flight."""
+    directory = tmp_path_factory.mktemp("written")
+    assert set(found.write(directory)) == set(directory.iterdir())
+    return directory
+
+
+def test_the_files(written):
     drawn = ("attitude", "error", "rates", "torques", "wheels", "disturbances")
     pictures = {f"{picture}.{suffix}" for picture in drawn for suffix in ("svg", "png")}
-    assert names == pictures | {"run.npz", "summary.json", "attitude.aem"}
-    assert all((tmp_path / name).stat().st_size > 500 for name in names)
+    sizes = {path.name: path.stat().st_size for path in written.iterdir()}
+    assert set(sizes) == pictures | {"run.npz", "summary.json", "attitude.aem"}
+    assert min(sizes.values()) > 500
 
 
-def test_the_same_bytes_twice(found, tmp_path):
-    for directory, flown in (("a", found), ("b", tracked())):
-        flown.write(tmp_path / directory)
-    for path in (tmp_path / "a").iterdir():
-        assert path.read_bytes() == (tmp_path / "b" / path.name).read_bytes(), path.name
+def test_the_same_bytes_twice(written, tmp_path):
+    tracked().write(tmp_path)
+    for path in written.iterdir():
+        assert path.read_bytes() == (tmp_path / path.name).read_bytes(), path.name
 
 
 def test_the_states(found):
@@ -124,17 +135,17 @@ def test_thrusters_say_where_they_lead():
     assert flown.missed == (summary["last"]["error"] > np.radians(0.1))
 
 
-def test_a_flight_that_does_not_settle():
-    flown = tracked(11)
-    assert flown.missed
-    assert ("settled at the target", "not within 0.1 deg at the end") in flown.rows()
-
-
-def test_a_flight_that_ends_early():
-    flown = tracked(5)
-    assert not flown.missed
-    assert ("settled at the target", "not flown") in flown.rows()
-    assert ("error at the end", "not flown") in flown.rows()
+@pytest.mark.parametrize(
+    ("length", "missed", "rows"),
+    [
+        (11, True, {("settled at the target", "not within 0.1 deg at the end")}),
+        (5, False, {("settled at the target", "not flown"), ("error at the end", "not flown")}),
+    ],
+)
+def test_a_flight_that_does_not_settle_or_ends_early(length, missed, rows):
+    flown = tracked(length)
+    assert flown.missed == missed
+    assert rows <= set(flown.rows())
 
 
 def test_a_flight_without_disturbances(tmp_path):
@@ -155,11 +166,11 @@ def test_what_cannot_be_written_leaves_nothing(found, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_no_message_of_another_flight_is_left(found, tmp_path):
-    found.write(tmp_path)
-    written = at(found, 1971, 12, 31).write(tmp_path)
-    assert set(tmp_path.iterdir()) == set(written)
-    assert tmp_path / "attitude.aem" not in written
+def test_no_message_of_another_flight_is_left(found, written, tmp_path):
+    copytree(written, tmp_path, dirs_exist_ok=True)
+    paths = at(found, 1971, 12, 31).write(tmp_path)
+    assert set(tmp_path.iterdir()) == set(paths)
+    assert tmp_path / "attitude.aem" not in paths
 
 
 @pytest.mark.parametrize(
@@ -175,3 +186,15 @@ def test_nothing_to_do_is_told(found, target, spin, trivial):
     flown = replace(found, manoeuvre=asked)
     assert flown.manoeuvre.trivial == trivial
     assert ("start equals target" in dict(flown.rows())) == trivial
+
+
+def test_the_prediction_says_both_in_degrees():
+    _, told = predicted(radians(2.5), 0.75)
+    assert told == "2.500 deg by 1 % of the burst, 0.750 deg by 1 deg of its direction"
+
+
+def test_a_spin_about_its_axis_misses_by_what_it_turns_too_far():
+    best = plan((1, 2, 3), (1, 0, 0, 0), (np.cos(0.5), 0, 0, np.sin(0.5)), 10).best
+    name, told = predicted(best.sensitivity.size, best.sensitivity.direction)
+    assert name == "the same predicted, uncorrected"
+    assert told.startswith(f"{np.degrees(0.01):.3f} deg by 1 %")
