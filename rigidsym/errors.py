@@ -1,4 +1,4 @@
-"""What users get to see when something cannot be done: always one line."""
+"""Errors that users see, always as one line, and checks for optional packages."""
 
 from collections.abc import Callable
 from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal
@@ -12,7 +12,7 @@ _SHORT = Context(prec=12, Emax=MAX_EMAX, Emin=MIN_EMIN)
 
 
 def written(value: object, write: Callable[[object], str] = str) -> str:
-    """A value as text, by a dozen digits where Python would not write a number that long."""
+    """Return a value as text, to a dozen digits where Python refuses to write a long number."""
     try:
         return write(value)
     except ValueError:  # int to str stops at 4300 digits
@@ -23,30 +23,74 @@ def written(value: object, write: Callable[[object], str] = str) -> str:
 
 
 class InputError(ValueError):
-    """One line: the field, the value it has, and the rule that the value breaks."""
+    """An input that breaks a rule: one line with the field, its value, the rule and what to do.
 
-    def __init__(self, field: str, value: object, rule: str) -> None:
+    Parameters
+    ----------
+    field : str
+        The name of the argument, with the index of the number that is refused.
+    value : object
+        Its value.
+    rule : str
+        The rule that the value breaks.
+    body, time : int, optional
+        The number of the body in a batch, counted through all leading axes, and of its time.
+    next_step : str, optional
+        How to have the value accepted.
+
+    All of them are attributes of the error.
+    """
+
+    def __init__(
+        self,
+        field: str,
+        value: object,
+        rule: str,
+        body: int | None = None,
+        time: int | None = None,
+        next_step: str = "",
+    ) -> None:
         shown = written(value).replace("\n", "\\n")
         if len(shown) > _LONGEST:
             shown = f"{shown[:_LONGEST]}..."
-        super().__init__(f"{field} = {shown}: {rule}")
+        super().__init__(f"{field} = {shown}: {rule}{next_step and f' ({next_step})'}")
         self.field, self.value, self.rule = field, value, rule
+        self.body, self.time, self.next_step = body, time, next_step
 
-    def __reduce__(self) -> "tuple[type[InputError], tuple[str, object, str]]":
-        """It comes back from other processes as what it was."""
-        return type(self), (self.field, self.value, self.rule)
+    def __reduce__(self) -> "tuple[type[InputError], tuple[object, ...]]":
+        """Return the arguments, so that the error comes back from other processes as it was."""
+        given = self.field, self.value, self.rule, self.body, self.time, self.next_step
+        return type(self), given
+
+
+class EngineError(ValueError):
+    """An array that an engine cannot compute with: the field and the rule it breaks.
+
+    body, time: the numbers of the first body and time that do.  Engines do not have the values as
+    users gave them: the public functions add these, and raise InputError.
+    """
+
+    def __init__(
+        self, field: str, rule: str, body: int | None = None, time: int | None = None
+    ) -> None:
+        super().__init__(f"{field}: {rule}")
+        self.field, self.rule, self.body, self.time = field, rule, body, time
+
+    def __reduce__(self) -> "tuple[type[EngineError], tuple[object, ...]]":
+        """Return the arguments, so that the error comes back from other processes as it was."""
+        return type(self), (self.field, self.rule, self.body, self.time)
 
 
 class LedgerError(ValueError):
-    """The ledger is missing, damaged, or does not prove what it publishes."""
+    """A ledger that is missing, damaged, or does not prove what it publishes."""
 
 
 class PrecisionError(ArithmeticError):
-    """The digits asked for were not reached."""
+    """A computation that did not reach the requested digits."""
 
 
 def package(name: str, user: str, extra: str = "lab") -> ModuleType:
-    """A module of an extra by its name; raises ImportError, in one line, without it."""
+    """Import a module of an extra by its name; raise ImportError, in one line, without it."""
     try:
         return import_module(name)
     except ImportError:
@@ -56,7 +100,7 @@ def package(name: str, user: str, extra: str = "lab") -> ModuleType:
 def require(user: str, *names: str, extra: str = "app") -> None:
     """Raise ImportError, in one line, for the packages of these names that are not installed.
 
-    They are looked for and not imported: some take long.
+    It looks for them and does not import them, which takes long for some.
     """
     missing = [name for name in names if find_spec(name) is None]
     if missing:

@@ -1,4 +1,4 @@
-"""Numbers as users give them, turned into exact rationals, with one clear line when they are wrong.
+"""Numbers as users give them, as exact rationals, with a one-line error where they are wrong.
 
 Floats mean the exact binary64 value; strings ("0.0109", "1/3", "0x1.8p+1"), Fraction, Decimal and
 mpf mean exactly what they say.  "0.0109 +/- 1e-6" and the balls of python-flint are uncertain.
@@ -25,20 +25,20 @@ if TYPE_CHECKING:
     from mpmath.ctx_mp_python import _mpf
     from numpy.typing import ArrayLike
 
-# What users give: numbers that are taken exactly, or within a radius; and vectors of them.
+# Numbers that are taken exactly, or within a radius, and vectors of them.
 ExactNumber = Union[float, int, str, Fraction, Decimal, "_mpf", "flint.arb", "Uncertain"]
 Vector3 = Union[Sequence[ExactNumber], "ArrayLike"]
 Quaternion = Union[Sequence[ExactNumber], "ArrayLike"]
 Times = Union[ExactNumber, Sequence[ExactNumber], "ArrayLike"]
 
 _HEX = re.compile(r"[+-]?0[xX]")
-# Room for the rounding of moments, as a part of the smallest.
+# The tolerance for the rounding of moments, relative to the smallest.
 ROUNDING = Fraction(1, 2**50)
 _LARGEST_EXPONENT = 10_000
 _LONGEST = 10**9
 _SHORT = 30
 _PI_BITS = 1000
-# Python reads and writes whole numbers of so many digits.
+# The digits of whole numbers up to which Python reads and writes them.
 _INT_DIGITS = 4300
 MOST_DIGITS = 100_000
 MOST_TIMES = 10_000_000
@@ -46,7 +46,7 @@ MOST_TIMES = 10_000_000
 
 @dataclass(frozen=True, slots=True)
 class Uncertain:
-    """A number that is only known to lie within a radius of another one."""
+    """A number that is known to lie within a radius of its middle."""
 
     middle: Fraction
     radius: Fraction
@@ -56,7 +56,7 @@ class Uncertain:
 
 
 class MotionInputs(TypedDict, total=False):
-    """Arguments of a motion, by name."""
+    """The arguments of a motion, by name."""
 
     inertia: Vector3
     omega0: Vector3
@@ -66,27 +66,27 @@ class MotionInputs(TypedDict, total=False):
     degrees: bool
 
 
-# A number as it was understood.
+# A number after it was read.
 Number = Fraction | Uncertain
 
 
 def middle(value: Number) -> Fraction:
-    """The number itself, or the one that an uncertain number lies about."""
+    """Return an exact number itself, or the middle of an uncertain one."""
     return value.middle if isinstance(value, Uncertain) else value
 
 
 def radius(value: Number) -> Fraction:
-    """How far from its middle a number may be; 0 for an exact one."""
+    """Return the radius of a number; 0 for an exact one."""
     return value.radius if isinstance(value, Uncertain) else Fraction(0)
 
 
 def is_uncertain(*values: Number) -> bool:
-    """Whether any of them is only known within a radius."""
+    """Return True if any number is only known within a radius."""
     return any(isinstance(value, Uncertain) for value in values)
 
 
 def number(field: str, value: ExactNumber) -> Number:
-    """An exact or an uncertain number; raises InputError unless it is finite and real."""
+    """Read an exact or an uncertain number; raise InputError unless it is finite and real."""
     if isinstance(value, Uncertain):
         return value
     parts: list[ExactNumber] = [value]
@@ -109,7 +109,7 @@ def number(field: str, value: ExactNumber) -> Number:
 def certain(
     field: str, values: Sequence[Number], rule: str = "is uncertain; only enclose takes that"
 ) -> tuple[Fraction, ...]:
-    """The same numbers; raises InputError for the first that is uncertain."""
+    """Return exact numbers unchanged; raise InputError for the first that is uncertain."""
     exact_ones = tuple(value for value in values if isinstance(value, Fraction))
     for k, value in enumerate(values):
         if isinstance(value, Uncertain):
@@ -118,53 +118,52 @@ def certain(
 
 
 def in_radians(values: Sequence[Number], degrees: bool = True) -> tuple[Number, ...]:
-    """Angles or rates in radians, of those given in degrees; as they are unless `degrees`.
+    """Convert angles or rates in degrees to radians; return them unchanged unless `degrees`.
 
-    All are multiplied by one rational, pi/180 to 300 digits, so that they keep their ratios
-    exactly, and with them the regime.
+    All are multiplied by one rational, pi/180 to 300 digits, so that their ratios stay exact, and
+    the regime with them.
     """
-    return tuple(_times_radian(value) for value in values) if degrees else tuple(values)
-
-
-def _times_radian(value: Number) -> Number:
-    radian = _radian()
-    if isinstance(value, Uncertain):
-        return Uncertain(value.middle * radian, value.radius * radian)
-    return value * radian
+    if not degrees:
+        return tuple(values)
+    unit = _degree()
+    return tuple(
+        Uncertain(x.middle * unit, x.radius * unit) if isinstance(x, Uncertain) else x * unit
+        for x in values
+    )
 
 
 @cache
-def _radian() -> Fraction:
-    """One degree."""
+def _degree() -> Fraction:
+    """Return one degree in radians."""
     from mpmath import mp
 
     return _exact_mpf("pi", mp.pi(prec=_PI_BITS)) / 180
 
 
 def is_true(field: str, value: bool) -> bool:
-    """A switch; raises InputError for what is neither true nor false."""
+    """Return a switch; raise InputError for a value that is neither True nor False."""
     if not isinstance(value, bool):
         raise InputError(field, written(value, repr), "must be true or false")
     return value
 
 
 def _is_ball(value: object) -> "TypeGuard[flint.arb]":
-    """Whether it is a ball of Arb's, as nothing else has a middle and a radius."""
+    """Return True for a ball of Arb's: nothing else has a middle and a radius."""
     return hasattr(value, "rad") and hasattr(value, "mid")
 
 
 def _is_mpf(value: object) -> "TypeGuard[_mpf | flint.arb]":
-    """Whether it says what it is as mpmath's numbers do, balls of radius 0 among them."""
+    """Return True for mpmath's numbers, and for balls of radius 0, which look like them."""
     return hasattr(value, "_mpf_")
 
 
-def _is_floating(value: object) -> TypeGuard[float | Decimal]:
-    """Whether it is a real number; of those that are not rational, NumPy's do as floats do."""
+def _is_float(value: object) -> TypeGuard[float | Decimal]:
+    """Return True for real numbers; NumPy's count as floats."""
     return isinstance(value, Real | Decimal)
 
 
 def exact(field: str, value: ExactNumber) -> Fraction:
-    """The exact rational a number stands for; raises InputError unless it is finite and real."""
+    """Return the exact rational value; raise InputError unless the number is finite and real."""
     if isinstance(value, str):
         return _exact_text(field, value)
     if isinstance(value, bool):
@@ -174,9 +173,9 @@ def exact(field: str, value: ExactNumber) -> Fraction:
     if _is_mpf(value):
         return _exact_mpf(field, value)
     if isinstance(value, Rational):
-        # NumPy's integers would stay what they are inside of a fraction.
+        # A fraction would keep NumPy's integers, which overflow.
         return Fraction(int(value.numerator), int(value.denominator))
-    if _is_floating(value):
+    if _is_float(value):
         if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
             raise InputError(field, value, "must be finite")
         return Fraction(*value.as_integer_ratio())
@@ -197,19 +196,17 @@ def _exact_text(field: str, text: str) -> Fraction:
     try:
         if _HEX.match(text.strip()):
             return Fraction(float.fromhex(text))
-        return Fraction(text) if len(text) <= _INT_DIGITS else _long_text(text)
+        if len(text) <= _INT_DIGITS:
+            return Fraction(text)
+        # Decimals, because int() reads no more than 4300 digits.
+        top, slash, bottom = text.partition("/")
+        return Fraction(Decimal(top)) / (Fraction(Decimal(bottom)) if slash else 1)
     except (InvalidOperation, ValueError, OverflowError, ZeroDivisionError):
         raise InputError(field, written(text, repr), "must be a finite decimal number") from None
 
 
-def _long_text(text: str) -> Fraction:
-    """The same without int(), which reads no more than 4300 digits."""
-    top, slash, bottom = text.partition("/")
-    return Fraction(Decimal(top)) / (Fraction(Decimal(bottom)) if slash else 1)
-
-
 def vector(field: str, values: Vector3 | Quaternion, length: int) -> tuple[Number, ...]:
-    """A vector of exact or uncertain numbers; raises InputError for a wrong length or number."""
+    """Read a vector of exact or uncertain numbers; raise InputError for a wrong length."""
     items = sequence(field, values)
     if len(items) != length:
         raise InputError(field, values, f"must have {length} numbers, not {len(items)}")
@@ -221,24 +218,25 @@ def sequence(field: str, values: Times, ndim: Literal[1] = 1) -> list[ExactNumbe
 @overload
 def sequence(field: str, values: "ArrayLike", ndim: Literal[2]) -> list[Vector3]: ...
 def sequence(field: str, values: Times, ndim: int = 1) -> list[Any]:
-    """The items of a list, tuple or array of `ndim` axes; raises InputError for anything else."""
+    """Return the items of a list, tuple or array of `ndim` axes; raise InputError for others."""
     unordered = isinstance(values, str | bytes | Set | Mapping)
     if unordered or not isinstance(values, Iterable) or getattr(values, "ndim", ndim) != ndim:
         raise InputError(field, written(values, repr), "must be a list of numbers")
     return list(values)
 
 
-_NO_BODY = "no body has a principal moment larger than the sum of the other two"
-_WAY_OUT = " (allow_nonphysical=True or --allow-nonphysical lets it pass)"
-NO_BODY = _NO_BODY + _WAY_OUT
+NO_BODY = "no body has a principal moment larger than the sum of the other two"
+# How to have such a body accepted.
+ALLOW = "allow_nonphysical=True or --allow-nonphysical lets it pass"
 
 
 def inertia(
-    values: Vector3, allow_nonphysical: bool = False, way_out: str = _WAY_OUT
+    values: Vector3, allow_nonphysical: bool = False, next_step: str = ALLOW
 ) -> tuple[Number, ...]:
-    """Three principal moments of a body that can exist, or of any positive ones if so allowed.
+    """Read three principal moments of a body that can exist, or any positive ones if so allowed.
 
-    way_out: what the message says of how to have it allowed."""
+    next_step: how the message says to have other moments accepted.
+    """
     given = sequence("inertia", values)
     moments = vector("inertia", given, 3)
     least, most = ([_end(moment, side) for moment in moments] for side in (-1, 1))
@@ -248,16 +246,16 @@ def inertia(
     high = max(range(3), key=least.__getitem__)
     others = [most[k] for k in range(3) if k != high]
     if not allow_nonphysical and not can_exist(least[high], *others):
-        raise InputError("inertia", shown(moments), _NO_BODY + way_out)
+        raise InputError("inertia", shown(moments), NO_BODY, next_step=next_step)
     return moments
 
 
 def can_exist(largest: Fraction, *others: Fraction) -> bool:
-    """Whether a body can have these positive moments, but for rounding: the largest is at most the
-    sum of the others, or that sum as a double, or beyond it by 2^-50 of the smallest.
+    """Return True if a body can have these positive moments, up to rounding.
 
-    Flat bodies are what rounding brings there: the second is for moments added in doubles, however
-    different, the third for three that were each rounded.
+    The largest is at most the sum of the others, or that sum as a double, or beyond it by 2^-50 of
+    the smallest.  Rounding makes flat bodies exceed the sum: the second condition is for moments
+    added in doubles, however different, the third for three that were each rounded.
 
     >>> can_exist(Fraction(0.1 + 0.2), Fraction(0.1), Fraction(0.2))
     True
@@ -265,22 +263,19 @@ def can_exist(largest: Fraction, *others: Fraction) -> bool:
     False
     """
     total = sum(others, Fraction(0))
-    return largest <= max(_rounded(total), total + ROUNDING * min(others))
-
-
-def _rounded(value: Fraction) -> Fraction:
-    """The nearest number of 53 bits, whatever its exponent, of a positive one."""
-    unit = Fraction(2) ** (value.numerator.bit_length() - value.denominator.bit_length())
-    return Fraction(float(value / unit)) * unit
+    # The nearest number of 53 bits, whatever its exponent.
+    unit = Fraction(2) ** (total.numerator.bit_length() - total.denominator.bit_length())
+    rounded = Fraction(float(total / unit)) * unit
+    return largest <= max(rounded, total + ROUNDING * min(others))
 
 
 def _end(value: Number, side: int) -> Fraction:
-    """The smallest or largest a number can be."""
+    """Return the smallest (side = -1) or largest (side = 1) value of a number."""
     return middle(value) + side * radius(value)
 
 
 def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]:
-    """A quaternion of any length but zero, scalar first."""
+    """Read a quaternion of any length but zero, scalar first."""
     quaternion = vector(field, values, 4)
     if all(_end(x, -1) <= 0 <= _end(x, 1) for x in quaternion):
         raise InputError(field, shown(quaternion), "must not be zero")
@@ -288,30 +283,31 @@ def attitude(values: Quaternion, field: str = "attitude0") -> tuple[Number, ...]
 
 
 def _is_one(values: object) -> TypeGuard[ExactNumber]:
-    """Whether it is one number rather than several."""
+    """Return True for one number rather than several."""
     return isinstance(values, str | Real | Decimal) or _is_mpf(values)
 
 
-def _is_zero_dimensional(values: object) -> "TypeGuard[np.ndarray | np.generic]":
+def _has_item(values: object) -> "TypeGuard[np.ndarray | np.generic]":
+    """Return True for an array without axes."""
     return getattr(values, "ndim", 1) == 0
 
 
 def times(values: Times) -> tuple[tuple[Fraction, ...], bool]:
-    """Times exactly, and whether one number was given rather than a list."""
+    """Return times exactly, and True if they are one number rather than a list."""
     if _is_one(values):
         return (exact("t", values),), True
-    if _is_zero_dimensional(values):
+    if _has_item(values):
         return (exact("t", values.item()),), True
     return tuple(exact(f"t[{k}]", x) for k, x in enumerate(sequence("t", values))), False
 
 
 def digits(value: int) -> int:
-    """A number of significant digits."""
+    """Read a number of significant digits."""
     return whole("digits", value, MOST_DIGITS)
 
 
 def whole(field: str, value: int, most: int) -> int:
-    """A whole number from 1 to `most`."""
+    """Read a whole number from 1 to `most`."""
     try:
         count = 0 if isinstance(value, bool) else operator.index(value)
     except TypeError:
@@ -324,7 +320,7 @@ def whole(field: str, value: int, most: int) -> int:
 
 
 def seconds(value: ExactNumber | None) -> float | None:
-    """A time limit: a number above zero, or None for no limit."""
+    """Read a time limit in s: a number above zero, or None for no limit."""
     if value is None:
         return None
     limit = exact("max_seconds", value)
@@ -334,7 +330,7 @@ def seconds(value: ExactNumber | None) -> float | None:
 
 
 def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
-    """The nearest doubles; raises InputError where they overflow."""
+    """Return the nearest doubles; raise InputError where they overflow."""
     try:
         return [float(value) for value in values]
     except OverflowError:
@@ -342,20 +338,22 @@ def doubles(field: str, values: Sequence[Fraction]) -> list[float]:
 
 
 def shown(values: Sequence[Number]) -> str:
-    """Numbers for a message, to a dozen digits."""
+    """Write numbers for a message, to a dozen digits."""
     texts = (str(x) if isinstance(x, Uncertain) else decimal(x, 12) for x in values)
     return f"[{', '.join(texts)}]"
 
 
 def decimal(value: Fraction, digits: int) -> str:
-    """A rational correctly rounded to `digits` digits, without zeros that say nothing."""
+    """Write a rational rounded correctly to `digits` digits, without trailing zeros."""
     context = Context(prec=digits, Emax=MAX_EMAX, Emin=MIN_EMIN)
     return str(context.divide(Decimal(value.numerator), Decimal(value.denominator)))
 
 
 def exact_text(value: Fraction) -> str:
-    """A string that `exact` reads as this very number: a decimal where a short one is, else the
-    double in hexadecimal, else a fraction."""
+    """Write a number so that `exact` reads it back exactly.
+
+    A short decimal where there is one, else a double in hexadecimal, else a fraction.
+    """
     short = decimal(value, _SHORT)
     if Fraction(short) == value:
         return short

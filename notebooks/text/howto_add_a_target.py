@@ -250,7 +250,7 @@ assert apart < 1e-15
 #    `TARGETS` there. Then `rigidsym codegen floats --in-place` writes the files into `rigidsym/generated`,
 #    `--check` compares them, and `rigidsym trace` traces their lines.
 # 2. If it computes whole states, prepared motions included: an engine, a class in `rigidsym/engines` with the
-#    methods of `Engine` in its `protocol.py`, and its name in `ENGINES` of `choice.py`. Then
+#    methods of `Engine` in its `base.py`, and its name in `ENGINES` of `__init__.py`. Then
 #    `rigidsym validate floats` measures it in every stratum, and with `--record` the heads of its
 #    files say the worst: see [Validation](09_validation.ipynb).
 

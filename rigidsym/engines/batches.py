@@ -1,21 +1,26 @@
-"""Batches: arrays of doubles as users give them, and the bodies in them that cannot exist."""
+"""User input as arrays of doubles: numbers, times and bodies; and errors with their values."""
 
 import math
-from typing import NoReturn
+import sys
+from collections.abc import Mapping
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym import inputs
-from rigidsym.errors import InputError, written
+from rigidsym.engines import arrays
+from rigidsym.errors import EngineError, InputError, written
 
 # Bodies at a time, so that memory does not grow with their number.
 _BLOCK = 1 << 14
 
 
 def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
-    """The doubles of an array; raises InputError for the first number that is masked or, unless
-    `lenient`, not finite."""
+    """Return an array of doubles.
+
+    Raises InputError for the first number that is masked or, unless `lenient`, not finite.
+    """
     if isinstance(value, np.ma.MaskedArray):
         for place in np.argwhere(np.ma.getmaskarray(value))[:1]:
             _refuse(name, value, tuple(place), "is masked")
@@ -26,10 +31,30 @@ def array(name: str, value: ArrayLike, lenient: bool = False) -> np.ndarray:
         doubles = given.astype(float, copy=False)
     except (TypeError, ValueError, OverflowError):
         raise InputError(name, written(value, repr), "must be an array of numbers") from None
-    # The extremes tell, without another array of that size; NaN comes through both.
-    if doubles.size and not lenient and not _are_finite(doubles):
+    # The extremes suffice, and take no second array of that size; NaN comes through both.
+    checked = doubles.size and not lenient
+    if checked and not (math.isfinite(doubles.min()) and math.isfinite(doubles.max())):
         _refuse(name, doubles, tuple(np.argwhere(~np.isfinite(doubles))[0]), "must be finite")
     return doubles
+
+
+def times(t: ArrayLike, errors: str = "raise") -> float | np.ndarray:
+    """Return times as a float or an array (N,); raise InputError as `array` does."""
+    is_number = isinstance(t, float) or (isinstance(t, int) and not isinstance(t, bool))
+    if is_number and abs(t) <= sys.float_info.max:
+        return float(t)
+    found = array("t", t, arrays.is_lenient(errors))
+    if found.ndim > 1:
+        raise InputError("t", f"an array of shape {found.shape}", "must be one-dimensional")
+    return found
+
+
+def number(name: str, value: ArrayLike) -> float:
+    """Return one finite number."""
+    found = array(name, value)
+    if found.ndim:
+        raise InputError(name, f"an array of shape {found.shape}", "must be one number")
+    return float(found)
 
 
 def floats(value: object, length: int) -> tuple[float, ...] | None:
@@ -39,22 +64,19 @@ def floats(value: object, length: int) -> tuple[float, ...] | None:
         return None
     for x in listed:
         if type(x) is not float:
-            if not all(map(_is_double, listed)):
-                return None
+            # Whole numbers up to 2^53 are doubles.
+            for y in listed:
+                if not (isinstance(y, float) or (type(y) is int and -(2**53) <= y <= 2**53)):
+                    return None
             listed = [float(x) for x in listed]
             break
     return tuple(listed) if math.isfinite(sum(listed)) else None
 
 
-def _is_double(x: object) -> bool:
-    """Whether it is a float, or a whole number that is a double exactly."""
-    return isinstance(x, float) or (type(x) is int and -(2**53) <= x <= 2**53)
-
-
 def moments(value: object) -> tuple[float, ...] | None:
-    """Return the moments of one body that can exist for certain, as `floats` does.
+    """Return the moments of one body that certainly can exist, as `floats` does.
 
-    Where a rounded sum is above a double, so is the exact one; and three moments that are each
+    Where a rounded sum is above a double, so is the exact sum; and three moments that are each
     below the sum of the others are positive.
     """
     found = floats(value, 3)
@@ -64,28 +86,28 @@ def moments(value: object) -> tuple[float, ...] | None:
     return found if a + b > c and b + c > a and c + a > b else None
 
 
-def _are_finite(doubles: np.ndarray) -> bool:
-    return math.isfinite(doubles.min()) and math.isfinite(doubles.max())
-
-
 def possible(inertia: np.ndarray, allow_nonphysical: bool, lenient: bool = False) -> np.ndarray:
-    """The moments (..., 3) of bodies that can exist; raises InputError for the first that cannot.
+    """Return moments (..., 3) of bodies that can exist; raise InputError for the first that cannot.
 
-    Where `lenient`, a copy in which those have moments that are no numbers.
+    Where `lenient`, return a copy in which such bodies have moments of NaN.
     """
     if not inertia.ndim or inertia.shape[-1] != 3:
         return inertia
     rows = inertia.reshape(-1, 3)
     refused = np.zeros(len(rows), bool)
     for first in range(0, len(rows), _BLOCK):
-        some = slice(first, first + _BLOCK)
-        doubtful = first + _doubtful(rows[some])
+        doubtful = first + _doubtful(rows[first : first + _BLOCK])
         if doubtful.size:
-            refused[doubtful] = _are_refused(rows[doubtful], allow_nonphysical)
+            some = rows[doubtful]
+            bad = np.any(some <= 0, axis=-1)
+            refused[doubtful] = bad if allow_nonphysical else bad | _are_impossible(some)
     if lenient and refused.any():
         return np.where(refused.reshape(*inertia.shape[:-1], 1), np.nan, inertia)
     for body in np.flatnonzero(refused)[:1]:
-        _refuse_body(inertia, np.unravel_index(body, inertia.shape[:-1]))
+        place = np.unravel_index(body, inertia.shape[:-1])
+        for axis in np.flatnonzero(inertia[place] <= 0)[:1]:
+            _refuse("inertia", inertia, (*place, axis), "principal moments must be positive")
+        _refuse("inertia", inertia, place, inputs.NO_BODY, inputs.ALLOW)
     return inertia
 
 
@@ -96,20 +118,8 @@ def _doubtful(inertia: np.ndarray) -> np.ndarray:
     return np.flatnonzero(~((a + b > c) & (b + c > a) & (c + a > b)))
 
 
-def _are_refused(inertia: np.ndarray, allow_nonphysical: bool) -> np.ndarray:
-    """Which of (B, 3) moments no body can have."""
-    refused = np.any(inertia <= 0, axis=-1)
-    return refused if allow_nonphysical else refused | _are_impossible(inertia)
-
-
-def _refuse_body(inertia: np.ndarray, place: tuple[np.intp, ...]) -> NoReturn:
-    for axis in np.flatnonzero(inertia[place] <= 0)[:1]:
-        _refuse("inertia", inertia, (*place, axis), "principal moments must be positive")
-    _refuse("inertia", inertia, place, inputs.NO_BODY)
-
-
 def _are_impossible(inertia: np.ndarray) -> np.ndarray:
-    """Which of (B, 3) positive moments `inputs.can_exist` refuses, without rounding.
+    """Return which of (B, 3) positive moments `inputs.can_exist` refuses, without rounding.
 
     With largest moments between 1 and 2 every sum is a double and its error, which decide.
     """
@@ -122,12 +132,50 @@ def _are_impossible(inertia: np.ndarray) -> np.ndarray:
 
 
 def _two_sum(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """a + b exactly, as a rounded sum and its error (Knuth)."""
+    """Return a + b exactly, as a rounded sum and its error (Knuth)."""
     total = a + b
     part = total - a
     return total, (a - (total - part)) + (b - part)
 
 
-def _refuse(name: str, values: np.ndarray, place: tuple[np.intp, ...], rule: str) -> NoReturn:
+def _refuse(
+    name: str, values: np.ndarray, place: tuple[np.intp, ...], rule: str, next_step: str = ""
+) -> NoReturn:
     index = ", ".join(map(str, place))
-    raise InputError(f"{name}[{index}]" if index else name, values[tuple(place)], rule)
+    field = f"{name}[{index}]" if index else name
+    raise InputError(field, values[tuple(place)], rule, next_step=next_step)
+
+
+def input_error(error: EngineError, given: Mapping[str, Any]) -> InputError:
+    """Return the error of an engine with the value that it refuses, and its place in a batch.
+
+    given: what the engine was given, by name: arrays of shape (..., k), dt (...), and others.
+    """
+    field, rule, body, time = error.field, error.rule, error.body, error.time
+    value = given.get(field, "as given")
+    is_array = isinstance(value, np.ndarray)
+    own = _leading(field, value) if is_array else ()
+    if body is None and (own or time is None):
+        shown = f"an array of shape {value.shape}" if own else value
+        return InputError(field, shown, rule, body, time)
+    leading = np.broadcast_shapes(
+        *(_leading(name, x) for name, x in given.items() if isinstance(x, np.ndarray))
+    )
+    place = tuple(map(int, np.unravel_index(body, leading))) if body is not None else ()
+    index: tuple[int, ...] = ()
+    if own and (own == leading or math.prod(own) > 1):
+        value, index = np.broadcast_to(value, (*leading, *value.shape[len(own) :]))[place], place
+    elif is_array:
+        # One value for all bodies: the message says which of them it is refused for.
+        value = value.reshape(value.shape[len(own) :])[()]
+        if place:
+            rule = f"{rule} (body {', '.join(map(str, place))})"
+    if time is not None and np.ndim(value):
+        value, index = value[time], (*index, time)
+    named = f"{field}[{', '.join(map(str, index))}]" if index else field
+    return InputError(named, value, rule, body, time)
+
+
+def _leading(field: str, array: np.ndarray) -> tuple[int, ...]:
+    """Return the shape of the bodies of an array: all of its axes but the last, or all of dt's."""
+    return array.shape if field == "dt" else array.shape[:-1]

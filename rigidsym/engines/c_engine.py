@@ -2,29 +2,54 @@
 
 import ctypes
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from ctypes import addressof, c_double
-from fractions import Fraction
+from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays, threads
+from rigidsym.engines.arrays import Batch, Outputs, Sensitivities, States
+from rigidsym.engines.base import Engine
 from rigidsym.engines.library import Library
-from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.errors import EngineError
 
-# Doubles, whose memory the caller owns; nobody writes to it once it is made.
+# Doubles in memory of the caller, which nothing writes to after the motion is prepared.
 Prepared = ctypes.Array[c_double]
 _DOUBLE = ctypes.sizeof(c_double)
 # One state, q before omega.
 _State, _OMEGA = c_double * 7, 4 * _DOUBLE
-# A prepared motion takes as long as this many states.
-PREPARATION = 256
+# Preparing a motion takes as long as this many states, a state with its sensitivities as so many.
+PREPARATION, _SENSITIVITY = 256, 8
 
 
-class CEngine:
-    """torque_free.c as an `Engine`; prepared motions and the engine may be shared by threads."""
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """Columns of sensitivities as C takes them, and the layout of one time with all its arrays."""
+
+    flags: int
+    shapes: tuple[tuple[int, ...], ...]
+    # The doubles of each array in a state.
+    sizes: tuple[int, ...]
+    # Memory for a time before all arrays, one after the other, and their offsets in bytes.
+    numbers: type[ctypes.Array[c_double]]
+    offsets: tuple[int, ...]
+
+
+@cache
+def _columns(names: tuple[str, ...]) -> _Columns:
+    shapes = arrays.sensitivity_shapes(names)
+    sizes = tuple(map(math.prod, shapes))
+    offsets = tuple(_DOUBLE * sum((1, *sizes[:k])) for k in range(len(sizes)))
+    flags = sum(1 << arrays.COLUMNS.index(name) for name in names)
+    return _Columns(flags, shapes, sizes, c_double * (1 + sum(sizes)), offsets)
+
+
+class CEngine(Engine):
+    """The engine on torque_free.c; threads may share it and its prepared motions."""
 
     __slots__ = ("_prepared_type", "_state_at", "library")
 
@@ -34,10 +59,15 @@ class CEngine:
         # An array of doubles is aligned as a prepared motion has to be.
         self._prepared_type = c_double * -(-self.library.motion_size() // _DOUBLE)
 
+    @property
+    def has_sensitivities(self) -> bool:
+        """True if the module has sensitivities."""
+        return hasattr(self.library, "states_with_columns")
+
     def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
-        given = arrays.named(inertia, omega0, attitude0)
-        return self._made(self.library.motion_init, _vectors(given, ()))
+        given = _one_body({"inertia": inertia, "omega0": omega0, "attitude0": attitude0}, ())
+        return self._prepared(self.library.motion_init, given)
 
     def prepare_from_double_doubles(
         self,
@@ -48,55 +78,35 @@ class CEngine:
         discriminant: ArrayLike,
         unit: float,
     ) -> Prepared:
-        """Constants of one motion from sums of two doubles: (3, 2) thrice, (4, 2) and (2,).
-
-        Scaled as torque_free.h says, rates times `unit` rad/s; discriminant is K^2 - 2 H c_b.
-        """
+        """See `Engine`."""
         named = {"inertia": inertia, "differences": differences, "omega0": omega0}
         named |= {"attitude0": attitude0, "discriminant": discriminant}
-        given = _vectors({name: np.asarray(value, float) for name, value in named.items()}, (2,))
-        return self._made(self.library.motion_init_double_doubles, given, unit)
-
-    def prepare_exactly(
-        self,
-        inertia: Sequence[Fraction],
-        omega0: Sequence[Fraction],
-        attitude0: Sequence[Fraction],
-    ) -> Prepared:
-        """See `Engine`."""
-        # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_inputs import exact_inputs
-
-        return self.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
+        init = self.library.motion_init_double_doubles
+        return self._prepared(init, _one_body(named, (2,)), unit)
 
     def blank(self) -> Prepared:
-        """Room for a prepared motion."""
+        """Return memory for a prepared motion."""
         return self._prepared_type()
 
-    def _made(
+    def _prepared(
         self, init: Callable[..., int], given: Mapping[str, np.ndarray], *unit: float
     ) -> Prepared:
         prepared = self.blank()
-        if code := init(prepared, *(array.ctypes.data for array in given.values()), *unit):
-            raise self._refused(code, given)
-        return prepared
-
-    def _refused(
-        self, code: int, given: Mapping[str, np.ndarray], body: int | None = None
-    ) -> EngineError:
-        """What a code of torque_free.h means for these inputs."""
-        endless = [name for name, array in given.items() if not np.all(np.isfinite(array))]
-        if code == self.library.NOT_FINITE and endless:
-            return EngineError(endless[0], "every number must be finite", body)
+        code = init(prepared, *(array.ctypes.data for array in given.values()), *unit)
+        if not code:
+            return prepared
+        infinite = [name for name, array in given.items() if not np.all(np.isfinite(array))]
+        if code == self.library.NOT_FINITE and infinite:
+            raise EngineError(infinite[0], "every number must be finite")
         field, rule = self.library.field(code).decode(), self.library.rule(code).decode()
-        return EngineError(field or "engine", rule, body)
+        raise EngineError(field or "engine", rule)
 
-    def refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
-        """What a code means for these times, with the index of the first that it is meant by."""
+    def _refused_times(self, code: int, prepared: Prepared, t: np.ndarray) -> EngineError:
+        """Return the error of a code for these times, with the index of the first it is for."""
         last, flat = self.library.last_time(prepared), t.reshape(-1)
-        endless, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
-        if endless.size:
-            return EngineError("t", arrays.BAD_TIMES, time=int(endless[0]))
+        infinite, late = np.flatnonzero(~np.isfinite(flat)), np.flatnonzero(np.abs(flat) > last)
+        if infinite.size:
+            return EngineError("t", arrays.BAD_TIMES, time=int(infinite[0]))
         rule = self.library.rule(code).decode()
         if code == self.library.SEPARATRIX:
             rule = f"nearer to the separatrix than binary64 can follow beyond {last} s"
@@ -107,149 +117,212 @@ class CEngine:
     ) -> States:
         """See `Engine`."""
         if arrays.is_lenient(errors):
-            return self._lenient(prepared, arrays.times(t), out)
+            return self._lenient_states(prepared, arrays.times(t), out)
         if out is None and isinstance(t, float):
-            return self._state(prepared, t)
+            # NumPy's types do not know that arrays of ctypes are buffers.
+            state: Any = _State()
+            address = addressof(state)
+            if code := self._state_at(prepared, t, address, address + _OMEGA):
+                raise self._refused_times(code, prepared, np.array(t))
+            return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
         t = arrays.times(t)
         q, omega = arrays.outputs(out, t.shape, t)
-        inputs = t.ctypes.data, q.ctypes.data, omega.ctypes.data
+        addresses = t.ctypes.data, q.ctypes.data, omega.ctypes.data
 
-        def part(begin: int, end: int) -> int:
-            places = offset(inputs, begin, (1, 4, 3))
-            return self.library.states_at(prepared, end - begin, *places)
+        def piece(begin: int, end: int) -> int:
+            rows = _rows_from(begin, addresses, (1, 4, 3))
+            return self.library.states_at(prepared, end - begin, *rows)
 
-        if code := max(_shared(part, t.size)):
-            raise self.refused_times(code, prepared, t)
+        if code := max(_shared(piece, t.size)):
+            raise self._refused_times(code, prepared, t)
         return q, omega
 
-    def _lenient(self, prepared: Prepared, t: np.ndarray, out: Outputs) -> States:
-        """States where there are any, else NaN."""
+    def _lenient_states(self, prepared: Prepared, t: np.ndarray, out: Outputs) -> States:
+        """Return states, of NaN at times that are refused."""
         q, omega = arrays.outputs(out, t.shape, t)
-        near = np.isfinite(t) & (np.abs(t) <= self.library.last_time(prepared))
+        near = self._are_near(prepared, t)
         self.states(prepared, np.where(near, t, 0.0), (q, omega))
         q[~near] = omega[~near] = np.nan
         return q, omega
 
-    def _state(self, prepared: Prepared, t: float) -> States:
-        """The state at one time, by the shortest way there is from Python to C and back."""
-        # NumPy's types do not know that arrays of ctypes are buffers.
-        state: Any = _State()
-        place = addressof(state)
-        if code := self._state_at(prepared, t, place, place + _OMEGA):
-            raise self.refused_times(code, prepared, np.array(t))
-        return np.ndarray(4, float, state), np.ndarray(3, float, state, _OMEGA)
+    def _are_near(self, prepared: Prepared, t: np.ndarray) -> np.ndarray:
+        """Return which times are finite and not too late."""
+        return np.isfinite(t) & (np.abs(t) <= self.library.last_time(prepared))
 
     def grid(
         self, prepared: Prepared, start: float, step: float, count: int, out: Outputs = None
     ) -> States:
         """See `Engine`."""
         q, omega = arrays.outputs(out, (arrays.count(count),))
-        outputs = q.ctypes.data, omega.ctypes.data
+        addresses = q.ctypes.data, omega.ctypes.data
 
-        def part(begin: int, end: int) -> int:
-            places = offset(outputs, begin, (4, 3))
-            return self.library.states_on_grid(prepared, start, step, begin, end - begin, *places)
+        def piece(begin: int, end: int) -> int:
+            rows = _rows_from(begin, addresses, (4, 3))
+            return self.library.states_on_grid(prepared, start, step, begin, end - begin, *rows)
 
-        if code := max(_shared(part, count)):
-            first = _first_beyond(start, step, self.library.last_time(prepared))
-            refused = self.refused_times(code, prepared, np.array(start + first * step))
+        if code := max(_shared(piece, count)):
+            last, first = self.library.last_time(prepared), 0
+            if abs(start) <= last:
+                far = (math.copysign(last, step) - start) / step if math.isfinite(step) else 0.0
+                first = 1 + math.floor(far)
+            refused = self._refused_times(code, prepared, np.array(start + first * step))
             raise EngineError(refused.field, refused.rule, time=min(first, count - 1))
         return q, omega
 
-    def propagate(
-        self,
-        inertia: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike,
-        t: ArrayLike,
-        out: Outputs = None,
-        errors: str = "raise",
-    ) -> States:
-        """See `Engine`; errors have the index of the body, counted through all leading axes."""
-        given, lenient = arrays.named(inertia, omega0, attitude0), arrays.is_lenient(errors)
-        t = np.asarray(t, float)
-        shape = arrays.batch(given, t)
-        states = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
-        bodies = {name: arrays.rows(array, shape) for name, array in given.items()}
-        t, count = arrays.row_or_rows(t, shape), math.prod(shape)
-        parts = threads.threads(count * (t.shape[1] + PREPARATION))
+    def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
+        t, count = batch.times, batch.count
+        bodies = [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
+        times = t.shape[1]
+        own = times if len(t) > 1 else 0
+        work = times + PREPARATION
+        parts = threads.threads(count * work)
         if count < parts and not lenient:
-            self._one_by_one(bodies, t, states)
-        else:
-            self._bodies(bodies, t, states, min(parts, max(1, count)), lenient)
-        return states
+            # Few bodies at many times: threads share the times.
+            q, omega = (x.reshape(count, times, x.shape[-1]) for x in states)
+            for k in range(count):
+                self._one_of_batch(k, bodies, t[k if own else 0], (q[k], omega[k]))
+            return
+        addresses = [x.ctypes.data for x in (*bodies, t, *states)]
+        codes = np.empty(count if lenient else 0, np.intc)
+        sizes = (3, 3, 4, own, 4 * times, 3 * times)
 
-    def _one_by_one(self, bodies: Mapping[str, np.ndarray], t: np.ndarray, states: States) -> None:
-        """Few bodies at many times: threads share the times."""
-        sizes = len(bodies["inertia"]), t.shape[1]
-        q, omega = states[0].reshape(*sizes, 4), states[1].reshape(*sizes, 3)
-        for k in range(sizes[0]):
-            self._one(k, bodies, t, (q[k], omega[k]))
+        def piece(begin: int, end: int) -> int | None:
+            failed = ctypes.c_size_t(0)
+            *given, at, q, omega = _rows_from(begin, addresses, sizes)
+            body_codes = codes[begin:].ctypes.data if lenient else None
+            rows = *given, times, at, own, q, omega
+            code = self.library.propagate(end - begin, *rows, body_codes, addressof(failed))
+            return begin + failed.value if code else None
 
-    def _one(
-        self, k: int, bodies: Mapping[str, np.ndarray], t: np.ndarray, out: Outputs = None
+        shared = min(parts, max(1, count)), max(1, threads.PIECE // work)
+        for body in threads.in_parts(piece, count, *shared):
+            if body is not None:
+                # Again, because only a prepared motion says which times are too late.
+                self._one_of_batch(body, bodies, t[body if own else 0])
+
+    def _one_of_batch(
+        self, k: int, bodies: Sequence[np.ndarray], t: np.ndarray, out: Outputs = None
     ) -> None:
-        """Body k of a batch by itself, at its row of times; errors have its index."""
+        """Compute the states of body k by itself; errors have its index."""
         try:
-            prepared = self.prepare(*(array[k] for array in bodies.values()))
-            self.states(prepared, t[k if len(t) > 1 else 0], out)
+            self.states(self.prepare(*(array[k] for array in bodies)), t, out)
         except EngineError as error:
             raise EngineError(error.field, error.rule, k, error.time) from None
 
-    def _bodies(
+    def sensitivities(
         self,
-        bodies: Mapping[str, np.ndarray],
-        t: np.ndarray,
-        states: States,
-        parts: int,
-        lenient: bool,
-    ) -> None:
-        """Many bodies: threads share the bodies."""
-        count = len(bodies["inertia"])
-        codes = np.empty(count if lenient else 0, np.intc)
-        rows = [array.ctypes.data for array in (*bodies.values(), t, *states)]
-        times = t.shape[1]
-        stride = times if len(t) > 1 else 0
-        sizes = (3, 3, 4, stride, 4 * times, 3 * times)
+        prepared: Prepared,
+        t: ArrayLike,
+        errors: str = "raise",
+        columns: Iterable[str] | None = None,
+    ) -> Sensitivities:
+        """See `Engine`."""
+        self._check_has_sensitivities()
+        lenient, names = arrays.is_lenient(errors), arrays.columns(columns)
+        chosen = _columns(names)
+        if isinstance(t, float) and not lenient:
+            return self._sensitivities_at(prepared, t, chosen)
+        t = arrays.times(t)
+        found = arrays.sensitivities(t.shape, names)
+        if lenient:
+            near = self._are_near(prepared, t)
+            self._compute_sensitivities(prepared, np.where(near, t, 0.0), found, chosen)
+            for x in found:
+                x[~near] = np.nan
+        elif code := self._compute_sensitivities(prepared, t, found, chosen):
+            raise self._refused_sensitivities(code, prepared, t, found)
+        return found
 
-        def part(begin: int, end: int) -> int | None:
+    def _sensitivities_at(self, prepared: Prepared, t: float, chosen: _Columns) -> Sensitivities:
+        """Return sensitivities at one time, by a shorter way from Python to C and back."""
+        numbers: Any = chosen.numbers(t)
+        address = addressof(numbers)
+        rows = (address + offset for offset in chosen.offsets)
+        code = self.library.states_with_columns(prepared, 1, address, chosen.flags, *rows)
+        q, omega, attitude, rates, attitude_t, rates_t = (
+            np.ndarray(shape, float, numbers, offset if math.prod(shape) else 0)
+            for shape, offset in zip(chosen.shapes, chosen.offsets, strict=True)
+        )
+        found = q, omega, attitude, rates, attitude_t, rates_t
+        if code:
+            raise self._refused_sensitivities(code, prepared, np.array(t), found)
+        return found
+
+    def _compute_sensitivities(
+        self, prepared: Prepared, t: np.ndarray, found: Sensitivities, chosen: _Columns
+    ) -> int:
+        """Fill the arrays and return a code, that of a refused time before any other.
+
+        Threads share the times.
+        """
+        addresses = [x.ctypes.data for x in (t, *found)]
+
+        def piece(begin: int, end: int) -> int:
+            first, *rows = _rows_from(begin, addresses, (1, *chosen.sizes))
+            counted = prepared, end - begin, first
+            return self.library.states_with_columns(*counted, chosen.flags, *rows)
+
+        return min(filter(None, _shared(piece, t.size, _SENSITIVITY)), default=0)
+
+    def _refused_sensitivities(
+        self, code: int, prepared: Prepared, t: np.ndarray, found: Sensitivities
+    ) -> EngineError:
+        if code != self.library.GROWTH:
+            return self._refused_times(code, prepared, t)
+        lost = [np.isnan(x).reshape(t.size, -1).any(axis=1) for x in found]
+        first = int(np.argmax(np.any(lost, axis=0)))
+        return EngineError("t", self.library.rule(code).decode(), time=first)
+
+    def _fill_sensitivities(
+        self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
+    ) -> None:
+        t, count, chosen = batch.times, batch.count, _columns(columns)
+        bodies = [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
+        times = t.shape[1]
+        own = times if len(t) > 1 else 0
+        codes = np.empty(count if lenient else 0, np.intc)
+        addresses = [x.ctypes.data for x in (*bodies, t, *found)]
+        sizes = 3, 3, 4, own, *(times * size for size in chosen.sizes)
+
+        def piece(begin: int, end: int) -> int | None:
             failed = ctypes.c_size_t(0)
-            *given, own, q, omega = offset(rows, begin, sizes)
-            told = codes[begin:].ctypes.data if lenient else None
-            code = self.library.propagate(
-                end - begin, *given, times, own, stride, q, omega, told, addressof(failed)
-            )
+            inertia, omega0, attitude0, at, *rows = _rows_from(begin, addresses, sizes)
+            given = end - begin, inertia, omega0, attitude0, times, at, own, chosen.flags
+            body_codes = codes[begin:].ctypes.data if lenient else None
+            code = self.library.propagate_with_columns(*given, *rows, body_codes, addressof(failed))
             return begin + failed.value if code else None
 
-        piece = max(1, threads.PIECE // (times + PREPARATION))
-        for body in threads.in_parts(part, count, parts, piece):
-            if body is not None:
-                # Once more, because a prepared motion knows which times are too late.
-                self._one(body, bodies, t)
+        work = _SENSITIVITY * times + PREPARATION
+        parts = min(threads.threads(count * work), max(1, count))
+        for body in threads.in_parts(piece, count, parts, max(1, threads.PIECE // work)):
+            if body is None:
+                continue
+            # Again by itself, which finds the time that is refused.
+            try:
+                prepared = self.prepare(*(array[body] for array in bodies))
+                self.sensitivities(prepared, t[body if own else 0], columns=columns)
+            except EngineError as error:
+                raise EngineError(error.field, error.rule, body, error.time) from None
+            raise AssertionError("a body that was refused is not")
 
 
-def _first_beyond(start: float, step: float, last: float) -> int:
-    """The number of the first time start + k step that is beyond `last`, where one is."""
-    if not abs(start) <= last:
-        return 0
-    share = (math.copysign(last, step) - start) / step if math.isfinite(step) else 0.0
-    return 1 + math.floor(share)
-
-
-def _vectors(given: Mapping[str, np.ndarray], tail: tuple[int, ...]) -> dict[str, np.ndarray]:
-    """The arrays of one body, in one piece of memory each: (3, *tail) or (4, *tail)."""
-    for name, array in given.items():
+def _one_body(given: Mapping[str, ArrayLike], tail: tuple[int, ...]) -> dict[str, np.ndarray]:
+    """Return the arrays of one body, each contiguous: (3, *tail) or (4, *tail)."""
+    found = {}
+    for name, value in given.items():
+        array = np.asarray(value, float)
         shape = (arrays.SIZES[name], *tail) if name in arrays.SIZES else tail
         if array.shape != shape:
             raise EngineError(name, f"shape {array.shape}: one body's must be {shape}")
-    return {name: arrays.in_one_piece(array) for name, array in given.items()}
+        found[name] = arrays.in_one_piece(array)
+    return found
 
 
-def _shared(part: Callable[[int, int], int], states: int) -> list[int]:
-    """The codes of all parts of so many states."""
-    return threads.in_parts(part, states, threads.threads(states), threads.PIECE)
+def _shared(piece: Callable[[int, int], int], states: int, cost: int = 1) -> list[int]:
+    """Return the codes of all pieces of so many states, each at the cost of some plain ones."""
+    return threads.in_parts(piece, states, threads.threads(cost * states), threads.PIECE // cost)
 
 
-def offset(places: Sequence[int], begin: int, sizes: Sequence[int]) -> list[int]:
-    """Addresses of row `begin` where rows have `sizes` doubles."""
-    return [place + begin * size * _DOUBLE for place, size in zip(places, sizes, strict=True)]
+def _rows_from(begin: int, addresses: Sequence[int], sizes: Sequence[int]) -> list[int]:
+    """Return the addresses of row `begin` of arrays whose rows have `sizes` doubles."""
+    return [x + begin * size * _DOUBLE for x, size in zip(addresses, sizes, strict=True)]

@@ -1,9 +1,9 @@
 """Exact numbers as the unevaluated sums of two doubles that numeric modules take.
 
-Rounding inertia and rates to doubles would put the motion on another polhode, and near the
-separatrix, or where moments nearly agree, that is another motion.  So each number becomes two
-doubles, right to 32 digits; and what these would lose by subtraction, the differences of moments
-and what decides the regime, is found from the exact ones.
+Rounding inertia and rates to doubles would put the motion on another polhode, which is a different
+motion near the separatrix or where moments nearly agree.  So each number becomes two doubles, right
+to 32 digits.  The differences of moments and the discriminant, which lose digits by subtraction,
+are computed from the exact numbers.
 """
 
 import math
@@ -13,15 +13,16 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from rigidsym import inputs
+from rigidsym.engines.arrays import Sensitivities
 from rigidsym.errors import InputError
 from rigidsym.generated import torque_free
 from rigidsym.solution.polhode import discriminant
 
 DoubleDouble = tuple[float, float]
 
-# Moments closer than this part of the smallest are taken for equal: products of two differences
-# would leave binary64, and so would the rates that could tell the circulations apart.  A motion is
-# off by the difference times the square of the angle turned then, less than 2^-150 in all.
+# Moments closer than this fraction of the smallest count as equal: products of two differences
+# would leave binary64, and so would the rates that could tell the circulations apart.  The error of
+# the motion is the difference times the square of the angle turned, less than 2^-150 in all.
 INDISTINCT = Fraction(1, 2**250)
 
 
@@ -54,13 +55,18 @@ def exact_inputs(
     return ExactInputs(*([pair(x) for x in xs] for xs in given), decides, 2.0**exponent)
 
 
-def moment_unit(inertia: Sequence[Fraction]) -> float:
-    """What `exact_inputs` has divided the moments by: a power of two, in kg m^2."""
-    return 2.0 ** _over_power_of_two(inertia)[1]
+def by_exact_moments(found: Sensitivities, inertia: Sequence[Fraction]) -> None:
+    """Make the last three columns of a motion prepared exactly derivatives by moments in kg m^2.
+
+    `exact_inputs` has divided the moments by a power of two.
+    """
+    unit = 2.0 ** _over_power_of_two(inertia)[1]
+    for derivatives in found[2:4]:
+        derivatives[..., -3:] /= unit
 
 
 def pair(value: Fraction) -> DoubleDouble:
-    """The nearest double, but zero for zero alone, and the nearest double to what is left.
+    """Return the nearest double, which is zero for zero alone, and the double nearest to the rest.
 
     >>> pair(Fraction(1, 10))
     (0.1, -5.551115123125783e-18)
@@ -72,7 +78,7 @@ def pair(value: Fraction) -> DoubleDouble:
 
 
 def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
-    """The moments, those that are INDISTINCT made equal."""
+    """Return the moments, with those that are INDISTINCT made equal."""
     merged, least = list(moments), min(moments) * INDISTINCT
     order = sorted(range(3), key=lambda k: moments[k])
     for low, high in pairwise(order):
@@ -82,7 +88,7 @@ def _merged(moments: Sequence[Fraction]) -> Sequence[Fraction]:
 
 
 def _over_power_of_two(values: Sequence[Fraction]) -> tuple[tuple[Fraction, ...], int]:
-    """The values over the power of two that brings the largest into [1, 2), and its exponent."""
+    """Divide by the power of two that brings the largest into [1, 2); return its exponent too."""
     largest = max(map(abs, values))
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length() if largest else 0
     if largest and largest < Fraction(2) ** exponent:

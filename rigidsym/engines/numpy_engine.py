@@ -1,51 +1,39 @@
-"""The engine on the generated NumPy module: works everywhere, one compiler less to trust."""
+"""The engine on the generated NumPy module: it works everywhere, without a compiler."""
 
-import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from fractions import Fraction
-from typing import Any, Protocol, TypedDict
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rigidsym.engines import arrays
-from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.engines.arrays import Batch, Outputs, Sensitivities, States
+from rigidsym.engines.base import Engine, Prepared
+from rigidsym.errors import EngineError
 from rigidsym.generated import torque_free
 
-# Bodies at a time: a prepared motion takes 4 KB of memory for each while it is made.
+# Bodies at a time: preparing takes 4 KB of memory for each.
 _BODIES = 4096
 
 
-class Prepared(TypedDict):
-    """What the module prepares: constants of B motions, in units of `unit` (B,), rad/s.
+@dataclass(frozen=True, slots=True)
+class NumpyEngine(Engine):
+    """The engine on `rigidsym.generated.torque_free` or a module like it."""
 
-    `groups` are a branch, the indices of its motions, and their constants by name.
-    """
+    module: Any = torque_free
 
-    shape: tuple[int, ...]
-    unit: np.ndarray
-    max_angle: np.ndarray
-    blurred: np.ndarray
-    axes: np.ndarray
-    q0: np.ndarray
-    omega0: np.ndarray
-    moment_unit: np.ndarray
-    groups: list[tuple[str, np.ndarray, dict[str, np.ndarray]]]
+    @property
+    def has_sensitivities(self) -> bool:
+        """True if the module has sensitivities."""
+        return hasattr(self.module, "sensitivities")
 
-
-class Module(Protocol):
-    """What the generated module offers."""
-
-    def prepare(
-        self,
-        inertia: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike = ...,
-        errors: str = ...,
-    ) -> Prepared:
-        """Constants of motions whose leading shapes broadcast."""
-        ...
+    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
+        """See `Engine`."""
+        try:
+            return self.module.prepare(inertia, omega0, attitude0)
+        except self.module._RefusedError as error:
+            raise _refused(error) from None
 
     def prepare_from_double_doubles(
         self,
@@ -56,37 +44,12 @@ class Module(Protocol):
         discriminant: ArrayLike,
         unit: float,
     ) -> Prepared:
-        """Constants of one motion, from sums of two doubles."""
-        ...
-
-    def states(
-        self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = ...
-    ) -> States:
-        """(q, omega) of them all at each time."""
-        ...
-
-
-@dataclass(frozen=True, slots=True)
-class NumpyEngine:
-    """`rigidsym.generated.torque_free`, or a module like it, as an `Engine`."""
-
-    module: Module = torque_free
-
-    def prepare(self, inertia: ArrayLike, omega0: ArrayLike, attitude0: ArrayLike) -> Prepared:
         """See `Engine`."""
-        return self.module.prepare(inertia, omega0, attitude0)
-
-    def prepare_exactly(
-        self,
-        inertia: Sequence[Fraction],
-        omega0: Sequence[Fraction],
-        attitude0: Sequence[Fraction],
-    ) -> Prepared:
-        """See `Engine`."""
-        # Here, because doubles need nothing of it.
-        from rigidsym.engines.exact_inputs import exact_inputs
-
-        return self.module.prepare_from_double_doubles(*exact_inputs(inertia, omega0, attitude0))
+        given = inertia, differences, omega0, attitude0, discriminant, unit
+        try:
+            return self.module.prepare_from_double_doubles(*given)
+        except self.module._RefusedError as error:
+            raise _refused(error) from None
 
     def states(
         self, prepared: Prepared, t: ArrayLike, out: Outputs = None, errors: str = "raise"
@@ -95,7 +58,10 @@ class NumpyEngine:
         if out is not None:
             times = np.asarray(t, float)
             arrays.outputs(out, (*prepared["shape"], *times.shape), times)
-        return self.module.states(prepared, t, out, errors)
+        try:
+            return self.module.states(prepared, t, out, errors)
+        except self.module._RefusedError as error:
+            raise _refused(error) from None
 
     def grid(
         self,
@@ -105,51 +71,73 @@ class NumpyEngine:
         count: int,
         out: Outputs = None,
     ) -> States:
-        """See `Engine`; at the doubles nearest to these times."""
+        """See `Engine`."""
         return self.states(prepared, start + step * np.arange(arrays.count(count)), out)
 
-    def propagate(
+    def sensitivities(
         self,
-        inertia: ArrayLike,
-        omega0: ArrayLike,
-        attitude0: ArrayLike,
+        prepared: Prepared,
         t: ArrayLike,
-        out: Outputs = None,
         errors: str = "raise",
-    ) -> States:
-        """See `Engine`; prepared motions are made for a block of bodies at a time."""
-        given = arrays.named(inertia, omega0, attitude0)
-        arrays.is_lenient(errors)
-        t = np.asarray(t, float)
-        shape = arrays.batch(given, t)
-        q, omega = arrays.outputs(out, (*shape, *t.shape[-1:]), t, *given.values())
-        t, count = arrays.row_or_rows(t, shape), math.prod(shape)
-        rows = q.reshape(count, t.shape[1], 4), omega.reshape(count, t.shape[1], 3)
+        columns: Iterable[str] | None = None,
+    ) -> Sensitivities:
+        """See `Engine`."""
+        self._check_has_sensitivities()
+        try:
+            return self.module.sensitivities(prepared, t, errors, arrays.columns(columns))
+        except self.module._RefusedError as error:
+            raise _refused(error) from None
 
-        def run(prepared: Prepared, times: np.ndarray, some: slice) -> None:
+    def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
+        t = batch.times
+        rows = [x.reshape(batch.count, t.shape[1], x.shape[-1]) for x in states]
+
+        def run(prepared: Prepared, times: np.ndarray, some: slice, errors: str) -> None:
             self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
 
-        in_blocks(self.module, given, t, shape, errors, run)
-        return q, omega
+        self._in_blocks(batch, t, run, lenient)
+
+    def _fill_sensitivities(
+        self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
+    ) -> None:
+        t, lasts = batch.times, arrays.sensitivity_shapes(columns)
+        rows = [x.reshape(batch.count, t.shape[1], *y) for x, y in zip(found, lasts, strict=True)]
+
+        def run(prepared: Prepared, times: np.ndarray, some: slice, errors: str) -> None:
+            block = self.module.sensitivities(prepared, times, errors, columns)
+            for row, values in zip(rows, block, strict=True):
+                row[some] = values
+
+        self._in_blocks(batch, t, run, lenient)
+
+    def _in_blocks(
+        self,
+        batch: Batch,
+        t: np.ndarray,
+        run: Callable[[Prepared, np.ndarray, slice, str], None],
+        lenient: bool,
+    ) -> None:
+        """Prepare a block of bodies at a time, and run it at its times."""
+        errors = "nan" if lenient else "raise"
+        for some, bodies in _blocks(batch):
+            try:
+                prepared = self.module.prepare(*bodies, errors)
+                run(prepared, t[some] if len(t) > 1 else t[0], some, errors)
+            except self.module._RefusedError as error:
+                raise _refused(error, some.start) from None
 
 
-def in_blocks(
-    module: Any,
-    given: Mapping[str, np.ndarray],
-    t: np.ndarray,
-    shape: tuple[int, ...],
-    errors: str,
-    run: Callable[[Prepared, np.ndarray, slice], None],
-) -> None:
-    """Prepare a block of bodies at a time, and run it at its times."""
-    whole = [np.broadcast_to(x, (*shape, x.shape[-1])) for x in given.values()]
-    for first in range(0, math.prod(shape), _BODIES):
+def _blocks(batch: Batch) -> Iterator[tuple[slice, list[np.ndarray]]]:
+    """Yield blocks of bodies as slices of all of them, with their rows (B, 3), (B, 3), (B, 4)."""
+    leading = batch.leading
+    whole = [np.broadcast_to(x, (*leading, x.shape[-1])) for x in batch.bodies.values()]
+    for first in range(0, batch.count, _BODIES):
         some = slice(first, first + _BODIES)
-        index = np.unravel_index(range(math.prod(shape))[some], shape) if shape else ()
-        bodies = [x[index].reshape(-1, x.shape[-1]) for x in whole]
-        try:
-            prepared = module.prepare(*bodies, errors)
-            run(prepared, t[some] if len(t) > 1 else t[0], some)
-        except module._RefusedError as error:
-            body = None if error.body is None else first + error.body
-            raise EngineError(error.field, error.rule, body, error.time) from None
+        index = np.unravel_index(range(batch.count)[some], leading) if leading else ()
+        yield some, [x[index].reshape(-1, x.shape[-1]) for x in whole]
+
+
+def _refused(error: Any, first: int = 0) -> EngineError:
+    """Return the error of the generated module for a block of bodies that begins with `first`."""
+    body = None if error.body is None else first + error.body
+    return EngineError(error.field, error.rule, body, error.time)

@@ -1,21 +1,20 @@
-"""Steps of many bodies, by NumPy or by C compiled here: the modules of the form `step`; and by C
-their steps and kicks in turn.
-"""
+"""Steps of many bodies by the NumPy or C module of the form `step`, and by C whole integrations."""
 
 import ctypes
 import struct
 import threading
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from types import ModuleType
-from typing import Protocol
 
 import numpy as np
 
 from rigidsym.engines import threads
+from rigidsym.engines.arrays import Outputs, States
 from rigidsym.engines.library import Library
-from rigidsym.engines.protocol import EngineError, Outputs, States
+from rigidsym.errors import EngineError
 from rigidsym.generated import torque_free_step
 
 _DOUBLE = ctypes.sizeof(ctypes.c_double)
@@ -29,7 +28,7 @@ Moments = tuple[float, ...]
 
 
 class _Torque(ctypes.Structure):
-    """torque_free_torque."""
+    """The struct torque_free_torque."""
 
     _fields_ = (
         ("coefficients", ctypes.c_void_p),
@@ -43,7 +42,7 @@ class _Torque(ctypes.Structure):
 
 
 class _Splitting(ctypes.Structure):
-    """torque_free_splitting."""
+    """The struct torque_free_splitting."""
 
     _fields_ = (
         ("count", ctypes.c_size_t),
@@ -54,11 +53,11 @@ class _Splitting(ctypes.Structure):
 
 @dataclass(frozen=True, slots=True)
 class Kicks:
-    """Bodies and what pushes them, in steps of a splitting method; float64, each in one piece.
+    """Bodies, their torque and a splitting method; contiguous float64 arrays.
 
     inertia (B, 3), coefficients (B, 13) and vector (B, 3), or one row for all; orbit (11,), which
     takes the vector's place: as in torque_free_step.h.  drifts (S + 1,), kicks (S,).  more: the
-    addresses of a function that adds to the torque, and of what it is handed.
+    addresses of a function that adds to the torque, and of its data.
     """
 
     inertia: np.ndarray
@@ -70,36 +69,44 @@ class Kicks:
     more: tuple[int | None, int | None] = (None, None)
 
     def torque(self, first: int) -> _Torque:
-        """For torque_free_integrate, of bodies from one on."""
+        """Return the torque for torque_free_integrate, of bodies from `first` on."""
         coefficients = _from(self.coefficients, first)
         vector = (None, 0) if self.vector is None else _from(self.vector, first)
         orbit = None if self.orbit is None else self.orbit.ctypes.data
         return _Torque(*coefficients, *vector, orbit, *self.more)
 
     def splitting(self) -> _Splitting:
-        """For torque_free_integrate."""
+        """Return the method for torque_free_integrate."""
         return _Splitting(len(self.kicks), self.drifts.ctypes.data, self.kicks.ctypes.data)
 
 
 def _from(rows: np.ndarray, first: int) -> tuple[int, int]:
-    """The address of a row and the numbers from one to the next: 0 where one serves all."""
+    """Return the address of a row and the stride to the next, 0 where one row serves all."""
     stride = rows.shape[1] if len(rows) > 1 else 0
     return rows.ctypes.data + first * stride * _DOUBLE, stride
 
 
-class Stepper(Protocol):
-    """What makes steps."""
+class Stepper(ABC):
+    """Steps of bodies by a module of the form `step`."""
+
+    __slots__ = ()
 
     def step(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """The motion of B bodies after dt, to out, which may be (q, omega).
+        """Write the motion of B bodies after dt to out, which may be (q, omega).
 
         inertia (B, 3) or (1, 3), q (B, 4), omega (B, 3), dt (B,) or (1,), each float64 in one piece
         of memory.  Raises EngineError with the index of the first body that is refused.
         """
-        ...
+        if len(q) == 1:
+            moments, start = tuple(inertia[0].tolist()), (q[0].tolist(), omega[0].tolist())
+            if self.one(moments, *start, float(dt[0]), (out[0][0], out[1][0])):
+                return
+        if len(q):
+            self._steps(inertia, q, omega, dt, out)
 
+    @abstractmethod
     def one(
         self,
         inertia: Moments,
@@ -113,11 +120,16 @@ class Stepper(Protocol):
         They are new arrays, or those of out.  Return None, and write nothing, for a body that
         `step` refuses or that leaves binary64 on the way.
         """
-        ...
+
+    @abstractmethod
+    def _steps(
+        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
+    ) -> None:
+        """Write the motion of one or more bodies, or raise EngineError."""
 
 
-class NumpyStepper:
-    """`rigidsym.generated.torque_free_step`, or a module like it, as a `Stepper`."""
+class NumpyStepper(Stepper):
+    """Steps by `rigidsym.generated.torque_free_step` or a module like it."""
 
     __slots__ = ("_body", "_module")
 
@@ -125,12 +137,9 @@ class NumpyStepper:
         self._module = module
         self._body = lru_cache(_KEPT)(module.prepare)
 
-    def step(
+    def _steps(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """See `Stepper`."""
-        if len(q) == 1 and _step_one(self, inertia, q, omega, dt, out):
-            return
         try:
             self._module.step(self._module.prepare(inertia), q, omega, dt, out)
         except self._module._RefusedError as error:
@@ -155,53 +164,57 @@ class NumpyStepper:
         return out
 
 
-def _step_one(
-    stepper: "Stepper",
-    inertia: np.ndarray,
-    q: np.ndarray,
-    omega: np.ndarray,
-    dt: np.ndarray,
-    out: States,
-) -> States | None:
-    """Step one row by `one`."""
-    given = tuple(inertia[0].tolist()), q[0].tolist(), omega[0].tolist(), float(dt[0])
-    return stepper.one(*given, (out[0][0], out[1][0]))
-
-
-class _Room(threading.local):
-    """A state in memory that each thread has of its own, the addresses of q and omega, and both as
-    arrays."""
+class _Memory(threading.local):
+    """Memory for one state in each thread, with addresses and arrays of q and omega."""
 
     def __init__(self) -> None:
         state = (ctypes.c_double * 7)()
-        place, numbers = ctypes.addressof(state), np.frombuffer(memoryview(state), float)
-        self.state = state, place, place + 4 * _DOUBLE, numbers[:4], numbers[4:]
+        address, numbers = ctypes.addressof(state), np.frombuffer(memoryview(state), float)
+        self.state = state, address, address + 4 * _DOUBLE, numbers[:4], numbers[4:]
 
 
-class CStepper:
-    """torque_free_step.c as a `Stepper`; threads share the bodies."""
+class CStepper(Stepper):
+    """Steps by torque_free_step.c; threads share the bodies."""
 
-    __slots__ = ("_body", "_library", "_put", "_room", "_step")
+    __slots__ = ("_body", "_library", "_memory", "_put", "_step")
 
     def __init__(self, library: Library) -> None:
-        self._library = library.raw
-        self._step = self._library.step
-        self._body = lru_cache(_KEPT)(self._prepared)
-        self._room, self._put = _Room(), struct.Struct("7d").pack_into
+        raw = self._library = library.raw
+        self._step = raw.step
+        size = -(-raw.body_size() // _DOUBLE)
 
-    def step(
+        @lru_cache(_KEPT)
+        def prepared(inertia: Moments) -> ctypes.Array[ctypes.c_double] | None:
+            """Return the constants of a body, or None for one that is refused."""
+            body = (ctypes.c_double * size)()
+            return None if raw.body_init(body, (ctypes.c_double * 3)(*inertia)) else body
+
+        self._body = prepared
+        self._memory, self._put = _Memory(), struct.Struct("7d").pack_into
+
+    def _steps(
         self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
     ) -> None:
-        """See `Stepper`."""
-        if len(q) == 1 and _step_one(self, inertia, q, omega, dt, out):
-            return
-        if not len(q):
-            return
-        count, parts = len(q), threads.threads(len(q) * _STEP)
-        part = self._part(inertia, q, omega, dt, out)
-        for refused in threads.in_parts(part, count, parts, threads.PIECE // _STEP):
-            if refused:
-                raise self._refused(*refused)
+        count, given = len(q), (inertia, q, omega, dt, *out)
+        addresses = [x.ctypes.data for x in given]
+        # Arrays with one row serve all bodies.
+        strides = [x[0].size if len(x) == count else 0 for x in given]
+        if count == 1:
+            strides = [3, 4, 3, 1, 4, 3]
+
+        def piece(begin: int, end: int) -> tuple[int, int] | None:
+            rows = [
+                address + begin * stride * _DOUBLE
+                for address, stride in zip(addresses, strides, strict=True)
+            ]
+            failed = ctypes.c_size_t(0)
+            before = (rows[0], strides[0], rows[1], rows[2], rows[3], strides[3])
+            after = (rows[4], rows[5], ctypes.addressof(failed))
+            code = self._library.steps(end - begin, *before, *after)
+            return (code, begin + failed.value) if code else None
+
+        parts = threads.threads(count * _STEP)
+        self._run(piece, count, parts, threads.PIECE // _STEP)
 
     def one(
         self,
@@ -213,9 +226,9 @@ class CStepper:
     ) -> States | None:
         """See `Stepper`."""
         body = self._body(inertia)
-        state, place, omega_place, q_after, omega_after = self._room.state
+        state, at_q, at_omega, q_after, omega_after = self._memory.state
         self._put(state, 0, *q, *omega)
-        if body is None or self._step(body, place, omega_place, dt):
+        if body is None or self._step(body, at_q, at_omega, dt):
             return None
         if out is None:
             return q_after.copy(), omega_after.copy()
@@ -223,46 +236,18 @@ class CStepper:
         out[1][...] = omega_after
         return out
 
-    def _prepared(self, inertia: Moments) -> ctypes.Array[ctypes.c_double] | None:
-        """The constants of a body, or None for one that is refused."""
-        body = (ctypes.c_double * -(-self._library.body_size() // _DOUBLE))()
-        return None if self._library.body_init(body, (ctypes.c_double * 3)(*inertia)) else body
-
-    def _part(
-        self, inertia: np.ndarray, q: np.ndarray, omega: np.ndarray, dt: np.ndarray, out: States
-    ) -> Callable[[int, int], tuple[int, int] | None]:
-        """The steps of bodies begin to end: the code and the number of one that is refused."""
-        arrays = (inertia, q, omega, dt, *out)
-        strides = tuple(x[0].size if len(x) == len(q) else 0 for x in arrays)
-        if len(q) == 1:
-            strides = (3, 4, 3, 1, 4, 3)
-        places = [x.ctypes.data for x in arrays]
-
-        def part(begin: int, end: int) -> tuple[int, int] | None:
-            moved = [
-                place + begin * stride * _DOUBLE
-                for place, stride in zip(places, strides, strict=True)
-            ]
-            failed = ctypes.c_size_t(0)
-            given = (moved[0], strides[0], moved[1], moved[2], moved[3], strides[3])
-            last = (moved[4], moved[5], ctypes.addressof(failed))
-            code = self._library.steps(end - begin, *given, *last)
-            return (code, begin + failed.value) if code else None
-
-        return part
-
     def integrate(
         self, kicks: Kicks, span: tuple[float, float, int, int], q: np.ndarray, omega: np.ndarray
     ) -> None:
-        """Steps of B bodies q (B, 4), omega (B, 3), in place; threads share the bodies.
+        """Integrate B bodies q (B, 4), omega (B, 3) in place; threads share the bodies.
 
-        span: the time begin (s), the step, and between which numbers of steps from there.  Raises
+        span: the time begin (s), the step (s), and the first and last number of steps.  Raises
         EngineError for the first body that is refused; states are undefined then.
         """
         begin, step, first, last = span
         splitting = kicks.splitting()
 
-        def part(start: int, end: int) -> tuple[int, int] | None:
+        def piece(start: int, end: int) -> tuple[int, int] | None:
             failed, torque = ctypes.c_size_t(0), kicks.torque(start)
             code = self._library.integrate(
                 *(end - start, *_from(kicks.inertia, start)),
@@ -274,11 +259,14 @@ class CStepper:
             return (code, start + failed.value) if code else None
 
         work = len(q) * _STEP * (last - first) * len(kicks.kicks)
-        parts = threads.threads(work) if len(q) > _SOME else 1
-        for refused in threads.in_parts(part, len(q), parts, _SOME):
-            if refused:
-                raise self._refused(*refused)
+        self._run(piece, len(q), threads.threads(work) if len(q) > _SOME else 1, _SOME)
 
-    def _refused(self, code: int, body: int) -> EngineError:
-        field, rule = self._library.field(code).decode(), self._library.rule(code).decode()
-        return EngineError(field or "omega", rule, body)
+    def _run(
+        self, piece: Callable[[int, int], tuple[int, int] | None], count: int, parts: int, some: int
+    ) -> None:
+        """Run pieces of bodies by threads; raise EngineError for the first refused body."""
+        for refused in threads.in_parts(piece, count, parts, some):
+            if refused:
+                code, body = refused
+                field, rule = (x(code).decode() for x in (self._library.field, self._library.rule))
+                raise EngineError(field or "omega", rule, body)

@@ -1,7 +1,7 @@
 """Work shared among threads, with the same bits whatever their number.
 
 Threads are kept from one call to the next.  Each takes the next piece when it is done with one, the
-caller's among them, so that a thread which comes late, or not at all, holds nobody up.
+caller's among them, so that a thread which starts late, or not at all, delays nothing.
 """
 
 import os
@@ -14,19 +14,19 @@ from typing import TypeVar
 
 Result = TypeVar("Result")
 
-# States to a piece: a tenth of a millisecond, some times what it takes to wake a thread.  Grids
+# States in a piece: a tenth of a millisecond, several times what it takes to wake a thread.  Grids
 # need a multiple of 64.
 PIECE = 1 << 14
-# Pieces to a thread: for fewer, none is woken.
+# Pieces per thread below which none is woken.
 _LEAST = 4
-# Beyond this many, memory is slower than the arithmetic.
+# With more threads than these, memory is slower than the arithmetic.
 _MOST = 4
 _LOCK = threading.Lock()
 _kept: list[ThreadPoolExecutor] = []
 
 
 def threads(states: int) -> int:
-    """How many threads are worth waking for so many states."""
+    """Return how many threads are worth waking for so many states."""
     wanted = min(_MOST, states // (_LEAST * PIECE))
     return min(wanted, processors()) if wanted > 1 else 1
 
@@ -34,7 +34,7 @@ def threads(states: int) -> int:
 def in_parts(
     work: Callable[[int, int], Result], count: int, parts: int, piece: int
 ) -> list[Result]:
-    """work(begin, end) for consecutive pieces of range(count), results in their order.
+    """Return work(begin, end) for consecutive pieces of range(count), results in their order.
 
     The first error of a piece is raised once all threads are done.
     """
@@ -51,7 +51,7 @@ def in_parts(
     try:
         run()
     finally:
-        # Helpers that never began are not waited for.
+        # Helpers that never began are cancelled, not waited for.
         ended = [helper for helper in helpers if not helper.cancel()]
         left.clear()
         errors = [helper.exception() for helper in ended]
@@ -61,21 +61,21 @@ def in_parts(
 
 
 def processors() -> int:
-    """The processors this process may run on."""
+    """Return the number of processors that this process may run on."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 def _next(left: deque[int]) -> int | None:
-    """The next of what is left; asking and taking in one step, as threads have to."""
+    """Take the next begin that is left, in one step as threads need it; None where none is."""
     with suppress(IndexError):
         return left.popleft()
     return None
 
 
 def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
-    """So many helpers; none where the interpreter is about to end and starts no threads."""
+    """Start so many helpers; none where the interpreter is about to end and starts no threads."""
     with suppress(RuntimeError), _LOCK:
         if not _kept:
             _kept.append(ThreadPoolExecutor(_MOST - 1, "rigidsym"))
@@ -84,7 +84,7 @@ def _started(run: Callable[[], None], count: int) -> list[Future[None]]:
 
 
 def _forget() -> None:
-    """Threads stay behind in a process that forks; so may a lock that one of them held."""
+    """Forget the threads, which a forked process does not have, and a lock that one may hold."""
     global _LOCK
     _LOCK = threading.Lock()
     _kept.clear()

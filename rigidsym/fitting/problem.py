@@ -189,7 +189,7 @@ def posed(
         raise InputError("inertia", repr(inertia), f"must be one of: {', '.join(INERTIA)}")
     known = None
     if moments is not None:
-        exact = inputs.certain("moments", inputs.inertia(moments, way_out=""))
+        exact = inputs.certain("moments", inputs.inertia(moments, next_step=""))
         known = np.array(inputs.doubles("moments", exact))
     if inertia == "known" and known is None:
         raise InputError("moments", "missing", 'inertia="known" needs them')

@@ -112,7 +112,7 @@ def manoeuvre(
         raise InputError("duration", "missing", "give one, or a limit that decides it")
     spins = _spin("spin.start", start_spin), _spin("spin.target", target_spin)
     return Manoeuvre(
-        _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia, way_out=""))),
+        _moderate("inertia", inputs.certain("inertia", inputs.inertia(inertia, next_step=""))),
         inputs.certain("start", inputs.attitude(start, "start")),
         inputs.certain("target", inputs.attitude(target, "target")),
         length,

@@ -14,7 +14,6 @@ from functools import cached_property
 import numpy as np
 
 from rigidsym.engines import Engine
-from rigidsym.engines.sensitivities import sensitive
 from rigidsym.quaternions import inverse_left_jacobian, rotation_vectors
 
 IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
@@ -77,8 +76,8 @@ class Problem:
 
         Derivatives beyond binary64, as they may be beside the separatrix, are NaN.
         """
-        engine = sensitive(self.engine)
-        found = engine.propagate(self.inertia, rates, IDENTITY, np.ones(1), errors="nan")
+        given = self.inertia, rates, IDENTITY, np.ones(1)
+        found = self.engine.propagate_sensitivities(*given, errors="nan")
         misses = rotation_vectors(found[0][:, 0] @ self._undo)
         by_rates = found[2][:, 0, :, 3:6]
         return misses, inverse_left_jacobian(misses) @ by_rates

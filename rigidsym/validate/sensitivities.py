@@ -17,7 +17,8 @@ import numpy as np
 from flint import arb
 
 from rigidsym.engines import Engine
-from rigidsym.engines.sensitivities import by_exact_moments, sensitive
+from rigidsym.engines.exact_inputs import by_exact_moments
+from rigidsym.errors import EngineError
 from rigidsym.validate.measure import prepare
 from rigidsym.validate.oracle import column_digits, precise_motion
 from rigidsym.validate.peers.protocol import Solver
@@ -245,11 +246,12 @@ def of_engine(engine: Engine | Solver) -> Sensitive:
 
     Raises EngineError for a module that has none.
     """
-    module = sensitive(engine)
+    if not isinstance(engine, Engine) or not engine.has_sensitivities:
+        raise EngineError("engine", "its module has no sensitivities")
 
     def found(sample: Sample) -> np.ndarray:
         prepared, _ = prepare(sample, engine)
-        numbers = module.sensitivities(prepared, np.array(sample.times), errors="nan")
+        numbers = engine.sensitivities(prepared, np.array(sample.times), errors="nan")
         if not sample.in_doubles:
             by_exact_moments(numbers, sample.exact[0])
         return columns(sample, *numbers[2:])

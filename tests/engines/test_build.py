@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from rigidsym.engines import build, cache, choice, compiler, engine
+from rigidsym.engines import build, compiler, engine, forget
 from rigidsym.engines.c_engine import CEngine
 from rigidsym.engines.library import LibraryError, load, written_digest
 from rigidsym.engines.numpy_engine import NumpyEngine
@@ -55,9 +55,9 @@ def fresh(monkeypatch, tmp_path):
     monkeypatch.setenv("RIGIDSYM_CACHE", str(tmp_path / "cache"))
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(build, "package_sources", lambda _: stub("a"))
-    choice.forget()
+    forget()
     yield
-    choice.forget()
+    forget()
 
 
 @pytest.fixture
@@ -96,7 +96,7 @@ def obtained():
 
 
 def kept():
-    return sorted(cache.directory().glob("*.so"))
+    return sorted(build.cache_directory().glob("*.so"))
 
 
 def heard(name="c"):
@@ -146,7 +146,7 @@ def test_a_damaged_library_is_built_again(wrapped, damage):
     path.unlink()
     path.write_bytes(damage(data))
     assert obtained() == [f"engine: {path} is damaged: it is built again"]
-    assert [cache.is_whole(path) for path in kept()] == [True]
+    assert [build.is_whole(path) for path in kept()] == [True]
     assert obtained() == []
     assert len(calls(log)) == 2
 
@@ -165,7 +165,7 @@ def test_a_whole_file_that_is_the_wrong_one_is_built_again(tmp_path, mistake):
     else:
         wrong = other / "text.so"
         wrong.write_text("no library")
-    wrong = cache.keep(key, wrong)
+    wrong = build._keep(key, wrong)
     (remark,) = obtained()
     assert remark.startswith(f"engine: {wrong} ")
     assert remark.endswith(": it is built again")
@@ -189,7 +189,7 @@ def test_a_cache_that_cannot_be_made_is_named(monkeypatch, tmp_path):
 
 @needs_compiler
 def test_a_cache_that_cannot_be_written_is_named():
-    place = cache.directory()
+    place = build.cache_directory()
     place.mkdir(mode=0o500)
     if os.access(place, os.W_OK):
         pytest.skip("this user may write anywhere")
@@ -204,7 +204,7 @@ def test_a_home_that_does_not_exist_is_told(monkeypatch):
 
     monkeypatch.delenv("RIGIDSYM_CACHE")
     monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
-    monkeypatch.setattr(cache, "platform_caches", homeless)
+    monkeypatch.setattr(build.Path, "home", homeless)
     reason = "there is no home directory for a cache"
     assert obtained() == [f"engine: {reason}: the library serves this process only"]
 
@@ -286,7 +286,7 @@ def test_the_package_has_the_sources_and_their_digest():
 def test_threads_that_ask_at_once_hear_one_warning(monkeypatch):
     said = []
     monkeypatch.setenv("PATH", "")
-    monkeypatch.setattr(choice.warnings, "warn", lambda remark, *_, **__: said.append(remark))
+    monkeypatch.setattr(warnings, "warn", lambda remark, *_, **__: said.append(remark))
     with ThreadPoolExecutor(8) as pool:
         engines = list(pool.map(engine, ["c"] * 32))
     assert len(said) == 1
@@ -322,7 +322,7 @@ def test_processes_that_build_at_once_all_succeed(tmp_path, wrapped):
     (answer,) = {answer for answer, _ in answers}
     assert answer.startswith("CEngine ")
     assert 1 <= len(calls(log)) <= 4
-    assert all(map(cache.is_whole, kept()))
+    assert all(map(build.is_whole, kept()))
     compiled = len(calls(log))
     assert started(tmp_path).communicate() == (answer, "")
     assert len(calls(log)) == compiled
@@ -401,7 +401,7 @@ def test_the_place_of_the_cache(monkeypatch, variables, place):
         monkeypatch.delenv(name, raising=False)
     for name, value in variables.items():
         monkeypatch.setenv(name, value)
-    assert cache.directory() == Path(place)
+    assert build.cache_directory() == Path(place)
 
 
 def test_an_unknown_engine_is_refused():

@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from rigidsym import TorqueFreeMotion
+from rigidsym import InputError, TorqueFreeMotion
 from rigidsym.engines import EngineError, build, threads
 from rigidsym.engines.c_engine import CEngine
 from rigidsym.engines.compiler import CompilerError, find
@@ -287,14 +287,14 @@ Q, OMEGA, SHARED = np.empty((5, 4)), np.empty((5, 3)), np.empty(35)
 def test_arrays_that_cannot_be_filled(c, engine, out, rule):
     engine = c if engine == "c" else NUMPY
     prepared = engine.prepare(*BODIES["smallest"])
-    with pytest.raises(EngineError) as caught:
+    with pytest.raises(InputError) as caught:
         engine.states(prepared, np.arange(5.0), out)
-    assert str(caught.value) == f"out: {rule}"
+    assert str(caught.value) == f"out = as given: {rule}"
 
 
 def test_times_are_not_overwritten_while_they_are_read(c):
     q, omega = np.zeros((5, 4)), np.zeros((5, 3))
-    with pytest.raises(EngineError, match=r"^out: q and omega must not overlap"):
+    with pytest.raises(InputError, match=r"^out = as given: q and omega must not overlap"):
         c.states(c.prepare(*BODIES["smallest"]), q.reshape(-1)[:5], (q, omega))
 
 
@@ -347,7 +347,7 @@ def test_shapes_are_refused_in_the_words_of_the_numpy_module(c, change):
     given = (GOOD | change).values()
     with pytest.raises(ValueError, match=": ") as expected:
         NUMPY.propagate(*given, 1.0)
-    with pytest.raises(EngineError) as caught:
+    with pytest.raises(InputError) as caught:
         c.propagate(*given, 1.0)
     assert str(caught.value) == str(expected.value)
 
