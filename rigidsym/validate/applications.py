@@ -1,7 +1,6 @@
-"""Campaigns about what is built on the motions: random cases in strata, and whether what a result
-says of its own error is true.
+"""Campaigns of applications: random cases in strata, and true errors over promised ones.
 
-An application is a table of strata, a function that draws a case, and one that measures it.
+An application is a table of strata, each with a function that draws a case, and a measure.
 """
 
 from collections.abc import Callable, Collection, Iterator, Sequence
@@ -19,7 +18,7 @@ HEADS = ("stratum", "cases", "refused", "median", "worst", "worst case", "far of
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """One case: its true error over the error that was promised; None where it was refused."""
+    """A case with its true error over the promised error; None if it was refused."""
 
     stratum: str
     index: int
@@ -28,8 +27,11 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """How often a case may be refused, and how far errors may be above what was promised: in
-    most cases, in this part of them, and in all."""
+    """Limits of a campaign.
+
+    refused: the part of cases that may be refused.  most: the share that `part` of the errors may
+    reach at most.  worst: the share that all errors may reach at most.
+    """
 
     refused: float
     most: float
@@ -54,7 +56,7 @@ class Goal:
 class Application(Generic[Case]):
     """Strata by name with the functions that draw their cases, a measure, and a goal.
 
-    measure: of a case, the true error over the promised one, None where the case was refused.
+    measure: returns the true error of a case over the promised one, None if it was refused.
     """
 
     name: str
@@ -67,7 +69,7 @@ class Application(Generic[Case]):
         return self.strata[stratum](Random(f"{self.name}:{stratum}:{index}:{seed}"))
 
     def outcomes(self, cases: int, seed: int, strata: Collection[str] = ()) -> Iterator[Outcome]:
-        """Yield the outcomes of so many cases in each stratum, or in those named.
+        """Yield the outcomes of `cases` cases in each stratum, or in those named.
 
         Raises InputError for a stratum that does not exist.
         """

@@ -1,4 +1,4 @@
-"""Samples as case files, which `rigidsym propagate` takes."""
+"""Samples as case files, which `rigidsym propagate` reads."""
 
 from collections.abc import Iterable
 from fractions import Fraction
@@ -14,7 +14,7 @@ FIELDS = ("inertia", "omega0", "attitude0", "times")
 
 
 def hexadecimal(sample: Sample) -> Numbers:
-    """Its numbers without loss: doubles in hexadecimal, others as fractions."""
+    """Return the exact numbers of a sample: doubles in hexadecimal, others as fractions."""
     return {
         "inertia": list(map(_text, sample.inertia)),
         "omega0": list(map(_text, sample.omega0)),
@@ -24,7 +24,7 @@ def hexadecimal(sample: Sample) -> Numbers:
 
 
 def toml(sample: Sample, remarks: Iterable[str] = ()) -> str:
-    """The text of a case file."""
+    """Return the text of a case file."""
     lines = [f"# {remark}" for remark in remarks]
     numbers = hexadecimal(sample)
     for name in FIELDS:
@@ -34,17 +34,17 @@ def toml(sample: Sample, remarks: Iterable[str] = ()) -> str:
 
 
 def write(path: Path, sample: Sample, remarks: Iterable[str] = ()) -> Path:
-    """Write it under a name."""
+    """Write a case file."""
     return write_text(path, toml(sample, remarks))
 
 
 def file_name(sample: Sample) -> str:
-    """A name made of stratum and index."""
+    """Return a file name made of stratum and index."""
     return f"{'-'.join(sample.stratum.replace(',', '').split())}-{sample.index}.toml"
 
 
 def read(path: str) -> Sample:
-    """The sample of a case file, whose times are rounded to doubles; raises InputError for none."""
+    """Read the sample of a case file, with times rounded to doubles; raises InputError for none."""
     case = load_case(path)
     numbers = (tuple(map(_number, values)) for values in case.motion.exact.values())
     return Sample(path, 0, *numbers, tuple(inputs.doubles("times", case.times)))

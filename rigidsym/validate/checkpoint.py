@@ -1,4 +1,4 @@
-"""The file that lets an interrupted campaign go on where it was."""
+"""The file from which an interrupted campaign is resumed."""
 
 import hashlib
 import json
@@ -14,7 +14,7 @@ from rigidsym.validate.tally import Tally
 
 NAME = "campaign.json"
 SCHEMA = "rigidsym.campaign/2"
-# Seconds of work that a machine may lose when it is switched off.
+# Seconds of work that are lost at most when a machine is switched off.
 INTERVAL = 10.0
 
 
@@ -26,12 +26,12 @@ class Checkpoint:
         self._last = time.monotonic()
 
     def now_and_then(self) -> None:
-        """Write where the last time was INTERVAL ago."""
+        """Write if the last time was INTERVAL ago."""
         if time.monotonic() - self._last >= INTERVAL:
             self.write()
 
     def write(self) -> None:
-        """Write now; raises InputError where that fails, and leaves what was there."""
+        """Write now; raise InputError where that fails, and keep the old file."""
         data = {
             "campaign": self.campaign.to_data(),
             "done": self.progress.done,
@@ -41,12 +41,12 @@ class Checkpoint:
         self._last = time.monotonic()
 
     def remove(self) -> None:
-        """The campaign is complete, and its report written."""
+        """Remove the file of a campaign whose report is written."""
         self.path.unlink(missing_ok=True)
 
 
 def load(directory: Path) -> tuple[Campaign, Progress]:
-    """The campaign of a directory; raises InputError where it holds none, or a damaged one."""
+    """Load the campaign of a directory; raise InputError where it has none, or a damaged one."""
     path = directory / NAME
     try:
         data = json.loads(path.read_text("utf-8"))
@@ -64,13 +64,13 @@ def load(directory: Path) -> tuple[Campaign, Progress]:
 
 
 def _seal(data: Mapping[str, object]) -> dict[str, str]:
-    """The schema, and a digest that tells whether anything was changed."""
+    """Return the schema, and a digest that shows any change."""
     text = json.dumps(data, sort_keys=True)
     return {"schema": SCHEMA, "sha256": hashlib.sha256(text.encode()).hexdigest()}
 
 
 def check_same(directory: Path, found: Campaign, expected: Campaign) -> None:
-    """Raise InputError where the campaign of a directory is not the one that is asked for."""
+    """Raise InputError if the campaign of a directory is not the expected one."""
     for field in fields(Campaign):
         theirs, ours = (getattr(x, field.name) for x in (found, expected))
         if theirs != ours:

@@ -1,4 +1,4 @@
-"""Where chunks are run: in this process, in others on this machine, or on a Dask cluster."""
+"""Executors of chunks: this process, others on this machine, or a Dask cluster."""
 
 import logging
 import os
@@ -25,7 +25,7 @@ Found = TypeVar("Found")
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """An executor, how many chunks to give it at once, and what to call it."""
+    """An executor, its name, and how many chunks it gets at once."""
 
     executor: Executor
     ahead: int
@@ -34,18 +34,18 @@ class Place:
     def submit(
         self, work: Callable[Arguments, Found], *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Found]:
-        """Give it work, for which it may have to start a process."""
+        """Submit work, for which the executor may have to start a process."""
         with undisturbed():
             return self.executor.submit(work, *args, **kwargs)
 
 
 class Here(Executor):
-    """One after the other, in this process."""
+    """An executor that runs work at once, in this process."""
 
     def submit(
         self, fn: Callable[Arguments, Found], /, *args: Arguments.args, **kwargs: Arguments.kwargs
     ) -> Future[Found]:
-        """The result, or what was raised, at once."""
+        """Run the work, and return its result or exception."""
         future: Future[Found] = Future()
         try:
             future.set_result(fn(*args, **kwargs))
@@ -56,7 +56,7 @@ class Here(Executor):
 
 @contextmanager
 def undisturbed() -> Generator[None]:
-    """Work that interrupts wait for; processes that it starts do not hear of them."""
+    """Delay interrupts until work is done; processes that it starts do not get them."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -76,13 +76,13 @@ def undisturbed() -> Generator[None]:
 
 
 def processes(count: int) -> ProcessPoolExecutor:
-    """Fresh processes: forks would share locks and threads of this one."""
+    """Return a pool of fresh processes: forks would share locks and threads of this one."""
     return ProcessPoolExecutor(count, mp_context=get_context("spawn"), initializer=_begin)
 
 
 @contextmanager
 def local(workers: int | None = None) -> Generator[Place]:
-    """So many processes on this machine, one for each core by default."""
+    """Use processes on this machine, one for each core by default."""
     count = workers or processors()
     if count == 1:
         yield Place(Here(), 1, "this process")
@@ -97,7 +97,7 @@ def local(workers: int | None = None) -> Generator[Place]:
 
 @contextmanager
 def cluster(address: str) -> Generator[Place]:
-    """A Dask cluster; raises InputError where its scheduler cannot be reached, or has no worker."""
+    """Use a Dask cluster; raise InputError if its scheduler is not reached or has no worker."""
     if not re.fullmatch(r"(tcp|tls|ucx|ws|wss)://[^\s/]+:\d+", address):
         raise InputError("scheduler", address, "must be an address such as tcp://host:8786")
     try:
@@ -105,7 +105,7 @@ def cluster(address: str) -> Generator[Place]:
     except ImportError:
         rule = "needs the package distributed (extra cluster)"
         raise InputError("scheduler", address, rule) from None
-    # What it would say of lost connections is said in one line here.
+    # A lost connection is reported in one line here, without its own messages.
     for name in ("distributed", "tornado", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     try:
@@ -124,14 +124,14 @@ def cluster(address: str) -> Generator[Place]:
 
 
 def _begin() -> None:
-    """Interrupts are for the parent to take, and without a parent there is nothing to do."""
+    """Leave interrupts to the parent process, and end with it."""
     for number in _INTERRUPTS:
         signal.signal(number, signal.SIG_IGN)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, _INTERRUPTS)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
 
+    def end_with_parent() -> None:
+        if parent := parent_process():
+            parent.join()
+            os._exit(1)
 
-def _end_with_parent() -> None:
-    if parent := parent_process():
-        parent.join()
-        os._exit(1)
+    threading.Thread(target=end_with_parent, daemon=True).start()

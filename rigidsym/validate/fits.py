@@ -1,8 +1,8 @@
-"""Fits of simulated attitudes where linear errors bend: are truths covered, or is the fit flagged?
+"""Campaign of fits of simulated attitudes for which linearised errors may be wrong.
 
-A fit says of the truth that the Mahalanobis distance of its quantities is small, by a covariance;
-or it flags the covariance.  A share is the square of that distance over what chi2 of as many
-degrees of freedom exceeds in one case of a thousand.
+Either the Mahalanobis distance of the true quantities is small by the covariance of the fit, or
+the fit flags its covariance.  A share is the square of that distance over the value that chi2 of as
+many degrees of freedom exceeds in one case of a thousand.
 """
 
 from collections.abc import Callable
@@ -54,10 +54,10 @@ def simulated(stratum: str, random: Random) -> Case:
 
 
 def measured(case: Case) -> float | None:
-    """Return the share of what the covariance allows that the truth takes.
+    """Return the square of the distance of the truth over its allowed value.
 
-    None where the fit says that it is not so: by a flag, by residuals that are no errors, or by
-    other motions that fit as well.
+    None where the fit warns: by a flag, by residuals that are too large, or by other motions that
+    fit as well.
     """
     found = fit(case.times, attitudes=case.seen, sigma=SIGMA, starts=_STARTS, fastest=_FASTEST)
     said = found.agreement.message or found.nonlinearity.flagged or found.alternatives
@@ -70,8 +70,10 @@ def measured(case: Case) -> float | None:
 
 
 def distance(found: Fit, truth: TorqueFreeMotion) -> tuple[float, int]:
-    """Return the square of the Mahalanobis distance of a truth, and its degrees of freedom: of all
-    quantities that have standard deviations."""
+    """Return the square of the Mahalanobis distance of a truth, and its degrees of freedom.
+
+    It is that of all quantities that have standard deviations.
+    """
     moments, omega, attitude = (np.array(x, float) for x in truth.exact.values())
     q, rates = found.motion(0.0)
     turn = rotation_vectors(product(attitude / np.linalg.norm(attitude), conjugate(q)))

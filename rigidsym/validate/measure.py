@@ -72,13 +72,16 @@ def _measured(
     )
     angle = _angle(q, reference, engine)
     rates = _apart(omega, reference.omega) / lengths(reference.omega[0]) + reference.radius
+    # |omega| dt/2 is allowed, and what |omega'| <= |omega|^2 adds to it.
+    turned = lengths(omega, 0.0) * (later - times)
+    jump = np.maximum(lengths(q_later - q, 0.0) - (turned + turned**2) / 2, 0.0)
     start, residuals = times == 0, list(map(residual, paths, q_paths, omega_paths))
     found = {
         "angle": _errors("angle", times, angle, reference.condition["angle"]),
         "omega": _errors("omega", times, rates, reference.condition["omega"]),
         "norm": _errors("norm", times, np.abs(np.linalg.norm(q, axis=-1) - 1)),
         "residual": _errors("residual", [path.nodes[0] for path in paths], residuals),
-        "jump": _errors("jump", times, _jump(q, q_later, omega, later - times)),
+        "jump": _errors("jump", times, jump),
         "start": _errors("start", times[start], np.maximum(angle, rates)[start]),
     }
     # Peers have one entry point only.
@@ -116,12 +119,6 @@ def _angle(q: np.ndarray, reference: Reference, engine: Engine | Solver) -> np.n
 def _apart(given: np.ndarray, exact: np.ndarray) -> np.ndarray:
     """Return distances of rows from sums of two doubles."""
     return lengths((given - exact[0]) - exact[1], 0.0)
-
-
-def _jump(before: np.ndarray, after: np.ndarray, omega: np.ndarray, dt: np.ndarray) -> np.ndarray:
-    """Return the change beyond |omega| dt/2, and beyond what |omega'| <= |omega|^2 adds to it."""
-    turned = lengths(omega, 0.0) * dt
-    return np.maximum(lengths(after - before, 0.0) - (turned + turned**2) / 2, 0.0)
 
 
 def _drifts(sample: Sample, times: np.ndarray, omega: np.ndarray) -> dict[str, Errors]:

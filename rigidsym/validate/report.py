@@ -55,7 +55,7 @@ class Failure:
 
     @property
     def line(self) -> str:
-        """One line with stratum, case and figure."""
+        """Stratum, case and figure in one line."""
         bound = bounds_of(self.target)[self.measure]
         figure = f"{self.share * bound:.2g}"
         if self.measure in CONDITIONED:

@@ -14,7 +14,6 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 import numpy as np
-from flint import arb
 
 from rigidsym.engines import Engine
 from rigidsym.engines.exact_inputs import by_exact_moments
@@ -25,11 +24,11 @@ from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.strata import Sample, samples
 
 DIGITS, CASES, SEED = 25, 15, 1
-# Beyond and below them squares of columns leave binary64.
+# Above and below these lengths, squares of columns leave binary64.
 LARGEST, LEAST = 2.0**500, 2.0**-300
 # |omega0 t| in rad from which on columns by the moments are measured by their own length.
 EARLY = 1.0
-# Columns below it are enclosed once more, to digits of LEAST.
+# Shorter columns are enclosed once more, to digits of LEAST.
 _SHORT = 1e-8
 HEADS = ("worst error", "documented", "case", "column", "t, s", "columns measured", "times refused")
 COLUMNS = (*(f"{x}{k}" for x in ("eta", "omega", "c") for k in (1, 2, 3)), "t")
@@ -39,14 +38,14 @@ Sensitive = Callable[[Sample], np.ndarray]
 
 @dataclass(frozen=True, slots=True)
 class Wider:
-    """A bound, why it is no narrower, and the number of a case that comes near it."""
+    """A bound, the reason why it is no narrower, and the number of a case that comes near it."""
 
     bound: float
     why: str
     case: int
 
 
-# What the documentation promises of sensitivities, and of those of some strata.
+# The documented bound, and those of some strata.
 BOUND = 1e-13
 _BESIDE_ZERO = (
     "where a rate of a nearly symmetric body is zero a column is small, by the root of what moments"
@@ -70,14 +69,16 @@ WIDER = {
 
 
 def bound_of(stratum: str) -> float:
-    """What the documentation promises of a stratum."""
+    """Return the documented bound of a stratum."""
     return WIDER[stratum].bound if stratum in WIDER else BOUND
 
 
 @dataclass(frozen=True, slots=True)
 class StratumErrors:
-    """Of a stratum: the largest error, by which case, column and time; how many columns were
-    measured, and at how many times there were no numbers."""
+    """The largest error of a stratum, with its case, column and time.
+
+    measured: the number of columns.  refused: the number of times without numbers.
+    """
 
     stratum: str
     error: float
@@ -88,7 +89,7 @@ class StratumErrors:
     refused: int
 
     def row(self) -> tuple[str, ...]:
-        """For a table, under `HEADS`."""
+        """Return a row under `HEADS`."""
         where = f"{self.stratum}:{self.case}", self.column, f"{self.time:.3g}"
         return (
             f"{self.error:.1e}",
@@ -100,7 +101,7 @@ class StratumErrors:
 
     @property
     def is_within(self) -> bool:
-        """Whether something was measured, and is no worse than documented."""
+        """True if something was measured, and no error is above the documented bound."""
         return self.measured > 0 and self.error <= bound_of(self.stratum)
 
 
@@ -114,7 +115,7 @@ class ColumnsReference:
 
     @classmethod
     def of(cls, sample: Sample, digits: int = DIGITS) -> "ColumnsReference":
-        """By enclosures."""
+        """Enclose the columns of a sample."""
         found = enclosed(sample, digits)
         lengths, times = _lengths(found), np.array(sample.times)
         early = EARLY / (math.hypot(*map(float, sample.omega0)) or 1.0)
@@ -126,11 +127,13 @@ class ColumnsReference:
 
 
 def share(engine: Engine, reference: ColumnsReference) -> float:
-    """The largest part of its bound that a column of an engine takes in a case; infinite where
-    one is missing."""
+    """Return the largest part of its bound that a column of an engine uses in a case.
+
+    It is infinite where a column is missing.
+    """
     found = of_engine(engine)(reference.sample)
     wrong = errors(found, reference.columns, reference.lengths)
-    # Where one column leaves binary64 a module has no numbers for the others.
+    # Where one column leaves binary64, a module has no numbers for the others.
     asked = _is_asked(reference.lengths).all(axis=1, keepdims=True)
     if np.any(asked & np.isnan(wrong)):
         return math.inf
@@ -140,7 +143,7 @@ def share(engine: Engine, reference: ColumnsReference) -> float:
 def references(
     cases: int = CASES, seed: int = SEED, strata: Collection[str] = ()
 ) -> dict[str, list[ColumnsReference]]:
-    """Stratum by stratum, the cases drawn with their true columns, for all implementations."""
+    """Return the cases of each stratum with their true columns, for all implementations."""
     found: dict[str, list[ColumnsReference]] = {}
     for sample in samples(cases, seed):
         if not strata or sample.stratum in strata:
@@ -151,39 +154,33 @@ def references(
 def by_stratum(
     sensitive: Sensitive, truth: Mapping[str, Iterable[ColumnsReference]]
 ) -> Iterator[StratumErrors]:
-    """Stratum by stratum, what an implementation gets wrong.
+    """Yield the errors of an implementation, stratum by stratum.
 
-    sensitive: of a sample, its columns (N, 6, 10) as `columns` has them, NaN where it has none.
+    sensitive: returns the columns (N, 6, 10) of a sample as `columns` does, NaN for none.
     """
     for stratum, listed in truth.items():
-        yield _worst(stratum, listed, sensitive)
-
-
-def _worst(stratum: str, listed: Iterable[ColumnsReference], sensitive: Sensitive) -> StratumErrors:
-    found = StratumErrors(stratum, 0.0, 0, COLUMNS[0], 0.0, 0, 0)
-    measured = refused = 0
-    for reference in listed:
-        sample = reference.sample
-        wrong = errors(sensitive(sample), reference.columns, reference.lengths)
-        known = ~np.isnan(wrong)
-        measured += int(known.sum())
-        refused += int((~known).all(axis=1).sum())
-        if known.any() and np.nanmax(wrong) > found.error:
-            at, column = np.unravel_index(np.nanargmax(wrong), wrong.shape)
-            time = sample.times[at]
-            error = float(wrong[at, column])
-            found = StratumErrors(stratum, error, sample.index, COLUMNS[column], time, 0, 0)
-    fields = found.stratum, found.error, found.case, found.column, found.time
-    return StratumErrors(*fields, measured, refused)
+        found = StratumErrors(stratum, 0.0, 0, COLUMNS[0], 0.0, 0, 0)
+        for reference in listed:
+            sample = reference.sample
+            wrong = errors(sensitive(sample), reference.columns, reference.lengths)
+            known = ~np.isnan(wrong)
+            measured = found.measured + int(known.sum())
+            refused = found.refused + int((~known).all(axis=1).sum())
+            if known.any() and np.nanmax(wrong) > found.error:
+                at, k = np.unravel_index(np.nanargmax(wrong), wrong.shape)
+                worst = float(wrong[at, k]), sample.index, COLUMNS[k], sample.times[at]
+                found = StratumErrors(stratum, *worst, measured, refused)
+            else:
+                found = replace(found, measured=measured, refused=refused)
+        yield found
 
 
 def errors(
     found: np.ndarray, expected: np.ndarray, lengths: np.ndarray | None = None
 ) -> np.ndarray:
-    """Return errors of columns (N, 6, 10) over lengths (N, 10), by default those of the expected
-    columns; NaN where there are no numbers.
+    """Return errors of columns (N, 6, 10) over lengths (N, 10); NaN where there are no numbers.
 
-    Numbers that are wrong are infinitely so where they are infinite.
+    Lengths are by default those of the expected columns.  Infinite numbers have infinite errors.
     """
     lengths = _lengths(expected) if lengths is None else lengths
     with np.errstate(all="ignore"):
@@ -193,7 +190,7 @@ def errors(
 
 
 def _lengths(expected: np.ndarray) -> np.ndarray:
-    """(N, 10), the lengths of columns."""
+    """Return the lengths (N, 10) of columns."""
     with np.errstate(all="ignore"):
         return np.maximum(np.linalg.norm(expected, axis=1), LEAST)
 
@@ -203,7 +200,7 @@ def _is_asked(lengths: np.ndarray) -> np.ndarray:
 
 
 def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
-    """The true columns (N, 6, 10), in these units, each to so many digits of `LEAST` or of 1."""
+    """Return the true columns (N, 6, 10), each to `digits` digits of `LEAST` or of 1."""
     found = _enclosed(sample, digits)
     is_short = _lengths(found).min(initial=1.0) < _SHORT
     return _enclosed(sample, digits - math.floor(math.log10(LEAST))) if is_short else found
@@ -212,14 +209,10 @@ def enclosed(sample: Sample, digits: int = DIGITS) -> np.ndarray:
 def _enclosed(sample: Sample, digits: int) -> np.ndarray:
     motion, times = precise_motion(sample), list(map(Fraction, sample.times))
     found = motion.sensitivities(times, column_digits(sample, digits))
-    rows = np.array([_floats(row[7:]) for row in found])
+    rows = np.array([[float(x) for x in row[7:]] for row in found])
     blocks = np.split(rows, [27, 54, 57], axis=-1)
     turns, rates = (x.reshape(-1, 3, 9) for x in blocks[:2])
     return columns(sample, turns, rates, *blocks[2:])
-
-
-def _floats(row: Iterable[arb]) -> list[float]:
-    return [float(x) for x in row]
 
 
 def columns(
@@ -229,8 +222,10 @@ def columns(
     attitude_t: np.ndarray,
     rates_t: np.ndarray,
 ) -> np.ndarray:
-    """Sensitivities (N, 3, 9) twice and (N, 3) twice as columns (N, 6, 10) in units of the
-    inputs' own."""
+    """Return columns (N, 6, 10) in units of the inputs' own.
+
+    attitude and rates: sensitivities (N, 3, 9); attitude_t and rates_t: those by time (N, 3).
+    """
     rate = math.hypot(*map(float, sample.omega0)) or 1.0
     units = np.array([*[1.0] * 3, *[rate] * 3, *map(float, sample.inertia), 1 / rate])
     with np.errstate(all="ignore"):
@@ -242,7 +237,7 @@ def columns(
 
 
 def of_engine(engine: Engine | Solver) -> Sensitive:
-    """Sensitivities by the module of an engine; NaN where it refuses.
+    """Return a function that computes sensitivities by the module of an engine, NaN if refused.
 
     Raises EngineError for a module that has none.
     """

@@ -1,6 +1,6 @@
-"""Torques that are not smooth, narrow or stiff, for `integrate` with a tolerance.
+"""Campaign of `integrate` with a tolerance: torques that are not smooth, narrow or stiff.
 
-The truth is by SciPy's Dormand-Prince method of order 8, begun anew wherever the torque jumps or
+The reference is SciPy's Dormand-Prince method of order 8, restarted wherever the torque jumps or
 bends.
 """
 
@@ -30,7 +30,7 @@ Vector = tuple[float, ...]
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """A body under a torque, and what is asked of `integrate`.
+    """A body under a torque, and the arguments of `integrate`.
 
     breaks: times at which the torque is not smooth, s; told: those that `integrate` gets.
     """
@@ -49,7 +49,7 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class _Body:
-    """A body that turns by some angle in the span, and a torque's direction and strength."""
+    """A random body that turns by some angle in the span, and random torques on it."""
 
     inertia: Vector
     q0: Vector
@@ -75,8 +75,10 @@ class _Body:
         )
 
     def pushed(self, profile: Profile, breaks: Vector = (), seconds: float | None = None) -> "Case":
-        """Under a torque by a profile of time; it changes the rates by a part of themselves in one
-        radian, or in so many seconds."""
+        """Apply a torque by a profile of time.
+
+        It changes the rates by a part of themselves in one radian, or in `seconds`.
+        """
         random = self.random
         strength = 10 ** random.uniform(-1.5, 0) * self.rate / (seconds or 1 / self.rate)
         vector = strength * np.array(self.inertia) * _unit(random, 3)
@@ -104,7 +106,7 @@ class _Body:
 
 
 def kink(random: Random, at_rest: bool = False) -> Case:
-    """A sine cut at zero or turned up, or a zigzag."""
+    """Draw a sine cut at zero, the size of a sine, or a zigzag."""
     body = _Body.drawn(random, at_rest)
     rate, phase = body.rate * 10 ** random.uniform(-0.5, 0.7), random.uniform(0, 6)
     zeros = _zeros(rate, phase, body.span)
@@ -120,7 +122,7 @@ def kink(random: Random, at_rest: bool = False) -> Case:
 
 
 def jump(random: Random, at_rest: bool = False) -> Case:
-    """Levels that jump at some times, or the sign of a sine."""
+    """Draw levels that jump at some times, or the sign of a sine."""
     body = _Body.drawn(random, at_rest)
     if random.random() < 0.3:
         rate, phase = body.rate * 10 ** random.uniform(-0.5, 0.5), random.uniform(0, 6)
@@ -133,7 +135,7 @@ def jump(random: Random, at_rest: bool = False) -> Case:
 
 
 def pulse(random: Random, at_rest: bool = False) -> Case:
-    """Pulses of 1/200 to 1/5 of the span between their half heights: boxes, bells, half sines."""
+    """Draw boxes, bells or half sines, 1/200 to 1/5 of the span wide at half their height."""
     body = _Body.drawn(random, at_rest)
     pulses = []
     for _ in range(random.randint(1, 3)):
@@ -148,7 +150,7 @@ def pulse(random: Random, at_rest: bool = False) -> Case:
 
 
 def stiff(random: Random) -> Case:
-    """Damping, a spring or an oscillation, far quicker than the body, for a part of the span."""
+    """Draw damping, a spring or an oscillation, far faster than the body, in part of the span."""
     body = _Body.drawn(random)
     begin, end = sorted(random.uniform(0, body.span) for _ in range(2))
     quick = 10 ** random.uniform(1, 2.5) / body.span
@@ -168,7 +170,7 @@ def stiff(random: Random) -> Case:
 
 
 def facing(random: Random) -> Case:
-    """A torque on a side of the body while that is lit: kinks or jumps where the attitude says."""
+    """Draw a torque on one side of the body while it is lit: kinks or jumps by attitude."""
     body = _Body.drawn(random)
     inertia = np.array(body.inertia)
     light, normal, push = (np.array(_unit(random, 3)) for _ in range(3))
@@ -184,19 +186,19 @@ def facing(random: Random) -> Case:
 
 
 def rest(random: Random) -> Case:
-    """A body at rest, under one of the others."""
+    """Draw a body at rest, under one of the other torques."""
     return random.choice([kink, jump, pulse])(random, True)
 
 
 def smooth(random: Random) -> Case:
-    """A sine, for comparison."""
+    """Draw a sine, for comparison."""
     body = _Body.drawn(random)
     rate = body.rate * 10 ** random.uniform(-1, 0.5)
     return body.pushed(lambda t: math.sin(rate * t + 1.0))
 
 
 def measured(case: Case, engine: str = "c") -> float | None:
-    """The true error over the tolerance, or None where `integrate` refuses."""
+    """Return the true error over the tolerance, or None if `integrate` refuses."""
     try:
         found = integrate(
             case.inertia,
@@ -217,8 +219,7 @@ def measured(case: Case, engine: str = "c") -> float | None:
 
 
 def error(case: Case, q: np.ndarray, omega: np.ndarray) -> float:
-    """The largest rotation from the truth at any time, rad, or difference of rates over the largest
-    rate."""
+    """Return the largest rotation from the reference, rad, or relative difference of rates."""
     true_q, true_omega = reference(case)
     turns = np.linalg.norm(rotation_vectors(product(conjugate(true_q), q)), axis=-1)
     size = np.max(np.linalg.norm(true_omega, axis=-1))
@@ -227,7 +228,7 @@ def error(case: Case, q: np.ndarray, omega: np.ndarray) -> float:
 
 
 def reference(case: Case) -> tuple[np.ndarray, np.ndarray]:
-    """The true states at the times of a case: q (N, 4), omega (N, 3)."""
+    """Return the true states at the times of a case: q (N, 4), omega (N, 3)."""
     solve = needed("dop853", "scipy.integrate", "scipy")[0].solve_ivp
     inertia = np.array(case.inertia)
     state, states = np.array([*case.q0, *case.omega0]), []
@@ -278,7 +279,7 @@ def _unit(random: Random, size: int) -> Vector:
 
 
 def _in_body(q: np.ndarray, vector: np.ndarray) -> np.ndarray:
-    """Components along the body's axes, by numbers: there is one body, and arrays are slow."""
+    """Return components along the body's axes, by Python's numbers: small arrays are slow."""
     (a, b, c, d), (x, y, z) = q.tolist(), vector.tolist()
     u, v, w = 2 * (y * d - z * c), 2 * (z * b - x * d), 2 * (x * c - y * b)
     return np.array(
@@ -308,5 +309,5 @@ def _half_sine(x: float) -> float:
     return math.sin(math.pi * (0.75 * x + 0.5)) if abs(x) < 2 / 3 else 0.0
 
 
-# Where pulses are not smooth, and some more between which the reference looks for itself.
+# Times at which pulses are not smooth, and some more at which the reference is restarted.
 _EDGES = {_box: (-0.5, 0.5), _bell: (-3, -0.5, 0.5, 3), _half_sine: (-2 / 3, 2 / 3)}

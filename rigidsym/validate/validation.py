@@ -35,7 +35,7 @@ from rigidsym.validate.peers.user_integrator import Function, UserIntegrator
 from rigidsym.validate.report import Failure, ValidationReport
 from rigidsym.validate.strata import Sample, count, draw, in_doubles
 from rigidsym.validate.strata.sample import MAX_ANGLE
-from rigidsym.validate.tally import DRAWN, Cell, Place, Tally
+from rigidsym.validate.tally import DRAWN, Cell, Tally
 from rigidsym.view.report_data import Figure
 
 PACKAGES = ("numpy", "python-flint", "mpmath", "sympy")
@@ -138,18 +138,7 @@ def examine(
     seconds = time.perf_counter() - begin
     run = environment(campaign, "this process", seconds, sum(tally.states.values()))
 
-    @cache
-    def again(stratum: str, index: int) -> Finding:
-        return measure_case(draw(stratum, index, campaign.seed), campaign.digits, entered)
-
-    found = tuple(again(*place[:2]) for place in worst_places(campaign, tally))
-    # No simpler cases are searched for: that takes too long where all bounds are broken.
-    failures = (
-        Failure(implementation, measure, cell.worst, *case, again(*case), messages.get(case, ""))
-        for measure, cell in _broken(campaign, tally, implementation)
-        for case in [cell.place[:2]]
-    )
-    return ValidationReport(campaign, tally, found, tuple(failures), run)
+    return reported(campaign, tally, run, entered, messages)
 
 
 def run(
@@ -204,39 +193,41 @@ def _with_fate(error: BaseException, fate: str) -> BaseException:
 
 
 def reported(
-    campaign: Campaign, tally: Tally, run: Mapping[str, Figure | None]
+    campaign: Campaign,
+    tally: Tally,
+    run: Mapping[str, Figure | None],
+    user: Mapping[str, UserIntegrator] | None = None,
+    messages: Mapping[tuple[str, int], str] | None = None,
 ) -> ValidationReport:
-    """Return the report of a campaign; its worst cases are measured once more, in full."""
+    """Return the report of a campaign; its worst cases are measured once more, in full.
+
+    user: a user's integrator by its name; messages: its messages by case.
+    """
 
     def measured(sample: Sample) -> Finding:
-        return measure_case(sample, campaign.digits, campaign.implementations)
+        return measure_case(sample, campaign.digits, user or campaign.implementations)
 
-    worst = tuple(
-        measured(draw(stratum, index, campaign.seed))
-        for stratum, index, _ in worst_places(campaign, tally)
-    )
-    failures = (
-        Failure(target, measure, cell.worst, *cell.place[:2], measured(simple))
-        for target in campaign.targets
-        for measure, cell in _broken(campaign, tally, target)
-        for simple in [_simplest_failure(campaign, target, measure, cell)]
-    )
-    return ValidationReport(campaign, tally, worst, tuple(failures), run)
+    @cache
+    def again(stratum: str, index: int) -> Finding:
+        return measured(draw(stratum, index, campaign.seed))
 
-
-def worst_places(campaign: Campaign, tally: Tally) -> list[Place]:
-    """Return the worst place of each judged implementation in each stratum, each case once.
-
-    Worst are angle and rates.
-    """
-    cells = (
-        cell
+    # The worst angle and rates of each implementation in each stratum, each case once.
+    places = {
+        cell.place[:2]
         for target in campaign.judged
         for measure in DRAWN
         for cell in tally.view(target, measure, "stratum").values()
-    )
-    places = {cell.place[:2]: cell.place for cell in cells}
-    return [places[key] for key in sorted(places)]
+    }
+    worst = tuple(again(*place) for place in sorted(places))
+    failures = []
+    for target in campaign.judged:
+        for measure, cell in _broken(campaign, tally, target):
+            case = cell.place[:2]
+            # No simpler case for a user's integrator: where all bounds are broken it takes long.
+            found = again(*case) if user else measured(_simplest(campaign, target, measure, case))
+            said = (messages or {}).get(case, "")
+            failures.append(Failure(target, measure, cell.worst, *case, found, said))
+    return ValidationReport(campaign, tally, worst, tuple(failures), run)
 
 
 def _broken(campaign: Campaign, tally: Tally, name: str) -> Iterator[tuple[str, Cell]]:
@@ -248,12 +239,11 @@ def _broken(campaign: Campaign, tally: Tally, name: str) -> Iterator[tuple[str, 
             yield max(found.items(), key=lambda item: item[1].worst)
 
 
-def _simplest_failure(campaign: Campaign, target: str, measure: str, cell: Cell) -> Sample:
+def _simplest(campaign: Campaign, target: str, measure: str, case: tuple[str, int]) -> Sample:
     def fails(sample: Sample) -> bool:
         return measure_case(sample, campaign.digits, [target]).shares(target).get(measure, 0.0) > 1
 
-    stratum, index, _ = cell.place
-    return simplest(draw(stratum, index, campaign.seed), fails)
+    return simplest(draw(*case, campaign.seed), fails)
 
 
 def simplest(sample: Sample, fails: Fails) -> Sample:

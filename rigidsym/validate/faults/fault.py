@@ -65,7 +65,7 @@ class Fault:
 
     @property
     def shown_in(self) -> str:
-        """What shows the fault: states, sensitivities, or steps."""
+        """The numbers that show the fault: states, sensitivities, or steps."""
         of_states = "steps" if split(self.target)[1] == STEP else "states"
         return "sensitivities" if self.in_sensitivities else of_states
 

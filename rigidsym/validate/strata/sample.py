@@ -40,7 +40,7 @@ class Motion:
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """One case of a stratum: inertia (3), rates (3), attitude (4) and times."""
+    """A case of a stratum: inertia (3), rates (3), attitude (4) and times."""
 
     stratum: str
     index: int
