@@ -13,8 +13,7 @@ from IPython.display import HTML, Markdown, Math
 from derivations import CHAPTERS, FORWARD
 from derivations.setting import Setting
 from rigidsym.io.ledger import ledger_text
-from rigidsym.language.latex import latex
-from rigidsym.language.symbols import symbol
+from rigidsym.language.latex import latex, symbol
 from rigidsym.proof.algebra import Book
 from rigidsym.proof.algebra.suppositions import encloses
 from rigidsym.proof.claims import Claim, claims

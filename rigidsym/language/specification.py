@@ -1,11 +1,11 @@
-"""What a ledger has to prove: theorems, each under exactly the hypotheses that it names.
+"""The specification: theorems that a ledger has to prove, each under exactly its hypotheses.
 
 A specification is made of blocks.  A block is a line that names it and clauses below, one a line or
 with ``|`` between them; what a clause lists is separated by ``;`` and goes on in lines that are
 indented further than their clause.
 
-    hypotheses name                      what several theorems assume; `under` includes it
-    theorem name: what it says
+    hypotheses name                      assumptions of several theorems; `under` includes them
+    theorem name: its statement in words
 
     under A B                            the hypotheses of other blocks
     names x y                            real numbers
@@ -14,13 +14,13 @@ indented further than their clause.
     nonnegative a; b                     a >= 0, b >= 0
     positive a                           a >= 0 and a != 0
     moving x' = a; y' = ?                time derivatives, known or not; other names are constant
-    let x = a                            what names stand for
-    with x = a                           the same, of names that would be free otherwise
+    let x = a                            definitions of names
+    with x = a                           definitions of names that would be free otherwise
     without a                            a = 0 is not assumed
     formulas s t                         the published sequences s and t hold: names mean that, too
     formulas s: x y                      of the sequence s the formulas for x and y hold
-    then a = b; a = sqrt(b); a >= 0      what is proved
-    cases A, B, C                        what is proved: exactly one of these theorems applies
+    then a = b; a = sqrt(b); a >= 0      the conclusions
+    cases A, B, C                        the conclusion that exactly one of these theorems applies
 
 A theorem without `moving` is about one instant.  Texts are compared word for word, spaces aside.
 """
@@ -36,9 +36,9 @@ CLAUSES = {
     *("without", "formulas", "then", "cases"),
 }
 _NAME = re.compile(r"[A-Za-z_]\w*")
-# "=", "sqrt" or ">=" and both sides: what a proved equation, root or sign says.
+# A proved equation, root or sign: "=", "sqrt" or ">=", and both sides.
 Statement: TypeAlias = tuple[str, str, str]
-Formula: TypeAlias = tuple[str, Statement]  # by what it is known, and what it says
+Formula: TypeAlias = tuple[str, Statement]  # "fact" or "reading", and the statement
 
 
 class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
@@ -47,7 +47,7 @@ class Unproved(ValueError):  # noqa: N818 (a verdict rather than an error)
 
 @dataclass(slots=True)
 class Theorem:
-    """One block, with all that it includes; texts have no spaces."""
+    """One block of a specification, with all that it includes; texts have no spaces."""
 
     name: str
     title: str = ""
@@ -63,14 +63,14 @@ class Theorem:
     cases: list[str] = field(default_factory=list)
 
     def hypotheses(self) -> dict[str, set[str]]:
-        """What is assumed, by clause, each as it is written."""
+        """Return the hypotheses as they are written, by clause."""
         moving = {f"{name}' = {text}" for name, text in (self.moving or {}).items()}
         parts = {"names": self.names, "zero": self.zero, "nonzero": self.nonzero}
         return parts | {"nonnegative": self.nonnegative, "moving": moving}
 
 
 def read(text: str) -> dict[str, Theorem]:
-    """All blocks of a specification by name; ValueError where it is not in order."""
+    """Return all blocks of a specification by name; raises ValueError for a malformed one."""
     blocks: dict[str, Theorem] = {}
     for head, clauses in _blocks(text):
         kind, _, rest = head.partition(" ")
@@ -85,7 +85,7 @@ def read(text: str) -> dict[str, Theorem]:
 
 
 def _blocks(text: str) -> Iterator[tuple[str, list[tuple[str, str]]]]:
-    """Each block: its first line, and its clauses with what they list."""
+    """Yield the first line and the clauses with their contents, for each block."""
     lines = (line.partition("#")[0].rstrip() for line in text.splitlines())
     for paragraph in "\n".join(lines).strip().split("\n\n"):
         for block in re.split(r"\n(?=\S)", paragraph.strip("\n")):
@@ -119,7 +119,8 @@ def _fill(block: Theorem, clause: str, content: str, blocks: Mapping[str, Theore
         case "let" | "with":
             block.let |= dict(item.split("=") for item in items)
             block.names -= {*block.let}
-            _still(block)
+            if block.moving is not None:  # Defined names do not move by themselves.
+                block.moving = {k: x for k, x in block.moving.items() if k not in block.let}
         case "without":
             block.zero -= {*items}
         case "formulas":
@@ -141,12 +142,6 @@ def _include(block: Theorem, other: Theorem) -> None:
     block.then += other.then
 
 
-def _still(block: Theorem) -> None:
-    """Names that stand for something do not move by themselves."""
-    if block.moving is not None:
-        block.moving = {k: text for k, text in block.moving.items() if k not in block.let}
-
-
 def _statement(item: str) -> Statement:
     if item.endswith(">=0"):
         return ">=", item.removesuffix(">=0"), "0"
@@ -156,7 +151,7 @@ def _statement(item: str) -> Statement:
 
 
 def written(statement: Statement) -> str:
-    """A statement as it is read."""
+    """Return a statement as text."""
     relation, lhs, rhs = statement
     if relation == ">=":
         return f"{lhs} >= 0"
@@ -165,18 +160,18 @@ def written(statement: Statement) -> str:
 
 @cache
 def theorems(specification: str) -> dict[str, Theorem]:
-    """The theorems of a specification by name."""
+    """Return the theorems of a specification by name."""
     return {name: block for name, block in read(specification).items() if block.is_theorem}
 
 
 def sequences(ledger: Mapping[str, Any]) -> dict[str, list[Any]]:
-    """The formula sequences that a ledger publishes, for flown numbers and for readers alike."""
+    """Return the formula sequences that a ledger publishes, for numbers and for readers."""
     published = ledger["published"]
     return {**published.get("sequences", {}), **published.get("forms", {})}
 
 
 def require(specification: str, ledger: Mapping[str, Any]) -> None:
-    """Refuse a ledger that does not prove a theorem; raises Unproved for the first such."""
+    """Raise Unproved for the first theorem that a ledger does not prove."""
     try:
         proved = Proved(ledger)
         for theorem in theorems(specification).values():
@@ -187,7 +182,7 @@ def require(specification: str, ledger: Mapping[str, Any]) -> None:
 
 
 class Proved:
-    """What a ledger proves, by what its facts state; that their proofs hold is others' business."""
+    """The statements of a ledger's facts; checkers decide whether their proofs hold."""
 
     def __init__(self, ledger: Mapping[str, Any]) -> None:
         self.contexts = {context["name"]: context for context in ledger["contexts"]}
@@ -214,7 +209,7 @@ class Proved:
             )
 
     def lacks(self, theorem: Theorem) -> Iterator[str]:
-        """What is missing of a theorem, in words, one thing after the other."""
+        """Yield, in words, everything that is missing of a theorem."""
         context = self.contexts.get(theorem.name)
         if context is None:
             yield "its hypotheses are not in the ledger"
@@ -232,20 +227,22 @@ class Proved:
             if said not in known[how]:
                 yield f"its formula {written(said)} is not proved under its hypotheses"
         for said in theorem.then:
-            if not _ways(said) & facts:
+            relation, lhs, rhs = said
+            reversed_ = (relation, rhs, lhs) if relation == "=" else said
+            if not {said, reversed_} & facts:
                 yield f"{written(said)} is not proved under its hypotheses"
         if theorem.cases and (theorem.name, *theorem.cases) not in self._partitions:
             yield f"exactly one of {', '.join(theorem.cases)} is not proved"
 
     def _places(self, name: str) -> list[str]:
-        """A context, and all that it is a model of, by one step or more."""
+        """Return a context and all contexts that it is a model of, in one step or more."""
         places = [name]
         for place in places:
             places += (other for other in self._models.get(place, ()) if other not in places)
         return places
 
     def _said(self, column: str, places: Iterable[str]) -> set[Statement]:
-        """What contexts have for names, as definitions or readings."""
+        """Return the definitions or readings of contexts."""
         return {
             ("=", name, _spaceless(text))
             for place in places
@@ -253,7 +250,7 @@ class Proved:
         }
 
     def _formulas(self, sequence: str, names: Iterable[str]) -> Iterator[Formula]:
-        """What a sequence publishes, of it what is named: how it is known, and what it says."""
+        """Yield the formulas of a sequence, only those of `names` if there are any."""
         wanted = {*names}
         if sequence not in self.sequences:
             raise Unproved(f"the formula sequence {sequence} is not published")
@@ -275,7 +272,7 @@ class Proved:
 
 
 def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
-    """Hypotheses that a theorem or a context has and the other has not."""
+    """Yield the hypotheses that only one of theorem and context has."""
     rates = context["rates"]
     if (rates is None) != (theorem.moving is None):
         yield "it is about one instant, or about a motion, where the ledger has the other"
@@ -296,19 +293,13 @@ def _unlike(theorem: Theorem, context: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _unsaid(theorem: Theorem, context: Mapping[str, Any], published: set[str]) -> Iterator[str]:
-    """Definitions that differ, and those that a theorem rests on without saying them."""
+    """Yield the definitions that differ, and those of the context that the theorem lacks."""
     definitions = {name: _spaceless(text) for name, text in context["definitions"].items()}
     for name, text in theorem.let.items():
         if definitions.get(name) != text:
             yield f"let {name} = {text}: in the ledger it is {definitions.get(name, 'nothing')}"
     for name in definitions.keys() - theorem.let.keys() - published:
         yield f"{name} = {definitions[name]}: the ledger has this name beyond it"
-
-
-def _ways(statement: Statement) -> set[Statement]:
-    """An equation may be read from either side."""
-    relation, lhs, rhs = statement
-    return {statement, (relation, rhs, lhs)} if relation == "=" else {statement}
 
 
 def _spaceless(text: str) -> str:

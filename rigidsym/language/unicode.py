@@ -1,4 +1,4 @@
-r"""LaTeX in a line of plain text, for terminals: the commands that printed equations use.
+r"""LaTeX as a line of plain text for terminals: the commands that printed equations use.
 
 Fractions are written with a stroke, in brackets where they need them, matrices row by row; indices
 and powers are small where all their characters have a small form.
@@ -37,7 +37,7 @@ _SUB = dict(zip("0123456789+-=()aeijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈�
 
 
 def in_unicode(latex: str) -> str:
-    """The same formula in characters; raises ValueError for a command that is not known."""
+    """Return the formula in characters; raises ValueError for an unknown command."""
     text = _Reader(_TOKEN.findall(latex)).until("")
     for bare in _BARE:
         text = bare.sub(r"\1\2\3", text)
@@ -47,31 +47,31 @@ def in_unicode(latex: str) -> str:
 
 @dataclass(slots=True)
 class _Reader:
-    """Tokens that are still to be read, from `place` on."""
+    """Tokens, read from `place` on."""
 
     tokens: list[str]
     place: int = 0
 
     def next(self) -> str:
-        """The token here, "" behind the last."""
+        """Return the next token, "" behind the last."""
         self.place += 1
         return self.tokens[self.place - 1] if self.place <= len(self.tokens) else ""
 
     def until(self, end: str) -> str:
-        """All text up to a token, which is read, too."""
+        """Return all text up to a token, and read that token."""
         parts = []
         while (token := self.next()) not in (end, ""):
             parts.append(self.written(token))
         return "".join(parts)
 
     def argument(self) -> str:
-        """A group, or one token; blanks before it do not count."""
+        """Return a group or one token, without blanks before it."""
         while (token := self.next()) == " ":
             pass
         return self.until("}") if token == "{" else self.written(token)
 
     def written(self, token: str) -> str:
-        """What a token stands for, with its arguments."""
+        """Return the text of a token with its arguments."""
         if token in _ATOMS:
             return _ATOMS[token](self)
         name = token.removeprefix("\\")
@@ -81,8 +81,13 @@ class _Reader:
             return _SIGNS[name]
         return self.function(name) if name in _FUNCTIONS else _letter("GREEK {} LETTER {}", name)
 
+    def root(self) -> str:
+        """Return a square root."""
+        inside = self.argument()
+        return f"√{inside}" if len(inside) == 1 else f"√({inside})"
+
     def words(self) -> str:
-        """A group as it is, blanks included."""
+        """Return the characters of a group, blanks included."""
         while (token := self.next()) == " ":
             pass
         if token != "{":
@@ -92,17 +97,17 @@ class _Reader:
         return "".join(_SIGNS.get(x[1:], x) for x in self.tokens[begin : self.place - 1])
 
     def function(self, name: str) -> str:
-        """Its name, between blanks where letters would run into it."""
+        """Return a function's name, between blanks where letters would touch it."""
         follows = self.tokens[self.place] if self.place < len(self.tokens) else ""
         return f" {name}" if follows in ("^", "_", "(", "\\left", "") else f" {name} "
 
     def accented(self, mark: str) -> str:
-        """A letter with its accent, which stands behind the letter and before indices."""
+        """Return a letter with its accent, which comes before indices."""
         text = self.argument()
         return text[:1] + mark + text[1:]
 
     def matrix(self) -> str:
-        """Rows behind each other."""
+        """Return the rows of a matrix in one line."""
         self.argument()
         inside = self.until(r"\end")
         self.argument()
@@ -111,7 +116,7 @@ class _Reader:
 
 
 def _letter(form: str, name: str) -> str:
-    """A letter by what Unicode calls it; ValueError where it has none of this name."""
+    """Return a letter by its name in Unicode; raises ValueError for an unknown name."""
     size = "CAPITAL" if name[:1].isupper() else "SMALL"
     known = "LAMDA" if name.lower() == "lambda" else name.upper()
     try:
@@ -128,13 +133,8 @@ def _fraction(reader: _Reader) -> str:
     return text if text[0].isdigit() and text[-1].isdigit() else f"{_OPEN}{text}{_CLOSE}"
 
 
-def _root(reader: _Reader) -> str:
-    inside = reader.argument()
-    return f"√{inside}" if len(inside) == 1 else f"√({inside})"
-
-
 def _outside(text: str) -> str:
-    """What of a text is in no brackets."""
+    """Return the part of a text that is in no brackets."""
     while (shorter := re.sub(rf"\([^()]*\)|{_OPEN}[^{_OPEN}{_CLOSE}]*{_CLOSE}", "", text)) != text:
         text = shorter
     return text
@@ -153,7 +153,7 @@ def _small(forms: Mapping[str, str], mark: str) -> Callable[[_Reader], str]:
 _ATOMS: dict[str, Callable[[_Reader], str]] = {
     r"\frac": _fraction,
     r"\tfrac": _fraction,
-    r"\sqrt": _root,
+    r"\sqrt": _Reader.root,
     r"\begin": _Reader.matrix,
     r"\\": lambda reader: "\n",
     r"\mathbb": lambda reader: _letter("DOUBLE-STRUCK {} {}", reader.argument()),

@@ -6,11 +6,12 @@ from dataclasses import asdict, dataclass, is_dataclass
 from itertools import chain
 from typing import Any
 
-from rigidsym.language.statement import (
+from rigidsym.language.latex import (
     hypotheses,
     listed,
     point,
     statements,
+    symbol,
     turnstile,
     word,
 )
@@ -166,8 +167,6 @@ def _fold_row(kind: str, lines: list[str]) -> tuple[Markup, Markup]:
 
 
 def _name(name: str) -> str:
-    from rigidsym.language.symbols import symbol
-
     return symbol(name).latex
 
 

@@ -20,9 +20,7 @@ from rigidsym.language.expression import (
     parse,
     rebuild,
 )
-from rigidsym.language.latex import MOST_TERMS, latex, of
-from rigidsym.language.statement import condition, hypotheses, statements
-from rigidsym.language.symbols import symbol
+from rigidsym.language.latex import MOST_TERMS, condition, hypotheses, latex, of, statements, symbol
 from rigidsym.proof.claims import claims
 from rigidsym.proof.paper import EQUATIONS
 

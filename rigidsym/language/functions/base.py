@@ -1,4 +1,4 @@
-"""What these functions share: code that is printed calls the tables of this package."""
+"""The base class of special functions: cached values, and printed code that calls our tables."""
 
 from functools import lru_cache
 from typing import Any
@@ -15,11 +15,11 @@ class Coded(DefinedFunction):
         return _evaluated(self, rounded_up(prec))
 
     def _number(self, prec: int) -> Any:
-        """The value to so many bits, None where the arguments are no numbers it is known for."""
+        """Return the value to so many bits; None for arguments outside of the domain."""
         raise NotImplementedError
 
     def _values(self) -> Any:
-        """The arguments."""
+        """Return the arguments."""
         return self.args
 
     def _code(self, printer: Any, table: str) -> str:
@@ -37,11 +37,11 @@ class Coded(DefinedFunction):
 
 
 def rounded_up(prec: int) -> int:
-    """The next of few precisions, so that what was computed for one serves its neighbours."""
+    """Round a precision up to one of a few values, so that cached values are reused."""
     return -(-prec // _STEP) * _STEP
 
 
 @lru_cache(maxsize=4096)
 def _evaluated(function: Coded, prec: int) -> Any:
-    """Kept, because formulas have the same function in many places."""
+    """Return a cached value: formulas have the same function in many places."""
     return function._number(prec)

@@ -50,7 +50,7 @@ __all__ = [
 
 
 class _Rule(NamedTuple):
-    """What tells one function from the others; `du` and `dm` are its two derivatives."""
+    """The properties of one function; `du` and `dm` are its two derivatives."""
 
     du: Callable[[Any, Any], Any]
     dm: Callable[[Any, Any], Any]
@@ -68,7 +68,7 @@ class _Jacobi(Coded):
 
     @classmethod
     def eval(cls, u: Any, m: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """The values at u = 0, m = 0 and m = 1, and parity in u."""
+        """Return the values at u = 0, m = 0 and m = 1, and use the parity in u."""
         rule = _RULES[cls.__name__]
         if u is S.NaN or m is S.NaN:
             return S.NaN
@@ -83,7 +83,7 @@ class _Jacobi(Coded):
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """The derivative with respect to u (1) or m (2)."""
+        """Return the derivative with respect to u (1) or m (2)."""
         rule = _RULES[type(self).__name__]
         if argindex not in (1, 2):
             raise ArgumentIndexError(self, argindex)
@@ -141,7 +141,7 @@ class jacobi_epsilon(_Jacobi):  # noqa: N801
 
 
 def _is_one(m: Any) -> bool:
-    """Whether m is the number 1, exact or a Float (SymPy tells the two apart)."""
+    """Return True for the number 1, exact or a Float (which SymPy distinguishes)."""
     return m == 1 or m == 1.0
 
 
@@ -150,7 +150,7 @@ def _functions(u: Any, m: Any) -> tuple[Any, Any, Any]:
 
 
 def _drift(u: Any, m: Any) -> Any:
-    """The D of the table, which is all that is not elementary in d/dm."""
+    """Return D of the table, the part of d/dm that is not elementary."""
     return (1 - m) * u - jacobi_epsilon(u, m)
 
 
@@ -164,7 +164,7 @@ def _am_dm(u: Any, m: Any) -> Any:
 
 
 def _tilt(u: Any, m: Any) -> Any:
-    """The W of the table, which dn and epsilon share in d/dm."""
+    """Return W of the table, which dn and epsilon share in d/dm."""
     sn, cn, dn = _functions(u, m)
     if _is_one(m):
         return (u * cn + sn / cn) / 4
@@ -216,12 +216,12 @@ _RULES = {
 
 
 def _guard(*arguments: Any) -> int:
-    """How many bits the reduction of u by periods may cost, which are short where m is large."""
+    """Return the bits that the reduction of u may lose; periods are short where m is large."""
     return sum(max(0, int(mp.mag(x))) for x in arguments if x and mp.isfinite(x))
 
 
 def _mp_am(u: Any, m: Any) -> Any:
-    """The amplitude of real u, reduced by its half turns: am(u + 2 K) = am(u) + pi."""
+    """Return the amplitude of real u, reduced by half turns: am(u + 2 K) = am(u) + pi."""
     if mp.im(u) or mp.im(m):
         raise ValueError("am is many-valued off the real line: real u and m expected")
     u, m = mp.re(u), mp.re(m)
@@ -236,7 +236,7 @@ def _mp_am(u: Any, m: Any) -> Any:
 
 
 def _mp_epsilon(u: Any, m: Any) -> Any:
-    """The mean growth E u / K and Jacobi's zeta function, by theta functions (DLMF 22.16.30)."""
+    """Return E u / K plus Jacobi's zeta function, by theta functions (DLMF 22.16.30)."""
     if m == 1:
         return mp.tanh(u)
     k, q = mp.ellipk(m), mp.qfrom(m=m)
@@ -246,7 +246,7 @@ def _mp_epsilon(u: Any, m: Any) -> Any:
 
 
 def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
-    """One of the five over mpmath numbers, to the precision that is set when it is called."""
+    """Return one of the five over mpmath numbers, at the precision of the call."""
     function = {"am": _mp_am, "epsilon": _mp_epsilon}.get(
         kind, lambda u, m: mp.ellipfun(kind, u, m=m)
     )
@@ -265,7 +265,7 @@ def _mp_function(kind: str) -> Callable[[Any, Any], Any]:
 
 
 def _np_agm(mc: Any) -> list[tuple[Any, Any]]:
-    """List the pairs of the AGM of 1 and sqrt(mc) (DLMF 19.8(i)), mc = 0 being put off."""
+    """List the pairs of the AGM of 1 and sqrt(mc) (DLMF 19.8(i)), with 1 for mc = 0."""
     b = np.sqrt(np.where(mc == 0, 1.0, mc))
     a = np.ones_like(b)
     steps = [(a, b)]
@@ -276,7 +276,7 @@ def _np_agm(mc: Any) -> list[tuple[Any, Any]]:
 
 
 def _np_tangents(u: Any, steps: list[tuple[Any, Any]]) -> list[Any]:
-    """List tan(am u) for 0 <= u <= K/2 and what the descending Landen transformations make of it.
+    """List tan(am u), 0 <= u <= K/2, and its descending Landen transforms.
 
     DLMF 22.7(i) for t = sc / a, with a and b from the AGM: only positive terms are added.
     """
@@ -305,7 +305,7 @@ def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], l
 
 
 def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
-    """Half turns of the amplitude of u, the sine and cosine of what is left, and dn."""
+    """Return the half turns of am(u), sine and cosine of the rest, and dn."""
     mc = 1 - m
     turns, v, far, _, (t, *_) = _np_reduce(u, mc)
     size, kc = np.abs(v), np.sqrt(mc)
@@ -317,7 +317,7 @@ def _np_amplitude(u: Any, m: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def _np_epsilon(u: Any, m: Any) -> Any:
-    """The mean growth E u / K and Jacobi's zeta function of v.
+    """Return E u / K plus Jacobi's zeta function of v.
 
     Gauss's transformation (DLMF 19.8(iii)) of the integral of x cos^2 am + y sin^2 am leaves one
     of the same form and a term of zeta, until x = y = E / K.  For m >= 0 no term is negative.
@@ -335,7 +335,7 @@ def _np_epsilon(u: Any, m: Any) -> Any:
 
 
 def _np_function(kind: str) -> Callable[[Any, Any], Any]:
-    """One of the five over arrays of real numbers that broadcast; nan where m > 1."""
+    """Return one of the five over arrays of real numbers that broadcast; nan where m > 1."""
 
     @np.errstate(all="ignore")
     def evaluate(u: Any, m: Any) -> Any:

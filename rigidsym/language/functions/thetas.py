@@ -1,4 +1,4 @@
-r"""Real and imaginary part of Jacobi's theta functions, for SymPy: `theta_re` and `theta_im`.
+r"""Real and imaginary parts of Jacobi's theta functions, for SymPy: `theta_re` and `theta_im`.
 
 `theta_re(k, x, y, q, r)` is the real part of the r-th derivative of theta_k(z | q) in z, at
 z = x + i y (DLMF 20.2(i)); k is 1 to 4, x, y and the nome 0 <= q < 1 are real.  Parts, not the
@@ -18,18 +18,18 @@ from sympy.core.function import ArgumentIndexError
 
 from rigidsym.language.functions.base import Coded
 
-# Where the last term is below 1e-17 of the largest for q <= 0.97.
+# For q <= 0.97 the last term is below 1e-17 of the largest.
 _TERMS = 36
 
 
 class _Part(Coded):
-    """One part of a theta function; `_real_part` says which."""
+    """One part of a theta function: the real one if `_real_part` is true."""
 
     _real_part: bool
 
     @classmethod
     def eval(cls, k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """Zero where a part vanishes on an axis."""
+        """Return zero where a part vanishes on an axis."""
         if not (k.is_Integer and 1 <= k <= 4 and r.is_Integer and r >= 0):
             raise ValueError(f"{cls.__name__}: k = 1, 2, 3 or 4 and whole r >= 0 expected")
         if y.is_zero and not cls._real_part:
@@ -41,7 +41,7 @@ class _Part(Coded):
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """The derivative with respect to x, y or q."""
+        """Return the derivative with respect to x, y or q."""
         k, x, y, q, r = self._values()
         if argindex == 2:
             return type(self)(k, x, y, q, r + 1)
@@ -75,13 +75,13 @@ class _Part(Coded):
 
 
 class theta_re(_Part):  # noqa: N801 - SymPy's functions are lower case
-    """Re of the r-th derivative of theta_k(x + i y | q)."""
+    """The real part of the r-th derivative of theta_k(x + i y | q)."""
 
     _real_part = True
 
 
 class theta_im(_Part):  # noqa: N801
-    """Im of the r-th derivative of theta_k(x + i y | q)."""
+    """The imaginary part of the r-th derivative of theta_k(x + i y | q)."""
 
     _real_part = False
 
@@ -95,7 +95,7 @@ def _mp_theta(k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:
 
 
 def _np_theta(k: Any, x: Any, y: Any, q: Any, r: Any) -> Any:
-    """The series in q (DLMF 20.2(i)), its terms and their derivatives."""
+    """Return the r-th derivative by the series in q (DLMF 20.2(i))."""
     z = np.asarray(x, dtype=float) + 1j * np.asarray(y, dtype=float)
     q, r = np.asarray(q, dtype=float), int(r)
     total = np.zeros(np.broadcast(z, q).shape, dtype=complex)

@@ -30,7 +30,7 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
 
     @classmethod
     def eval(cls, n: Any, u: Any, m: Any) -> Any:  # ty: ignore[incompatible-method-override]
-        """The values at u = 0, n = 0 and m = 1, and parity in u."""
+        """Return the values at u = 0, n = 0 and m = 1, and use the parity in u."""
         if u.is_zero:
             return S.Zero
         if n.is_zero:
@@ -43,7 +43,7 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
         return None
 
     def fdiff(self, argindex: int = 1) -> Any:
-        """The derivative with respect to u."""
+        """Return the derivative with respect to u."""
         n, u, m = self._values()
         if argindex != 2:
             raise ArgumentIndexError(self, argindex)
@@ -73,7 +73,7 @@ class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case
 
 
 def _mp_pi(n: Any, u: Any, m: Any) -> Any:
-    """By R_J (DLMF 19.25.14) of what is left of u, and half turns of the complete integral."""
+    """Return Pi by R_J (DLMF 19.25.14) of u less its half turns, and the complete integral."""
     n, u, m = map(mp.convert, (n, u, m))
     if mp.im(n) or mp.im(m) or mp.re(m) > 1 or mp.re(n) >= 1:
         raise ValueError("jacobi_pi: real n < 1 and m <= 1 expected")
@@ -96,7 +96,7 @@ def _mp_pi(n: Any, u: Any, m: Any) -> Any:
 
 
 def _mp_across(n: Any, u: Any, m: Any) -> Any:
-    """At +-K + i y, by way of +-K: i (y + n/(1 - n) Pi(m'/(1 - n); y | m')) more than there."""
+    """Return Pi(+-K + i y): i (y + n/(1 - n) Pi(m'/(1 - n); y | m')) more than Pi(+-K)."""
     with mp.extraprec(64):
         quarter, y = mp.ellipk(m), mp.im(u)
         if abs(abs(mp.re(u)) - quarter) > mp.ldexp(quarter, -mp.prec // 4):
@@ -106,10 +106,10 @@ def _mp_across(n: Any, u: Any, m: Any) -> Any:
 
 
 def _np_pi(n: Any, u: Any, m: Any) -> Any:
-    """The same over arrays of real numbers that broadcast; m < 1 and n < 1."""
+    """Return Pi over arrays of real numbers that broadcast; m < 1 and n < 1."""
     n, u, m = (np.asarray(x, dtype=float) for x in (n, u, m))
     mc = 1 - m
-    period = 2 * _np_quarter(mc)
+    period = 2 * np.pi / sum(jacobi._np_agm(np.asarray(mc))[-1])  # 2 K by the AGM
     turns = np.rint(u / period)
     v = u - turns * period
     s, c, d = (jacobi.NUMPY[f"jacobi_{kind}"](v, m) for kind in ("sn", "cn", "dn"))
@@ -118,13 +118,8 @@ def _np_pi(n: Any, u: Any, m: Any) -> Any:
     return (part + turns * whole)[()]
 
 
-def _np_quarter(mc: Any) -> Any:
-    """K by the AGM."""
-    return np.pi / sum(jacobi._np_agm(np.asarray(mc))[-1])
-
-
 def _np_rj(x: Any, y: Any, p: Any) -> Any:
-    """R_J(x, y, 1, p) for x, y >= 0, not both 0, and p > 0, by duplication (DLMF 19.26.18)."""
+    """Return R_J(x, y, 1, p) by duplication (DLMF 19.26.18); x, y >= 0, not both 0; p > 0."""
     x, y, p = np.broadcast_arrays(x, y, p)
     z = np.ones_like(p)
     total, scale = np.zeros_like(p), 1.0
@@ -145,7 +140,7 @@ def _np_rj(x: Any, y: Any, p: Any) -> Any:
 
 
 def _symmetric(x: Any, y: Any, z: Any) -> tuple[Any, Any, Any, Any]:
-    """E_2 to E_5 of R_J (DLMF 19.36(i))."""
+    """Return E_2 to E_5 of R_J (DLMF 19.36(i))."""
     p = -(x + y + z) / 2
     e2 = x * y + x * z + y * z - 3 * p * p
     e3 = x * y * z + 2 * e2 * p + 4 * p**3
@@ -153,7 +148,7 @@ def _symmetric(x: Any, y: Any, z: Any) -> tuple[Any, Any, Any, Any]:
 
 
 def _np_rc1(e: Any) -> Any:
-    """R_C(1, 1 + e): arctan(sqrt e)/sqrt e, or artanh where e < 0."""
+    """Return R_C(1, 1 + e): arctan(sqrt e)/sqrt e, or artanh where e < 0."""
     root = np.sqrt(np.where(np.abs(e) < 1e-8, 1.0, np.abs(e)))
     far = np.where(e > 0, np.arctan(root), np.arctanh(np.minimum(root, 1 - 1e-16))) / root
     return np.where(np.abs(e) < 1e-8, 1 - e / 3 + e * e / 5, far)

@@ -5,8 +5,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 import sympy
 
-from rigidsym.language.symbols import GREEK, symbol
-from rigidsym.view.article.mathematics import dotted, latex, pretty
+from rigidsym.language.latex import GREEK, dotted, symbol
+from rigidsym.view.article.mathematics import latex, pretty
 from rigidsym.view.article.protocols import Chapter, Line
 from rigidsym.view.html.markup import Markup, join, lines, tag
 

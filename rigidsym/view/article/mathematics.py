@@ -9,7 +9,7 @@ from sympy.printing.pretty.pretty import PrettyPrinter
 from sympy.printing.pretty.pretty_symbology import pretty_symbol, pretty_use_unicode
 from sympy.printing.pretty.stringpict import prettyForm
 
-from rigidsym.language.symbols import symbol
+from rigidsym.language.latex import dotted, symbol
 
 # Constants of a motion, which the paper writes in front of what moves.
 CONSTANTS = {
@@ -43,12 +43,6 @@ def _rank(factor: sympy.Expr) -> tuple[int, str]:
     functions = bool(factor.atoms(sympy.Function))
     moving = functions or bool(names - CONSTANTS)
     return 1 + factor.is_Add + 2 * moving + 2 * functions, str(factor)
-
-
-def dotted(text: str) -> str:
-    r"""The rate of a quantity in LaTeX: \dot{\Omega}_{i}, the dot on the letter alone."""
-    letter, mark, rest = text.partition("_")
-    return rf"\dot{{{letter}}}{mark}{rest}"
 
 
 class _Latex(LatexPrinter):

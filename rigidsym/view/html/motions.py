@@ -6,7 +6,7 @@ from typing import Protocol
 
 from rigidsym.errors import InputError
 from rigidsym.inputs import Number
-from rigidsym.language.statement import listed
+from rigidsym.language.latex import listed
 from rigidsym.view.html.cards import card, counted, head, muted, table
 from rigidsym.view.html.markup import Markup
 from rigidsym.view.html.quantities import INERTIA, RATE, decimal, row, vector

@@ -6,7 +6,7 @@ from typing import Protocol
 
 import numpy as np
 
-from rigidsym.language.statement import listed
+from rigidsym.language.latex import listed
 from rigidsym.view.html.cards import card, counted, head, math, muted, table
 from rigidsym.view.html.flights import Motion
 from rigidsym.view.html.markup import Markup, tag

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from rigidsym.language.statement import condition, point
+from rigidsym.language.latex import condition, point
 from rigidsym.view.html.cards import (
     badge,
     bullets,
