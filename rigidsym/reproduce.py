@@ -26,15 +26,15 @@ from rigidsym.solution import Solution, load
 from rigidsym.validate import ValidationReport, validate
 from rigidsym.validate.executors import processes
 from rigidsym.validate.validation import PACKAGES
-from rigidsym.view import labels, palette
-from rigidsym.view.reproduction import (
+from rigidsym.view import style
+from rigidsym.view.pages import (
     Found,
     Printed,
     errata_page,
     report_markdown,
     report_page,
 )
-from rigidsym.view.svg import Panel, svg
+from rigidsym.view.plots.panels import Panel, panels_svg
 from rigidsym.view.validation import page
 
 Say = Callable[[str, str, float, bool], None]
@@ -150,14 +150,14 @@ def plot(case: Case) -> str:
     if not times:
         raise InputError("times", "[]", "a plot needs at least one time")
     q, omega = case.motion(times)
-    attitude = dict(zip(labels.ATTITUDE, q.T.tolist(), strict=True))
-    rates = dict(zip(labels.RATES, omega.T.tolist(), strict=True))
-    x, three = labels.TIME_AXIS, palette.AXES
-    four = (palette.SCALAR, *three)
-    return svg(
+    attitude = dict(zip(style.ATTITUDE, q.T.tolist(), strict=True))
+    rates = dict(zip(style.RATES, omega.T.tolist(), strict=True))
+    x, three = style.TIME_AXIS, style.AXES
+    four = (style.SCALAR, *three)
+    return panels_svg(
         [
-            Panel("Attitude", x, labels.ATTITUDE_AXIS, times, attitude, colours=four),
-            Panel("Body rates", x, labels.RATES_AXIS, times, rates, colours=three),
+            Panel("Attitude", x, style.ATTITUDE_AXIS, times, attitude, colours=four),
+            Panel("Body rates", x, style.RATES_AXIS, times, rates, colours=three),
         ]
     )
 

@@ -2,8 +2,9 @@
 
     python tests/house.py
 
-prints them.  A room is a folder of `rigidsym`, or a module at its top; every import counts, those
-inside functions and for type checkers alone as well.
+prints them.  A room is a folder of `rigidsym`, or a module at its top.  Imports inside functions
+count, and so do those for type checkers alone, except in `rigidsym.view`: its functions name the
+classes that they show, which import them, and such an import never runs.
 """
 
 import ast
@@ -39,21 +40,33 @@ def modules() -> dict[str, Path]:
 
 
 @cache
-def imported(path: Path) -> tuple[str, ...]:
-    """Dotted names that a module imports, what it takes from a module behind that module's name."""
-    return tuple(_imported(path))
+def imported(path: Path, types: bool = True) -> tuple[str, ...]:
+    """Dotted names that a module imports, what it takes from a module behind that module's name.
+
+    Without `types`, those under `if TYPE_CHECKING` are left out.
+    """
+    return tuple(_imported(path, types))
 
 
-def _imported(path: Path) -> Iterator[str]:
-    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+def _imported(path: Path, types: bool) -> Iterator[str]:
+    every = list(ast.walk(ast.parse(path.read_text("utf-8"))))
+    guarded = (node for node in every if isinstance(node, ast.If) and _is_for_types(node))
+    apart = {id(child) for node in guarded for child in node.body}
+    for node in every:
+        if id(node) in apart and not types:
+            continue
         if isinstance(node, ast.ImportFrom) and node.module:
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
         elif isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
 
 
+def _is_for_types(node: ast.If) -> bool:
+    return ast.unparse(node.test) == "TYPE_CHECKING"
+
+
 def imports() -> Graph:
-    """For each module the modules of the house that it imports."""
+    """For each module the modules of the house that it imports; of views, when they run."""
     every = modules()
 
     def home(name: str) -> str:
@@ -62,7 +75,9 @@ def imports() -> Graph:
         return name
 
     return {
-        name: {home(other) for other in imported(path)} - {name, ""} for name, path in every.items()
+        name: {home(other) for other in imported(path, not name.startswith("rigidsym.view."))}
+        - {name, ""}
+        for name, path in every.items()
     }
 
 

@@ -23,12 +23,9 @@ from rigidsym.io.files import write_text
 from rigidsym.quaternions import rotated
 from rigidsym.solution.polhode import Regime
 from rigidsym.validate.peers import peer
-from rigidsym.view.geometry import moments, momentum, polhode, separatrix
-from rigidsym.view.plots.motion import AXES, SCALAR
-from rigidsym.view.protocols import Motion
-from rigidsym.view.regimes import REGIMES
+from rigidsym.view.geometry import REGIMES, members, moments, momentum, polhode, separatrix
 from rigidsym.view.scenes.body import edges
-from rigidsym.view.scenes.sphere import members
+from rigidsym.view.style import AXES, SCALAR
 
 FILE = Path(__file__).resolve().parent / "pictures" / "spacecraft.svg"
 INERTIA, OMEGA0, ATTITUDE0 = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02), (1.0, 0.0, 0.0, 0.0)
@@ -91,7 +88,7 @@ def _sphere(axes: Any, motion: TorqueFreeMotion) -> None:
     axes.set_title("All motions of one body, on its momentum sphere")
 
 
-def _track(motion: Motion, size: float) -> np.ndarray:
+def _track(motion: TorqueFreeMotion, size: float) -> np.ndarray:
     return moments(motion) * polhode(motion, 121) / size
 
 

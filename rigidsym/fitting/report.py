@@ -12,8 +12,8 @@ from rigidsym import inputs
 from rigidsym.fitting.nonlinearity import LEVEL
 from rigidsym.fitting.result import Alternative, Estimate
 from rigidsym.io.files import write_bytes, write_text
-from rigidsym.view.fits import fit_card, fit_page
-from rigidsym.view.text import columns
+from rigidsym.view.pages import fit_card, fit_page
+from rigidsym.view.tables import columns
 
 if TYPE_CHECKING:
     from rigidsym.view.plots.figure import Figure
@@ -187,11 +187,14 @@ class Fit(Estimate):
 
     def plot(self) -> "Figure":
         """Plot the residuals, in units of their errors (needs matplotlib)."""
-        from rigidsym.view.plots.fits import Panel, residuals
+        from rigidsym.view.plots.motion import Residuals, residuals
 
         whole = zip(self.problem.sets, self.residuals, strict=True)
         return residuals(
-            [Panel(x.kind, x.t, found, self._outliers_of(k)) for k, (x, found) in enumerate(whole)]
+            [
+                Residuals(x.kind, x.t, found, self._outliers_of(k))
+                for k, (x, found) in enumerate(whole)
+            ]
         )
 
     def write(self, directory: Path) -> list[Path]:
@@ -211,7 +214,7 @@ class Fit(Estimate):
 
     def _pictures(self) -> dict[str, tuple[str, dict[str, bytes]]]:
         """Return titles, and files by suffix, of pictures by name."""
-        from rigidsym.view.plots.histories import rendered
+        from rigidsym.view.plots.figure import rendered
 
         drawn = {"residuals": ("Residuals", self.plot())}
         if any(self.motion.exact["omega0"]):

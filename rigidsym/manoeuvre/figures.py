@@ -12,8 +12,8 @@ import numpy as np
 from rigidsym.io.files import write_bytes, write_text
 from rigidsym.manoeuvre.classical import EulerAngles, difference, euler_angles
 from rigidsym.manoeuvre.flight.results import Tracked, track
+from rigidsym.view.plots import figure as drawing
 from rigidsym.view.plots import flights as pictures
-from rigidsym.view.plots import histories as drawing
 
 if TYPE_CHECKING:
     from rigidsym.view.plots.figure import Figure
@@ -100,7 +100,7 @@ def figures(progress: Callable[[int, int], None] = lambda done, total: None) -> 
 @drawing.defaults()
 def _euler(t: np.ndarray, angles: EulerAngles) -> "Figure":
     """Draw angles in degrees; the line joins their jumps, as it does in the paper's picture."""
-    figure, axes = drawing.blank()
+    figure, axes = drawing.history()
     values = np.stack([angles.precession, angles.nutation, angles.spin], axis=1)
     names = ("precession", "nutation", "spin")
     drawing.lines(axes, t, np.degrees(values), names, linewidth=1.6)

@@ -106,8 +106,8 @@ class Plan:
                 remove(path)
         paths = [write_text(directory / "plan.json", self.to_json()), *paths]
         if find_spec("matplotlib") is not None:
-            from rigidsym.view.plots.histories import rendered
-            from rigidsym.view.plots.transfers import transfers
+            from rigidsym.view.plots.figure import rendered
+            from rigidsym.view.plots.flights import transfers
 
             for suffix, data in rendered(transfers(self.transfers)).items():
                 paths.append(write_bytes(directory / f"transfers.{suffix}", data))
@@ -129,7 +129,7 @@ class Plan:
         return plan_text(self)
 
     def _repr_html_(self) -> str:
-        from rigidsym.view.html.plans import plan_html
+        from rigidsym.view.html.motions import plan_html
 
         return plan_html(self)
 
@@ -261,7 +261,7 @@ def directions_of(plan: Plan) -> "Figure":
     that is a symmetry of the body allows every direction: one of each polhode is drawn.  Raises
     ImportError without plotly.
     """
-    from rigidsym.view.scenes.directions import scene
+    from rigidsym.view.scenes.sphere import directions
 
     asked = plan.manoeuvre
     posed = problem(asked.inertia, asked.start, asked.target, engines.engine("numpy"))
@@ -274,4 +274,4 @@ def directions_of(plan: Plan) -> "Figure":
     name = "one of each polhode" if is_symmetry(posed) else "cone of directions"
     moving = {f"transfer {k}": x for k, x in enumerate(plan.transfers, 1) if x.momentum}
     title = f"Momenta that arrive in {plan.best.duration:g} s"
-    return scene(asked.inertia, (name, cone), moving, title)
+    return directions(asked.inertia, (name, cone), moving, title)

@@ -215,7 +215,7 @@ class Transfer:
         return transfer_text(self)
 
     def _repr_html_(self) -> str:
-        from rigidsym.view.html.plans import transfer_html
+        from rigidsym.view.html.motions import transfer_html
 
         return transfer_html(self)
 

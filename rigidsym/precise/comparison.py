@@ -23,7 +23,7 @@ from rigidsym.precise.balls import bits_of, of_mpf, to_mpf, working
 from rigidsym.precise.motion import ESTIMATED, METHODS, PreciseMotion
 from rigidsym.precise.regime import ExactInputs
 from rigidsym.precise.taylor import integrate
-from rigidsym.view.svg import Panel, svg
+from rigidsym.view.plots.panels import Panel, panels_svg
 
 SCHEMA = "rigidsym.methods/1"
 NAMES = (*METHODS, *ESTIMATED, "taylor")
@@ -104,7 +104,7 @@ class Comparison:
             for where, x_label, measured in halves
             for title, y_label, value in drawn
         ]
-        return svg([panel for panel in panels if any(map(any, panel.lines.values()))])
+        return panels_svg([panel for panel in panels if any(map(any, panel.lines.values()))])
 
 
 def compare(

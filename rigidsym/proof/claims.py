@@ -16,6 +16,7 @@ from rigidsym.language.latex import (
     word,
 )
 from rigidsym.view.html.cards import (
+    Markup,
     badge,
     card,
     code,
@@ -25,11 +26,11 @@ from rigidsym.view.html.cards import (
     formula,
     formulas,
     head,
+    join,
     math,
     muted,
     table,
 )
-from rigidsym.view.html.markup import Markup, join
 
 # More hypotheses than these go by the name of their context; more components are folded.
 FEW = 4

@@ -25,8 +25,8 @@ from rigidsym.validate.oracle import AGREEMENT
 from rigidsym.validate.strata import STRATA, count, in_doubles
 from rigidsym.validate.tally import DRAWN, Cell, Tally
 from rigidsym.view import report_data
-from rigidsym.view.html.reports import BROKEN, PASSED, report_html
-from rigidsym.view.markdown import table
+from rigidsym.view.tables import table
+from rigidsym.view.validation import BROKEN, COLUMNS, PASSED, columns_of, report_html
 
 SCHEMA = "rigidsym.validation/3"
 FAILURES = "failures"
@@ -183,7 +183,7 @@ class ValidationReport:
 
     def to_data(self) -> report_data.Report:
         """Return the schema rigidsym.validation/3; figures in units of 2^-53, to three digits."""
-        campaign, tally = self.campaign, self.tally
+        campaign = self.campaign
         return {
             "schema": SCHEMA,
             "campaign": campaign.to_data(),
@@ -197,9 +197,7 @@ class ValidationReport:
                 {
                     "name": name,
                     "about": STRATA[name].about,
-                    "cases": tally.cases.get(name, 0),
-                    "states": tally.states.get(name, 0),
-                    "disagreement": _figure(self.agreement(name)),
+                    **{column.key: _figure(column.value(self, name)) for column in COLUMNS},
                 }
                 for name in campaign.strata
             ],
@@ -303,12 +301,13 @@ class ValidationReport:
         For each implementation: worst angle and rates, and the part of a bound used.
         """
         campaign, tally = self.campaign, self.tally
-        columns = ["stratum", "cases", "states"]
+        own = columns_of("terminal")
+        columns = ["stratum", *(column.title for column in own)]
         for name in campaign.implementations:
             columns += [f"{name}: angle", "rates", "share"]
         rows = []
         for stratum in campaign.strata:
-            row = [stratum, *(str(x.get(stratum, 0)) for x in (tally.cases, tally.states))]
+            row = [stratum, *(column.shown(column.value(self, stratum)) for column in own)]
             for name in campaign.implementations:
                 cells = (tally.cells.get((name, measure, "stratum", stratum)) for measure in DRAWN)
                 row += ["not asked" if cell is None else _short(cell.worst) for cell in cells]
@@ -364,7 +363,8 @@ def markdown(data: report_data.Report) -> str:
     if data["failures"]:
         lines += ["", "## Broken bounds", ""]
         lines += [f"* {x['line']}; replay: `{x['simplest']['replay']}`" for x in data["failures"]]
-    columns = ["stratum", "cases", "states", *HEADS, "share", ""]
+    own = (column.title for column in columns_of("markdown"))
+    columns = ["stratum", *own, *HEADS, "share", ""]
     for found in data["implementations"]:
         rows = (_row(found, stratum) for stratum in data["strata"])
         lines += ["", f"## {found['name']}", "", *table(columns, rows)]
@@ -391,7 +391,8 @@ def _row(found: report_data.Implementation, stratum: report_data.Stratum) -> lis
     cells = [_shown(errors.get(measure), measure in DRAWN) for measure in MEASURES]
     beyond = "beyond" if found["peer"] else "BROKEN"
     mark = "ok" if share <= 1 else beyond if errors else "not asked"
-    return [name, str(stratum["cases"]), str(stratum["states"]), *cells, f"{share:.2g}", mark]
+    own = [column.shown(stratum[column.key]) for column in columns_of("markdown")]
+    return [name, *own, *cells, f"{share:.2g}", mark]
 
 
 def _shown(cell: report_data.Cell | None, conditioned: bool) -> str:
@@ -433,8 +434,10 @@ def _worst(found: Errors) -> report_data.WorstError:
     }
 
 
-def _figure(value: float) -> report_data.Figure:
-    """Round to three digits; "inf" for numbers that JSON does not have."""
+def _figure(value: report_data.Figure) -> report_data.Figure:
+    """Round a float to three digits; "inf" for numbers that JSON does not have."""
+    if not isinstance(value, float):
+        return value
     text = f"{value:.3g}"
     return text if text in ("inf", "nan") else float(text)
 

@@ -1,10 +1,10 @@
-"""What a validation report holds: the schema rigidsym.validation/3, by its keys.
+"""The data of a validation report by their keys: the schema rigidsym.validation/3.
 
 Errors are in units of 2^-53; "inf" and "nan" stand for what JSON has no number for.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Literal, TypedDict
+from typing import Any, Literal, TypedDict
 
 Figure = float | str
 # Views that have parts and then measures, and those that have measures and then parts.
@@ -26,11 +26,16 @@ class Cell(TypedDict):
 
 
 Cells = Mapping[str, Mapping[str, Cell]]
+# "name", "about", and the keys of `rigidsym.view.validation.COLUMNS`.
+Stratum = Mapping[str, Any]
 
 
 class Implementation(TypedDict):
-    """Who was measured; `share` is the largest part of a bound, by stratum, `sizes` are by stratum,
-    measure and half octave."""
+    """A measured implementation.
+
+    `share` is the largest part of a bound by stratum; `sizes` are by stratum, measure and half
+    octave.
+    """
 
     name: str
     peer: bool
@@ -44,16 +49,6 @@ class Implementation(TypedDict):
     distance: Cells
     turned: Cells
     condition: Cells
-
-
-class Stratum(TypedDict):
-    """What was tested, and how far the oracles are apart."""
-
-    name: str
-    about: str
-    cases: int
-    states: int
-    disagreement: Figure
 
 
 class WorstError(TypedDict):
@@ -97,7 +92,7 @@ class Failure(TypedDict):
 
 
 class Campaign(TypedDict):
-    """What is measured."""
+    """The options of a campaign."""
 
     targets: list[str]
     peers: list[str]
@@ -111,7 +106,7 @@ class Campaign(TypedDict):
 
 
 class Report(TypedDict):
-    """All of it; bounds are in units of 2^-53, `agreement` is what oracles have to agree to."""
+    """A whole report; bounds are in units of 2^-53, `agreement` is the tolerance of the oracles."""
 
     schema: str
     campaign: Campaign

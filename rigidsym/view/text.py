@@ -1,38 +1,30 @@
-"""What objects say of themselves in a terminal: what their cards say, in a line or a few."""
+"""Representations of values in a terminal: the content of their cards in one line or a few."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from fractions import Fraction
-from typing import Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
 from rigidsym.inputs import Number, Uncertain
-from rigidsym.view.html.motions import Motion
-from rigidsym.view.html.plans import Manoeuvre, Plan, Transfer
+from rigidsym.view.tables import columns
 
-# Characters of a number that is written whole.
+if TYPE_CHECKING:
+    from rigidsym.io.cases import Case
+    from rigidsym.manoeuvre.manoeuvre import Manoeuvre
+    from rigidsym.manoeuvre.planning import Plan
+    from rigidsym.manoeuvre.transfer import Transfer
+    from rigidsym.motion import TorqueFreeMotion
+
+# Exact numbers of at most so many characters are written in full.
 _SHORT = 24
 _IDENTITY = (1, 0, 0, 0)
 
 
-class Case(Protocol):
-    """A motion and times."""
-
-    @property
-    def motion(self) -> Motion:
-        """The motion."""
-        ...
-
-    @property
-    def times(self) -> Sequence[Fraction]:
-        """When it is wanted, s."""
-        ...
-
-
 def number(value: Number) -> str:
-    """A number as one would write it in a call: doubles and whole ones bare, decimals quoted.
+    """Return a number as written in a call: doubles and integers bare, decimals quoted.
 
     >>> number(Fraction(0.0109)), number(Fraction("0.0109")), number(Fraction(1, 3))
     ('0.0109', "'0.0109'", "'1/3'")
@@ -48,47 +40,47 @@ def number(value: Number) -> str:
 
 
 def vector(values: Iterable[Number]) -> str:
-    """Its components, as `number` has them."""
+    """Return the components of a vector, each by `number`."""
     return f"({', '.join(map(number, values))})"
 
 
 def rounded(values: Iterable[float], digits: int = 6) -> str:
-    """Components that were computed."""
+    """Return the components of a computed vector."""
     return f"({', '.join(f'{x:.{digits}g}' for x in values)})"
 
 
-def regime(motion: Motion) -> str:
-    """The kind of motion, or that it is not certain."""
+def regime(motion: "TorqueFreeMotion") -> str:
+    """Return the regime of a motion, or that it is not certain."""
     try:
         return str(motion.regime)
     except InputError:
         return "regime not certain"
 
 
-def motion_text(motion: Motion) -> str:
-    """What a motion was made from, and its regime."""
+def motion_text(motion: "TorqueFreeMotion") -> str:
+    """Return the inputs of a motion, and its regime."""
     given = f"inertia={vector(motion.inertia)}, omega0={vector(motion.omega0)}"
     if tuple(motion.attitude0) != _IDENTITY:
         given += f", attitude0={vector(motion.attitude0)}"
     return f"<TorqueFreeMotion {given}: {regime(motion)}>"
 
 
-def case_text(case: Case) -> str:
-    """A motion, and how many times of it are wanted."""
+def case_text(case: "Case") -> str:
+    """Return the motion of a case, and the number and range of its times."""
     times = case.times
     ends = f" from {number(times[0])} to {number(times[-1])} s" if times else ""
     return f"<Case of {len(times)} times{ends}: {motion_text(case.motion)}>"
 
 
-def manoeuvre_text(asked: Manoeuvre) -> str:
-    """From where to where, and in what time."""
+def manoeuvre_text(asked: "Manoeuvre") -> str:
+    """Return the attitudes of a manoeuvre, and its duration."""
     duration = "" if asked.duration is None else f" in {number(asked.duration)} s"
     ends = f"from {vector(asked.start)} to {vector(asked.target)}"
     return f"<Manoeuvre {ends}{duration}, inertia={vector(asked.inertia)}>"
 
 
-def transfer_text(one: Transfer) -> str:
-    """The rates a transfer starts with, what it costs, and by what it misses."""
+def transfer_text(one: "Transfer") -> str:
+    """Return the initial rates of a transfer, its cost, and its errors."""
     first = one.omega0
     rates = rounded(np.where(abs(first) > 1e-12 * np.max(abs(first)), first, 0.0))
     return (
@@ -98,24 +90,8 @@ def transfer_text(one: Transfer) -> str:
     )
 
 
-def plan_text(plan: Plan) -> str:
-    """A line for each transfer, the cheapest first."""
+def plan_text(plan: "Plan") -> str:
+    """Return a line for each transfer, the cheapest first."""
     names, rows = plan.table()
     told = [(*row, one.motion.regime) for row, one in zip(rows, plan.transfers, strict=True)]
     return columns(f"Plan: {plan.title.partition(': ')[2]}", (*names, "regime"), told)
-
-
-def columns(title: str, names: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table in characters, without lines.
-
-    >>> print(columns("planets", ("", "moons"), [("Mars", "2"), ("Jupiter", "101")]))
-    planets
-             moons
-    Mars     2
-    Jupiter  101
-    """
-    table = [tuple(names), *map(tuple, rows)]
-    table = table if any(names) else table[1:]
-    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
-    lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in table)
-    return "\n".join([title, *lines])

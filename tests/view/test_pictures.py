@@ -8,7 +8,7 @@ from picture_motions import MOTIONS
 
 from rigidsym import InputError, Regime
 from rigidsym.quaternions import product, rotated
-from rigidsym.view.geometry import upright
+from rigidsym.view.geometry import once, period, upright
 from rigidsym.view.scenes import (
     momentum_sphere,
     rolling_ellipsoid,
@@ -17,7 +17,6 @@ from rigidsym.view.scenes import (
 )
 from rigidsym.view.scenes.body import edges
 from rigidsym.view.scenes.poinsot import rolling
-from rigidsym.view.times import once, period
 
 PICTURES = (momentum_sphere, rolling_ellipsoid, tumbling_body)
 MOVING = [name for name in MOTIONS if name != "rest"]

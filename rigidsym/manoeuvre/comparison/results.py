@@ -20,7 +20,7 @@ from rigidsym.manoeuvre.comparison.flights import Flown
 from rigidsym.manoeuvre.comparison.optima import Solved
 from rigidsym.manoeuvre.comparison.optimiser import MOST_ITERATIONS, SETTINGS, TOLERANCE
 from rigidsym.manoeuvre.flight.settings import Controller, Wheels
-from rigidsym.view.plots.histories import rendered
+from rigidsym.view.plots.figure import rendered
 from rigidsym.view.plots.spreads import Panel, spreads
 
 SCHEMA = "rigidsym.comparison/1"

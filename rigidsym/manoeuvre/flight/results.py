@@ -21,9 +21,9 @@ from rigidsym.manoeuvre.flight.settings import Flight, read
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre, open_manoeuvre
 from rigidsym.manoeuvre.planning import solve
 from rigidsym.manoeuvre.transfer import Transfer
+from rigidsym.view.plots import figure as drawing
 from rigidsym.view.plots import flights as pictures
-from rigidsym.view.plots import histories as drawing
-from rigidsym.view.text import columns
+from rigidsym.view.tables import columns
 
 SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972
@@ -114,7 +114,7 @@ class Tracked:
         return columns("Flight: missed" if self.missed else "Flight", ("", ""), self.rows())
 
     def _repr_html_(self) -> str:
-        from rigidsym.view.html.flights import tracked_html
+        from rigidsym.view.html.motions import tracked_html
 
         return tracked_html(self, self._measured())
 

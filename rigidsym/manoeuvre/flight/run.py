@@ -10,8 +10,8 @@ from rigidsym.manoeuvre.flight.actuators import Burns
 from rigidsym.manoeuvre.flight.control import Reference
 from rigidsym.manoeuvre.flight.rotation import angle, matrix, relative, size
 from rigidsym.manoeuvre.flight.settings import Timing, Wheels
-from rigidsym.view.html.flights import run_html
-from rigidsym.view.text import columns
+from rigidsym.view.html.motions import run_html
+from rigidsym.view.tables import columns
 
 Rows = list[tuple[str, str]]
 

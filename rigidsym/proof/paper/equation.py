@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from rigidsym.proof.paper.printed import PLAIN, Vocabulary
-from rigidsym.view.html.printed import equation_html
+from rigidsym.view.html.proofs import equation_html
 
 
 class Flaw(StrEnum):

@@ -10,7 +10,7 @@ from rigidsym.proof.paper.answers import Answer, Answers, Data, ids, together
 from rigidsym.proof.paper.counterexample import Counterexample, counterexample
 from rigidsym.proof.paper.equation import Equation, Reading, Root
 from rigidsym.proof.paper.equations import EQUATIONS
-from rigidsym.view.html.printed import verdict_html
+from rigidsym.view.html.proofs import verdict_html
 
 # What the paper assumes throughout: a body with inertia that moves.
 STANDING = {"c1", "c2", "c3", "c_i", "c_j", "c_k", "c_a", "c_b", "c_d", "K"}

@@ -23,7 +23,7 @@ from rigidsym.validate.faults.drawn import all_faults
 from rigidsym.validate.faults.fault import KINDS, Fault
 from rigidsym.validate.implementations import check_target
 from rigidsym.validate.strata import STRATA
-from rigidsym.view.markdown import table
+from rigidsym.view.tables import table
 
 SCHEMA = "rigidsym.faults/2"
 # More strata than these are counted, not named.

@@ -31,8 +31,8 @@ from rigidsym.validate.measure import measure
 from rigidsym.validate.oracle import enclose
 from rigidsym.validate.peers.protocol import Solver
 from rigidsym.validate.strata import STRATA, count, draw
-from rigidsym.view.markdown import table
-from rigidsym.view.svg import Panel, svg
+from rigidsym.view.plots.panels import Panel, panels_svg
+from rigidsym.view.tables import table
 
 FOURIER = "Fourier"
 SCHEMA = "rigidsym.forms/1"
@@ -153,7 +153,7 @@ class FormCosts:
             ("Operations of a state", "number", lambda one: one.operations),
             ("Worst angle", "rad", lambda one: one.angle),
         ]
-        return svg([*(self._panel(*each) for each in drawn), self._by_stratum()])
+        return panels_svg([*(self._panel(*each) for each in drawn), self._by_stratum()])
 
     def _panel(self, title: str, label: str, value: Callable[[FormCost], float | None]) -> Panel:
         found = {(one.form, one.away): value(one) for one in self.costs}

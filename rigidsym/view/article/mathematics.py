@@ -11,7 +11,7 @@ from sympy.printing.pretty.stringpict import prettyForm
 
 from rigidsym.language.latex import dotted, symbol
 
-# Constants of a motion, which the paper writes in front of what moves.
+# Constants of a motion, which the paper writes before variables.
 CONSTANTS = {
     *("c1", "c2", "c3", "c_i", "c_j", "c_k", "H", "K", "K_squared", "h1", "h2", "h3", "n", "s_i"),
     *("s_j", "alpha", "beta", "chi", "mu", "xi", "zeta", "nu", "kappa", "sqrt_mu", "b_free"),
@@ -21,12 +21,12 @@ _DOT = "\N{COMBINING DOT ABOVE}"
 
 
 def latex(expression: sympy.Basic) -> str:
-    """An expression, a matrix expression or an equation in LaTeX."""
+    """Return an expression, a matrix expression or an equation in LaTeX."""
     return _Latex().doprint(expression)
 
 
 def pretty(expression: sympy.Basic, width: int = 100) -> str:
-    """The same in two dimensions, for a terminal, whatever the encoding of stdout is."""
+    """Return an expression in two dimensions for a terminal, in Unicode whatever stdout is."""
     settings = {"use_unicode": True, "wrap_line": True, "num_columns": width}
     before = pretty_use_unicode(True)
     try:
@@ -36,7 +36,7 @@ def pretty(expression: sympy.Basic, width: int = 100) -> str:
 
 
 def _rank(factor: sympy.Expr) -> tuple[int, str]:
-    """Numbers, constants, sums of constants, then what moves, functions last."""
+    """Return a sort key: numbers, constants, sums of constants, variables, functions last."""
     names = {str(x) for x in factor.free_symbols}
     if factor.is_Number:
         return 0, str(factor)
@@ -66,7 +66,7 @@ class _Latex(LatexPrinter):
         return rf"{sign}\frac{{{inside[0]}}}{{{inside[1]}}}"
 
     def _as_ordered_terms(self, expr: sympy.Expr, order: str | None = None) -> list[sympy.Expr]:
-        """A sum begins with a plus where it can."""
+        """Return the terms of a sum, a positive one first if there is any."""
         terms = super()._as_ordered_terms(expr, order)
         first = next((x for x in terms if not x.could_extract_minus_sign()), terms[0])
         return [first, *(term for term in terms if term is not first)]

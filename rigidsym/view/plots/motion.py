@@ -1,38 +1,48 @@
-"""Rates, attitude and momentum sphere of one motion, as a matplotlib figure."""
+"""Pictures of one motion: its rates, attitude and momentum sphere, and residuals of a fit."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rigidsym.inputs import Times
-from rigidsym.solution.polhode import Regime
 from rigidsym.view.geometry import (
+    REGIMES,
+    SEPARATRIX,
+    chosen,
     great_circles,
     moments,
     momentum,
     polhode,
     separatrix,
 )
-from rigidsym.view.labels import ATTITUDE, ATTITUDE_AXIS, MOMENTUM, RATES, RATES_AXIS, TIME_AXIS
-from rigidsym.view.palette import AXES, SCALAR
-from rigidsym.view.plots.figure import blank
-from rigidsym.view.protocols import Motion
-from rigidsym.view.regimes import REGIMES
-from rigidsym.view.times import chosen
+from rigidsym.view.plots.figure import blank, defaults, legend, lines, tidy
+from rigidsym.view.style import (
+    ATTITUDE,
+    ATTITUDE_AXIS,
+    AXES,
+    MARK,
+    MOMENTUM,
+    RATES,
+    RATES_AXIS,
+    SCALAR,
+    TIME_AXIS,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from mpl_toolkits.mplot3d import Axes3D
 
+    from rigidsym.motion import TorqueFreeMotion
 
-SAMPLES = 801
-AROUND = 401
-SEPARATRIX = REGIMES[Regime.SEPARATRIX]
+SAMPLES, AROUND = 801, 401
+"Times of the lines, and points of the polhode."
 
 
-def plot(motion: Motion, times: Times | None = None) -> "Figure":
-    """Three plots: omega(t), q(t), and the momentum on its sphere in body axes."""
+def plot(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
+    """Draw omega(t), q(t), and the momentum on its sphere in body axes."""
     figure = blank("plot", 10.5, 5.2)
     t = chosen(motion, times, SAMPLES)
     q, omega = motion(t)
@@ -57,19 +67,17 @@ def _lines(
     label: str,
     colours: tuple[str, ...],
 ) -> None:
-    for column, name, colour in zip(values.T, names, colours, strict=True):
-        axes.plot(t, column, color=colour, linewidth=1.4, label=name)
+    lines(axes, t, values, names, colours, linewidth=1.4)
     axes.set_ylabel(label)
     axes.margins(x=0)
-    axes.grid(alpha=0.25)
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
+    tidy(axes)
+    legend(axes)
 
 
-def _sphere(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
-    """The sphere |M| = K with its circles, the separatrix, the polhode, and what of it is run."""
+def _sphere(axes: "Axes3D", motion: "TorqueFreeMotion", omega: np.ndarray) -> None:
+    """Draw the sphere |M| = K with its circles, the separatrix and the polhode."""
     size = float(np.linalg.norm(momentum(motion)))
-    # A body at rest has no such sphere: one of unit radius carries the axes.
+    # For a body at rest the axes are drawn alone, of unit length.
     radius = size or 1.0
     for circle in great_circles(radius):
         axes.plot(*circle.T, color="#8888", linewidth=0.6)
@@ -83,8 +91,8 @@ def _sphere(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
     axes.set_title(f"momentum sphere, body axes\n|M| = {size:.4g} kg m²/s", fontsize=10, y=1.06)
 
 
-def _polhode(axes: "Axes3D", motion: Motion, omega: np.ndarray) -> None:
-    """All of the polhode thin, what is run through of it thick, and where that begins."""
+def _polhode(axes: "Axes3D", motion: "TorqueFreeMotion", omega: np.ndarray) -> None:
+    """Draw the whole polhode thin, the part within the times thick, and its first point."""
     whole = moments(motion) * polhode(motion, AROUND)
     run = moments(motion) * omega
     colour = REGIMES[motion.regime]
@@ -112,3 +120,33 @@ def _dress(axes: "Axes3D", radius: float) -> None:
     if not named:
         return
     axes.legend(named.values(), named, loc="lower center", ncols=3, frameon=False, fontsize=9)
+
+
+@dataclass(frozen=True, slots=True)
+class Residuals:
+    """Times (N,), residuals (N, k) in units of their errors, and the indices of outliers."""
+
+    title: str
+    times: np.ndarray
+    values: np.ndarray
+    outliers: Sequence[int]
+
+
+@defaults()
+def residuals(panels: Sequence[Residuals]) -> "Figure":
+    """Draw a panel for each set of observations: a dot for each number, a ring about outliers."""
+    figure = blank("drawing", 8.0, 1.0 + 2.0 * len(panels))
+    every = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
+    for axes, panel in zip(every, panels, strict=True):
+        axes.axhspan(-1, 1, color="0.5", alpha=0.15, linewidth=0)
+        for k, values in enumerate(panel.values.T):
+            axes.plot(panel.times, values, "o", markersize=3.5, color=AXES[k % 3], label=str(k + 1))
+        for index in panel.outliers:
+            worst = np.argmax(np.abs(panel.values[index]))
+            place = panel.times[index], panel.values[index, worst]
+            axes.plot(*place, "o", markersize=11, fillstyle="none", color=MARK)
+        axes.set_ylabel(f"{panel.title}\n(standard deviations)")
+        tidy(axes)
+        legend(axes)
+    every[-1].set_xlabel(TIME_AXIS)
+    return figure

@@ -1,4 +1,4 @@
-"""How much figures differ from case to case, of several things side by side."""
+"""Distributions of figures over cases, of several things side by side."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rigidsym.view.palette import BLUE, ORANGE
-from rigidsym.view.plots import histories
+from rigidsym.view.plots.figure import defaults
+from rigidsym.view.style import BLUE, ORANGE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """Rows of figures by name, one figure a case; `ratio` marks 1 on an axis of logarithms.
+    """Rows of figures by name, one figure a case; `ratio` marks 1 on a logarithmic axis.
 
-    A panel with the rows of the one before it has no names of its own.
+    A panel with the same rows as the one before it repeats no names.
     """
 
     title: str
@@ -27,11 +27,12 @@ class Panel:
     ratio: bool
 
 
-@histories.defaults()
+@defaults()
 def spreads(panels: Sequence[Panel], case: str, one: str) -> "Figure":
-    """A dot for each case, a bar at the median, and below what both are: `case` says what a dot
+    """Draw a dot for each case and a bar at the median, with a legend below.
 
-    stands for, `one` what a ratio of 1 is."""
+    The legend explains a dot by `case`, and the line at a ratio of 1 by `one`.
+    """
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11.0, 4.9), layout="constrained")
@@ -66,7 +67,7 @@ def _explain(figure: "Figure", case: str, one: str) -> None:
 
 
 def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:
-    """A row for each name, the first on top; dots are spread a little, in the order of cases."""
+    """Draw a row for each name, the first on top, its dots offset in the order of cases."""
     for place, values in enumerate(rows.values()):
         offsets = 0.5 * (np.arange(len(values)) + 0.5) / len(values) - 0.25
         axes.plot(values, place + offsets, "o", color=BLUE, markersize=3, alpha=0.7)
@@ -78,7 +79,7 @@ def _dots(axes: "Axes", rows: Mapping[str, Sequence[float]]) -> None:
 
 
 def _plain_ticks(axes: "Axes") -> None:
-    """1, 2, 5 and their decades, not powers."""
+    """Label 1, 2, 5 and their decades, not powers."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
     axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))

@@ -1,4 +1,7 @@
-"""The tumbling body: a box of uniform density with the moments of inertia, as it turns in space."""
+"""The tumbling body in inertial space, alone and beside its momentum sphere.
+
+The body is a box of uniform density with the moments of inertia of the motion.
+"""
 
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -7,9 +10,7 @@ import numpy as np
 
 from rigidsym.inputs import Times
 from rigidsym.quaternions import rotated
-from rigidsym.view.geometry import moments, momentum
-from rigidsym.view.palette import AXES, GREY, SIDES
-from rigidsym.view.protocols import Motion
+from rigidsym.view.geometry import chosen, moments, momentum
 from rigidsym.view.scenes.scene import (
     dot,
     figure,
@@ -17,15 +18,21 @@ from rigidsym.view.scenes.scene import (
     plotly,
     with_slider,
 )
-from rigidsym.view.times import chosen
+from rigidsym.view.scenes.sphere import momentum_sphere
+from rigidsym.view.style import AXES, GREY, MARK, SIDES
 
 if TYPE_CHECKING:
     from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure
 
-FRAMES = 145
-PATH = 1201
+    from rigidsym.motion import TorqueFreeMotion
+
+FRAMES, PATH = 145, 1201
+"Frames of the slider, and points of the path of an axis."
 THINNEST = 0.04
+"The least edge of a box, its longest being 1."
+PAIR_FRAMES, PAIR_FAMILY, PAIR_WIDTH, PAIR_HEIGHT = 73, 3, 980, 640
+_LEFT, _RIGHT = [0.0, 0.49], [0.51, 1.0]
 _CORNERS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) / 2
 # Two triangles a side, sides in the order of the axes they lie across.
 _TRIANGLES = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1)]
@@ -33,19 +40,37 @@ _TRIANGLES += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
 
 
 def edges(inertia: np.ndarray) -> np.ndarray:
-    """The edges of a box with these moments, up to a common factor: a_1^2 ~ c_2 + c_3 - c_1.
+    """Return the edges (3,) of a box with these moments: a_1^2 ~ c_2 + c_3 - c_1.
 
-    The longest is 1; none is thinner than can be seen.
+    The longest is 1; none is shorter than `THINNEST`.
     """
     squares = np.maximum(np.sum(inertia) - 2 * inertia, 0.0)
     return np.maximum(np.sqrt(squares / np.max(squares)), THINNEST)
 
 
-def tumbling_body(motion: Motion, times: Times | None = None) -> "Figure":
-    """The body in inertial space, with the path of one axis; a slider moves `times` (N,), s.
+def tumbling_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
+    """Draw the body in inertial space, with the path of one axis and a slider for the time.
 
     The axis is the body axis nearest to the momentum at t = 0, which flips where a motion nears
-    the separatrix.  Lengths are relative.  Raises ImportError without plotly.
+    the separatrix.  Lengths are relative.
+
+    Parameters
+    ----------
+    motion : TorqueFreeMotion
+        The motion to draw.
+    times : array_like, shape (N,), optional
+        Times of the slider, s; by default they cover two periods or a few turns.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+
+    Raises
+    ------
+    InputError
+        For fewer than two times.
+    ImportError
+        If plotly is not installed.
     """
     go = plotly("tumbling_body")
     shown = chosen(motion, times, FRAMES)
@@ -65,7 +90,7 @@ def tumbling_body(motion: Motion, times: Times | None = None) -> "Figure":
 def _moving(
     go: ModuleType, q: np.ndarray, size: np.ndarray, tip: np.ndarray, axis: int
 ) -> list["Trace"]:
-    """The box, the axis that is followed, and its end."""
+    """Return the box, the followed axis, and its end, at an attitude."""
     x, y, z = np.round(rotated(q, size * _CORNERS), 6).T + 0.0
     i, j, k = np.array(_TRIANGLES).T
     box = go.Mesh3d(
@@ -88,11 +113,54 @@ def _moving(
     ]
 
 
-def _momentum(go: ModuleType, motion: Motion) -> list["Trace"]:
-    """The direction of the momentum, which stays; nothing for a body at rest."""
+def _momentum(go: ModuleType, motion: "TorqueFreeMotion") -> list["Trace"]:
+    """Return the constant direction of the momentum; nothing for a body at rest."""
     vector = rotated(motion(0.0)[0], momentum(motion))
     length = float(np.linalg.norm(vector))
     if not length:
         return []
     ends = np.outer((-1.0, 1.0), vector / length)
     return [line(go, ends, "momentum", GREY, 3)]
+
+
+def sphere_and_body(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
+    """Draw the momentum sphere in body axes beside the body in inertial space.
+
+    Parameters
+    ----------
+    motion : TorqueFreeMotion
+        The motion to draw; the title is its regime.
+    times : array_like, shape (N,), optional
+        Times of the slider that moves both, s; by default they cover two periods or a few turns.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+
+    Raises
+    ------
+    InputError
+        For a body at rest, and for fewer than two times.
+    ImportError
+        If plotly is not installed.
+    """
+    go = plotly("sphere_and_body")
+    shown = chosen(motion, times, PAIR_FRAMES)
+    whole, body = momentum_sphere(motion, PAIR_FAMILY), tumbling_body(motion, shown)
+    here = moments(motion) * motion(shown)[1]
+    dots = [dot(go, point, "momentum now", MARK) for point in here]
+    count = len(whole.data)
+    whole.add_traces([dots[0], *(trace.update(scene="scene2") for trace in body.data)])
+    moving = [count, *(count + 1 + k for k in body.frames[0].traces)]
+    frames = [
+        [now, *(trace.update(scene="scene2") for trace in frame.data)]
+        for now, frame in zip(dots, body.frames, strict=True)
+    ]
+    whole.update_layout(
+        title={"text": str(motion.regime)},
+        width=PAIR_WIDTH,
+        height=PAIR_HEIGHT,
+        scene={"domain": {"x": _LEFT, "y": [0.0, 1.0]}},
+        scene2=body.layout.scene.to_plotly_json() | {"domain": {"x": _RIGHT, "y": [0.0, 1.0]}},
+    )
+    return with_slider(go, whole, np.asarray(shown), moving, frames)

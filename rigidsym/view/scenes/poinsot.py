@@ -10,16 +10,14 @@ from rigidsym.errors import InputError
 from rigidsym.inputs import Times
 from rigidsym.quaternions import product, rotated
 from rigidsym.view.geometry import (
+    REGIMES,
+    chosen,
     great_circles,
     moments,
     momentum,
     polhode,
     upright,
 )
-from rigidsym.view.labels import SPACE_RATES_AXES
-from rigidsym.view.palette import CONE, ELLIPSOID, GREY, MARK
-from rigidsym.view.protocols import Motion
-from rigidsym.view.regimes import REGIMES
 from rigidsym.view.scenes.scene import (
     ball,
     curves,
@@ -31,15 +29,16 @@ from rigidsym.view.scenes.scene import (
     skin,
     with_slider,
 )
-from rigidsym.view.times import chosen
+from rigidsym.view.style import CONE, ELLIPSOID, GREY, MARK, SPACE_RATES_AXES
 
 if TYPE_CHECKING:
     from plotly.basedatatypes import BaseTraceType as Trace
     from plotly.graph_objects import Figure
 
-FRAMES = 61
-AROUND = 97
-PATH = 721
+    from rigidsym.motion import TorqueFreeMotion
+
+FRAMES, AROUND, PATH = 61, 97, 721
+"Frames of the slider, and points of the polhode and of the herpolhode."
 _MESH = (13, 25)
 
 
@@ -58,8 +57,8 @@ class Rolling:
     height: float
 
 
-def rolling(motion: Motion, times: np.ndarray) -> Rolling:
-    """The motion at some times, seen with its momentum upright."""
+def rolling(motion: "TorqueFreeMotion", times: np.ndarray) -> Rolling:
+    """Return the motion at some times, in axes whose third is along the momentum."""
     start = motion(0.0)
     inertia, body = moments(motion), momentum(motion)
     front = upright(rotated(start[0], body))
@@ -72,11 +71,28 @@ def rolling(motion: Motion, times: np.ndarray) -> Rolling:
     )
 
 
-def rolling_ellipsoid(motion: Motion, times: Times | None = None) -> "Figure":
-    """The rolling ellipsoid with polhode and herpolhode; a slider moves `times` (N,), s.
+def rolling_ellipsoid(motion: "TorqueFreeMotion", times: Times | None = None) -> "Figure":
+    """Draw the rolling ellipsoid with polhode and herpolhode, and a slider for the time.
 
-    The space of the picture is that of rates, rad/s, with the momentum upwards: the contact is
-    omega.  Raises InputError for a body at rest, and ImportError without plotly.
+    The picture shows the space of rates, rad/s, with the momentum upwards: the contact is omega.
+
+    Parameters
+    ----------
+    motion : TorqueFreeMotion
+        The motion to draw.
+    times : array_like, shape (N,), optional
+        Times of the slider, s; by default they cover two periods or a few turns.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+
+    Raises
+    ------
+    InputError
+        For a body at rest, and for fewer than two times.
+    ImportError
+        If plotly is not installed.
     """
     go = plotly("rolling_ellipsoid")
     if not any(motion.exact["omega0"]):
@@ -92,8 +108,8 @@ def rolling_ellipsoid(motion: Motion, times: Times | None = None) -> "Figure":
     return with_slider(go, whole, shown, range(len(frames[0])), frames)
 
 
-def _moving(go: ModuleType, motion: Motion, steps: Rolling, k: int) -> list["Trace"]:
-    """What turns with the body: the ellipsoid, its main sections, the polhode; and the contact."""
+def _moving(go: ModuleType, motion: "TorqueFreeMotion", steps: Rolling, k: int) -> list["Trace"]:
+    """Return the ellipsoid, its main sections and the polhode, turned, and the contact."""
     q, colour = steps.q[k], REGIMES[motion.regime]
     sections = curves([steps.axes * circle[::2] for circle in great_circles(1.0)])
     track = polhode(motion, AROUND)
@@ -107,7 +123,7 @@ def _moving(go: ModuleType, motion: Motion, steps: Rolling, k: int) -> list["Tra
 
 
 def _fixed(go: ModuleType, path: Rolling, colour: str) -> list["Trace"]:
-    """The herpolhode on the invariable plane."""
+    """Return the invariable plane and the herpolhode on it."""
     reach = 1.25 * float(np.hypot(*path.contact.T[:2]).max()) or 0.5 * path.height
     sides = np.array([-reach, reach])
     x, y = np.meshgrid(sides, sides)

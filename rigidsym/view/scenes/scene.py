@@ -1,6 +1,6 @@
-"""What the pictures in three dimensions are made of: lines, surfaces, scenes and the time slider.
+"""Parts of the pictures in three dimensions: lines, surfaces, scenes and the time slider.
 
-Colours other than those of the data are grey and see-through, for light and for dark pages.
+Colours other than those of the data are grey and translucent, for light and for dark pages.
 """
 
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ import numpy as np
 
 from rigidsym.errors import package
 from rigidsym.view.geometry import rounded
-from rigidsym.view.palette import AXES, FAINT, GREY, GRID
+from rigidsym.view.style import AXES, FAINT, GREY, GRID
 
 if TYPE_CHECKING:
     from plotly.basedatatypes import BaseTraceType as Trace
@@ -21,19 +21,19 @@ WIDTH, HEIGHT = 760, 680
 _HEAD = 108
 "Pixels above the axes, for the title and three rows of the legend."
 _FRAME_MS = 60
-# As plotly takes it: by name, nested.
+# Nested settings of plotly, by name.
 Layout = dict[str, object]
 
 
 def plotly(user: str) -> ModuleType:
-    """plotly's graph objects; raises ImportError with one line where it is not installed."""
+    """Return plotly's graph objects; raises ImportError in the name of `user` without plotly."""
     return package("plotly.graph_objects", user)
 
 
 def line(
     go: ModuleType, points: np.ndarray, name: str, colour: str, width: float, **how: bool
 ) -> "Trace":
-    """A curve (N, 3)."""
+    """Return a curve (N, 3)."""
     x, y, z = rounded(points).T
     style = {"color": colour, "width": width}
     return go.Scatter3d(x=x, y=y, z=z, mode="lines", name=name, line=style, **how)
@@ -42,27 +42,27 @@ def line(
 def sketch(
     go: ModuleType, points: np.ndarray, name: str, colour: str, width: float, **how: bool
 ) -> "Trace":
-    """A curve (N, 3) that is only looked at, in four bytes a number."""
+    """Return a curve (N, 3) in four bytes a number, without values under the pointer."""
     x, y, z = _single(points).T
     style = {"color": colour, "width": width}
     return go.Scatter3d(x=x, y=y, z=z, mode="lines", name=name, line=style, hoverinfo="skip", **how)
 
 
 def curves(parts: Sequence[np.ndarray]) -> np.ndarray:
-    """Several curves as one, with gaps."""
+    """Join several curves into one, with gaps."""
     gap = np.full((1, 3), np.nan)
     return np.concatenate([piece for part in parts for piece in (part, gap)][:-1])
 
 
 def dot(go: ModuleType, point: np.ndarray, name: str, colour: str, **how: bool) -> "Trace":
-    """A point (3,)."""
+    """Return a point (3,)."""
     x, y, z = rounded(point).reshape(3, 1)
     marker = {"color": colour, "size": 5}
     return go.Scatter3d(x=x, y=y, z=z, mode="markers", name=name, marker=marker, **how)
 
 
 def skin(go: ModuleType, points: np.ndarray, colour: str, opacity: float) -> "Trace":
-    """A surface (N, M, 3) in one colour, as it may be seen through."""
+    """Return a surface (N, M, 3) in one colour, translucent."""
     x, y, z = np.moveaxis(_single(points), 2, 0)
     return go.Surface(
         x=x,
@@ -77,13 +77,13 @@ def skin(go: ModuleType, points: np.ndarray, colour: str, opacity: float) -> "Tr
 
 
 def _single(points: np.ndarray) -> np.ndarray:
-    """Six digits and four bytes: what is seen of a surface needs no more."""
+    """Round to six digits in four bytes, which is as much as can be seen."""
     size = float(np.nanmax(np.abs(points), initial=0.0)) or 1.0
     return (np.round(points / size, 6) * size + 0.0).astype(np.float32)
 
 
 def ball(rows: int, columns: int) -> np.ndarray:
-    """The unit sphere as a grid (rows, columns, 3)."""
+    """Return the unit sphere as a grid (rows, columns, 3)."""
     polar, around = np.meshgrid(
         np.linspace(0, np.pi, rows), np.linspace(0, 2 * np.pi, columns), indexing="ij"
     )
@@ -92,7 +92,7 @@ def ball(rows: int, columns: int) -> np.ndarray:
 
 
 def body_axes(go: ModuleType, length: float) -> list["Trace"]:
-    """The three axes from the middle on."""
+    """Return the positive halves of the three axes."""
     tips = length * np.eye(3)
     return [
         line(go, np.stack([0 * tip, tip]), f"axis {k}", colour, 5, showlegend=False)
@@ -101,9 +101,9 @@ def body_axes(go: ModuleType, length: float) -> list["Trace"]:
 
 
 def figure(traces: Sequence["Trace"], title: str, labels: Sequence[str], half: float) -> "Figure":
-    """A figure whose scene is a cube of half width `half`, axes labelled with units."""
-    # It needs plotly, which whoever calls has.
-    from rigidsym.view.scenes.picture import Picture
+    """Return a figure whose scene is a cube of half width `half`, axes labelled with units."""
+    # This import needs plotly, which the caller has.
+    from rigidsym.view.scenes.still import Picture
 
     names = ("xaxis", "yaxis", "zaxis")
     axes = {name: _axis(label, half) for name, label in zip(names, labels, strict=True)}
@@ -163,7 +163,7 @@ def with_slider(
     moving: Sequence[int],
     frames: Sequence[Sequence["Trace"]],
 ) -> "Figure":
-    """The figure with a frame for each time: `moving` are the traces that frames replace."""
+    """Add a frame for each time and a slider: `moving` are the traces that frames replace."""
     names = [f"{t:.4g}" for t in times]
     figure.frames = [
         go.Frame(name=str(k), data=list(data), traces=list(moving)) for k, data in enumerate(frames)

@@ -1,19 +1,21 @@
-"""A still of an interactive picture, from its own traces, for readers that run no scripts."""
+"""Plotly figures that carry a still image of themselves, for readers that run no scripts."""
 
 import io
 import math
+from base64 import b64encode
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from plotly.graph_objects import Figure
 
 from rigidsym.errors import package
-from rigidsym.view.palette import GREY
+from rigidsym.view.style import GREY
 
 if TYPE_CHECKING:
     from mpl_toolkits.mplot3d import Axes3D
     from plotly.basedatatypes import BaseTraceType as Trace
-    from plotly.graph_objects import Figure, Mesh3d, Scatter3d, Surface
+    from plotly.graph_objects import Mesh3d, Scatter3d, Surface
     from plotly.graph_objs.layout import Scene
 
 SIZE, DPI = (6.6, 5.8), 90
@@ -21,9 +23,39 @@ SIZE, DPI = (6.6, 5.8), 90
 _THINNER = 0.4
 
 
-def still(picture: "Figure") -> bytes:
-    """JPEG of a plotly figure made of lines, points, surfaces and triangles, its scenes beside each
-    other, as it is before anything is turned or moved; raises ImportError without matplotlib."""
+class Picture(Figure):
+    """A figure whose output in a notebook is interactive, and has a JPEG for all other readers.
+
+    It is no PNG, because JupyterLab's extension would show that instead of the figure.
+    """
+
+    def show(self, *args: object, **kwargs: object) -> None:
+        """Show the figure as plotly does, in a notebook with its still."""
+        bundle = {} if args or kwargs else super()._repr_mimebundle_()
+        if not bundle:
+            super().show(*args, **kwargs)
+            return
+        from IPython.display import display
+
+        display(bundle | self._still(), raw=True)
+
+    def _ipython_display_(self) -> None:
+        self.show()
+
+    def _still(self) -> dict[str, str]:
+        """Return the still; nothing without matplotlib, or for traces that it cannot draw."""
+        try:
+            return {"image/jpeg": b64encode(still(self)).decode()}
+        except (ImportError, LookupError, TypeError, ValueError):
+            return {}
+
+
+def still(picture: Figure) -> bytes:
+    """Return a JPEG of a plotly figure as it is before anything is turned or moved.
+
+    Lines, points, surfaces and triangles are drawn, scenes beside each other.  Raises KeyError for
+    other traces, and ImportError without matplotlib.
+    """
     scenes = sorted({trace.scene or "scene" for trace in picture.data}) or ["scene"]
     size = SIZE[0] * (1.5 if len(scenes) > 1 else 1.0), SIZE[1]
     figure = package("matplotlib.figure", "still").Figure(figsize=size, layout="constrained")
@@ -78,7 +110,7 @@ _DRAWN: Mapping[str, Callable[["Axes3D", Any], None]] = {
 
 
 def _dress(axes: "Axes3D", scene: "Scene") -> None:
-    """The scene's cube, labels and camera."""
+    """Set the cube, labels and camera of a scene."""
     eye = scene.camera.eye
     azimuth = math.degrees(math.atan2(eye.y, eye.x))
     axes.view_init(math.degrees(math.atan2(eye.z, math.hypot(eye.x, eye.y))), azimuth)

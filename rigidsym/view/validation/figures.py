@@ -1,154 +1,330 @@
-"""Figures of a report as numbers, and numbers as a reader wants them."""
+"""Figures of the validation page: errors against a property of their cases, and their sizes.
+
+matplotlib draws them.  Their elements have classes of the page's style sheet, which gives them
+colours on light and on dark ground, and titles for the pointer.
+"""
 
 import math
-from fractions import Fraction
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import zip_longest
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree as ET
 
-from rigidsym.validate.bounds import MEASURES, ULP
-from rigidsym.view.report_data import Figure, Report
+import numpy as np
+from markupsafe import Markup
 
-NOTHING = "\N{EN DASH}"
-KAPPA = "\N{GREEK SMALL LETTER KAPPA}"
-TIMES = "\N{MULTIPLICATION SIGN}"
-UNIT = "2\N{SUPERSCRIPT MINUS}\N{SUPERSCRIPT FIVE}\N{SUPERSCRIPT THREE}"
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+from rigidsym.view import formats
+from rigidsym.view.formats import ULP
+from rigidsym.view.pages import render
+from rigidsym.view.plots.figure import defaults, svg
+from rigidsym.view.report_data import ByMeasure, Cell, Implementation
+from rigidsym.view.style import SERIES
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+
+# Exponents below this are drawn in this part of the axis, so that the others keep theirs.
+KNEE, PART = -20.0, 0.22
+# Errors below these are drawn as one, in decades and in octaves: rounding of doubles ends above.
+LEAST_DECADE, LEAST_OCTAVE = -18, -3
+# Offsets of the marks of one decade, in points: all implementations together, and two of them.
+SPREAD, MOST = 14.0, 5.0
+STEP = 0.5
+"Octaves of a bar."
+SHORT = 12
+"Octaves up to which a tick is labelled by a number instead of a power."
+MARKERS = ("o", "s", "^", "D", "v", "d", "p")
+_SVG = "{http://www.w3.org/2000/svg}"
+_LINK = "{http://www.w3.org/1999/xlink}href"
 
 
-def number(figure: Figure) -> float:
-    """A figure of the report; what is no number is infinitely wrong."""
-    value = float(figure)
-    return math.inf if math.isnan(value) else value
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A scale of exponents from `low` to `high`, between slots for zero and for infinity.
 
-
-def units(figure: Figure, digits: int = 3) -> str:
-    """To three digits, "no number" for what is infinite.
-
-    >>> units(9.9), units(18.0), units(4.2e12), units(0.0), units("inf")
-    ('9.90', '18.0', '4.20e12', '0', 'no number')
+    Slots are `under` and `over` of the axis long, from 0 to 1; 0 where they are not needed.
     """
-    value = number(figure)
-    if math.isinf(value):
-        return "no number"
-    return _tidy(f"{value:#.{digits}g}") if value else "0"
+
+    low: float
+    high: float
+    under: float = 0.0
+    over: float = 0.0
+
+    @property
+    def knots(self) -> list[tuple[float, float]]:
+        """Exponents and their places, between which the scale is even."""
+        begin, end = self.under, 1 - self.over
+        knots = [(self.low, begin), (self.high, end)]
+        if self.low < KNEE < self.high:
+            knots.insert(1, (KNEE, begin + PART * (end - begin)))
+        return knots
+
+    @property
+    def edges(self) -> list[float]:
+        """The places of lines that separate slots, and parts with different scales."""
+        ends = [self.under] * bool(self.under) + [1 - self.over] * bool(self.over)
+        return ends + [place for _, place in self.knots[1:-1]]
+
+    def at(self, exponent: float) -> float:
+        """Return the place of an exponent, from 0 to 1."""
+        if exponent < self.low:
+            return self.under / 2
+        if exponent > self.high:
+            return 1 - self.over / 2
+        exponents, places = zip(*self.knots, strict=True)
+        return float(np.interp(exponent, exponents, places))
+
+    @property
+    def ticks(self) -> list[float]:
+        """Round exponents, few where the scale is small."""
+        *far, low, high = [exponent for exponent, _ in self.knots]
+        near = [x for x in _round(low, high, 6) if low <= x <= high]
+        return [x for end in far for x in _round(end, low, 2) if end <= x < low] + near
+
+    def labels(self, room: float, zero: str, beyond: str, base: int) -> dict[float, str]:
+        """Return places and labels of the slots, and of ticks that are `room` apart from them."""
+        ends = {self.at(-math.inf): zero} if self.under else {}
+        ends |= {self.at(math.inf): beyond} if self.over else {}
+        numbers = base == 2 and self.high - self.low <= SHORT
+        named = {x: f"{2.0**x:g}" if numbers else formats.power(base, x) for x in self.ticks}
+        free = {self.at(x): name for x, name in named.items()}
+        return {x: name for x, name in free.items() if all(abs(x - y) >= room for y in ends)} | ends
 
 
-def brief(figure: Figure) -> str:
-    """The same, with no digits of what is hardly anything.
+def fitted(exponents: Iterable[float], slot: float, least: float = -math.inf) -> Axis:
+    """Return the axis that shows all exponents; those below `least` count as zero."""
+    known = list(exponents)
+    inside = [x for x in known if x >= least and math.isfinite(x)] or [0.0]
+    low, high = math.floor(min(inside)), math.ceil(max(inside))
+    under = slot if min(known, default=low) < low else 0.0
+    over = slot if max(known, default=high) > high else 0.0
+    return Axis(low, max(high, low + 1), under, over)
 
-    >>> brief(3.91e-36), brief(0.0), brief(4.46)
-    ('< 0.01', '0', '4.46')
+
+def _round(low: float, high: float, most: int) -> list[float]:
+    from matplotlib.ticker import MaxNLocator
+
+    locator = MaxNLocator(most, steps=[1, 2, 5, 10], integer=True, min_n_ticks=1)
+    return list(map(float, locator.tick_values(low, high)))
+
+
+class Drawing:
+    """A figure of fixed margins whose artists have classes and titles."""
+
+    def __init__(
+        self, size: tuple[float, float], margins: tuple[float, float, float, float]
+    ) -> None:
+        """Make axes in a figure, sizes in points; the margins are left, bottom, right and top."""
+        from matplotlib.figure import Figure
+
+        (width, height), (left, bottom, right, top) = size, margins
+        self.inner = width - left - right, height - bottom - top
+        self.figure = Figure(figsize=(width / 72, height / 72), dpi=72)
+        self.axes = self.figure.add_axes(
+            (left / width, bottom / height, self.inner[0] / width, self.inner[1] / height)
+        )
+        self.axes.set(xlim=(0, 1), ylim=(0, 1), xticks=[], yticks=[])
+        self.axes.tick_params(length=0, labelsize=12)
+        self._named: dict[str, tuple[str, Sequence[str]]] = {}
+
+    def add(self, class_: str, artist: "Artist", titles: Sequence[str] = ()) -> None:
+        """Give an artist of the axes a class, and each of its shapes a title."""
+        name = f"drawn-{len(self._named)}"
+        artist.set(gid=name, clip_on=False)
+        self._named[name] = class_, titles
+
+    def line(self, class_: str, x: Sequence[float], y: Sequence[float]) -> None:
+        """Draw a line."""
+        (line,) = self.axes.plot(x, y)
+        self.add(class_, line)
+
+    def grid(self, x: Axis, y: Axis) -> None:
+        """Draw lines at the ticks, and between parts of the axes."""
+        for axis, draw in ((x, self.axes.axvline), (y, self.axes.axhline)):
+            for tick in axis.ticks:
+                self.add("grid", draw(axis.at(tick)))
+            for edge in axis.edges:
+                self.add("part", draw(edge))
+
+    def svg(self, label: str, class_: str = "plot") -> Markup:
+        """Return the drawing as an element of a page, with classes instead of styles."""
+        root = ET.fromstring(svg(self.figure, {"svg.fonttype": "none"}))
+        markers = {f"#{x.get('id')}": x.get("d") for x in root.iter(f"{_SVG}path")}
+        shapes: list[dict[str, str | None]] = []
+        words: list[dict[str, str | None]] = []
+        for group in root.iter(f"{_SVG}g"):
+            class_of, titles = self._named.get(group.get("id") or "", (None, ()))
+            texts = group.findall(f"{_SVG}text")
+            for text in texts:
+                anchor = re.search(r"text-anchor: (\w+)", text.get("style") or "")
+                words.append(
+                    {**text.attrib, "class": class_of, "anchor": anchor and anchor[1]}
+                    | {"text": text.text}
+                )
+            if class_of and not texts:
+                found = [x.attrib for x in group.iter(f"{_SVG}use")]
+                found = found or [x.attrib for x in group.iter(f"{_SVG}path")]
+                for shape, title in zip_longest(found, titles):
+                    path = shape.get("d") or markers[shape[_LINK]] or ""
+                    known = {"class": class_of, "title": title, "path": " ".join(path.split())}
+                    shapes.append({**shape, **known})
+        box = root.get("viewBox")
+        names = {"class_": class_, "box": box, "label": label, "shapes": shapes, "words": words}
+        return Markup(render("drawing.html", **names))
+
+
+@dataclass(frozen=True, slots=True)
+class Labels:
+    """Labels of both axes, of zero on the first, and of values beyond its decades."""
+
+    x: str
+    y: str
+    zero: str = "0"
+    beyond: str = "∞"
+
+
+@defaults()
+def scatter(
+    implementations: Sequence[Implementation],
+    view: ByMeasure,
+    measure: str,
+    bound: float,
+    labels: Labels,
+) -> Markup:
+    """Draw the worst error of each decade of a property; `bound` in units of 2^-53."""
+    found = [
+        sorted((formats.decade(part), cell) for part, cell in one[view][measure].items())
+        for one in implementations
+    ]
+    limit = math.log10(bound * ULP)
+    x = fitted([at + 0.5 for cells in found for at, _ in cells], 0.1)
+    errors = [_exponent(cell) for cells in found for _, cell in cells]
+    y = fitted([limit, *errors], 0.1, LEAST_DECADE)
+    drawing = Drawing((480, 270), (76, 46, 14, 12))
+    axes, width = drawing.axes, drawing.inner[0]
+    drawing.line("area", (0, 1, 1, 0, 0), (0, 0, 1, 1, 0))
+    drawing.grid(x, y)
+    drawing.line("bound", (0, 1), (y.at(limit),) * 2)
+    apart = min(SPREAD / len(found), MOST) / width
+    for k, (one, cells) in enumerate(zip(implementations, found, strict=True)):
+        aside = (k - (len(found) - 1) / 2) * apart
+        points = [
+            (at, _exponent(cell), x.at(at + 0.5) + aside, y.at(_exponent(cell)))
+            for at, cell in cells
+        ]
+        # Marks in slots are not on the line.
+        inside = [p[2:] for p in points if math.isfinite(p[0]) and y.low <= p[1] <= y.high]
+        if inside:
+            drawing.line(f"trace {colour(k)}", *zip(*inside, strict=True))
+        if points:
+            _, _, *places = zip(*points, strict=True)
+            marker = MARKERS[k % len(MARKERS)]
+            (marks,) = axes.plot(*places, marker=marker, markersize=8, linestyle="none")
+            drawing.add(f"mark {colour(k)}", marks, [_title(one["name"], *each) for each in cells])
+    below = x.labels(33 / width, labels.zero, labels.beyond, 10)
+    beside = y.labels(14 / drawing.inner[1], f"< {formats.power(10, y.low)}", "none", 10)
+    axes.set_xticks([*below], [*below.values()])
+    axes.set_yticks([*beside], [*beside.values()])
+    drawing.add("label", axes.set_xlabel(labels.x, fontsize=12))
+    drawing.add("label", axes.set_ylabel(labels.y, fontsize=12))
+    axes.yaxis.set_label_coords(-62 / width, 0.5)
+    limits = f"bound {formats.plain(bound)}"
+    place = 0.99, y.at(limit) + 0.02
+    drawing.add("limit", axes.text(*place, limits, ha="right", va="bottom", fontsize=12))
+    return drawing.svg(f"{labels.y} against {labels.x}, the worst of each decade")
+
+
+def _exponent(cell: Cell) -> float:
+    value = formats.number(cell["units"]) * ULP
+    return math.log10(value) if value else -math.inf
+
+
+def _title(name: str, exponent: float, cell: Cell) -> str:
+    if math.isinf(exponent):
+        decade = "beyond all" if exponent > 0 else "0"
+    else:
+        decade = f"{formats.power(10, exponent)} to {formats.power(10, exponent + 1)}"
+    size = f"{formats.plain(cell['units'])} = {formats.counted(cell['units'])}"
+    if math.isinf(formats.number(cell["units"])):
+        size = "no number"
+    return f"{name}, {decade}\n{cell['count']} states, worst {size}\n{formats.place(cell)}"
+
+
+def common(implementations: Iterable[Implementation], measure: str, bound: float) -> Axis:
+    """Return one axis for all strata, so that their histograms can be compared."""
+    parts = {
+        formats.half_octave(part)
+        for one in implementations
+        for sizes in one["sizes"].values()
+        for part in sizes.get(measure, {})
+    }
+    ends = [part + STEP for part in parts]
+    return fitted([math.log2(bound), *parts, *ends], 0.1, LEAST_OCTAVE)
+
+
+@defaults()
+def histogram(
+    implementations: Sequence[Implementation], stratum: str, measure: str, bound: float, axis: Axis
+) -> Markup:
+    """Draw how often errors of a stratum have each size, a row of bars for each implementation.
+
+    The highest bar of a row is as high as the row; `bound` in units of 2^-53.
     """
-    return "< 0.01" if 0 < number(figure) < 0.01 else units(figure)
+    rows = len(implementations)
+    drawing = Drawing((240, 40 + 34 * rows), (8, 34, 8, 6))
+    for k, one in enumerate(implementations):
+        base = 1 - (k + 1) / rows
+        drawing.line("base", (0, 1), (base, base))
+        counts = _counts(one["sizes"].get(stratum, {}).get(measure, {}), axis)
+        most, total = max(counts.values(), default=1), sum(counts.values())
+        for exponent, number in sorted(counts.items()):
+            left, right = _extent(axis, exponent)
+            height = max(0.82 * number / most, 0.03) / rows
+            (bar,) = drawing.axes.bar((left + right) / 2, height, 0.8 * (right - left), base)
+            title = f"{one['name']}: {number} of {total} states, {_size(axis, exponent)}"
+            drawing.add(f"bar {colour(k)}", bar, [title])
+    limit = axis.at(math.log2(bound))
+    drawing.line("bound", (limit, limit), (0, 1))
+    below = axis.labels(24 / drawing.inner[0], "less", "none", 2)
+    drawing.axes.set(xlim=(0, 1), ylim=(0, 1), xticks=[*below], xticklabels=[*below.values()])
+    drawing.add("label", drawing.axes.set_xlabel(f"error / {formats.UNIT}", fontsize=12))
+    return drawing.svg(f"{stratum}: how often {measure} errors are how large")
 
 
-def condition(figure: Figure) -> str:
-    """A condition number to two digits; nothing where it is 1, of what has none.
-
-    >>> condition(4.88e5), condition(1.0)
-    ('κ 4.9e5', '')
-    """
-    value = number(figure)
-    return "" if value == 1 else f"{KAPPA} {'∞' if math.isinf(value) else units(value, 2)}"
+def _counts(sizes: Mapping[str, int], axis: Axis) -> Counter[float]:
+    counts: Counter[float] = Counter()
+    for part, number in sizes.items():
+        exponent = formats.half_octave(part)
+        counts[-math.inf if exponent < axis.low else exponent] += number
+    return counts
 
 
-def plain(figure: Figure) -> str:
-    """A figure in units of 2^-53, as the number it stands for.
-
-    >>> plain(18.0)
-    '2e-15'
-    """
-    value = number(figure)
-    return "no number" if math.isinf(value) else _tidy(f"{value * ULP:.2g}")
+def _extent(axis: Axis, exponent: float) -> tuple[float, float]:
+    """Return the left and right place of the bar of a half octave, or of a slot."""
+    if math.isfinite(exponent):
+        return axis.at(exponent), axis.at(exponent + STEP)
+    middle, half = axis.at(exponent), abs(axis.at(axis.low + STEP) - axis.at(axis.low)) / 2
+    return middle - half, middle + half
 
 
-def scientific(figure: Figure) -> str:
-    """The same to three digits, always with an exponent.
-
-    >>> scientific(4.5)
-    '5.00e-16'
-    """
-    value = number(figure)
-    return "no number" if math.isinf(value) else _tidy(f"{value * ULP:.2e}")
+def _size(axis: Axis, exponent: float) -> str:
+    if math.isinf(exponent):
+        return "no number" if exponent > 0 else f"less than {formats.counted(2**axis.low)}"
+    return formats.counted(2**exponent, 2 ** (exponent + STEP))
 
 
-def share(figure: Figure) -> str:
-    """A part of a bound: per cent within it, and how many times it beyond.
-
-    >>> share(0.554), share(37.2) == f"37.2 {TIMES}", share("inf")
-    ('55 %', True, 'no number')
-    """
-    value = number(figure)
-    if math.isinf(value):
-        return "no number"
-    if value <= 1:
-        return f"{100 * value:.0f} %"
-    return f"{units(value)} {TIMES}"
+def colour(k: int) -> str:
+    """Return the class of elements in the colour of implementation k."""
+    return f"c{k % len(SERIES)}"
 
 
-def counted(*given: Figure) -> str:
-    """So many units, or from so many to so many."""
-    return f"{' to '.join(map(units, given))} {TIMES} {UNIT}"
-
-
-def decimal(written: str) -> str:
-    """A number of a case, a double in hexadecimal or a fraction, as a double's decimal.
-
-    >>> decimal("-0x1.8p+1"), decimal("1/8")
-    ('-3.0', '0.125')
-    """
-    value = float(Fraction(written)) if "/" in written else float.fromhex(written)
-    return repr(value)
-
-
-def seconds(written: str) -> str:
-    """A time in hexadecimal, to six digits.
-
-    >>> seconds("0x1.8p+1")
-    '3 s'
-    """
-    return f"{_tidy(f'{float.fromhex(written):.6g}')} s"
-
-
-def power(base: int, exponent: float) -> str:
-    """A power with its exponent raised.
-
-    >>> power(10, -15), power(10, 0)
-    ('10⁻¹⁵', '1')
-    """
-    return f"{base}{f'{exponent:g}'.translate(_RAISED)}" if exponent else "1"
-
-
-def decade(part: str) -> float:
-    """The exponent of a decade; -inf for "0", inf for "inf".
-
-    >>> decade("1e-15"), decade("0"), decade("inf")
-    (-15.0, -inf, inf)
-    """
-    return _exponent(part, "1e")
-
-
-def half_octave(part: str) -> float:
-    """The exponent of a half octave.
-
-    >>> half_octave("2^-1.5"), half_octave("0")
-    (-1.5, -inf)
-    """
-    return _exponent(part, "2^")
-
-
-def measures(data: Report) -> list[str]:
-    """What is measured, in the order of its definition."""
-    known = [name for name in MEASURES if name in data["bounds"]]
-    return known + sorted(set(data["bounds"]) - set(known))
-
-
-def _exponent(part: str, base: str) -> float:
-    if part in ("0", "inf"):
-        return math.inf if part == "inf" else -math.inf
-    return float(part.removeprefix(base))
-
-
-def _tidy(written: str) -> str:
-    """1.e+06 as 1e6."""
-    mantissa, mark, exponent = written.partition("e")
-    mantissa = mantissa.removesuffix(".")
-    return f"{mantissa}e{int(exponent)}" if mark else mantissa
+@defaults()
+def key(k: int) -> Markup:
+    """Draw the mark of implementation k by itself, for a legend."""
+    drawing = Drawing((12, 12), (0, 0, 0, 0))
+    (marks,) = drawing.axes.plot([0.5], [0.5], marker=MARKERS[k % len(MARKERS)], markersize=8)
+    drawing.add(f"key {colour(k)}", marks)
+    return drawing.svg("", "")

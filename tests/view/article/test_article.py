@@ -17,8 +17,7 @@ from rigidsym.cli import main
 from rigidsym.proof.derivation import Derivation, derive
 from rigidsym.proof.steps import Rate, matrix, rate_of
 from rigidsym.proof.steps.names import symbol
-from rigidsym.view.article import FORMATS, article
-from rigidsym.view.article.formats import numbers
+from rigidsym.view.article import FORMATS, article, numbers
 from rigidsym.view.article.mathematics import latex, pretty
 
 # What may stick out of a line, in points of TeX.

@@ -8,7 +8,7 @@ import pytest
 from validation_reports import STRATA, direct, failed, passed, with_peer
 
 from rigidsym.view.validation import page
-from rigidsym.view.validation.axis import fitted
+from rigidsym.view.validation.figures import fitted
 
 VOID = {"meta", "br"}
 HOSTILE = """</title><script src="https://x.example/y.js">&'"""
@@ -68,13 +68,13 @@ def test_everybody_and_every_stratum_and_plot_is_there(data):
     figures = {given.get("id") for given in elements.all("figure")}
     assert {"plot-distance", "plot-turned", "plot-condition"} <= figures
     assert len(elements.all("svg", "plot")) == 2 * 3 + 2 * len(STRATA)
-    drawn = elements.all("circle", "mark") + elements.all("polygon", "mark")
+    drawn = elements.all("path", "mark")
     views = ("distance", "turned", "condition")
     cells = [
         one[v][m] for one in data["implementations"] for v in views for m in ("angle", "omega")
     ]
     assert len(drawn) == sum(map(len, cells))
-    assert len(elements.all("line", "bound")) == len(elements.all("svg", "plot"))
+    assert len(elements.all("path", "bound")) == len(elements.all("svg", "plot"))
     assert all("scope" in given for given in elements.all("th"))
     assert len(elements.all("table")) == len(elements.all("caption"))
 
@@ -138,16 +138,16 @@ def test_nothing_measured_is_no_reason_to_break(data):
 
 
 def test_an_axis_has_places_for_what_logarithms_have_not():
-    axis = fitted([-3.5, 2.0, float("-inf"), float("inf")], 0.0, 100.0, 10.0)
+    axis = fitted([-3.5, 2.0, float("-inf"), float("inf")], 0.1)
     assert (axis.low, axis.high) == (-4, 2)
-    assert (axis.at(-4), axis.at(2)) == (10, 90)
-    assert (axis.at(float("-inf")), axis.at(float("inf"))) == (5, 95)
-    assert fitted([1.0, 2.0], 0.0, 100.0, 10.0).at(1.0) == 0
+    assert (axis.at(-4), axis.at(2)) == (0.1, 0.9)
+    assert (axis.at(float("-inf")), axis.at(float("inf"))) == (0.05, 0.95)
+    assert fitted([1.0, 2.0], 0.1).at(1.0) == 0
 
 
 def test_an_axis_keeps_room_for_what_is_not_tiny():
-    axis = fitted([-250.0, 0.0], 0.0, 100.0, 10.0)
+    axis = fitted([-250.0, 0.0], 0.1)
     assert axis.at(-250) == 0
-    assert axis.at(-20) == pytest.approx(22)
-    assert axis.at(-10) == pytest.approx(61)
+    assert axis.at(-20) == pytest.approx(0.22)
+    assert axis.at(-10) == pytest.approx(0.61)
     assert axis.ticks == [-200, -20, -15, -10, -5, 0]
