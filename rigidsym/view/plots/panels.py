@@ -39,6 +39,7 @@ def panels_svg(panels: Sequence[Panel]) -> str:
                 linewidth=1.5,
                 marker="o" if panel.marked else "",
                 markersize=4,
+                gid=f"line {panel.title}: {name}",
             )
         axes.set(title=panel.title, xlabel=panel.x_label, ylabel=panel.y_label)
         if panel.log:
