@@ -14,7 +14,7 @@ from rigidsym.manoeuvre.search import starts
 _ARRIVED, _NEARLY = 1e-12, 1e-9
 _SAME = 1e-6
 _ROUNDING = 1e-9
-# As many as a plan may ask for: there may be no other motions.
+# As many as a plan can have: there may be no other motions.
 _MOST_SPINS = 1000
 # Either way round.
 _LESS_THAN_ONE = (-1, 0)
@@ -39,7 +39,10 @@ def families(problem: Problem, bound: float) -> np.ndarray:
     A one-parameter family, of a turn that is a symmetry of the body, is represented by one motion.
     Raises TooManyError where there are too many to search.
     """
-    near = np.concatenate([_spins(problem, _more_turns(problem, bound)), starts(problem, bound)])
+    turn = 2 * np.pi * problem.momenta(_axes(problem)).min()
+    most = int(min(bound // turn, _MOST_SPINS))
+    longer = _spins(problem, [*range(-1 - most, -1), *range(1, 1 + most)])
+    near = np.concatenate([longer, starts(problem, bound)])
     refined = zip(_shortest(problem), refine(problem, near), strict=True)
     found = _distinct(problem, *map(np.concatenate, refined))
     return found[problem.momenta(found) <= bound * (1 + _ROUNDING)]
@@ -49,13 +52,6 @@ def families(problem: Problem, bound: float) -> np.ndarray:
 def _shortest(problem: Problem) -> tuple[np.ndarray, np.ndarray]:
     """Return refined spins of less than a turn; cached for the bound and then the search."""
     return refine(problem, _spins(problem, _LESS_THAN_ONE))
-
-
-def _more_turns(problem: Problem, bound: float) -> list[int]:
-    """Return the numbers of whole turns of other spins with a momentum up to `bound`."""
-    turn = 2 * np.pi * problem.momenta(_axes(problem)).min()
-    most = int(min(bound // turn, _MOST_SPINS))
-    return [*range(-1 - most, -1), *range(1, 1 + most)]
 
 
 def _spins(problem: Problem, whole: Sequence[int]) -> np.ndarray:

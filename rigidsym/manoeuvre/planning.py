@@ -92,7 +92,12 @@ class Plan:
 
     def table(self) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
         """Return columns and rows; the last column is the miss by 1 % and by 1 deg of a burst."""
-        return COLUMNS, [_row(k, one) for k, one in enumerate(self.transfers, 1)]
+        rows = []
+        for k, one in enumerate(self.transfers, 1):
+            rates = ", ".join(f"{x:.9g}" for x in one.omega0)
+            figures = (f"{x:.6g}" for x in (one.cost, one.energy, one.peak_rate))
+            rows.append((str(k), rates, *figures, one.miss, one.missed))
+        return COLUMNS, rows
 
     def write(self, directory: Path) -> list[Path]:
         """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
@@ -245,12 +250,6 @@ def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
         return "families", str(count), "there are too many motions to look at: ask for fewer"
     rule = "a needle turns so often that the motions are too many to look at"
     return "inertia", inputs.shown(asked.inertia), rule
-
-
-def _row(place: int, one: Transfer) -> tuple[str, ...]:
-    rates = ", ".join(f"{x:.9g}" for x in one.omega0)
-    figures = (f"{x:.6g}" for x in (one.cost, one.energy, one.peak_rate))
-    return (str(place), rates, *figures, one.miss, one.missed)
 
 
 def directions_of(plan: Plan) -> "Figure":

@@ -1,5 +1,6 @@
 """One natural motion from start to target, its bursts, and its miss by errors at the start."""
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -180,13 +181,10 @@ class Transfer:
     def to_case(self) -> str:
         """Return a case file of the motion, for `rigidsym propagate`."""
         given = self.manoeuvre
+        vectors = {"inertia": given.inertia, "omega0": self.rates, "attitude0": given.start}
         lines = [
-            f"{name} = {_listed(values)}"
-            for name, values in (
-                ("inertia", given.inertia),
-                ("omega0", self.rates),
-                ("attitude0", given.start),
-            )
+            f"{name} = {json.dumps([inputs.exact_text(x) for x in values])}"
+            for name, values in vectors.items()
         ]
         stop = inputs.exact_text(given.duration or Fraction(0))
         times = ["", "[times]", "start = 0", f'stop = "{stop}"', f"count = {_SAMPLES}"]
@@ -218,10 +216,6 @@ class Transfer:
         from rigidsym.view.html.motions import transfer_html
 
         return transfer_html(self)
-
-
-def _listed(values: Sequence[Fraction]) -> str:
-    return "[" + ", ".join(f'"{inputs.exact_text(x)}"' for x in values) + "]"
 
 
 def _doubles(values: Sequence[Fraction]) -> np.ndarray:

@@ -77,18 +77,16 @@ def draw(index: int, seed: int) -> Case:
     rng = np.random.default_rng([seed, index])
     body = "random" if index % 2 else "paper"
     start, target = (_rounded(rng.normal(size=4)) for _ in range(2))
-    inertia = PAPER if body == "paper" else _rounded(_body(rng))
+    inertia = PAPER
+    if body == "random":
+        # Moments of a positive distribution of mass.
+        x, y, z = rng.uniform(0.05, 1, size=3)
+        moments = np.array([y + z, z + x, x + y])
+        inertia = _rounded(moments * rng.uniform(*LARGEST_MOMENTS) / moments.max())
     largest = max(map(float, inertia))
     angle = _posed(manoeuvre(inertia, start, target, SHORTEST)).angle
     duration = max(SHORTEST, ROUNDED * ceil(largest * angle / IMPULSE / ROUNDED))
     return Case(index, body, manoeuvre(inertia, start, target, duration))
-
-
-def _body(rng: np.random.Generator) -> np.ndarray:
-    """Draw moments (3,) of a positive distribution of mass, kg m^2."""
-    x, y, z = rng.uniform(0.05, 1, size=3)
-    moments = np.array([y + z, z + x, x + y])
-    return moments * rng.uniform(*LARGEST_MOMENTS) / moments.max()
 
 
 def _rounded(values: np.ndarray) -> tuple[str, ...]:

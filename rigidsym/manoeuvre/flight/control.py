@@ -50,11 +50,6 @@ class Wanted:
     torque: np.ndarray
 
 
-def along(track: Track, t: np.ndarray) -> Reference:
-    """Return the track at times (N,), on beyond the end of the manoeuvre."""
-    return Reference(*track.motion(t))
-
-
 def reference(manoeuvre: Manoeuvre, track: Track, t: np.ndarray) -> Reference:
     """Return the start until t = 0, the track until the target is reached, then the target.
 

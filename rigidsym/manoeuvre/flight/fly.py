@@ -95,11 +95,18 @@ def fly(
     inertia = np.array([float(x) for x in manoeuvre.inertia])
     ahead = of_wheels(flight, manoeuvre, track)
     burns = of_thrusters(flight, manoeuvre, track)
-    t = _times(flight, burns or ahead)
+    # Whole periods from t = 0; the first before all burns, or at zero.
+    first, period = burns or ahead, flight.run.period
+    early = ceil(-first.begin / float(period)) if first else 0
+    count = flight.run.length // period + 1
+    t = np.array([float(k * period) for k in range(-early, count)])
     reference = control.reference(manoeuvre, track, t)
     needed = control.torques(inertia, track, t)
     environment = Environment(flight, inertia, float(t[0]))
-    samples = [_first(manoeuvre, flight, float(t[0]))]
+    # The body has turned freely until the first sample.
+    still = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
+    state = np.concatenate([*still(float(t[0])), np.zeros(4)])
+    samples = [_Sample(state, np.zeros(3), np.array(flight.wheels.momentum))]
     for k, span in enumerate(pairwise(t.tolist())):
         wanted = control.Wanted(reference.q[k], reference.omega[k], needed[k + 1])
         ramp = _steered(flight, inertia, samples[-1], wanted, span, ahead or burns)
@@ -122,7 +129,7 @@ def fly(
         q=states[:, _Q],
         omega=states[:, _OMEGA],
         reference=reference,
-        track=control.along(track, t),
+        track=control.Reference(*track.motion(t)),
         torque=np.array([sample.torque for sample in samples]),
         wheel_momentum=np.array([sample.momentum for sample in samples]),
         disturbances=environment.each(t, states[:, _Q]),
@@ -152,20 +159,6 @@ def _steered(
         command = command + burst
     then = next_torque(flight.wheels, now.torque, now.momentum, command, end - begin)
     return _Ramp(begin, end, now, then)
-
-
-def _times(flight: Flight, burns: Burns | None) -> np.ndarray:
-    """Return all samples, whole periods from t = 0; the first before all burns, or at zero."""
-    run = flight.run
-    early = ceil(-burns.begin / float(run.period)) if burns else 0
-    return np.array([float(k * run.period) for k in range(-early, run.length // run.period + 1)])
-
-
-def _first(manoeuvre: Manoeuvre, flight: Flight, begin: float) -> _Sample:
-    """Return the first sample, of a body that has turned freely until then."""
-    still = TorqueFreeMotion(manoeuvre.inertia, manoeuvre.start_spin, manoeuvre.start)
-    state = np.concatenate([*still(begin), np.zeros(4)])
-    return _Sample(state, np.zeros(3), np.array(flight.wheels.momentum))
 
 
 def _flown(

@@ -187,11 +187,13 @@ class Run:
         """Return rows of the limits that wheels meet, and why the target is missed, if it is."""
         found = self.saturation(wheels)
         limits = (("torque", wheels.max_torque, "N m"), ("momentum", wheels.max_momentum, "N m s"))
-        met = [
-            (f"wheels at their limit of {name}", f"{_times(found[name])} ({limit:g} {unit})")
-            for name, limit, unit in limits
-            if any(found[name])
-        ]
+        met = []
+        for name, limit, unit in limits:
+            times = ", ".join(
+                f"{k} for {time:.1f} s" for k, time in enumerate(found[name], 1) if time
+            )
+            if times:
+                met.append((f"wheels at their limit of {name}", f"{times} ({limit:g} {unit})"))
         if missed and any(found["momentum"]):
             k = int(np.argmax(found["momentum_needed"]))
             needed = f"wheel {k + 1} would have to store {found['momentum_needed'][k]:.2e} N m s"
@@ -257,7 +259,3 @@ def _deg(angle: float | None) -> str:
 
 def _three(values: list[float], unit: str) -> str:
     return f"{', '.join(f'{value:.2e}' for value in values)} {unit}"
-
-
-def _times(times: list[float]) -> str:
-    return ", ".join(f"{k} for {time:.1f} s" for k, time in enumerate(times, 1) if time)

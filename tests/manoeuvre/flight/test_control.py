@@ -7,7 +7,6 @@ from manoeuvre_flights import known
 
 from rigidsym.manoeuvre.flight.control import (
     Wanted,
-    along,
     feedback,
     feedforward,
     reference,
@@ -110,7 +109,7 @@ def test_the_target_follows_without_a_jump():
     wanted = reference(asked, transfer, t)
     assert np.max(np.abs(np.diff(wanted.q, axis=0))) < 2e-3
     assert np.all(wanted.omega[t >= 300] == 0)
-    np.testing.assert_array_equal(wanted.q[t < 300], along(transfer, t).q[t < 300])
+    np.testing.assert_array_equal(wanted.q[t < 300], transfer.motion(t)[0][t < 300])
 
 
 @pytest.mark.parametrize("sign", [1, -1])
