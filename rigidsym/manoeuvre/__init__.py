@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Limits", "Manoeuvre", "Plan", "Transfer", "directions_of", "plan", "solve"]
 
-# Imported at first use: the command line asks this package for its commands, and its help is cheap.
+# Imported at first use: the command line imports this package for its help, which is to be quick.
 _HOMES = {
     "Limits": "rigidsym.manoeuvre.manoeuvre",
     "Manoeuvre": "rigidsym.manoeuvre.manoeuvre",

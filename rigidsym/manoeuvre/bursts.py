@@ -13,7 +13,7 @@ from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.manoeuvre.problem import Problem
 from rigidsym.manoeuvre.transit import peaks
 
-# Limits are met within rounding.
+# Relative room for rounding at limits.
 _ROUNDING = 1e-12
 
 

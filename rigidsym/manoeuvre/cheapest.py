@@ -15,12 +15,12 @@ from rigidsym.manoeuvre.families import families, least
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 
 _NEVER = "found no natural motion that keeps to it, at any duration, up to some twenty turns"
-# Durations are longer by this part than the limits say, so that rounding does not break them.
+# Durations are longer by this part than the shortest, so that rounding does not break limits.
 _ROOM = 1e-12
 _GROWTH = 1.5
 _ROUNDING = 1e-12
-# Where spins take more than a burst may give, there may be no motion at all that keeps to the
-# limits.  The search ends here, at momenta of some twenty turns.
+# Where spins need more than a burst may give, there may be no motion within the limits.  The search
+# ends here, at momenta of some twenty turns.
 _LARGEST = 30.0
 _SHOWN = Context(prec=6, rounding=ROUND_UP)
 

@@ -16,11 +16,12 @@ import numpy as np
 
 from rigidsym.manoeuvre.problem import Problem
 
-# A of relative size below this is rounding: the turn is a symmetry of the body.
+# Relative size of A below which it is rounding: the turn is a symmetry of the body.
 _SYMMETRY = 1e-13
-# Curves this flat come close to two planes, and turn sharply where these cross.
+# Ratio of openings of cones so flat that their curves come close to two planes, and turn sharply
+# where these cross.
 _FLAT = 0.05
-# Of a principal axis from a curve, which goes round all of a polhode within such a distance.
+# Distance of a principal axis from a curve within which the curve follows a whole polhode.
 _CLOSE = 0.05
 _SAME = 1e-12
 

@@ -10,13 +10,13 @@ from rigidsym.manoeuvre.problem import Problem
 from rigidsym.manoeuvre.refine import newton, refine, smallness
 from rigidsym.manoeuvre.search import starts
 
-# Motions arrive that miss by less, rad, or that miss by little and have next to nowhere to go.
+# Misses of motions that arrive, rad: at once, or where a further step is next to nothing.
 _ARRIVED, _NEARLY = 1e-12, 1e-9
 _SAME = 1e-6
 _ROUNDING = 1e-9
 # As many as a plan can have: there may be no other motions.
 _MOST_SPINS = 1000
-# Either way round.
+# Whole turns of the two shortest spins, one either way round.
 _LESS_THAN_ONE = (-1, 0)
 
 
@@ -24,7 +24,7 @@ def least(problem: Problem) -> float:
     """Return a momentum with which some motion arrives.
 
     It is found from turns about the axis of the whole turn; where none arrives it is a bound:
-    that turn at constant rates has energy enough for the shortest way, and of all motions with
+    that turn at constant rates has enough energy for the shortest way, and of all motions with
     an energy the one about the axis of largest moment has the largest momentum (fact
     sorted_body.most_momentum).
     """

@@ -26,7 +26,7 @@ FLIGHT = frozenset(
 "Tables of a file for the flight, fields of `flight.settings.Flight`; planners leave them alone."
 _NEEDED = ("inertia", "start", "target")
 OWN = {*_NEEDED, "duration", "spin", "limits", "degrees"}
-# What doubles can hold, and the products of three of them too.
+# Doubles can hold such numbers, and products of three of them.
 _LARGEST = 10**60
 
 
@@ -64,7 +64,7 @@ class Manoeuvre:
 
     @property
     def trivial(self) -> bool:
-        """Whether start equals target, of either sign and any length, at rest: nothing to do."""
+        """True where start equals target, of either sign and any length, at rest."""
         pairs = combinations(zip(self.start, self.target, strict=True), 2)
         turned = any(p * s != q * r for (p, q), (r, s) in pairs)
         return not (turned or any(self.start_spin) or any(self.target_spin))

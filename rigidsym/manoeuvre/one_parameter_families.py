@@ -18,7 +18,7 @@ from rigidsym.manoeuvre.transit import phases
 Values = Callable[[np.ndarray], np.ndarray]
 
 _PHASES = 64
-# Then to a part of 3e-14 of the family.
+# These rounds reach a part of 3e-14 of the family.
 _FINER, _ROUNDS = 8, 13
 _ARRIVED = 1e-9
 # Half turns about the principal axes take polhodes to polhodes.

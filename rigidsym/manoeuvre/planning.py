@@ -1,4 +1,4 @@
-"""The natural motions from one attitude to another, ranked by what their two bursts cost."""
+"""The natural motions from one attitude to another, ranked by the cost of their two bursts."""
 
 import json
 from dataclasses import dataclass, replace
@@ -60,11 +60,20 @@ class Plan:
         return self.transfers[0]
 
     def at(self, duration: ExactNumber) -> "Plan":
-        """Return the plan of the same manoeuvre in another duration, s.
+        """Return the plan of the same manoeuvre in another duration.
 
         Without limits and spins it only scales: rates go with 1 / duration, misses stay the same
-        (facts faster.kinematics, faster.euler).  Else it is planned anew.  Raises InputError as
-        `plan` does.
+        (facts faster.kinematics, faster.euler).  Else it is planned anew.
+
+        Parameters
+        ----------
+        duration : number
+            Time from the first burst to the last, s, taken exactly.
+
+        Raises
+        ------
+        InputError
+            As `plan` does.
         """
         old, engine = self.manoeuvre, self.best.engine
         wanted = above_zero("duration", duration)
@@ -103,6 +112,16 @@ class Plan:
         """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
 
         Case files of an earlier plan are removed.  Without matplotlib there is no picture.
+
+        Parameters
+        ----------
+        directory : Path
+            Folder of the files; it is made where it is missing.
+
+        Returns
+        -------
+        list of Path
+            The files written.
         """
         texts = {f"transfer-{k}.toml": one.to_case() for k, one in enumerate(self.transfers, 1)}
         paths = [write_text(directory / name, text) for name, text in texts.items()]
@@ -229,7 +248,7 @@ def _solve(asked: Manoeuvre, count: int, engine: str) -> Plan:
     if not len(chosen):
         refuse(bursts, asked)
     found = [verified(posed, asked, rates) for rates in chosen]
-    # What misses by more at thirty digits is beside a double zero, and does not arrive.
+    # Motions that miss by more at thirty digits are beside a double zero, and do not arrive.
     found = [(rates, residual) for rates, residual in found if residual <= ARRIVED]
     if not found:
         raise PrecisionError(f"target: no motion was brought to within {ARRIVED} rad of it")
@@ -257,8 +276,22 @@ def directions_of(plan: Plan) -> "Figure":
 
     It has the cone of all directions in which a natural motion can arrive; and of each transfer the
     polhode, thin, and the path of the momentum on it, thick, from a dot on the cone on.  A turn
-    that is a symmetry of the body allows every direction: one of each polhode is drawn.  Raises
-    ImportError without plotly.
+    that is a symmetry of the body allows every direction: one of each polhode is drawn.
+
+    Parameters
+    ----------
+    plan : Plan
+        The transfers to draw.
+
+    Returns
+    -------
+    plotly.graph_objects.Figure
+        A figure that can be turned.
+
+    Raises
+    ------
+    ImportError
+        Without plotly.
     """
     from rigidsym.view.scenes.sphere import directions
 
@@ -269,7 +302,7 @@ def directions_of(plan: Plan) -> "Figure":
         curves.direction(np.linspace(begin, end, AN_ARC), np.full(AN_ARC, k))
         for k, (begin, end) in enumerate(curves.ends)
     ]
-    # A sphere has none: its momentum has the direction of its rates.
+    # A sphere has no cone: its momentum has the direction of its rates.
     name = "one of each polhode" if is_symmetry(posed) else "cone of directions"
     moving = {f"transfer {k}": x for k, x in enumerate(plan.transfers, 1) if x.momentum}
     title = f"Momenta that arrive in {plan.best.duration:g} s"

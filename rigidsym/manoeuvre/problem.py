@@ -21,7 +21,7 @@ IDENTITY = np.array([1.0, 0.0, 0.0, 0.0])
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """The search for rates that turn a body by a given turn, of either sign, in time 1.
+    """The task to find rates that turn a body by a given turn, of either sign, in time 1.
 
     inertia (3,): moments over the largest of them.  turn (4,): unit quaternion from the body axes
     of the target to those of the start, with a scalar part that is not negative.  engine: the

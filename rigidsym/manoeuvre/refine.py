@@ -40,7 +40,7 @@ def refine(
     multiple of the rounding of doubles; 0 for the least.
     """
     rates = rates.copy()
-    # Slopes at the rates to be tried cost less than they would in a call of their own.
+    # Slopes together with misses cost less than in a call of their own.
     misses, slopes = problem.slopes(rates)
     angles = np.linalg.norm(misses, axis=1)
     going = np.flatnonzero(angles > enough * _rounding(rates))
@@ -83,7 +83,7 @@ def newton(rates: np.ndarray, misses: np.ndarray, slopes: np.ndarray) -> np.ndar
     """
     known = np.asarray(np.all(np.isfinite(slopes), axis=(1, 2)))
     left, sizes, right = np.linalg.svd(np.where(known[:, None, None], slopes, np.eye(3)))
-    # Along a one-parameter family, which misses by rounding alone, there is next to no step.
+    # Along a one-parameter family, where misses are rounding, steps are next to nothing.
     inverse = known[:, None] * sizes / np.maximum(sizes, _SINGULAR * sizes[:, :1]) ** 2
     across = np.nan_to_num(misses)[:, None] @ left * inverse[:, None]
     step = -(across @ right)[:, 0]

@@ -1,9 +1,9 @@
 """The search for all motions that arrive: samples of arcs, refined until none is missed.
 
-A motion from a direction on an arc brings the momentum where it should be after a known time, and
-again after each period of its polhode.  What is left of the attitude then is a turn about the
-momentum, by one angle (facts arrival.gap, arrival.angle).  The motion arrives where half of that
-is a multiple of pi: so these are the zeros of functions of one variable.
+A motion from a direction on an arc brings the momentum to its place at the target after a known
+time, and again after each period of its polhode.  The attitude then differs from the target by a
+turn about the momentum, by one angle (facts arrival.gap, arrival.angle).  The motion arrives where
+half of that angle is a multiple of pi: these are the zeros of functions of one variable.
 """
 
 from collections.abc import Iterator
@@ -23,10 +23,10 @@ _GRID = np.arange(-32.0, 32.1, 0.75)
 _HALF_STEP, _RATE_STEP = 0.8, 1.2
 _ROUNDS = 24
 _LEAST_STEP = 1e-7
-# A time that still changes by half a period over such a step jumps by a whole one, at the axis of
-# the turn, or within rounding of it.
+# Over such a step a time changes by half a period only if it jumps by a whole one, at the axis of
+# the turn or within rounding of it.
 _JUMP_STEP = 0.05
-# A sine this small that does not change its sign may have a double zero beside it.
+# A smaller sine that does not change its sign may have a double zero beside it.
 _TANGENT = 0.02
 _CLOSER = 3
 # Times may dip between samples.
@@ -37,7 +37,7 @@ _MOST, _MOST_STARTS = 150_000, 10_000
 
 
 class TooManyError(ArithmeticError):
-    """Error: there are too many motions to search."""
+    """Raised where there are too many motions to search."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""One natural motion from start to target, its bursts, and its miss by errors at the start."""
+"""A natural motion from start to target, its bursts, and its miss by errors at the start."""
 
 import json
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from rigidsym.motion import TorqueFreeMotion
 
 _SAMPLES = 181
 _PERCENT = 0.01
-# Parameters 1 - m below this are beside the separatrix; errors that grow by less are like others'.
+# Greatest 1 - m beside the separatrix; least power of e that counts as exponential growth.
 _BESIDE, _GROWN = 0.01, 3.0
 
 

@@ -27,7 +27,7 @@ def _choose(
     return one if first else other
 
 
-# NumPy has squares by the operator, and logarithms in the function.
+# Squares are faster by the operator than by np.power, which takes logarithms.
 _FUNCTIONS = {"sqrt": np.sqrt, "power": pow, "choose": _choose}
 _WANTED = frozenset({"sn", "cn", "dn", "lambda_", "m", "m_1"})
 
@@ -130,7 +130,7 @@ def peaks(problem: Problem, rates: np.ndarray) -> np.ndarray:
         times = (passed * where.quarter[:, None] - where.u[:, None]) / (where.speed * sizes)[
             :, None
         ]
-    # Times 1 stand for those that never come, or come too late.
+    # Time 1 replaces times that never come, or come too late.
     times = np.concatenate([times, np.ones((len(rates), 1))], axis=1)
     times = np.where((times > 0) & (times < 1), times, 1.0)
     _, later = problem.engine.propagate(

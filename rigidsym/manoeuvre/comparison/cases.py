@@ -14,7 +14,7 @@ from rigidsym.manoeuvre.problem import Problem, problem, unit
 PAPER = ("0.0109", "0.04", "0.0506")
 "Principal moments of the paper's Figure 3, kg m^2."
 LARGEST_MOMENTS = 0.02, 0.06
-"Least and greatest largest moment of random bodies, kg m^2: nano-spacecraft as well."
+"Range of the largest moment of random bodies, kg m^2: nano-spacecraft as well."
 IMPULSE = 1e-3
 """N m s: it decides durations.  In a duration the whole angle can be turned about the axis of the
 largest moment at constant rate with this momentum.  A burst of it takes a wheel of the paper 1 s

@@ -32,7 +32,7 @@ HOLD = 60
 PERIOD = Fraction(1, 5)
 "Period of control, s: a sixteenth of the loop's time, and half the work of the paper's flight."
 FAMILIES = 10
-"Natural motions among which the least sum over axes is looked for."
+"Number of natural motions from which the least sum over axes is taken."
 _SAMPLES = 2001
 
 # From times from 0 to 1 (N,) to shares of a turn and their derivatives.
@@ -115,13 +115,13 @@ class Ways:
 
     @property
     def foreseen(self) -> Flight:
-        """The same flight with the torque of the track, bursts included, fed forward."""
+        """A flight with the torque of the track, bursts included, fed forward."""
         controller = Controller(feedforward=True, track_feedforward=True)
         return replace(self.flight, controller=controller)
 
     @property
     def slow(self) -> Flight:
-        """The same flight with gains so low that a step takes the duration."""
+        """A flight by feedback alone with gains so low that a step takes the duration."""
         flight = self.flight
         frequency = slowest(self.case.angle, np.radians(flight.run.settled)) / self.case.duration
         controller = replace(flight.controller, natural_frequency=frequency)

@@ -1,4 +1,4 @@
-"""Tables of a comparison, and comparison.md: what was compared, and what the numbers say.
+"""Tables of a comparison, and comparison.md with its conclusions.
 
 Tables and text are made from `Comparison.summary`.  A spread is shown as median [quartiles]
 least..most.  Every statement about costs is computed, so that it holds for any sample.

@@ -1,4 +1,4 @@
-"""A comparison: what was found of each manoeuvre, its statistics by pandas, its files."""
+"""A comparison: the records of all manoeuvres, their statistics by pandas, and the files."""
 
 import json
 from collections.abc import Callable, Iterable, Mapping
@@ -34,7 +34,7 @@ _DRAWN = Task(Model.THRUSTERS, Cost.FUEL)
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """All that is found of one manoeuvre.
+    """The results of one manoeuvre.
 
     flown: by actuators and method.  ideal: by actuators and way, N m s.  solved: by task.
     """
@@ -63,7 +63,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Manoeuvres from 0 on of a seed, and what was found of each."""
+    """Records of the manoeuvres from 0 on of a seed."""
 
     seed: int
     records: tuple[Record, ...]

@@ -51,7 +51,7 @@ class Burns:
 
     @property
     def overlap(self) -> bool:
-        """Whether a burn of the last burst begins before all those of the first are over."""
+        """True where a burn of the last burst begins before all those of the first are over."""
         first, last = self.spans
         return bool(last[:, 0].min() < first[:, 1].max())
 

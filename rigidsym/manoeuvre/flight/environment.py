@@ -94,7 +94,7 @@ class Box:
         """Return the torque of forces (3, 3) at the middles of faces with these normals."""
         total = forces[0] + forces[1] + forces[2]
         arms = (signs * self._half)[:, None] * forces
-        # The sum of e_k x (row k): what is not symmetric.
+        # The sum of e_k x (row k): the antisymmetric part.
         (_, xy, xz), (yx, _, yz), (zx, zy, _) = arms.tolist()
         return cross(self._offset, total) + np.array([yz - zy, zx - xz, xy - yx])
 

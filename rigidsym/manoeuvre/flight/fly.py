@@ -18,9 +18,9 @@ from rigidsym.manoeuvre.flight.settings import Flight
 from rigidsym.manoeuvre.manoeuvre import Manoeuvre
 from rigidsym.motion import TorqueFreeMotion
 
-# What is integrated: attitude (4), rates (3), impulse from outside (3), work of all (1).
+# The integrated state: attitude (4), rates (3), impulse from outside (3), work of all (1).
 _Q, _OMEGA, _IMPULSE, _WORK = slice(0, 4), slice(4, 7), slice(7, 10), 10
-# Sizes of these numbers, for the absolute tolerance.
+# Typical sizes of these numbers, for the absolute tolerance.
 _SIZES = np.array([1.0] * 4 + [1e-2] * 3 + [1e-5] * 3 + [1e-6])
 _NONE = np.zeros(3)
 

@@ -1,4 +1,4 @@
-"""A manoeuvre flown from its file, with what was asked for: tables, pictures, messages, files."""
+"""A manoeuvre planned and flown from its file: tables, pictures, messages, files."""
 
 import io
 import json
@@ -29,7 +29,7 @@ SCHEMA = "rigidsym.track/1"
 _UTC_BEGINS = 1972
 _MESSAGE = "attitude.aem"
 _FRAME = "GCRF"
-"The geocentric celestial frame, in which the sky is, by its name in CCSDS's registry (SANA)."
+"The geocentric celestial frame, that of the sky, by its name in CCSDS's registry (SANA)."
 _PICTURES = {
     "attitude": pictures.attitude,
     "error": pictures.error,
@@ -41,7 +41,7 @@ _PICTURES = {
 
 @dataclass(frozen=True, slots=True)
 class Tracked:
-    """A flight with what was asked for."""
+    """A flight with its manoeuvre, its settings and the motion that it follows."""
 
     manoeuvre: Manoeuvre
     flight: Flight
@@ -86,9 +86,9 @@ class Tracked:
 
     @property
     def missed(self) -> bool:
-        """Whether there was time to settle at the target, and it did not.
+        """True where there was time to settle at the target and the spacecraft did not.
 
-        Of thrusters alone, which no feedback corrects: whether their last burn leads beside it.
+        With thrusters alone, without feedback: true where their last burn does not lead there.
         """
         settled, last = radians(self.flight.run.settled), self.run.last_burn()
         if last is not None and not self.flight.controller.natural_frequency:
@@ -131,7 +131,7 @@ class Tracked:
         flights beyond the year 9999.
         """
         run, epoch = self.run, self.flight.orbit.epoch.replace(tzinfo=None).isoformat()
-        # Any, because `aem` has an argument by name of another type.
+        # Any, because another keyword of `aem` is not text.
         names: dict[str, Any] = {**UNNAMED, **self.flight.message}
         return aem(Track(run.t, run.q, run.omega), epoch, ref_frame_a=_FRAME, **names)
 

@@ -1,4 +1,4 @@
-"""A flight at its samples: its states, what is measured on them, and the rows that show it."""
+"""A flight at its samples: states, measures, and rows of tables."""
 
 from dataclasses import dataclass
 from math import degrees, radians
