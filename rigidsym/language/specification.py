@@ -1,7 +1,7 @@
 """The specification: theorems that a ledger has to prove, each under exactly its hypotheses.
 
 A specification is made of blocks.  A block is a line that names it and clauses below, one a line or
-with ``|`` between them; what a clause lists is separated by ``;`` and goes on in lines that are
+with ``|`` between them; the items of a clause are separated by ``;`` and continue in lines that are
 indented further than their clause.
 
     hypotheses name                      assumptions of several theorems; `under` includes them

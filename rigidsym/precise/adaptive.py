@@ -10,13 +10,14 @@ from flint import arb
 from rigidsym.errors import PrecisionError
 from rigidsym.precise.balls import bits_of, working
 
+# Bits beyond those of the digits; rounds before giving up.
 GUARD_BITS = 40
 MOST_ROUNDS = 24
 # Where time is limited the precision rises from here, so that some digits are reached.
 FIRST_BITS = 256
 # Uncertain inputs are given up whose balls are infinite at this precision or that of the digits.
 MOST_BITS = 2**12
-SAYS_NOTHING = "the inputs are too uncertain to say anything"
+TOO_UNCERTAIN = "the inputs are too uncertain to say anything"
 
 
 # Returns balls at so many bits; raises TimeoutError where the clock passes the limit, if any.
@@ -38,7 +39,7 @@ class AdaptivePrecision:
         whole = bits_of(digits) + GUARD_BITS
         self.bits = whole if self.end is None else min(whole, FIRST_BITS)
 
-    def read(self, numbers: Numbers, what: str) -> list[arb]:
+    def read(self, numbers: Numbers, name: str) -> list[arb]:
         """Return the numbers at the first precision at which all have enough digits."""
         found = [arb.nan()]
         with suppress(TimeoutError):
@@ -51,9 +52,9 @@ class AdaptivePrecision:
                     return found
                 needed = self.bits + missing + GUARD_BITS // 2
                 self.bits = needed if self.end is None else min(needed, 4 * self.bits)
-        raise PrecisionError(f"{what}: {self._reached(found)} of {self.digits} digits were reached")
+        raise PrecisionError(f"{name}: {self._reached(found)} of {self.digits} digits were reached")
 
-    def read_uncertain(self, numbers: Numbers, what: str) -> list[arb]:
+    def read_uncertain(self, numbers: Numbers, name: str) -> list[arb]:
         """Return the numbers at a precision whose double makes the balls no smaller."""
         widest, most = None, max(MOST_BITS, 2 * self.bits)
         with suppress(TimeoutError):
@@ -68,9 +69,9 @@ class AdaptivePrecision:
                     widest = radius
                 self.bits *= 2
             if widest is None:
-                raise TooUncertainError(f"{what}: {SAYS_NOTHING}")
+                raise TooUncertainError(f"{name}: {TOO_UNCERTAIN}")
         known = "nothing was reached" if widest is None else f"a radius of {widest:.2g} was reached"
-        raise PrecisionError(f"{what}: {known}")
+        raise PrecisionError(f"{name}: {known}")
 
     def _reached(self, found: Sequence[arb]) -> int:
         """Return the number of digits that all numbers have."""

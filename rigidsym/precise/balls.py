@@ -76,7 +76,7 @@ def unit(quaternion: Sequence[arb]) -> list[arb]:
     return [(x / length).intersection(arb(0, 1)) for x in quaternion]
 
 
-def meeting(one: arb, other: arb) -> arb:
+def intersection(one: arb, other: arb) -> arb:
     """Return the intersection of two balls; the finite one, or the first of disjoint ones."""
     if not other.is_finite() or not one.overlaps(other):
         return one

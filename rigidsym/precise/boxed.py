@@ -47,11 +47,11 @@ class BoxedMotion(MotionInputs):
             if steady and not is_uncertain(*self.omega0, *self.attitude0):
                 yield steady
                 continue
-            with _saying(time):
+            with _naming(time):
                 state, is_found = mean.state(time, precision.check)
             if not is_found:
-                state = _meeting(state, self._by_flow(precision, time, FEW_STEPS))
-            yield _meeting(state, steady) if steady else state
+                state = _intersection(state, self._by_flow(precision, time, FEW_STEPS))
+            yield _intersection(state, steady) if steady else state
 
     def mean_values(
         self, times: Sequence[Fraction], digits: int, max_seconds: float | None = None
@@ -63,7 +63,7 @@ class BoxedMotion(MotionInputs):
         precision = AdaptivePrecision(digits, is_within, max_seconds)
         for time in times:
             mean = self._by_mean_values(digits)
-            with _saying(time):
+            with _naming(time):
                 state, is_found = mean.state(time, precision.check)
             if not is_found:
                 raise self._too_uncertain(time, digits)
@@ -94,7 +94,7 @@ class BoxedMotion(MotionInputs):
     def _by_flow(
         self, precision: AdaptivePrecision, time: Fraction, most: int = MOST_STEPS
     ) -> State:
-        with _saying(time):
+        with _naming(time):
             bits = bits_for(self, precision.digits)
             if bits not in self._flows:
                 self._flows.clear()
@@ -139,7 +139,7 @@ class BoxedMotion(MotionInputs):
 
 
 @contextmanager
-def _saying(time: Fraction) -> Generator[None]:
+def _naming(time: Fraction) -> Generator[None]:
     """Name the time of the state where the limit of seconds is over."""
     try:
         yield
@@ -147,7 +147,7 @@ def _saying(time: Fraction) -> Generator[None]:
         raise PrecisionError(f"t = {written(time)}: the time was over") from None
 
 
-def _meeting(one: State, other: State) -> State:
+def _intersection(one: State, other: State) -> State:
     pairs = (zip(x, y, strict=True) for x, y in zip(one, other, strict=True))
     with working(max(value.bits() for part in (*one, *other) for value in part) + 32):
         q, omega = ([x.intersection(y) for x, y in pair] for pair in pairs)

@@ -22,7 +22,7 @@ from rigidsym.precise.balls import ball, difference, power
 
 RATES, SIZE, COLUMNS = 3, 7, 10
 LONGEST = 8
-# How often the bound of a rate is passed on to the others.
+# Rounds in which the bounds of all rates improve each other.
 PASSES = 3
 # The components of p (0, w): sign, component of p and component of w of each term.
 _PRODUCT = (

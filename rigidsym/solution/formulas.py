@@ -97,7 +97,7 @@ _OF_PARAMETER = {
 class Solution:
     """The sequences by name, a digest of all their statements, and the means to evaluate them.
 
-    partition: the signs by which the kinds of motions are told apart.  The ledger does not publish
+    partition: the signs that decide the kind of a motion.  The ledger does not publish
     two of the sequences: `decisions` is the partition as formulas, and `signs` has the signs that
     make the hypotheses of the theorem `start_signs` hold.
     """

@@ -1,4 +1,4 @@
-"""The kinds of motions, and the signs of quantities that tell them apart, from the ledger.
+"""The kinds of motions, and the signs of quantities that decide them, from the ledger.
 
 The ledger splits a context by the sign of a quantity into cases: zero, above zero and, for some
 quantities, below.  It splits cases again, down to leaves.  The fact `sorted_body.cases` says that
@@ -60,7 +60,7 @@ class Split:
 
 @dataclass(frozen=True, slots=True)
 class Leaf:
-    """A kind of motion, and the fact that says how it moves.
+    """A kind of motion, and the fact that states its formulas' signs.
 
     side: 1 where the rates circulate about the axis of largest moment, -1 where about that of the
     smallest, 0 where they are constant.

@@ -3,10 +3,10 @@ r"""Legendre's integral of the third kind as a function of Jacobi's argument, fo
 `jacobi_pi(n, u, m)` is Pi(n; am(u | m) | m), the integral of 1/(1 - n sn^2(v | m)) over v from 0
 to u (DLMF 22.16.32 with 19.2.7); n is first and m = k^2 last, as in SymPy's `elliptic_pi`.  For
 real u, m <= 1 and n < 1 it grows without jumps: Pi(u + 2 K) = Pi(u) + 2 Pi(n | m).  On the real
-line and on those through +-K across it one knows which way round its poles to go (first along the
-real line), so u is there, and n and m are real.
+line and on those through +-K across it the path around the poles is known (first along the real
+line), so u lies there, and n and m are real.
 
-* d/du is 1/(1 - n sn^2); with respect to n and m nothing is known, and `fdiff` says so.
+* d/du is 1/(1 - n sn^2); `fdiff` raises ArgumentIndexError for n and m.
 * n = 0: u.  m = 1: (u + sqrt(-n) arctan(sqrt(-n) tanh u))/(1 - n).
 * `rewrite(elliptic_pi)` gives Legendre's form.
 """
@@ -22,7 +22,7 @@ from rigidsym.language.functions import jacobi
 from rigidsym.language.functions.base import Coded
 from rigidsym.language.functions.jacobi import jacobi_am, jacobi_sn
 
-_ROUNDS = 14  # of duplication: what they leave is below 4^-84 of the arguments' spread
+_ROUNDS = 14  # of duplication: the rest is below 4^-84 of the arguments' spread
 
 
 class jacobi_pi(Coded):  # noqa: N801 - SymPy's functions are lower case

@@ -1,7 +1,7 @@
 """A box of bodies and rates, or a part of it: its middle, exactly, and its numbers with slopes.
 
 A part is cut out by slabs: low <= g . (x - middle of the box) <= high for some directions g.  With
-V the matrix of these directions and any W, what inputs are off the part's middle is
+V the matrix of these directions and any W, the deviation of inputs from the part's middle is
 
     d = W (V d) + (1 - W V) d,
 
@@ -22,7 +22,7 @@ from flint import arb, arb_mat
 
 from rigidsym.inputs import Number, is_uncertain, middle, radius
 from rigidsym.precise import balls
-from rigidsym.precise.balls import ball, meeting
+from rigidsym.precise.balls import ball, intersection
 from rigidsym.precise.sensitivity.columns import INPUTS, Columns, axes_of, parameters
 from rigidsym.precise.sensitivity.sloped import Sloped, power
 
@@ -198,7 +198,7 @@ class Box:
             plain = [x + slope * g for x, g in zip(plain, direction, strict=True)]
         for x, y, far in zip(rest, plain, self.inputs.entries(), strict=True):
             found, alone = found + x * far, alone + y * far
-        return meeting(found, alone) if count else found
+        return intersection(found, alone) if count else found
 
     @cached_property
     def _offsets(self) -> list[arb]:

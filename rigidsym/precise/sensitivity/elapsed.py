@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 from flint import arb, arb_mat
 
-from rigidsym.precise.balls import meeting, power
+from rigidsym.precise.balls import intersection, power
 from rigidsym.precise.functions import Functions, quarter_period
 from rigidsym.solution.formulas import sequence
 
@@ -114,7 +114,7 @@ class Range:
         image = self._image(start, inner, part)
         for _ in range(TRIES):
             guess = list(map(wider, image))
-            image = self._image(start, Elapsed(*map(meeting, guess, self.limits)), part)
+            image = self._image(start, Elapsed(*map(intersection, guess, self.limits)), part)
             if all(map(arb.contains_interior, guess, image)):
                 for _ in range(REFINED):
                     image = self._image(start, image, part)
@@ -124,7 +124,7 @@ class Range:
     def _image(self, start: Elapsed, guess: Elapsed, part: arb_mat) -> Elapsed:
         moved = (self.slopes(guess) * part).entries()
         found = (x + step for x, step in zip(start, moved, strict=True))
-        return Elapsed(*map(meeting, found, self.limits))
+        return Elapsed(*map(intersection, found, self.limits))
 
     def slopes(self, values: Elapsed) -> arb_mat:
         """Return the derivatives (5, 2) by p and p - r at all values."""
@@ -145,7 +145,7 @@ class Range:
         most, steepest = self._largest(values)
         by_e, by_f = values.E_t, known["F_t"]
         limits = {"U_t": most * by_e, "V_t": most * by_f, "W_t": steepest * by_f}
-        return {name: meeting(found[name], arb(0).union(x)) for name, x in limits.items()}
+        return {name: intersection(found[name], arb(0).union(x)) for name, x in limits.items()}
 
     def _largest(self, values: Elapsed) -> tuple[arb, arb]:
         """Return upper bounds of S^2 and (S/D)^2 up to the time.

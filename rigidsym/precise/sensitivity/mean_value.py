@@ -1,4 +1,4 @@
-"""Turns and rates of all motions of a box, by the theorem of the mean:
+"""Turns and rates of all motions of a box, by the mean value theorem:
 
     state  in  state(middle) + S (inputs - middle),
 
@@ -15,7 +15,7 @@ from math import exp, log, pi, sqrt
 import numpy as np
 from flint import arb, arb_mat
 
-from rigidsym.precise.balls import ball, meeting
+from rigidsym.precise.balls import ball, intersection
 from rigidsym.precise.functions import Theta
 from rigidsym.precise.sensitivity.box import Box
 from rigidsym.precise.sensitivity.columns import NUMBERS, TurnColumns
@@ -35,7 +35,7 @@ Rows = list[list[arb]]
 
 
 @dataclass(frozen=True, slots=True)
-class Moving:
+class Motions:
     """Rates with their columns, by name, and their changes along the sides (3, m); the turn since
     t = 0 (4) with its changes (4, m), or None."""
 
@@ -62,24 +62,24 @@ class MeanValue:
 
     box: Box
 
-    def amid(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> Middle:
+    def middle(self, t: arb, turn: Sequence[arb], omega: Sequence[arb]) -> Middle:
         """Return the middle at a time, from its turn and rates then."""
         functions = elapsed(t, *map(ball, self.box.parameters), Theta())
         rates = self.box.point.rates(t, functions._asdict())
         columns = TurnColumns(self.box.point, t, rates, self.box.directions)
         return Middle(functions, turn, omega, [*columns.of(turn), *columns.of_rates])
 
-    def state(self, t: arb, amid: Middle) -> tuple[list[Sloped] | None, list[Sloped] | None]:
+    def state(self, t: arb, center: Middle) -> tuple[list[Sloped] | None, list[Sloped] | None]:
         """Return the turn since t = 0 (4) and the rates (3), each None without an enclosure."""
-        moving = self.moving(t, amid)
+        moving = self.moving(t, center)
         if moving is None:
             return None, None
         wholes = [moving.rates[f"Omega{k}"].whole for k in NUMBERS]
-        given = zip(amid.omega, moving.of_rates, wholes, strict=True)
+        given = zip(center.omega, moving.of_rates, wholes, strict=True)
         rates = [self._moved(*x) for x in given]
         if moving.turn is None or moving.changes is None:
             return None, rates
-        given = zip(amid.turn, moving.changes, (x.whole for x in moving.turn), strict=True)
+        given = zip(center.turn, moving.changes, (x.whole for x in moving.turn), strict=True)
         return [self._moved(*x) for x in given], rates
 
     def _moved(self, start: arb, row: Sequence[Sloped], whole: arb) -> Sloped:
@@ -87,42 +87,42 @@ class MeanValue:
 
         On the straight line from the middle, half of the derivatives' deviations counts.
         """
-        slopes = [meeting(x.middle + x.deviation() / 2, x.whole) for x in row]
-        known = meeting(start + self.box.reach(slopes), whole)
+        slopes = [intersection(x.middle + x.deviation() / 2, x.whole) for x in row]
+        known = intersection(start + self.box.reach(slopes), whole)
         return Sloped.of(start, arb_mat([slopes]), known, self.box.sides)
 
-    def moving(self, t: arb, amid: Middle) -> Moving | None:
+    def moving(self, t: arb, center: Middle) -> Motions | None:
         """Return rates and turn with their changes; None without an enclosure of the rates."""
-        functions = self._elapsed(t, amid.functions)
+        functions = self._elapsed(t, center.functions)
         if functions is None:
             return None
         rates = self.box.whole.rates(t, functions)
         columns = TurnColumns(self.box.whole, t, rates, self.box.directions)
-        turn, changes = self._guessed(columns, amid) or (None, None)
-        return Moving(rates, columns.of_rates, turn, changes)
+        turn, changes = self._guessed(columns, center) or (None, None)
+        return Motions(rates, columns.of_rates, turn, changes)
 
     def _guessed(
-        self, columns: TurnColumns, amid: Middle
+        self, columns: TurnColumns, center: Middle
     ) -> tuple[list[Sloped], list[list[Sloped]]] | None:
         """Return the turn and its changes; None where no guess is right."""
-        image = amid.changes[:4]
+        image = center.changes[:4]
         for _ in range(TRIES):
             guess = [list(map(wider, row)) for row in image]
-            _, changes = self._image(columns, amid, guess)
+            _, changes = self._image(columns, center, guess)
             image = [[x.whole for x in row] for row in changes]
             if not all(x.is_finite() for x in _flat(image)):
                 return None
             if all(map(arb.contains_interior, _flat(guess), _flat(image))):
-                return self._image(columns, amid, image)
+                return self._image(columns, center, image)
         return None
 
     def _image(
-        self, columns: TurnColumns, amid: Middle, guess: Rows
+        self, columns: TurnColumns, center: Middle, guess: Rows
     ) -> tuple[list[Sloped], list[list[Sloped]]]:
         """Return the turn by a guess of its changes (4, m), and the changes that follow from it."""
         turn = []
-        for start, row in zip(amid.turn, guess, strict=True):
-            whole = meeting(start + self.box.reach(row), ONE)
+        for start, row in zip(center.turn, guess, strict=True):
+            whole = intersection(start + self.box.reach(row), ONE)
             turn.append(Sloped.of(start, arb_mat([row]), whole, self.box.sides))
         return turn, columns.of(turn)
 
@@ -149,7 +149,7 @@ class MeanValue:
         }
 
     @np.errstate(all="ignore")
-    def bends(self, t: arb, amid: Middle) -> np.ndarray:
+    def bends(self, t: arb, center: Middle) -> np.ndarray:
         """Return the changes of phases along the sides of the box (6, s + n), rad.
 
         These are the turn (4), the phase u = lambda t, and u as far as it follows from the quarter
@@ -163,8 +163,8 @@ class MeanValue:
             near = max(near, 16 * rate * exp(-2 * u), _TINY)
             quarters = u / max(pi / 2, log(16 * rate / near) / 2)
             by_rate, by_quarter = 3 * u / (2 * rate), 3 * max(1, quarters) / (2 * near)
-        rows = [2 * _doubles(row) for row in amid.changes[:4]]
-        angle = abs(float(t)) * max(abs(float(x)) for x in amid.omega)
+        rows = [2 * _doubles(row) for row in center.changes[:4]]
+        angle = abs(float(t)) * max(abs(float(x)) for x in center.omega)
         for x in ("alpha_a", "alpha_b", "alpha_d"):
             rows.append(angle * _doubles(self.box.whole.constants[x].slopes.entries()))
         rows += [_doubles(x.slopes.entries()) * y for x, y in ((p, by_rate), (gap, by_quarter))]

@@ -18,8 +18,8 @@ import numpy as np
 from flint import arb, arb_mat
 
 from rigidsym.inputs import middle, radius
-from rigidsym.precise.adaptive import SAYS_NOTHING, AdaptivePrecision
-from rigidsym.precise.balls import BITS_PER_DIGIT, ball, is_within, meeting, unit, working
+from rigidsym.precise.adaptive import TOO_UNCERTAIN, AdaptivePrecision
+from rigidsym.precise.balls import BITS_PER_DIGIT, ball, intersection, is_within, unit, working
 from rigidsym.precise.evaluation import State
 from rigidsym.precise.flow import euler_factor, rate_bounds
 from rigidsym.precise.motion import PreciseMotion
@@ -47,7 +47,7 @@ MOST_PARTS, MOST_SLABS = 32, 3
 GIVE_UP = 20
 # Aim at this change of the phases in a part, rad, and at no more pieces at once.
 CHANGE, MOST_PIECES = 0.2, 20
-# A part whose phases change by more says nothing, and neither would its pieces.
+# A part whose phases change by more is given up, as its pieces would be.
 LOST = 6
 # Stop where the balls reach beyond the first order by less than this part of its range.
 NEARLY = 0.1
@@ -60,9 +60,9 @@ _TINY, _HUGE = 1e-300, 1e100
 class Part:
     """A part of a box and the enclosure of its states.
 
-    slabs: what cuts the part out of the box.
+    slabs: the slabs that cut the part out of the box.
     state: balls of the attitude and the rates (7).
-    first: ends (7, 2) of what the first order gives; (inf, -inf) where there is no enclosure.
+    first: ends (7, 2) of the first order; (inf, -inf) where there is no enclosure.
     bends: change of phases (6, s + n) by the sides of the box, rad, as `MeanValue.bends` has it.
     reach: radii of these sides (s + n).
     ends: ends (n, 2) of the inputs, less the middles of the whole box.
@@ -90,7 +90,7 @@ class Part:
             found = np.linalg.svd(bends[:, count:] * radii)
             direction = found.Vh[0] / radii
             terms = np.sort(self.ends * direction[:, None], axis=1)
-            # More than the sums are rounded by, so that the pieces cover the part.
+            # Above the rounding errors of the sums, so that the pieces cover the part.
             room = MARGIN * (1 + np.abs(terms).sum())
             low, high = (terms.sum(axis=0) + (-room, room)).tolist()
             gain = float(found.S[0]) * (high - low) / 2
@@ -154,7 +154,7 @@ class MeanStates(MotionInputs):
         """Return (q, omega) as balls, and whether every part of the box has an enclosure.
 
         Balls of a part without one are [-1, 1], and rates keep to energy and momentum.  `check` is
-        called before each part and at the end; what it raises ends the work.
+        called before each part and at the end; an exception that it raises ends the work.
         """
         rounding = max(2.0**-self.bits, _TINY)
         parts = parts_of(partial(self._part, time, check), rounding)
@@ -174,8 +174,8 @@ class MeanStates(MotionInputs):
             if mean.box.limits is None:
                 return None
             t = ball(time)
-            amid = mean.amid(t, *self._middle_state(mean.box, time, bits))
-            turn, rates = mean.state(t, amid)
+            center = mean.middle(t, *self._middle_state(mean.box, time, bits))
+            turn, rates = mean.state(t, center)
             found = [*(self._turned(turn) if turn else [None] * 4), *(rates or [None] * 3)]
             pairs = zip(found, self._limits, strict=True)
             ends = [_ends(mean.box, x, limit) for x, limit in pairs]
@@ -183,7 +183,7 @@ class MeanStates(MotionInputs):
                 slabs,
                 [x for x, _ in ends],
                 np.array([first for _, first in ends]),
-                mean.bends(t, amid),
+                mean.bends(t, center),
                 np.array([float(x.rad()) for x in mean.box.sides.entries()]),
                 mean.box.limits * mean.box.radii[:, None],
             )
@@ -203,7 +203,7 @@ class MeanStates(MotionInputs):
                 return Point(*self._at(bits).box.middles, STILL).at(time, self._attitude())
         with working(bits):
             mean, t = self._at(bits), ball(time)
-            moving = mean.moving(t, mean.amid(t, *self._middle_state(mean.box, time, bits)))
+            moving = mean.moving(t, mean.middle(t, *self._middle_state(mean.box, time, bits)))
             if moving is None or moving.turn is None:
                 return None
             seen = mean.box.whole.turned(t, moving.rates, moving.turn)
@@ -218,7 +218,7 @@ class MeanStates(MotionInputs):
         """The reason why there is no enclosure."""
         if self.holds_rest:
             return "the box holds a body at rest, whose momentum has no direction"
-        return SAYS_NOTHING
+        return TOO_UNCERTAIN
 
     @property
     def holds_rest(self) -> bool:
@@ -282,10 +282,8 @@ class MeanStates(MotionInputs):
         known: Named = {"epsilon": 1}
         for name, x, y in zip(("0", *AXES), given, turn, strict=True):
             slopes = arb_mat([[*y.slopes.entries(), *[0] * len(open_)]])
-            unit = x / length
-            known[f"p_{name}"] = Sloped.of(
-                unit.middle, unit.slopes, unit.whole.intersection(ONE), box
-            )
+            p = x / length
+            known[f"p_{name}"] = Sloped.of(p.middle, p.slopes, p.whole.intersection(ONE), box)
             known[f"qbar_{name}"] = Sloped(y.middle, slopes, y.whole, box)
         found = sequence("turned").evaluate(known, {"power": power})
         return [found[f"q_{name}"] for name in ("0", *AXES)]
@@ -303,5 +301,5 @@ def _ends(box: Box, value: Sloped | None, limit: arb) -> tuple[arb, tuple[float,
         return value.middle + box.reach(rows[:count]) + rest
 
     first = reached([x.mid() for x in slopes])
-    known = meeting(meeting(reached(slopes), value.whole), limit)
+    known = intersection(intersection(reached(slopes), value.whole), limit)
     return known, (float(first.lower()), float(first.upper()))

@@ -14,7 +14,7 @@ from typing import Union
 from flint import arb, arb_mat
 
 from rigidsym.precise import balls
-from rigidsym.precise.balls import meeting
+from rigidsym.precise.balls import intersection
 
 Operand = Union["Sloped", arb, int]
 
@@ -31,7 +31,7 @@ class Sloped:
     @classmethod
     def of(cls, middle: arb, slopes: arb_mat, whole: arb, box: arb_mat) -> "Sloped":
         """Return the number, its values restricted to those that the slopes allow."""
-        return cls(middle, slopes, meeting(middle + (slopes * box)[0, 0], whole), box)
+        return cls(middle, slopes, intersection(middle + (slopes * box)[0, 0], whole), box)
 
     def deviation(self) -> arb:
         """Return the deviations from the middle that the slopes allow."""
