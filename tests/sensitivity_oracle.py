@@ -4,53 +4,57 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 import numpy as np
-from mpmath import matrix, mpf, workdps
 
 from rigidsym import TorqueFreeMotion
+from rigidsym.precise.balls import ball, bits_of, working
 from rigidsym.sensitivity import Sensitivity
 
 Numbers = Sequence[Fraction]
 
 
-def differences(inertia: Numbers, omega0: Numbers, attitude0: Numbers, t: Fraction, step: int):
-    """(6, 6): the small turn in space and the rates, by omega0 and the moments.
+def differences(
+    inertia: Numbers, omega0: Numbers, attitude0: Numbers, times: Numbers, step: int, digits: int
+) -> np.ndarray:
+    """(N, 6, 7): the small turn in space and the rates, by omega0, the moments and the time.
 
-    Inputs move by 10^-step of their size, either way; the result has about as many digits.
+    Inputs move by 10^-step of their size, either way; states have so many digits.
     """
-    digits = 2 * step + 50
-    columns = matrix(6, 6)
-    size = max(map(abs, omega0)) or Fraction(1)
-    with workdps(digits + 10):
-        for j in range(6):
-            wide = (size if j < 3 else inertia[j - 3]) / Fraction(10) ** step
-            ends = []
-            for change in (wide, -wide):
-                inputs = [*omega0, *inertia]
-                inputs[j] += change
-                motion = TorqueFreeMotion(inputs[3:], inputs[:3], attitude0, allow_nonphysical=True)
-                ends.append(motion.precise(t, digits))
-            over = mpf(2 * wide.numerator) / wide.denominator
-            (q, rates), (other, slower) = ends
-            # 2 dq conj(q) has the small turn as its vector part; at either end it is the same.
-            for k, value in enumerate(_turn(q - other, (q + other) / 2)):
-                columns[k, j] = value / over
-            for k in range(3):
-                columns[3 + k, j] = (rates[k] - slower[k]) / over
-    return columns
+
+    def states(rates: Numbers, moments: Numbers, at: Numbers):
+        motion = TorqueFreeMotion(moments, rates, attitude0, allow_nonphysical=True)
+        return motion.enclose(at, digits)
+
+    size, part = max(map(abs, omega0)) or Fraction(1), Fraction(1, 10**step)
+    here, columns = states(omega0, inertia, times)[0], []
+    for k in range(7):
+        wide = part * (size if k < 3 else inertia[k - 3] if k < 6 else 1 / size)
+        ends = []
+        for change in (wide, -wide):
+            given, moved = [*omega0, *inertia], change if k == 6 else 0
+            if k < 6:
+                given[k] += change
+            ends.append(states(given[:3], given[3:], [t + moved for t in times]))
+        columns.append(_quotients(*ends, here, 2 * wide, digits))
+    return np.stack(columns, axis=-1)
 
 
-def _turn(change, q):
-    """2 dq conj(q), its vector part: in space."""
-    w, x, y, z = change
-    a, b, c, d = q
-    return (
-        2 * (-w * b + x * a - y * d + z * c),
-        2 * (-w * c + x * d + y * a - z * b),
-        2 * (-w * d - x * c + y * b + z * a),
-    )
+def _quotients(after, before, here, step, digits):
+    """(N, 6): small turns in space, 2 dq q*, and rates, over a step."""
+    with working(bits_of(digits)):
+        rows = []
+        for (p, w), (q, v), r in zip(
+            zip(*after, strict=True), zip(*before, strict=True), here, strict=True
+        ):
+            d = [(x - y) / ball(step) for x, y in zip(p, q, strict=True)]
+            turn = [2 * (d[k] * r[0] - d[0] * r[k] - d[1 + k % 3] * r[1 + (k + 1) % 3]
+                         + d[1 + (k + 1) % 3] * r[1 + k % 3]) for k in (1, 2, 3)]  # fmt: skip
+            rows.append([*turn, *((x - y) / ball(step) for x, y in zip(w, v, strict=True))])
+        return np.array([[float(x) for x in row] for row in rows])
 
 
-def errors(found: Sensitivity, true, inertia: Numbers, omega0: Numbers, t: Fraction) -> list[float]:
+def errors(
+    found: Sensitivity, true: np.ndarray, inertia: Numbers, omega0: Numbers, t: Fraction
+) -> np.ndarray:
     """Return the error of each of the six columns, as a share of the column.
 
     Turns are times |omega0|, and a moment changes by itself: so all are rates.  Until the body has
@@ -59,15 +63,9 @@ def errors(found: Sensitivity, true, inertia: Numbers, omega0: Numbers, t: Fract
     """
     size = float(sum(x * x for x in omega0)) ** 0.5 or 1.0
     least = 1.0 if abs(t) * size < 1 else 2.0**-300
-    weights = [size] * 3 + [1.0] * 3
-    rows = np.concatenate([found.attitude, found.rates])[:, 3:]
-    shares = []
-    for j in range(6):
-        natural = least * (1.0 if j < 3 else size / float(inertia[j - 3]))
-        column = [w * true[k, j] for k, w in enumerate(weights)]
-        apart = [
-            abs(w * float(rows[k, j]) - x)
-            for k, (w, x) in enumerate(zip(weights, column, strict=True))
-        ]
-        shares.append(float(max(apart) / max(natural, *map(abs, column))))
-    return shares
+    weights = np.array([[size]] * 3 + [[1.0]] * 3)
+    natural = least * np.array([1.0] * 3 + [size / float(c) for c in inertia])
+    columns, rows = weights * true, weights * np.concatenate([found.attitude, found.rates])[:, 3:]
+    return np.max(np.abs(rows - columns), axis=0) / np.maximum(
+        natural, np.max(np.abs(columns), axis=0)
+    )

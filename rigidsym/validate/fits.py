@@ -20,7 +20,7 @@ from rigidsym.validate.strata import STRATA
 
 SIGMA = 0.02
 "Of simulated attitudes, rad about each axis."
-_LOOKS, _TURNS = (20, 40), (4.0, 8.0)
+_OBSERVATIONS, _TURNS = (20, 40), (4.0, 8.0)
 _CHANCE = 1e-3
 _STARTS, _FASTEST = 300, 2.0
 # Of the largest eigenvalue of a correlation matrix: below it there is rounding.
@@ -46,7 +46,7 @@ def simulated(stratum: str, random: Random) -> Case:
     truth = TorqueFreeMotion(moments.tolist(), rates.tolist(), attitude)
     numbers = np.random.default_rng(random.getrandbits(64))
     times = np.sort(
-        numbers.uniform(0, 2 * np.pi * numbers.uniform(*_TURNS), random.randint(*_LOOKS))
+        numbers.uniform(0, 2 * np.pi * numbers.uniform(*_TURNS), random.randint(*_OBSERVATIONS))
     )
     q, _ = truth(times)
     errors = of_rotation_vectors(SIGMA * numbers.normal(size=(times.size, 3)))

@@ -32,7 +32,7 @@ Vector = tuple[float, ...]
 class Case:
     """A body under a torque, and the arguments of `integrate`.
 
-    breaks: times at which the torque is not smooth, s; told: those that `integrate` gets.
+    breaks: times at which the torque is not smooth, s.  discontinuities: those that are passed on.
     """
 
     inertia: Vector
@@ -41,7 +41,7 @@ class Case:
     torque: Torque
     times: Vector
     breaks: Vector
-    told: Vector
+    discontinuities: Vector
     method: str
     tolerance: float
     rate_dependent: bool = False
@@ -99,10 +99,10 @@ class _Body:
         method = random.choice(list(METHODS))
         tolerance = max(10 ** random.uniform(-6.5, -3), _LEAST.get(method, 0.0))
         breaks = tuple(sorted(t for t in breaks if 0 < t < self.span))
-        told = breaks if random.random() < 0.2 else ()
+        passed = breaks if random.random() < 0.2 else ()
         times = 0.0, *inside, self.span
         body = self.inertia, self.q0, self.omega0
-        return Case(*body, torque, times, breaks, told, method, tolerance, rate_dependent)
+        return Case(*body, torque, times, breaks, passed, method, tolerance, rate_dependent)
 
 
 def kink(random: Random, at_rest: bool = False) -> Case:
@@ -209,7 +209,7 @@ def measured(case: Case, engine: str = "c") -> float | None:
             step=None,
             method=case.method,
             tolerance=case.tolerance,
-            discontinuities=case.told,
+            discontinuities=case.discontinuities,
             rate_dependent=case.rate_dependent,
             engine=engine,
         )

@@ -95,6 +95,8 @@ def test_an_interrupt_while_a_chunk_is_taken_in_leaves_all_of_it_out(cells, monk
 
 
 def test_an_interrupt_while_the_report_is_made_loses_no_case(tmp_path, monkeypatch):
+    """Also while the worst cases are measured again."""
+
     def interrupted(*arguments):
         raise KeyboardInterrupt
 
@@ -200,13 +202,6 @@ def test_a_campaign_of_other_modules_is_refused(tmp_path):
         tallied(other, ("rest", 0, 1))
 
 
-@pytest.mark.parametrize("text", ["", "{", "[]", '{"schema": "rigidsym.campaign/0"}', "null"])
-def test_a_damaged_checkpoint_is_one_line(tmp_path, text):
-    (tmp_path / checkpoint.NAME).write_text(text)
-    with pytest.raises(InputError, match="is not what a campaign of this version left there"):
-        session.begin({}, tmp_path, resume=True)
-
-
 def test_nothing_to_resume(tmp_path):
     with pytest.raises(InputError, match="holds no unfinished campaign"):
         session.begin({}, tmp_path, resume=True)
@@ -214,16 +209,20 @@ def test_nothing_to_resume(tmp_path):
         session.begin({}, None, resume=True)
 
 
+DAMAGED = "", "{", "[]", '{"schema": "rigidsym.campaign/0"}', "null"
+
+
 @pytest.mark.parametrize(
     "change",
     [
+        *(lambda text, other=other: other for other in DAMAGED),
         lambda text: text.replace('"done": {', '"done": {"rod": [[0, 9]], '),
         lambda text: text.replace(f'"cases": {CASES}', f'"cases": {CASES + 1}'),
         lambda text: text[: len(text) // 2],
         lambda text: text.replace("sha256", "sha"),
     ],
 )
-def test_an_edited_checkpoint_is_refused(tmp_path, change):
+def test_a_damaged_or_edited_checkpoint_is_refused_in_one_line(tmp_path, change):
     progress = Progress()
     progress.take(*tallied(small(), ("rest", 0, 5)))
     Checkpoint(tmp_path, small(), progress).write()
@@ -233,20 +232,6 @@ def test_an_edited_checkpoint_is_refused(tmp_path, change):
     path.write_text(text)
     with pytest.raises(InputError, match="is not what a campaign of this version left there"):
         session.begin({}, tmp_path, resume=True)
-
-
-def test_a_report_that_cannot_be_made_leaves_the_campaign(tmp_path, monkeypatch):
-    """Interrupts while the worst cases are measured again cost no case."""
-
-    def interrupted(*arguments):
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(validation, "reported", interrupted)
-    progress = Progress()
-    kept = Checkpoint(tmp_path, small(), progress)
-    with pytest.raises(KeyboardInterrupt, match=f"{2 * CASES} of {2 * CASES} cases are kept"):
-        run(small(), progress, executors.local(1), kept=kept)
-    assert checkpoint.load(tmp_path)[1].cases == 2 * CASES
 
 
 def test_errors_of_workers_arrive_as_they_are():
@@ -312,9 +297,11 @@ def test_a_case_is_not_made_simpler_by_what_modules_may_refuse():
 
 
 def test_a_fraction_next_to_a_simple_number_becomes_that_number():
-    near = replace(draw("uniform", 3, 1), inertia=(1 + Fraction(1, 10**250), 1.0, 1.0))
+    plain = draw("uniform", 3, 1)
+    near = replace(plain, inertia=(1 + Fraction(1, 10**250), 1.0, 1.0))
     assert simplest(near, lambda given: True).inertia == (1, 1, 1)
-    assert simplest(near, lambda given: given == near) == near
+    for sample in (near, plain):
+        assert simplest(sample, lambda given, sample=sample: given == sample) == sample
 
 
 def test_a_failure_is_made_simpler_as_a_failure_of_the_same_measure(monkeypatch):
@@ -332,11 +319,6 @@ def test_a_failure_is_made_simpler_as_a_failure_of_the_same_measure(monkeypatch)
 def test_figures_of_some_strata_are_not_recorded(strata):
     with pytest.raises(InputError, match=r"^record = .*: the heads speak of all strata"):
         session.record(validate(["numpy"], cases=1, strata=strata))
-
-
-def test_a_sample_that_nothing_simpler_is_like_stays_what_it_is():
-    sample = draw("uniform", 3, 1)
-    assert simplest(sample, lambda given: given == sample) == sample
 
 
 @pytest.mark.parametrize("stratum", ["uniform", "decimals", "extreme scales", "published"])

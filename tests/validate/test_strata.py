@@ -13,6 +13,7 @@ from mpmath import mpf
 
 from rigidsym import InputError, TorqueFreeMotion, inputs
 from rigidsym.solution.polhode import Regime, classify, discriminant
+from rigidsym.validate.oracle import precise_motion
 from rigidsym.validate.strata import STRATA, count, draw, motions, samples
 from rigidsym.validate.strata.published import published
 
@@ -157,33 +158,24 @@ def test_beside_the_separatrix_is_an_ulp_away():
 
 MOVING = {Regime.LARGEST, Regime.SMALLEST}
 REGIMES = {
-    "uniform": MOVING,
-    "axis orders and signs": MOVING,
-    "near separatrix": MOVING,
-    "beside separatrix": MOVING,
-    "nearest separatrix": MOVING,
+    **dict.fromkeys(
+        ("uniform", "axis orders and signs", "near separatrix", "beside separatrix", "rod",
+         "nearest separatrix", "near prolate", "near oblate", "nearest symmetric", "near sphere",
+         "nearest sphere", "near spin, middle", "flat", "needle", "zeros of the rates",
+         "quarter periods"),
+        MOVING,
+    ),
     "separatrix": {Regime.SEPARATRIX},
     "symmetric": {Regime.SYMMETRIC, Regime.SPIN},
-    "near prolate": MOVING,
-    "near oblate": MOVING,
-    "nearest symmetric": MOVING,
     "sphere": {Regime.SPHERICAL},
-    "near sphere": MOVING,
-    "nearest sphere": MOVING,
     "spin": {Regime.SPIN},
     "near spin, largest": {Regime.LARGEST},
-    "near spin, middle": MOVING,
     "near spin, smallest": {Regime.SMALLEST},
     "rest": {Regime.REST},
-    "flat": MOVING,
-    "rod": MOVING,
-    "needle": MOVING,
     "decimals": MOVING | {Regime.SEPARATRIX},
     "special values": set(Regime),
     "published": set(Regime),
-    "zeros of the rates": MOVING,
-    "quarter periods": MOVING,
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("stratum", REGIMES)
@@ -252,7 +244,7 @@ def test_scales_reach_from_the_least_to_the_largest(stratum, inertia, rates):
 
 def test_a_zero_of_each_rate_lies_between_neighbouring_times():
     for sample in drawn("zeros of the rates", 24):
-        axes = motion(sample)._by("theta", **motion(sample).exact).polhode.axes
+        axes = precise_motion(sample).polhode.axes
         _, omega = motion(sample).precise(list(map(Fraction, sample.times)), 20)
         for axis, first in ((axes[1], 1), (axes[2], 6)):
             around = sample.times[first : first + 5]

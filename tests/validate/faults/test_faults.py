@@ -3,6 +3,7 @@
 import json
 from collections import Counter
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -54,37 +55,26 @@ STRATA_CHOSEN = {
 }
 
 
-# And of faults in sensitivities.
+# And of faults in sensitivities, and in steps.
 COLUMNS_CHOSEN = "published", "axis orders and signs", "uniform", "beside separatrix"
-# And of those in steps.
 STEPS_CHOSEN = {"uniform": 2, "rod": 9, "scales": 9, "rest": 1, "special values": 4, "spin": 3}
+CHOSEN = {
+    "states": (references, STRATA_CHOSEN),
+    "sensitivities": (columns_references, dict.fromkeys(COLUMNS_CHOSEN, 3)),
+    "steps": (steps_references, STEPS_CHOSEN),
+}
 
 
 @pytest.fixture(scope="module")
-def of_states():
-    return [references(name, cases, DIGITS, SEED) for name, cases in STRATA_CHOSEN.items()]
+def chosen():
+    """Enclose, when it is first called, what shows a kind of faults."""
 
+    @cache
+    def enclosed(shown_in):
+        enclose, strata = CHOSEN[shown_in]
+        return [enclose(name, cases, DIGITS, SEED) for name, cases in strata.items()]
 
-@pytest.fixture(scope="module")
-def of_columns():
-    return [columns_references(name, 3, DIGITS, SEED) for name in COLUMNS_CHOSEN]
-
-
-@pytest.fixture(scope="module")
-def of_steps():
-    return [steps_references(name, cases, DIGITS, SEED) for name, cases in STEPS_CHOSEN.items()]
-
-
-@pytest.fixture(scope="module")
-def chosen(request):
-    """By what shows a fault, when it is asked for."""
-
-    class Chosen(dict):
-        def __missing__(self, shown_in):
-            fixture = {"sensitivities": "of_columns"}.get(shown_in, f"of_{shown_in}")
-            return request.getfixturevalue(fixture)
-
-    return Chosen()
+    return enclosed
 
 
 # The first fault of every kind for each target, of those by hand and of those that are drawn; of
@@ -117,7 +107,7 @@ def test_there_are_many_faults_of_every_kind():
 def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
     engine, bounds = on_text(target, installed(FILES[target])), bounds_of(target)
     shown_in = sorted({fault.shown_in for fault in FAULTS if fault.target == target})
-    strata = [stratum for kind in shown_in for stratum in chosen[kind]]
+    strata = [stratum for kind in shown_in for stratum in chosen(kind)]
     assert [first(engine, stratum, bounds) for stratum in strata] == [None] * len(strata)
 
 
@@ -130,7 +120,7 @@ def test_a_module_without_a_fault_is_noticed_by_no_stratum(target, chosen):
 )
 def test_a_fault_is_noticed(fault, chosen):
     engine, bounds = mutated_engine(fault), bounds_of(fault.target)
-    assert any(first(engine, stratum, bounds) for stratum in chosen[fault.shown_in])
+    assert any(first(engine, stratum, bounds) for stratum in chosen(fault.shown_in))
 
 
 @pytest.mark.parametrize("target", TARGETS)
@@ -157,12 +147,13 @@ def test_what_is_drawn_is_of_every_kind_and_not_known_to_be_harmless():
 
 @pytest.fixture(scope="module")
 def figures(chosen):
-    """By target, and what shows its faults."""
-    kinds = {(fault.target, fault.shown_in) for fault in FAULTS}
-    return {
-        (target, kind): worst(on_text(target, installed(FILES[target])), chosen[kind])
-        for target, kind in kinds
-    }
+    """Measure, when it is first called, a target without faults."""
+
+    @cache
+    def found(target, kind):
+        return worst(on_text(target, installed(FILES[target])), chosen(kind))
+
+    return found
 
 
 def worst(engine, strata):
@@ -189,9 +180,8 @@ def shares_of(reference, engine):
     ],
 )
 def test_what_is_called_harmless_takes_no_more_of_any_bound(fault, chosen, figures):
-    kind = fault.shown_in
-    found = worst(mutated_engine(fault), chosen[kind])
-    assert found == pytest.approx(figures[fault.target, kind], abs=0.1)
+    found = worst(mutated_engine(fault), chosen(fault.shown_in))
+    assert found == pytest.approx(figures(fault.target, fault.shown_in), abs=0.1)
 
 
 def test_coefficients_are_as_good_as_others_far_below_rounding():
@@ -342,7 +332,10 @@ def test_what_raises_is_noticed(chosen):
         def prepare(self, *given):
             raise NameError
 
-    assert all(broken(Engine(), strata[2][0]) == (RAISED,) for strata in chosen.values())
+    assert all(
+        broken(Engine(), strata[2][0]) == (RAISED,)
+        for strata in map(chosen, ("states", "sensitivities"))
+    )
 
 
 def test_a_process_that_is_lost_is_noticed_where_it_was(reported):
