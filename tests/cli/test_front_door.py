@@ -9,7 +9,7 @@ import pytest
 
 from derivations import CHAPTERS
 from rigidsym import engines
-from rigidsym.cli import main, output, parser
+from rigidsym.cli import output, parser
 from rigidsym.codegen import TARGETS
 from rigidsym.errors import InputError
 from rigidsym.io.ledger import ledger_text
@@ -53,88 +53,82 @@ def test_defaults_in_words_are_those_in_the_code():
 
 
 @pytest.mark.parametrize("name", ["observations.csv", "observations.toml"])
-def test_a_template_of_observations_is_fitted(name, tmp_path, monkeypatch, capsys):
+def test_a_template_of_observations_is_fitted(name, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["init", name]) == 0
+    run("init", name)
     assert (tmp_path / name).read_text().startswith("# Observations")
-    capsys.readouterr()
-    assert main(["fit", name, "--starts", "200", "-o", "found", "--json"]) == 0
-    captured = capsys.readouterr()
+    captured = run("fit", name, "--starts", "200", "-o", "found", "--json")
     found = json.loads(captured.out)
     assert (found["schema"], found["converged"]) == ("rigidsym.fit/1", True)
     assert found == json.loads((tmp_path / "found" / "fit.json").read_text())
-    assert main(["propagate", "found/motion.toml"]) == 0
+    run("propagate found/motion.toml")
     page = (tmp_path / "found" / "fit.html").read_text()
     assert all(word in page for word in ("Correlations", "Motions by chi2", "<svg"))
 
 
-def test_a_fit_says_what_is_not_observable(capsys):
-    assert main(["fit", "t-handle", "--starts", "200"]) == 0
-    told = capsys.readouterr().out
+def test_a_fit_says_what_is_not_observable(run):
+    told = run("fit t-handle --starts 200").out
     assert "not observable: attitude 1, attitude 2, attitude 3" in told
     assert "the largest is 1" in told
 
 
-def test_bad_observations_are_one_line(tmp_path, capsys):
+def test_bad_observations_are_one_line(tmp_path, run):
     path = tmp_path / "none.csv"
     path.write_text("t,q0,q1,q2,q3\n0,1,0,0,0\n0,1,0,0,0\n")
-    assert main(["fit", str(path), "--sigma-attitudes", "0.1"]) == 2
-    assert capsys.readouterr().err == (
+    assert run("fit", path, "--sigma-attitudes", "0.1", status=2).err == (
         "rigidsym fit: attitudes.times[1] = 0.0: must be later than the time before it\n"
     )
 
 
 @pytest.mark.parametrize("template", ["motion.toml", "slew.toml"])
-def test_a_template_is_a_file_to_begin_with(template, tmp_path, monkeypatch, capsys):
+def test_a_template_is_a_file_to_begin_with(template, tmp_path, monkeypatch, run):
     monkeypatch.chdir(tmp_path)
-    assert main(["init", template]) == 0
+    run("init", template)
     assert (tmp_path / template).read_text().startswith("# A ")
     command = "propagate" if template == "motion.toml" else "plan"
-    assert main([command, template]) == 0
-    assert main(["init", template]) == 2
-    assert "is there already" in capsys.readouterr().err
-    assert main(["init", template, "-o", "other.toml"]) == 0
+    run(command, template)
+    assert "is there already" in run("init", template, status=2).err
+    run("init", template, "-o", "other.toml")
     assert (tmp_path / template).read_text() == (tmp_path / "other.toml").read_text()
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])
-def test_shells_complete_commands_and_options(shell, capsys):
+def test_shells_complete_commands_and_options(shell, run):
     pytest.importorskip("shtab", reason="needs shtab (extra completion)")
-    assert main(["completion", shell]) == 0
-    script = capsys.readouterr().out
+    script = run("completion", shell).out
     assert all(name in script for name in COMMANDS)
     assert "verdict" in script
 
 
-def test_completion_without_its_package_is_one_line(monkeypatch, capsys):
+def test_completion_without_its_package_is_one_line(monkeypatch, run):
     monkeypatch.setitem(__import__("sys").modules, "shtab", None)
-    assert main(["completion", "bash"]) == 2
-    assert "pip install 'rigidsym[completion]'" in capsys.readouterr().err
+    assert "pip install 'rigidsym[completion]'" in run("completion bash", status=2).err
 
 
 @pytest.mark.parametrize(
     ("name", "starts"), [("x.csv", b"t,q0"), ("x.json", b"{"), ("x.JSON", b"{"), ("x.npz", b"PK")]
 )
-def test_the_name_of_a_file_says_its_format(name, starts, tmp_path):
-    assert main(["propagate", "paper", "-o", str(tmp_path / name)]) == 0
+def test_the_name_of_a_file_says_its_format(name, starts, tmp_path, run):
+    run("propagate paper -o", str(tmp_path / name))
     assert (tmp_path / name).read_bytes().startswith(starts)
 
 
-def test_a_message_is_asked_for_by_its_name_too(tmp_path, capsys):
+def test_a_message_is_asked_for_by_its_name_too(tmp_path, run):
     path = tmp_path / "x.aem"
-    assert main(["propagate", "paper", "-o", str(path)]) == 2
-    assert "epoch = missing" in capsys.readouterr().err
-    assert main(["propagate", "paper", "-o", str(path), "--epoch", "2026-01-01T00:00:00"]) == 0
+    assert "epoch = missing" in run("propagate paper -o", path, status=2).err
+    run("propagate paper -o", path, "--epoch", "2026-01-01T00:00:00")
     assert path.read_text().startswith("CCSDS_AEM_VERS")
 
 
 @pytest.mark.parametrize("name", ["x.dat", "states", ".csv"])
-def test_other_names_are_refused_unless_a_format_is_given(name, tmp_path, capsys):
+def test_other_names_are_refused_unless_a_format_is_given(name, tmp_path, run, refused):
     path = tmp_path / name
-    assert main(["propagate", "paper", "-o", str(path)]) == 2
-    assert "ends in none of .csv, .json, .npz, .aem: give --format" in capsys.readouterr().err
+    assert (
+        "ends in none of .csv, .json, .npz, .aem: give --format"
+        in run("propagate paper -o", path, status=2).err
+    )
     assert not path.exists()
-    assert main(["propagate", "paper", "-o", str(path), "--format", "csv"]) == 0
+    run("propagate paper -o", path, "--format", "csv")
 
 
 @pytest.fixture
@@ -144,9 +138,8 @@ def replayed(monkeypatch):
 
 
 @pytest.mark.usefixtures("replayed")
-def test_errata_begin_with_counts(capsys):
-    assert main(["errata"]) == 0
-    first, *others = capsys.readouterr().out.splitlines()
+def test_errata_begin_with_counts(run):
+    first, *others = run("errata").out.splitlines()
     counts = [int(n) for n in re.findall(r"(\d+) (?:hold|are|amb)", first)]
     assert len(counts) == 4
     assert sum(counts) == len(EQUATIONS)
@@ -155,23 +148,18 @@ def test_errata_begin_with_counts(capsys):
 
 
 @pytest.mark.usefixtures("replayed")
-def test_one_equation_is_told_in_full(capsys):
-    assert main(["errata", "10", "(35)", "lemma 1"]) == 0
-    told = capsys.readouterr().out
+def test_one_equation_is_told_in_full(run):
+    told = run("errata 10", "(35)", "lemma 1").out
     assert all(f"({number})" in told for number in ("10", "35", "Lemma 1"))
     assert "Ωᵢ(t)=√(sᵢ) sn(±√(αsⱼ) t+Cᵢ, sᵢ/sⱼ)" in told  # noqa: RUF001
     assert "(11)" not in told.partition("(35)")[0]
-    assert main(["errata", "99"]) == 2
-    assert "equation = 99: must be one of: 1, 2, " in capsys.readouterr().err
+    assert "equation = 99: must be one of: 1, 2, " in run("errata 99", status=2).err
 
 
 @pytest.mark.usefixtures("replayed")
 @pytest.mark.parametrize("verdict", ["holds", "holds-if", "misprint", "ambiguous"])
-def test_verdicts_can_be_chosen(verdict, capsys):
-    import json
-
-    assert main(["errata", "--verdict", verdict, "--json"]) == 0
-    data = json.loads(capsys.readouterr().out)
+def test_verdicts_can_be_chosen(verdict, run):
+    data = json.loads(run("errata --verdict", verdict, "--json").out)
     assert {entry["verdict"] for entry in data["equations"]} == {verdict.replace("-", " ")}
     assert data["prose"] == []
 
@@ -192,12 +180,11 @@ def test_long_texts_go_through_the_pager_on_a_terminal(monkeypatch, capsys):
 
 
 @pytest.mark.parametrize("target", TARGETS)
-def test_code_is_written_where_it_is_asked_for_alone(target, capsys):
-    assert main(["codegen", target]) == 2
-    assert "output = missing: give -o DIR" in capsys.readouterr().err
+def test_code_is_written_where_it_is_asked_for_alone(target, run):
+    assert "output = missing: give -o DIR" in run("codegen", target, status=2).err
 
 
-def test_the_sealed_ledger_is_written_in_place_alone(monkeypatch, tmp_path, capsys):
+def test_the_sealed_ledger_is_written_in_place_alone(monkeypatch, tmp_path, run):
     from rigidsym.proof import derivation
     from rigidsym.proof.derivation import Derivation
 
@@ -206,16 +193,15 @@ def test_the_sealed_ledger_is_written_in_place_alone(monkeypatch, tmp_path, caps
     for text, word in ((sealed, "the one that is"), (sealed + " ", "NOT the one")):
         found = Derivation((), text)
         monkeypatch.setattr(derivation, "derive", lambda *given, found=found: found)
-        assert main(["derive"]) == 0
-        told = capsys.readouterr().err
+        told = run("derive").err
         assert word in told
         assert "not written (-o FILE, or --in-place)" in told
         assert not place.exists()
-    assert main(["derive", "--in-place"]) == 0
+    run("derive --in-place")
     assert place.read_text("utf-8") == sealed + " "
 
 
-def test_derive_says_which_mutants_it_counted(monkeypatch, tmp_path, capsys):
+def test_derive_says_which_mutants_it_counted(monkeypatch, tmp_path, run):
     from rigidsym.proof import derivation
     from rigidsym.proof.derivation import Derivation
 
@@ -231,9 +217,8 @@ def test_derive_says_which_mutants_it_counted(monkeypatch, tmp_path, capsys):
     monkeypatch.setattr(derivation, "derive", derive)
     kept = f"{len(counts)} facts as sealed and not again (--mutants counts all)"
     for option, expected in (([], text), (["--mutants"], ""), (["--in-place"], "")):
-        assert main(["derive", *option]) == 0
+        told = run("derive", *option).err
         assert given.pop() == expected
-        told = capsys.readouterr().err
         assert f"mutants: {count} of {len(counts)} facts are counted" in told
         assert (kept in told) == bool(expected)
 
@@ -247,12 +232,14 @@ def test_a_ledger_that_is_not_as_sealed_gives_no_counts(monkeypatch):
     assert sealed_counts() == ""
 
 
-def test_a_part_of_the_derivation_is_not_for_the_package(capsys):
-    assert main(["derive", CHAPTERS[0], "--in-place"]) == 2
-    assert "in-place = given: is for all chapters" in capsys.readouterr().err
+def test_a_part_of_the_derivation_is_not_for_the_package(run):
+    assert (
+        "in-place = given: is for all chapters"
+        in run("derive", CHAPTERS[0], "--in-place", status=2).err
+    )
 
 
-def test_without_a_compiler_numpy_is_measured_and_said_to_be_alone(monkeypatch, capsys):
+def test_without_a_compiler_numpy_is_measured_and_said_to_be_alone(monkeypatch, run):
     had = engines.exactly
 
     def exactly(name):
@@ -261,11 +248,10 @@ def test_without_a_compiler_numpy_is_measured_and_said_to_be_alone(monkeypatch, 
         return had(name)
 
     monkeypatch.setattr(engines, "exactly", exactly)
-    assert main(["validate", "--stratum", "rest", "--cases", "1"]) == 0
-    told = capsys.readouterr()
+    told = run("validate --stratum rest --cases 1")
     assert "c is not measured: no C compiler found" in told.err
     assert "Every bound is kept at " in told.out.splitlines()[-1]
-    assert main(["validate", "c", "--stratum", "rest", "--cases", "1"]) == 2
+    run("validate c --stratum rest --cases 1", status=2)
 
 
 def test_methods_end_with_a_conclusion():
