@@ -22,6 +22,13 @@ def rates(motion, times, sigma, random):
     return motion(times)[1] + sigma * random.normal(size=(len(times), 3))
 
 
+def fitted(truth, times, scatter, seed, **arguments):
+    """The fit of attitudes with errors drawn, from the truth unless `guess` says otherwise."""
+    seen = attitudes(truth, times, scatter, np.random.default_rng(seed))
+    arguments = {"sigma": scatter, "guess": truth, **arguments}
+    return rigidsym.fit(times, attitudes=seen, **arguments)
+
+
 def at_epoch(fit, truth):
     """The truth as a point of the problem of a fit."""
     q, omega = truth(fit.problem.epoch)

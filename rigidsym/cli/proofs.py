@@ -269,6 +269,7 @@ def errata(options: Namespace) -> int:
     """Print the verdicts on the printed equations and on claims in the paper's prose."""
     from rigidsym.io.ledger import ledger_data
     from rigidsym.proof.paper import judged, verdicts
+    from rigidsym.proof.paper.table import details
 
     ledger = ledger_data(replayed())
     ruled = _chosen(verdicts(ledger), options)
@@ -282,7 +283,9 @@ def errata(options: Namespace) -> int:
         }
         print(json.dumps(data, indent=1))
     elif options.equations:
-        page("\n".join(map(_whole, ruled)))
+        numbers = (f"({verdict.equation.number})" for verdict in ruled)
+        entries = (list(details(verdict)) for verdict in ruled)
+        page("\n".join(map(entries_text, numbers, entries)))
     else:
         page(_overview(ruled, prose))
     return 0
@@ -301,12 +304,6 @@ def _chosen(ruled: "Sequence[Verdict]", options: Namespace) -> "list[Verdict]":
     return [verdict for verdict in found if not ruling or verdict.ruling == ruling]
 
 
-def _whole(verdict: "Verdict") -> str:
-    from rigidsym.proof.paper.table import details
-
-    return entries_text(f"({verdict.equation.number})", list(details(verdict)))
-
-
 def _overview(ruled: "Sequence[Verdict]", prose: "Sequence[Judged]") -> str:
     from rigidsym.proof.paper.table import COLUMNS, counted, row
 
@@ -314,12 +311,11 @@ def _overview(ruled: "Sequence[Verdict]", prose: "Sequence[Judged]") -> str:
         f"{counted(ruled)}; all about one of them: rigidsym errata 10\n",
         table_text("rigidsym errata", COLUMNS, [row(verdict) for verdict in ruled]),
     ]
-    if prose:
+    rows = []
+    for one in prose:
+        decided_by = (*one.facts, *(f"`{command}`" for command in one.prose.commands))
+        rows.append((one.prose.claim, one.judgement, one.prose.reason, "\n".join(decided_by)))
+    if rows:
         columns = ("claim in words", "judgement", "reason", "decided by")
-        parts.append(table_text("in the paper's prose", columns, [_prose(x) for x in prose]))
+        parts.append(table_text("in the paper's prose", columns, rows))
     return "".join(parts)
-
-
-def _prose(found: "Judged") -> tuple[str, str, str, str]:
-    decided_by = (*found.facts, *(f"`{command}`" for command in found.prose.commands))
-    return found.prose.claim, found.judgement, found.prose.reason, "\n".join(decided_by)

@@ -72,35 +72,29 @@ def validate(options: Namespace) -> int:
 
 
 def _chosen(options: Namespace) -> dict[str, Any]:
-    """Return the arguments of a campaign that the user gave."""
-    chosen: dict[str, Any] = {}
-    if options.targets:
-        chosen["targets"] = options.targets
-    elif not options.resume:
-        chosen["targets"] = _available(options.faults)
-    if options.peer:
-        chosen["peers"] = options.peer
-    if options.stratum:
-        chosen["strata"] = options.stratum
-    if options.cases is not None:
-        chosen["cases"] = options.cases
-    if options.digits is not None:
-        chosen["digits"] = options.digits
-    if options.seed is not None:
-        chosen["seed"] = options.seed
-    return chosen
+    """Return the arguments of a campaign that the user gave.
 
-
-def _available(faults: bool) -> list[str]:
-    """Return the targets that can be measured on this machine; report why others cannot."""
+    Without targets these are all that can be measured on this machine.
+    """
     from rigidsym import engines
     from rigidsym.validate.implementations import missing
 
-    reasons = missing(engines.EVERY if faults else engines.ENGINES)
-    for target, reason in reasons.items():
-        if reason:
-            say(f"{target} is not measured: {reason}")
-    return [target for target, reason in reasons.items() if not reason]
+    targets = options.targets
+    if not (targets or options.resume):
+        reasons = missing(engines.EVERY if options.faults else engines.ENGINES)
+        for target, reason in reasons.items():
+            if reason:
+                say(f"{target} is not measured: {reason}")
+        targets = [target for target, reason in reasons.items() if not reason]
+    chosen = {
+        "targets": targets or (None if options.resume else targets),
+        "peers": options.peer,
+        "strata": options.stratum,
+        "cases": options.cases,
+        "digits": options.digits,
+        "seed": options.seed,
+    }
+    return {name: value for name, value in chosen.items() if value is not None}
 
 
 def _run(campaign: "Campaign", done: "Progress", options: Namespace) -> int:

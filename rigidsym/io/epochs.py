@@ -92,7 +92,7 @@ def _day_of_year(year: int, number: int) -> int:
 def later(instant: int, seconds: float) -> int:
     """Return the instant so many seconds later, rounded to a tick.
 
-    A double stands for its shortest decimal: 0.1 s later is .100, and subtracting the epoch again
+    A double is taken as its shortest decimal: 0.1 s later is .100, and subtracting the epoch again
     gives the same double.
     """
     return instant + round(Fraction(repr(seconds)) * SECOND)

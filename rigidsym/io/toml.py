@@ -6,7 +6,7 @@ from typing import Any
 
 from rigidsym.errors import InputError
 
-# Of values that may be of any type, until somebody has read them.
+# Values may be of any type.
 TomlTable = Mapping[str, Any]
 
 # Kinds of files, and of fields that one kind alone has, the command that reads it.

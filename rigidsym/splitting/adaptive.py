@@ -30,8 +30,8 @@ def chosen(
 
     The first run chooses its steps by local errors (`Panels`).  The error of a run is its
     difference from the one before, over the ratio at which these differences fall, less 1.  Where
-    they fall too slowly another first run looks closer.  stops: where steps begin anew, s, from
-    times[0] to times[-1].  Raises PrecisionError with the reason where no step reaches the
+    they fall too slowly, another first run is finer. stops: times at which steps begin anew, s,
+    from times[0] to times[-1].  Raises PrecisionError with the reason where no step reaches the
     tolerance; its `trajectory` is the best.
     """
     if times.size == 1:

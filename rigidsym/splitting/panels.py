@@ -65,11 +65,11 @@ class HopelessError(ArithmeticError):
 
 
 class Panels(Mesh):
-    """The mesh of one run, panel by panel.
+    """Mesh of one run, chosen panel by panel.
 
-    stops: where panels end, (P + 1,), s, rising; first: the error of all panels together, rad, and
-    tolerance: a bound of those errors that shorter steps would not lower as fast as the method's
-    order says; share: the part of both that is used.
+    stops: ends of panels, (P + 1,), s, rising; first: the error of all panels together, rad;
+    tolerance: a bound of those errors that shorter steps would not reduce by the method's order;
+    share: the part of both that is used.
     """
 
     def __init__(
@@ -164,7 +164,10 @@ class Panels(Mesh):
         if np.max(_lengths(ends[1].omega)) * length > 4 * _LONGEST:
             return None
         path = self._path(begin, length, state, ends[1])
-        times, torques = self._probed(path, begin, length, blocks)
+        # Chebyshev's points of all blocks, (M,), and torques there, (M, ..., 3).
+        points = (np.arange(blocks)[:, None] + _POINTS[:-1]).ravel()
+        times = begin + length * np.append(points, blocks) / blocks
+        torques = self._at(path, times)
         weight = self._weights(begin, torques, times)
         unseen = self._unseen * (length / self._span + 1 / _BLOCKS)
         unseen += _ROUNDING * float(np.max(1 + _lengths(state.omega) * self._reach(begin)))
@@ -254,14 +257,6 @@ class Panels(Mesh):
 
         return path
 
-    def _probed(
-        self, path: Path, begin: float, length: float, blocks: int
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Times (M,) at the points of all blocks, and torques there, (M, ..., 3)."""
-        points = (np.arange(blocks)[:, None] + _POINTS[:-1]).ravel()
-        times = begin + length * np.append(points, blocks) / blocks
-        return times, self._at(path, times)
-
     def _at(self, path: Path, times: np.ndarray) -> np.ndarray:
         states = path(times)
         return self._splitting.probe(times, states.q, states.omega)
@@ -293,8 +288,10 @@ class Panels(Mesh):
         return step * found
 
     def _is_moving(self, path: Path, times: np.ndarray, steps: float, weight: np.ndarray) -> bool:
-        """Whether a jump or kink is where the attitude says, and not by the clock: with the first
-        state of three it is not seen."""
+        """Return whether a jump or kink depends on the attitude and not on the time.
+
+        It is then not seen at three times with the state of the first.
+        """
         first = path(times[[0, 0, 0]])
         found = np.diff(self._splitting.probe(times, first.q, first.omega), 2, axis=0)
         return bool(_lengths(found * weight).max() < steps / 2)

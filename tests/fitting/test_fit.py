@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from simulated import TUMBLING, attitudes, rates, told
+from simulated import TUMBLING, attitudes, fitted, rates, told
 
 import rigidsym
 from rigidsym.fitting import Attitudes, Directions, Modelled, Rates, periods
@@ -18,10 +18,7 @@ def times(count=30, span=12.0, seed=5):
 
 @pytest.fixture(scope="module")
 def found():
-    random = np.random.default_rng(2)
-    t = times()
-    seen = attitudes(TUMBLING, t, SIGMA, random)
-    return rigidsym.fit(t, attitudes=seen, sigma=SIGMA, starts=300)
+    return fitted(TUMBLING, times(), SIGMA, 2, guess=None, starts=300)
 
 
 def test_the_motion_comes_back_within_its_errors(found):
@@ -115,10 +112,8 @@ def test_rates_alone_tell_no_attitude():
 
 @pytest.mark.parametrize("axis", range(3))
 def test_spin_tells_no_ratios(axis):
-    random = np.random.default_rng(10 + axis)
     spin = TUMBLING.replace(omega0=tuple(np.eye(3)[axis]))
-    t = times()
-    fit = rigidsym.fit(t, attitudes=attitudes(spin, t, SIGMA, random), sigma=SIGMA, guess=spin)
+    fit = fitted(spin, times(), SIGMA, 10 + axis)
     assert fit.spinning
     assert fit.motion.regime == spin.regime
     assert len([x for x in fit.unobservable if x.startswith("moment")]) == 2
@@ -128,51 +123,28 @@ def test_spin_tells_no_ratios(axis):
 
 
 def test_a_wobble_that_shows_is_no_spin():
-    random = np.random.default_rng(4)
-    wobble = TUMBLING.replace(omega0=(0.02, 0.01, 1.0))
-    t = times(60, 40.0)
-    fit = rigidsym.fit(t, attitudes=attitudes(wobble, t, SIGMA, random), sigma=SIGMA, guess=wobble)
+    fit = fitted(TUMBLING.replace(omega0=(0.02, 0.01, 1.0)), times(60, 40.0), SIGMA, 4)
     assert not fit.spinning
     assert fit.unobservable == ()
 
 
 def test_known_moments_are_six_parameters():
-    random = np.random.default_rng(9)
-    t = times(8)
-    fit = rigidsym.fit(
-        t,
-        attitudes=attitudes(TUMBLING, t, SIGMA, random),
-        sigma=SIGMA,
-        inertia="known",
-        moments=3 * MOMENTS,
-        guess=TUMBLING,
-    )
+    fit = fitted(TUMBLING, times(8), SIGMA, 9, inertia="known", moments=3 * MOMENTS)
     assert fit.moments == pytest.approx(3 * MOMENTS, rel=1e-15)
     assert fit.degrees_of_freedom == 24 - 6
     assert fit.sigma[6:] == pytest.approx(np.zeros(3))
 
 
 def test_a_prior_on_moments_fixes_their_scale():
-    random = np.random.default_rng(9)
-    t = times()
-    fit = rigidsym.fit(
-        t,
-        attitudes=attitudes(TUMBLING, t, SIGMA, random),
-        sigma={"attitudes": SIGMA, "moments": [0.3, 0.3, 0.04]},
-        moments=[30, 25, 12.1],
-        guess=TUMBLING,
-    )
+    errors = {"attitudes": SIGMA, "moments": [0.3, 0.3, 0.04]}
+    fit = fitted(TUMBLING, times(), SIGMA, 9, sigma=errors, moments=[30, 25, 12.1])
     assert fit.scaled
     assert fit.moments == pytest.approx(30 * MOMENTS, rel=0.02)
     assert np.all((fit.sigma[6:] > 0.01) & (fit.sigma[6:] < 0.3))
 
 
 def test_a_known_scale_is_the_largest_moment():
-    random = np.random.default_rng(9)
-    t = times()
-    seen = attitudes(TUMBLING, t, SIGMA, random)
-    ratios = rigidsym.fit(t, attitudes=seen, sigma=SIGMA, guess=TUMBLING)
-    sized = rigidsym.fit(t, attitudes=seen, sigma=SIGMA, guess=TUMBLING, scale=50.0)
+    ratios, sized = (fitted(TUMBLING, times(), SIGMA, 9, scale=x) for x in (None, 50.0))
     assert sized.moments == pytest.approx(50 * ratios.moments)
     assert sized.sigma[6:] == pytest.approx(50 * ratios.sigma[6:])
     assert (ratios.scaled, sized.scaled) == (False, True)

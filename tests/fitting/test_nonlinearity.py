@@ -5,7 +5,7 @@ from random import Random
 
 import numpy as np
 import pytest
-from simulated import TUMBLING, attitudes, rates
+from simulated import TUMBLING, fitted, rates
 
 import rigidsym
 from rigidsym.errors import InputError
@@ -15,11 +15,10 @@ from rigidsym.validate.fits import SIGMA, distance, simulated
 NORMAL = 1.959963984540054
 
 
-def fitted(truth, sigma, seed, looks=40, span=38.0, **arguments):
+def drawn(truth, scatter, seed, looks=40, span=38.0, **arguments):
     random = np.random.default_rng(seed)
     times = np.sort(random.uniform(0, span, looks))
-    seen = attitudes(truth, times, sigma, random)
-    return rigidsym.fit(times, attitudes=seen, sigma=sigma, guess=truth, **arguments)
+    return fitted(truth, times, scatter, random, **arguments)
 
 
 def values(fit):
@@ -31,14 +30,14 @@ def values(fit):
 
 @pytest.fixture(scope="module")
 def ordinary():
-    return fitted(TUMBLING, 1e-3, 2)
+    return drawn(TUMBLING, 1e-3, 2)
 
 
 @pytest.fixture(scope="module")
 def wobbling():
     """Turning about an equator of a nearly symmetric body: a product of two quantities shows."""
     truth = rigidsym.TorqueFreeMotion((0.5644, 1.0, 0.56441), (-0.0816, 1e-7, 0.9967))
-    return truth, fitted(truth, SIGMA, 5, 30, 50.0)
+    return truth, drawn(truth, SIGMA, 5, 30, 50.0)
 
 
 def test_intervals_of_an_ordinary_fit_are_those_of_its_errors(ordinary):
@@ -99,7 +98,7 @@ def test_next_to_the_separatrix_the_covariance_as_a_whole_is_flagged():
 
 def test_intervals_of_a_spin_are_linear():
     truth = TUMBLING.replace(omega0=(0.0, 0.0, 1.0))
-    fit = fitted(truth, 1e-3, 3)
+    fit = drawn(truth, 1e-3, 3)
     assert fit.spinning
     assert not fit.nonlinearity.flagged
     told = np.isfinite(fit.sigma)
@@ -115,17 +114,11 @@ def test_intervals_of_a_spin_are_linear():
         {"inertia": "known", "moments": [1.0, 0.85, 0.4]},
         {"loss": "cauchy"},
         {"scale": 5.0},
-        {"moments": [3.0, 2.55, 1.2], "prior": [0.01, 0.01, 0.01]},
+        {"moments": [3.0, 2.55, 1.2], "sigma": {"attitudes": 1e-3, "moments": [0.01] * 3}},
     ],
 )
 def test_intervals_are_linear_whatever_is_estimated(arguments):
-    sigma = 1e-3
-    random = np.random.default_rng(8)
-    times = np.sort(random.uniform(0, 38, 60))
-    seen = attitudes(TUMBLING, times, sigma, random)
-    prior = arguments.pop("prior", None)
-    errors = {"attitudes": sigma} | ({} if prior is None else {"moments": prior})
-    fit = rigidsym.fit(times, attitudes=seen, sigma=errors, guess=TUMBLING, **arguments)
+    fit = drawn(TUMBLING, 1e-3, 8, 60, **arguments)
     assert not fit.nonlinearity.flagged
     ends = fit.intervals() - values(fit)[:, None]
     expected = NORMAL * fit.sigma[:, None] * np.array([-1, 1])

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from simulated import attitudes
+from simulated import fitted
 
 import rigidsym
 from rigidsym.fitting.observability import is_bent
@@ -10,18 +10,16 @@ from rigidsym.fitting.observability import is_bent
 SIGMA = 1e-4
 
 
-def fitted(omega, inertia):
+def symmetric(omega, inertia):
     truth = rigidsym.TorqueFreeMotion((0.458, 1.0, 1.0), omega)
     random = np.random.default_rng(3)
-    times = np.sort(random.uniform(0, 38, 40))
-    seen = attitudes(truth, times, SIGMA, random)
-    return rigidsym.fit(times, attitudes=seen, sigma=SIGMA, inertia=inertia, guess=truth)
+    return fitted(truth, np.sort(random.uniform(0, 38, 40)), SIGMA, random, inertia=inertia)
 
 
 def test_a_ratio_that_only_a_wobble_of_its_error_shows_is_not_told():
     """Turning about an equator of a symmetric body, the rate about its axis within its error of
     zero: their product is what is seen."""
-    fit = fitted((1e-6, 1.0, 0.3), "ratios")
+    fit = symmetric((1e-6, 1.0, 0.3), "ratios")
     assert abs(fit.motion.exact["omega0"][0]) < 4 * fit.sigma[3]
     place = fit.names.index("moment 1")
     assert fit.sigma[place] > 0.3
@@ -30,13 +28,13 @@ def test_a_ratio_that_only_a_wobble_of_its_error_shows_is_not_told():
 
 
 def test_a_ratio_that_a_wobble_shows_is_told():
-    fit = fitted((0.3, 1.0, 0.3), "ratios")
+    fit = symmetric((0.3, 1.0, 0.3), "ratios")
     assert fit.unobservable == ()
     assert np.all(fit.sigma < 10 * SIGMA)
 
 
 def test_axes_of_equal_moments_are_not_told():
-    fit = fitted((0.3, 1.0, 0.3), "tensor")
+    fit = symmetric((0.3, 1.0, 0.3), "tensor")
     assert fit.converged
     about = [x for x in fit.unobservable if x.startswith("axes")]
     assert about == ["axes 1"]
@@ -57,10 +55,8 @@ def test_products_of_errors_count_where_they_are_larger():
 def test_a_motion_has_the_digits_that_observations_tell(index):
     """On a separatrix, where doubles at t = 0 are another motion when the last are seen."""
     random = np.random.default_rng(index)
-    times = np.sort(random.uniform(0, 60, 60))
     truth = rigidsym.TorqueFreeMotion((1.0, 0.75, 0.5), (0.5, 0.0, 1.0), (1, 0, 0, 0))
-    seen = attitudes(truth, times, SIGMA, random)
-    fit = rigidsym.fit(times, attitudes=seen, sigma=SIGMA, guess=truth)
+    fit = fitted(truth, np.sort(random.uniform(0, 60, 60)), SIGMA, random)
     assert fit.converged
     assert fit.probability > 1e-3
     q, omega = fit.motion(fit.problem.times)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from simulated import TUMBLING, attitudes, rates, told
+from simulated import TUMBLING, attitudes, fitted, rates, told
 
 import rigidsym
 from rigidsym.fitting import Directions, Rates
@@ -31,8 +31,7 @@ def test_sparse_attitudes_are_enough():
     """Seventeen looks, each some 80 degrees after the last."""
     random = np.random.default_rng(1)
     t = np.sort(random.uniform(0, 24, 17))
-    seen = attitudes(TUMBLING, t, SIGMA, random)
-    fit = rigidsym.fit(t, attitudes=seen, sigma=SIGMA, starts=1000)
+    fit = fitted(TUMBLING, t, SIGMA, random, guess=None, starts=1000)
     assert fit.converged
     assert fit.probability > 1e-3
     assert np.sum(told(fit, TUMBLING) ** 2) < 30
@@ -40,10 +39,8 @@ def test_sparse_attitudes_are_enough():
 
 def test_looks_at_equal_times_have_alternatives():
     """Nothing tells a turn from one that is whole turns more between looks."""
-    random = np.random.default_rng(2)
-    t = 2.0 * np.arange(14)
-    seen = attitudes(TUMBLING, t, SIGMA, random)
-    fit = rigidsym.fit(t, attitudes=seen, sigma=SIGMA, starts=1000, fastest=4.0, delta_chi2=20)
+    asked = {"guess": None, "starts": 1000, "fastest": 4.0, "delta_chi2": 20}
+    fit = fitted(TUMBLING, 2.0 * np.arange(14), SIGMA, 2, **asked)
     every = [fit, *fit.alternatives]
     assert len(every) > 1
     assert np.all(np.diff([one.chi2 for one in every]) > -1e-9)
