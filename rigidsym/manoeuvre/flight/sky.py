@@ -15,6 +15,7 @@ import numpy as np
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight.settings import Orbit
+from rigidsym.splitting import KeplerOrbit
 
 DAY = 86400.0
 MU = 3.986004418e14
@@ -33,17 +34,15 @@ class Path:
     """A circular orbit of Kepler, inertial."""
 
     def __init__(self, orbit: Orbit) -> None:
-        node, tilt, self._start = np.radians(
-            [orbit.node, orbit.inclination, orbit.latitude_argument]
+        node, tilt, self._start = (
+            math.radians(x) for x in (orbit.node, orbit.inclination, orbit.latitude_argument)
         )
         self.radius = RADIUS + 1e3 * orbit.altitude
         "From the Earth's middle, m."
-        self.mean_motion = math.sqrt(MU / self.radius**3)
+        circle = KeplerOrbit(MU, self.radius, inclination=tilt, node=node)
+        self.mean_motion = circle.mean_motion
         "rad/s."
-        ascending = [np.cos(node), np.sin(node), 0.0]
-        highest = [-np.sin(node) * np.cos(tilt), np.cos(node) * np.cos(tilt), np.sin(tilt)]
-        self._ascending = self.radius * np.array(ascending)
-        self._highest = self.radius * np.array(highest)
+        self._ascending, self._highest = (self.radius * axis for axis in circle.axes)
 
     def __call__(self, t: float) -> tuple[np.ndarray, np.ndarray]:
         """Return position (m) and velocity (m/s), (3,) each, at a time in s."""
