@@ -1,10 +1,12 @@
 """Transfers to fly that need no planner: the target is where a known motion arrives."""
 
 from dataclasses import dataclass, replace
+from fractions import Fraction
 
 import numpy as np
 
 from rigidsym import TorqueFreeMotion
+from rigidsym.manoeuvre.flight import fly
 from rigidsym.manoeuvre.flight.settings import Disturbances, Flight, Timing
 from rigidsym.manoeuvre.manoeuvre import manoeuvre
 from rigidsym.manoeuvre.transfer import robustness
@@ -46,7 +48,11 @@ def flight(**parts):
 
 def short(length=40, period="0.1", **parts):
     """A short flight."""
-    from fractions import Fraction
-
     timing = Timing(length=Fraction(length), period=Fraction(period), **parts.pop("run", {}))
     return flight(run=timing, **parts)
+
+
+def flown(length=40, period="0.1", transfer=None, **parts):
+    """A short flight along the motion of `known(**transfer)`."""
+    asked, track = known(**(transfer or {}))
+    return fly(asked, short(length, period, **parts), track)

@@ -18,18 +18,16 @@ from rigidsym.manoeuvre.flight.settings import Controller, Wheels
 Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 Spread = Mapping[str, float]
 
-_FLOWN = (
-    "way",
-    "torque integral, 1e-3 N m s",
-    "over natural's",
-    "torque^2, 1e-7 N^2 m^2 s",
-    "over the least",
-    "torque peak, 1e-4 N m",
-    "error at duration, deg",
-    "after hold, deg",
-    "cheaper / dearer",
-    "saturated",
-)
+# Columns of spreads: the measure of flights, its unit, and whether terminals get it in full.
+_FLOWN = {
+    "torque integral, 1e-3 N m s": ("torque_integral", 1e-3, True),
+    "over natural's": ("over_natural", 1.0, True),
+    "torque^2, 1e-7 N^2 m^2 s": ("torque_square", 1e-7, False),
+    "over the least": ("over_least_square", 1.0, False),
+    "torque peak, 1e-4 N m": ("torque_peak", 1e-4, False),
+    "error at duration, deg": ("error_at_duration", 1.0, False),
+    "after hold, deg": ("error_after_hold", 1.0, False),
+}
 _OPTIMAL = ("task", "optimiser", "guess", "iterations", "converged", "best", "quickest")
 _NAMES = {
     "natural": "The natural motion",
@@ -64,19 +62,13 @@ def _flown(model: str, methods: Mapping[str, Any], short: Callable[..., str]) ->
     rows = [
         (
             method,
-            spread(one["torque_integral"], 1e-3),
-            spread(one["over_natural"]),
-            short(one["torque_square"], 1e-7),
-            short(one["over_least_square"]),
-            short(one["torque_peak"], 1e-4),
-            short(one["error_at_duration"]),
-            short(one["error_after_hold"]),
+            *((spread if full else short)(one[name], unit) for name, unit, full in _FLOWN.values()),
             f"{one['cheaper_than_natural']} / {one['dearer_than_natural']}",
             str(one["saturated"]),
         )
         for method, one in methods.items()
     ]
-    return f"flown with {model}", _FLOWN, rows
+    return f"flown with {model}", ("way", *_FLOWN, "cheaper / dearer", "saturated"), rows
 
 
 def _ideal(models: Mapping[str, Mapping[str, Spread]]) -> Table:

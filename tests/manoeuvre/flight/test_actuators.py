@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from manoeuvre_flights import NOTHING, known, short
+from manoeuvre_flights import NOTHING, flown, known, short
 
 from rigidsym.errors import InputError
 from rigidsym.manoeuvre.flight import fly
@@ -24,10 +24,10 @@ ALONE = {"controller": {"natural_frequency": 0.0}, "disturbances": NOTHING}
 IMPULSES = np.array([[2e-3, -1e-3, 0.0], [-1e-3, 1e-3, 5e-4]])
 
 
-def flown(thrusters, omega0=(0.01, 0.02, -0.01), duration=30, **parts):
-    asked, transfer = known(duration, omega0)
-    settings = short(duration + 5, thrusters=thrusters, **(ALONE | parts))
-    return fly(asked, settings, transfer)
+def burnt(thrusters, **parts):
+    """A flight of 35 s with thrusters, by default alone, along a motion of 30 s."""
+    transfer = {"duration": 30, "omega0": (0.01, 0.02, -0.01)}
+    return flown(35, transfer=transfer, thrusters=thrusters, **(ALONE | parts))
 
 
 @pytest.mark.parametrize(("before", "begin"), [(0.5, -1.0), (0.0, 0.0)])
@@ -97,14 +97,14 @@ def test_who_burns():
 
 def test_the_shorter_the_burns_the_nearer():
     """What is missed goes with the length of centred burns, and late ones miss by more."""
-    errors = [flown(Thrusters(torque, 0.0)).last_burn()["error"] for torque in (1e-3, 4e-3, 0.1)]
+    errors = [burnt(Thrusters(torque, 0.0)).last_burn()["error"] for torque in (1e-3, 4e-3, 0.1)]
     assert errors[0] > 3 * errors[1] > 9 * errors[2]
-    late = flown(Thrusters(centred=False)).last_burn()["error"]
+    late = burnt(Thrusters(centred=False)).last_burn()["error"]
     assert late > 2 * errors[0]
 
 
 def test_thrusters_push_against_the_outside():
-    run = flown(Thrusters())
+    run = burnt(Thrusters())
     assert run.t[0] <= run.burns.begin < 0
     assert run.t[0] == pytest.approx(np.floor(10 * run.burns.begin) / 10)
     np.testing.assert_array_equal(run.wheel_momentum, np.zeros_like(run.wheel_momentum))
@@ -117,22 +117,23 @@ def test_thrusters_push_against_the_outside():
 
 
 def test_wheels_take_what_thrusters_leave():
-    run = flown(Thrusters(), controller={"natural_frequency": 0.3, "feedforward": True})
-    assert run.error[-1] < flown(Thrusters()).error[-1] / 5
+    run = burnt(Thrusters(), controller={"natural_frequency": 0.3, "feedforward": True})
+    assert run.error[-1] < burnt(Thrusters()).error[-1] / 5
     assert np.abs(run.wheel_momentum).max() < 0.1 * np.abs(run.burns.impulses).max()
 
 
 def test_bursts_ahead_of_errors():
     """Wheels that know the bursts stay near the motion, and their torque is that of the bursts."""
-    asked, transfer = known(duration=60)
     ahead = {"feedforward": True, "track_feedforward": True}
-    plain = fly(asked, short(80, disturbances=NOTHING), transfer)
-    better = fly(asked, short(80, disturbances=NOTHING, controller=ahead), transfer)
+    plain, better = (
+        flown(80, transfer={"duration": 60}, disturbances=NOTHING, controller=gains)
+        for gains in ({}, ahead)
+    )
     assert better.tracking()["max"] < plain.tracking()["max"] / 10
     # What thrusters would exert: all but the gyroscopic torque of the wheels.
     exerted = better.torque - np.cross(better.omega, better.wheel_momentum)
     summed = np.trapezoid(np.abs(exerted), better.t, axis=0).sum()
-    assert summed == pytest.approx(np.abs(bursts(asked, transfer)).sum(), rel=0.05)
+    assert summed == pytest.approx(np.abs(bursts(*known(duration=60))).sum(), rel=0.05)
     assert np.abs(better.torque).max() <= 1e-3
 
 
