@@ -6,11 +6,13 @@ form that is not the default, faults are drawn from the lines that the default d
 
 import math
 import struct
+import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
+from importlib import resources
 from textwrap import shorten
 from typing import NamedTuple
 
@@ -40,65 +42,11 @@ from rigidsym.validate.faults.fault import BY_HAND, FILES, Fault
 _IDLE = {"alternating": ("winding", 1), "nearest": ("winding", 0), "product_error": ("pair", 0)}
 # How many faults of each kind are drawn for a target.
 EACH = 5
-# Parts of expressions are shown up to this length in HARMLESS.
+# Parts of expressions are shortened to this length where faults are named by them.
 _SHOWN = 50
-_LATE_COLUMN = "in a term that is 1e-13 of a column, p t^2 below 1/16"
-_LATE_J = "X^14 or more at a 32nd of the time, below 1e-12 of J"
-_NOT_ZERO = "only whether it is zero matters, and that does not change"
-_TURNS = "turns stay with the rest"
-# Drawn faults that no motion can show, with the reason; by let, change, and the part that is
-# dropped, doubled, forgotten, or whose sign is turned.
-HARMLESS = {
-    "turned_other of hyperbolic_angles: a term dropped: L_rest": "a sum's error, near enough",
-    "j_whole of hyperbolic_angles: nearest forgotten: nearest(j)": _TURNS,
-    "L_whole of hyperbolic_angles: nearest forgotten: nearest(L)": _TURNS,
-    "turned_whole of hyperbolic_angles: nearest forgotten: nearest(turned)": _TURNS,
-    "high of third_kind: a term dropped: E2 * E2 * (E2 / 16 - 45 / 272 * E3)": (
-        "degree six of R_J, after four duplications"
-    ),
-    "least_c off by 1e-12": "below every cosine but 0",
-    "least_c in single precision": "below every cosine but 0",
-    "deepest off by 1e-12": "the exponential of that has vanished",
-    "tail of half_turns: doubled: z_d * (over_21 + z_d * (over_23 + z_d * ...": "4e-22 of an angle",
-    "tail of half_turns: a sign turned: z_d * (over_27 + z_d * (over_29 + z_d * ...": (
-        "1e-27 of an angle"
-    ),
-    "pi_lo off by 1e-12": "1e-28 of an angle below 1/2",
-    "log_2_rest in single precision": "6e-18 of an exponent for each half that is taken off",
-    "log_2_inverse off by 1e-12": "the other of two whole numbers that are equally near",
-    "tail of logarithm: a term dropped: z_d * (over_31 + z_d * over_33)": "4e-34 of a logarithm",
-    "c_7_re of step_first: a term dropped: d_7": ("X^14 at a 32nd of the time, below 1e-12 of J"),
-    "d_10 of step_first: doubled: e_2 * d_8": "X^20 at a 32nd of the time, below 1e-17 of J",
-    "J_im of step_first: a term dropped: common_14 * c_7_im": _LATE_J,
-    "J_im of step_first: doubled: square_X * (common_17 * c_10_im + common_18 * ...": _LATE_J,
-    "E_im of step_first: a sign turned: common_19 / 20": "the fifth power of an angle below 2e-3",
-    "more_X of step_start: a term dropped: common_12 / 36036000": (
-        "the 14th power of an angle below 1/4, over 3e6"
-    ),
-    "more_Y of step_start: a sign turned: common_10 / 2421619200": (
-        "the 14th power of an angle below 1/4, over 1e5"
-    ),
-    "C_5 of hyperbolic_constants: a sign turned: C_3": (
-        "is times the nome to the 30th, below 2e-41"
-    ),
-    "zeta of hyperbolic_constants: doubled: 11 * nome30 * S_5": (
-        "the nome to the 30th, below 2e-41"
-    ),
-    "E_square_9 of imaginary_constants: doubled: E_square_2 * E_square_5": _LATE_COLUMN,
-    "F_square_7 of imaginary_constants: a sign turned: "
-    "F_two * (F_square_0 * F_square_5 + F_square_1 ...": _LATE_COLUMN,
-    "F_square_7 of imaginary_constants: doubled: F_square_0 * F_square_5": _LATE_COLUMN,
-    "F_square_9 of imaginary_constants: a sign turned: F_square_5 * F_square_2": _LATE_COLUMN,
-    "behind_error of imaginary_angles: product_error forgotten: "
-    "product_error(period_hi, turns, behind)": "1e-16 of what whole turns have added by then",
-    "sum_even of real_state: a sign turned: x2 * even_2": (
-        "is times the nome to the 16th, below 2e-22"
-    ),
-    "c_1 of circulation: a term dropped: c_13": _NOT_ZERO,
-    "c_1 of circulation: a term dropped: 1": _NOT_ZERO,
-    "c_2 of circulation: a term dropped: c_23": _NOT_ZERO,
-    "c_2 of circulation: a term dropped: 1": _NOT_ZERO,
-}
+_TABLE = resources.files("rigidsym.validate.faults").joinpath("harmless.toml").read_text("utf-8")
+# Drawn faults that no motion can show, with the reason, by `Fault.change`.
+HARMLESS = {change: why for why, listed in tomllib.loads(_TABLE).items() for change in listed}
 
 
 class Change(NamedTuple):
