@@ -69,26 +69,17 @@ class Worse:
 
     def step(self, inertia, q, omega, dt, out):
         self.stepper.step(inertia, q, omega, dt, out)
-        self.change(q, dt, out)
-
-
-def turned(q, dt, out):
-    out[0][:, 1:] *= 1 + 1.5e-15
-
-
-def slow_in_place(q, dt, out):
-    if out[0] is q:
-        out[1][:] *= 1 + 4e-15
-
-
-def wrong_alone(q, dt, out):
-    if len(q) == 1:
-        out[1][:] *= 1 + 4e-15
+        self.change(q, out)
 
 
 @pytest.mark.parametrize(
     ("change", "name"),
-    [(turned, "angle"), (slow_in_place, "entry_points"), (wrong_alone, "entry_points")],
+    [
+        (lambda q, out: np.multiply(out[0], (1, *3 * [1 + 1.5e-15]), out[0]), "angle"),
+        (lambda q, out: out[0] is q and np.multiply(out[1], 1 + 4e-15, out[1]), "entry_points"),
+        (lambda q, out: len(q) == 1 and np.multiply(out[1], 1 + 4e-15, out[1]), "entry_points"),
+    ],
+    ids=["turned", "slow in place", "wrong alone"],
 )
 def test_what_is_wrong_with_steps_is_noticed(change, name):
     reference = enclose(stepped(UNIFORM), 30)
