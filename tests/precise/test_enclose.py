@@ -11,6 +11,7 @@ import flint
 import mpmath
 import numpy as np
 import pytest
+from boxes import numbers, points
 from flint import arb, fmpq
 
 from rigidsym import InputError, TorqueFreeMotion
@@ -52,10 +53,6 @@ EDGES = {
     "mixed": (("1e-9", 1, "1.0000000005"), ("1", "1e-12", "1e-3")),
 }
 ATTITUDE = (1, 2, -3, "0.5")
-
-
-def numbers(state):
-    return [*state[0], *state[1]]
 
 
 def contains(found, expected, slack=0):
@@ -334,20 +331,6 @@ UNCERTAIN = {
 }
 
 
-def points(given, count=10):
-    """Corners of the box and points inside."""
-    random = np.random.default_rng(5)
-    for k in range(count):
-        shift = (lambda: random.choice((-1, 1))) if k % 2 else (lambda: random.uniform(-1, 1))
-        yield [
-            [
-                x.middle + Fraction(float(shift())) * x.radius if hasattr(x, "radius") else x
-                for x in v
-            ]
-            for v in given
-        ]
-
-
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("case", UNCERTAIN)
 @pytest.mark.parametrize("time", ["10", "-150"])
@@ -357,8 +340,8 @@ def test_uncertain_inputs_are_held_point_by_point(case, method, time):
     motion = TorqueFreeMotion(*UNCERTAIN[case])
     found = numbers(motion.enclose(time, 20, method=method))
     assert all(value.is_finite() for value in found)
-    for point in points((motion.inertia, motion.omega0, motion.attitude0)):
-        sharp = numbers(TorqueFreeMotion(*point).enclose(time, 60))
+    for point in points(motion, 10):
+        sharp = numbers(point.enclose(time, 60))
         assert all(a.contains(b) for a, b in zip(found, sharp, strict=True)), point
 
 
@@ -379,8 +362,8 @@ def test_wide_phases_are_held_or_refused():
             found = numbers(motion.enclose(time, 15, method=method))
         except PrecisionError:
             continue
-        for point in points((motion.inertia, motion.omega0, motion.attitude0)):
-            sharp = numbers(TorqueFreeMotion(*point).enclose(time, 60))
+        for point in points(motion, 10):
+            sharp = numbers(point.enclose(time, 60))
             assert all(a.contains(b) for a, b in zip(found, sharp, strict=True))
 
 

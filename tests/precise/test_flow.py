@@ -5,6 +5,7 @@ from itertools import permutations
 from random import Random
 
 import pytest
+from boxes import holds, numbers, points, sharp
 from flint import arb, arb_mat, ctx
 
 from rigidsym import InputError, TorqueFreeMotion
@@ -38,38 +39,6 @@ BOXES = {
     ),
     "needle": (("1e-9", "1e3 +/- 1e-3", "1e3"), ("1 +/- 1e-6", "1e-3", "1e-3"), ATTITUDE),
 }
-
-
-def points(motion, count, seed=3):
-    """Corners of the box, its middle, and points inside."""
-    random = Random(seed)
-    ways = (lambda: random.choice((-1, 1)), lambda: random.uniform(-1, 1), lambda: 0)
-    for k in range(count):
-        shift = ways[k % 2 if k else 2]
-        yield [
-            [x.middle + Fraction(shift()) * x.radius if isinstance(x, Uncertain) else x for x in v]
-            for v in (motion.inertia, motion.omega0, motion.attitude0)
-        ]
-
-
-def numbers(state):
-    return [*state[0], *state[1]]
-
-
-def sharp(point, time):
-    motion = TorqueFreeMotion(*point, allow_nonphysical=True)
-    return numbers(motion.enclose(time, 40, method="landen"))
-
-
-def holds(found, motion, time, count):
-    """Up to the radius of the exact motions' own balls, wider than where all inputs that matter
-    are exact."""
-    with working(300):
-        return all(
-            (value + arb(0, 2 * true.rad())).contains(true)
-            for point in points(motion, count)
-            for value, true in zip(found, sharp(point, time), strict=True)
-        )
 
 
 @pytest.mark.parametrize("box", BOXES)
@@ -162,8 +131,7 @@ def test_bounds_hold_the_rates_of_all_times(box):
         ]
         moments, rates = (list(map(ball, x)) for x in (motion.inertia, motion.omega0))
         limits = rate_bounds(moments, factors, rates)
-    for point in points(motion, 6):
-        exact = TorqueFreeMotion(*point, allow_nonphysical=True)
+    for exact in points(motion, 6):
         for time in (1, 17, -333, "1e6"):
             state = exact.enclose(time, 30)[1]
             assert all(limit.contains(x) for limit, x in zip(limits, state, strict=True))

@@ -104,61 +104,48 @@ def test_signs_of_differences_decide():
     assert decide((Fraction(9, 4), 2, 1), (4, 1, 3)).name == "separatrix_motion"
 
 
-def altered(change):
-    data = copy.deepcopy(LEDGER)
-    facts = {fact["id"]: fact for fact in data["facts"]}
-    contexts = {context["name"]: context for context in data["contexts"]}
-    change(data, facts, contexts)
-    return json.dumps(data)
+def redefined(contexts, name, more):
+    """Add a term to the definition of a name, wherever it is defined."""
+    for context in contexts:
+        if name in context["definitions"]:
+            context["definitions"][name] += more
 
 
-def unproved(data, facts, contexts):
-    facts["sorted_body.cases"]["grade"] = "ASSUMED"
-
-
-def missing(data, facts, contexts):
-    data["facts"].remove(facts["off_1.cases"])
-
-
-def other_leaves(data, facts, contexts):
-    facts["sorted_body.cases"]["rhs"].remove("spin_2")
-
-
-def twice(data, facts, contexts):
-    facts["prolate.cases"]["certificate"]["cases"] = ["prolate_off_1", "prolate_off_1"]
-
-
-def redefined(data, facts, contexts):
-    contexts["oblate"]["definitions"]["E_3"] += " + 1"
-
-
-def other_inputs(data, facts, contexts):
-    contexts["sorted_body"]["generators"].reverse()
-
-
-def used_early(data, facts, contexts):
-    for context in contexts.values():
-        if "off_middle" in context["definitions"]:
-            context["definitions"]["off_middle"] += " + later"
-
-
-def without_cases(data, facts, contexts):
-    del facts["motion.cases"]["certificate"]["cases"]
+CASES, LEAVES = "sorted_body.cases", ["prolate_off_1", "prolate_off_1"]
+PROVED = "sorted_body .*exactly one of"
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (unproved, "theorem sorted_body .*exactly one of"),
-        (missing, "its leaves are not .*off_1"),
-        (other_leaves, "theorem sorted_body .*exactly one of"),
-        (twice, "prolate_off_1.cases: splits lead to it twice"),
-        (redefined, "oblate: its definitions are not those of sorted_body"),
-        (other_inputs, "sorted_body is not about c_3"),
-        (used_early, "theorem sorted_body .*let off_middle = "),
-        (without_cases, "its partition is not readable: KeyError"),
+        (lambda facts, _: facts[CASES].update(grade="ASSUMED"), f"theorem {PROVED}"),
+        (lambda facts, _: facts.pop("off_1.cases"), "its leaves are not .*off_1"),
+        (lambda facts, _: facts[CASES]["rhs"].remove("spin_2"), f"theorem {PROVED}"),
+        (
+            lambda facts, _: facts["prolate.cases"]["certificate"].update(cases=LEAVES),
+            "prolate_off_1.cases: splits lead to it twice",
+        ),
+        (
+            lambda _, contexts: redefined([contexts["oblate"]], "E_3", " + 1"),
+            "oblate: its definitions are not those of sorted_body",
+        ),
+        (
+            lambda _, contexts: contexts["sorted_body"]["generators"].reverse(),
+            "sorted_body is not about c_3",
+        ),
+        (
+            lambda _, contexts: redefined(contexts.values(), "off_middle", " + later"),
+            "theorem sorted_body .*let off_middle = ",
+        ),
+        (
+            lambda facts, _: facts["motion.cases"]["certificate"].pop("cases"),
+            "its partition is not readable: KeyError",
+        ),
     ],
 )
 def test_a_ledger_that_does_not_tell_motions_apart_is_refused(change, message):
+    data = copy.deepcopy(LEDGER)
+    facts = {fact["id"]: fact for fact in data["facts"]}
+    change(facts, {context["name"]: context for context in data["contexts"]})
     with pytest.raises(LedgerError, match=f"^ledger: .*{message}"):
-        load(altered(change))
+        load(json.dumps({**data, "facts": [*facts.values()]}))

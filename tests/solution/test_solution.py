@@ -21,6 +21,7 @@ from rigidsym.language.expression import (
     parse,
     to_text,
 )
+from rigidsym.language.sequence import FormulaSequence
 from rigidsym.language.specification import sequences
 from rigidsym.solution import load, sealed
 
@@ -56,6 +57,11 @@ def test_evaluation_is_exact_over_rationals():
 def test_nothing_else_is_an_expression(text):
     with pytest.raises(ValueError, match="not part of an expression"):
         parse(text)
+
+
+def test_inputs_are_the_names_that_are_used_and_not_set():
+    formulas = FormulaSequence([("x", parse("a + pi")), ("y", parse("x*b + I"))])
+    assert formulas.inputs == {"a", "b"}
 
 
 def test_complements_are_taken_off_not_computed():

@@ -1,0 +1,51 @@
+"""Boxes of uncertain inputs: the exact motions in them, and the balls that hold these."""
+
+from fractions import Fraction
+from random import Random
+
+from flint import arb
+
+from rigidsym import TorqueFreeMotion
+from rigidsym.inputs import middle, radius
+from rigidsym.precise.balls import working
+
+
+def numbers(state):
+    return [*state[0], *state[1]]
+
+
+def point_of(motion, choose):
+    """Return the exact motion with each number moved by `choose()` times its radius."""
+    given = motion.inertia, motion.omega0, motion.attitude0
+    inputs = [[middle(x) + Fraction(choose()) * radius(x) for x in values] for values in given]
+    return TorqueFreeMotion(*inputs, allow_nonphysical=True)
+
+
+def points(motion, count, random=None):
+    """Yield points inside of a box and corners of it in turn; without a generator, also its middle.
+
+    random: a generator to continue with.
+    """
+    if random is None:
+        random, count = Random(3), count - 1
+        yield point_of(motion, lambda: 0)
+    for k in range(count):
+        inside, corner = (lambda: random.uniform(-1, 1)), (lambda: random.choice((-1, 1)))
+        yield point_of(motion, inside if k % 2 == 0 else corner)
+
+
+def sharp(motion, time):
+    return numbers(motion.enclose(time, 40, method="landen"))
+
+
+def holds(found, motion, time, count, random=None):
+    """Return True if balls hold sampled motions of a box, up to twice these motions' own radii.
+
+    Their own balls are the wider ones where all inputs that matter are exact.
+    """
+    with working(300):
+        return all(
+            (value + arb(0, 2 * true.rad())).contains(true)
+            for point in points(motion, count, random)
+            for value, true in zip(found, sharp(point, time), strict=True)
+        )
