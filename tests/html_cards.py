@@ -1,20 +1,24 @@
-"""What a representation for notebooks has to be, whatever it shows."""
+"""HTML as it has to be: a page or a representation for notebooks, read by its elements."""
 
 import re
 from html.parser import HTMLParser
 
-VOID = {"br"}
+VOID = {"br", "meta"}
 
 
-class Balanced(HTMLParser):
-    """Every element that is opened is closed, in order."""
+class Elements(HTMLParser):
+    """Elements with their attributes, refusing what is not closed in order."""
 
-    def __init__(self):
+    def __init__(self, text):
         super().__init__()
-        self.open, self.seen, self.text = [], set(), []
+        self.open, self.found, self.words = [], [], []
+        self.feed(text)
+        self.close()
+        assert self.open == []
 
     def handle_starttag(self, tag, attrs):
-        self.seen.add(tag)
+        assert len(dict(attrs)) == len(attrs), attrs
+        self.found.append((tag, dict(attrs)))
         if tag not in VOID:
             self.open.append(tag)
 
@@ -22,17 +26,18 @@ class Balanced(HTMLParser):
         assert self.open.pop() == tag
 
     def handle_data(self, data):
-        self.text.append(data)
+        self.words.append(data)
+
+    def all(self, tag, class_=None):
+        wanted = ((name, given) for name, given in self.found if name == tag)
+        return [a for _, a in wanted if class_ is None or class_ in a.get("class", "").split()]
 
 
 def well_formed(text):
     """The words of a representation that is well formed and in the colours of the page."""
-    reader = Balanced()
-    reader.feed(text)
-    reader.close()
-    assert reader.open == []
-    assert "script" not in reader.seen
+    elements = Elements(text)
+    assert not elements.all("script")
     assert not re.search(r"[: ](black|white)[;\" ]|#000|#fff", text)
-    shown = "".join(reader.text)
+    shown = "".join(elements.words)
     assert shown.count(r"\(") == shown.count(r"\)")
     return shown

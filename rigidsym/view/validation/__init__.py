@@ -29,7 +29,7 @@ from rigidsym.view.report_data import (
     Report,
     Stratum,
 )
-from rigidsym.view.validation.figures import Labels, common, histogram, key, scatter
+from rigidsym.view.validation.figures import Labels, histograms, key, scatter
 
 if TYPE_CHECKING:
     from rigidsym.validate.report import ValidationReport
@@ -144,6 +144,7 @@ class Tile(NamedTuple):
 def page(data: Report) -> str:
     """Return the page of `ValidationReport.to_data()`: the same text for the same data."""
     everyone = data["implementations"]
+    strata = [stratum["name"] for stratum in data["strata"]]
     cases = [(_nearest(data, found), found) for found in data["worst"]]
     return render(
         "validation.html",
@@ -159,7 +160,10 @@ def page(data: Report) -> str:
         inputs=INPUTS,
         keys=[key(k) for k in range(len(everyone))],
         views=[view._asdict() | {"pictures": _pictures(data, view)} for view in VIEWS],
-        sizes=[(measure, heading, _sizes(data, measure)) for measure, heading in NAMES.items()],
+        sizes=[
+            (measure, heading, histograms(everyone, strata, measure, data["bounds"][measure]))
+            for measure, heading in NAMES.items()
+        ],
         cases=sorted(cases, key=lambda found: (-found[0][0], found[1]["case"])),
         UNIT=formats.UNIT,
     )
@@ -286,13 +290,6 @@ def _pictures(data: Report, view: View) -> list[Markup]:
         )
         for measure, y_label in Y_LABELS.items()
     ]
-
-
-def _sizes(data: Report, measure: str) -> list[tuple[str, Markup]]:
-    everyone, bound = data["implementations"], data["bounds"][measure]
-    axis = common(everyone, measure, bound)
-    names = [stratum["name"] for stratum in data["strata"]]
-    return [(name, histogram(everyone, name, measure, bound, axis)) for name in names]
 
 
 def report_html(report: "ValidationReport") -> str:

@@ -25,6 +25,7 @@ from rigidsym.view.style import SERIES
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+    from matplotlib.patches import Rectangle
 
 # Exponents below this are drawn in this part of the axis, so that the others keep theirs.
 KNEE, PART = -20.0, 0.22
@@ -253,8 +254,15 @@ def _title(name: str, exponent: float, cell: Cell) -> str:
     return f"{name}, {decade}\n{cell['count']} states, worst {size}\n{formats.place(cell)}"
 
 
-def common(implementations: Iterable[Implementation], measure: str, bound: float) -> Axis:
-    """Return one axis for all strata, so that their histograms can be compared."""
+@defaults()
+def histograms(
+    implementations: Sequence[Implementation], strata: Sequence[str], measure: str, bound: float
+) -> list[tuple[str, Markup]]:
+    """Draw for each stratum how often errors have each size, a row of bars an implementation.
+
+    All have one axis, so that they can be compared.  The highest bar of a row is as high as the
+    row.  `bound` is in units of 2^-53.
+    """
     parts = {
         formats.half_octave(part)
         for one in implementations
@@ -262,36 +270,35 @@ def common(implementations: Iterable[Implementation], measure: str, bound: float
         for part in sizes.get(measure, {})
     }
     ends = [part + STEP for part in parts]
-    return fitted([math.log2(bound), *parts, *ends], 0.1, LEAST_OCTAVE)
-
-
-@defaults()
-def histogram(
-    implementations: Sequence[Implementation], stratum: str, measure: str, bound: float, axis: Axis
-) -> Markup:
-    """Draw how often errors of a stratum have each size, a row of bars for each implementation.
-
-    The highest bar of a row is as high as the row; `bound` in units of 2^-53.
-    """
+    axis = fitted([math.log2(bound), *parts, *ends], 0.1, LEAST_OCTAVE)
     rows = len(implementations)
     drawing = Drawing((240, 40 + 34 * rows), (8, 34, 8, 6))
-    for k, one in enumerate(implementations):
-        base = 1 - (k + 1) / rows
+    bases = [1 - (k + 1) / rows for k in range(rows)]
+    for base in bases:
         drawing.line("base", (0, 1), (base, base))
-        counts = _counts(one["sizes"].get(stratum, {}).get(measure, {}), axis)
-        most, total = max(counts.values(), default=1), sum(counts.values())
-        for exponent, number in sorted(counts.items()):
-            left, right = _extent(axis, exponent)
-            height = max(0.82 * number / most, 0.03) / rows
-            (bar,) = drawing.axes.bar((left + right) / 2, height, 0.8 * (right - left), base)
-            title = f"{one['name']}: {number} of {total} states, {_size(axis, exponent)}"
-            drawing.add(f"bar {colour(k)}", bar, [title])
     limit = axis.at(math.log2(bound))
     drawing.line("bound", (limit, limit), (0, 1))
     below = axis.labels(24 / drawing.inner[0], "less", "none", 2)
-    drawing.axes.set(xlim=(0, 1), ylim=(0, 1), xticks=[*below], xticklabels=[*below.values()])
+    drawing.axes.set(xticks=[*below], xticklabels=[*below.values()])
     drawing.add("label", drawing.axes.set_xlabel(f"error / {formats.UNIT}", fontsize=12))
-    return drawing.svg(f"{stratum}: how often {measure} errors are how large")
+    found = []
+    for stratum in strata:
+        bars: list[Rectangle] = []
+        for k, (one, base) in enumerate(zip(implementations, bases, strict=True)):
+            counts = _counts(one["sizes"].get(stratum, {}).get(measure, {}), axis)
+            most, total = max(counts.values(), default=1), sum(counts.values())
+            for exponent, number in sorted(counts.items()):
+                left, right = _extent(axis, exponent)
+                height = max(0.82 * number / most, 0.03) / rows
+                (bar,) = drawing.axes.bar((left + right) / 2, height, 0.8 * (right - left), base)
+                title = f"{one['name']}: {number} of {total} states, {_size(axis, exponent)}"
+                drawing.add(f"bar {colour(k)}", bar, [title])
+                bars.append(bar)
+        drawing.axes.set(xlim=(0, 1), ylim=(0, 1))
+        found.append((stratum, drawing.svg(f"{stratum}: how often {measure} errors are how large")))
+        for bar in bars:
+            bar.remove()
+    return found
 
 
 def _counts(sizes: Mapping[str, int], axis: Axis) -> Counter[float]:

@@ -2,48 +2,20 @@
 
 import copy
 import re
-from html.parser import HTMLParser
 
 import pytest
+from html_cards import Elements
 from validation_reports import STRATA, direct, failed, passed, with_peer
 
 from rigidsym.view.validation import page
 from rigidsym.view.validation.figures import fitted
 
-VOID = {"meta", "br"}
 HOSTILE = """</title><script src="https://x.example/y.js">&'"""
 
 
 @pytest.fixture
 def data():
     return passed()
-
-
-class Elements(HTMLParser):
-    """Elements with their attributes, refusing what is not closed in order."""
-
-    def __init__(self, text):
-        super().__init__()
-        self.open, self.found, self.words = [], [], []
-        self.feed(text)
-        self.close()
-        assert self.open == []
-
-    def handle_starttag(self, tag, attrs):
-        assert len(dict(attrs)) == len(attrs), attrs
-        self.found.append((tag, dict(attrs)))
-        if tag not in VOID:
-            self.open.append(tag)
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag
-
-    def handle_data(self, data):
-        self.words.append(data)
-
-    def all(self, tag, class_=None):
-        wanted = ((name, given) for name, given in self.found if name == tag)
-        return [a for _, a in wanted if class_ is None or class_ in a.get("class", "").split()]
 
 
 def test_a_page_is_well_formed_and_loads_nothing(data):
