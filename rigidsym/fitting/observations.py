@@ -181,9 +181,18 @@ class Observations(ABC):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Attitudes(Observations):
-    """Quaternions (N, 4), scalar first, body to inertial, of either sign and any length.
+    """Attitudes as quaternions, body to inertial.
 
     The residual is the rotation vector of R_seen^T R, along the axes of the body, rad.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, 4)
+        Quaternions, scalar first, of either sign and any length.
+    sigma : number, (N,), (3, 3) or (N, 3, 3)
+        Standard deviations, rad, or covariances of rotation vectors along the axes of the body.
     """
 
     kind: ClassVar[str] = "attitudes"
@@ -264,7 +273,17 @@ class Attitudes(Observations):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rates(Observations):
-    """Rates (N, 3) along the axes of the body, rad/s, as a gyroscope measures them."""
+    """Rates along the axes of the body, as a gyroscope measures them.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, 3)
+        Rates, rad/s.
+    sigma : number, (N,), (3, 3) or (N, 3, 3)
+        Standard deviations, rad/s, or covariances.
+    """
 
     kind: ClassVar[str] = "rates"
     from_arrays: ClassVar[bool] = True
@@ -307,11 +326,24 @@ class Rates(Observations):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Directions(Observations):
-    """Directions (N, 3) of something whose direction is `known`, (3,) or (N, 3), in other axes.
+    """Directions of something whose direction is known in other axes.
 
-    By default they are known in space and seen along the axes of the body, as a camera sees a
-    star; `seen_in="space"` is the reverse, as for a face of the body seen from elsewhere.  The
-    residual is the arc on the sphere from the observed to the computed direction: two numbers, rad.
+    By default they are known in space and seen along the axes of the body, as a camera sees a star.
+    The residual is the arc on the sphere from the observed to the computed direction: two numbers,
+    rad.
+
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, 3)
+        Observed directions, of any length.
+    sigma : number, (N,), (2, 2) or (N, 2, 2)
+        Standard deviations, rad, or covariances.
+    known : (3,) or (N, 3)
+        Known directions, in the other axes.
+    seen_in : {"body", "space"}
+        Axes of the observed directions; "space" is for a face of the body seen from elsewhere.
     """
 
     kind: ClassVar[str] = "vectors"
@@ -409,11 +441,21 @@ class Directions(Observations):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Modelled(Observations):
-    """Values (N, k), or (N,), that `model(q, omega)` computes from states: light curves, ranges.
+    """Values that a function of yours computes from states, such as light curves or ranges.
 
-    model: of q (..., N, 4), omega (..., N, 3) -> (..., N, k) or (..., N).  jacobian: of the same,
-    (..., N, k, 6), by a small turn of the body along inertial axes and by the rates; central
-    differences of the model where it is None.
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    values : (N, k) or (N,)
+        Observed values.
+    sigma : number, (N,), (k, k) or (N, k, k)
+        Standard deviations or covariances.
+    model : function
+        Computes values (..., N, k) or (..., N) from q (..., N, 4) and omega (..., N, 3).
+    jacobian : function
+        Computes derivatives (..., N, k, 6) from the same, by a small turn of the body along
+        inertial axes and by the rates; central differences of the model where it is None.
     """
 
     kind: ClassVar[str] = "models"

@@ -39,11 +39,26 @@ def text(name: str) -> str:
 
 
 def toutatis(years: Collection[int] = (1992,)) -> RadarObservations:
-    """Return radar's attitudes and spin vectors of (4179) Toutatis in some of YEARS.
+    """Return radar's attitudes and spin vectors of (4179) Toutatis in some years.
 
     Source: Takahashi, Busch and Scheeres, The Astronomical Journal 146:95 (2013), table 3; see the
     head of data/toutatis.csv on its transcription.  Each year is a motion of its own, because tidal
-    torques at flybys, most of all in 2004, change it.  Raises InputError for other years.
+    torques at flybys, most of all in 2004, change it.
+
+    Parameters
+    ----------
+    years : collection of int
+        Some of YEARS.
+
+    Returns
+    -------
+    RadarObservations
+        The observations of these years.
+
+    Raises
+    ------
+    InputError
+        For other years.
     """
     for year in years:
         if year not in YEARS:

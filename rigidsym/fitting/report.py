@@ -198,7 +198,18 @@ class Fit(Estimate):
         )
 
     def write(self, directory: Path) -> list[Path]:
-        """Write fit.json, motion.toml, fit.html, and pictures where there is matplotlib."""
+        """Write fit.json, motion.toml, fit.html, and pictures if matplotlib is installed.
+
+        Parameters
+        ----------
+        directory : Path
+            Where to write; it is made if needed.
+
+        Returns
+        -------
+        list of Path
+            The files.
+        """
         pictures = self._pictures() if find_spec("matplotlib") else {}
         drawn = [(title, files["svg"].decode()) for title, files in pictures.values()]
         return [

@@ -36,9 +36,13 @@ if TYPE_CHECKING:
 class Periods:
     """Periods of a tumbling body as astronomers define them, s; None where there is none.
 
-    rotation: of the rates, in which a long-axis mode turns once about the long axis, and in which
-    the long axis of a short-axis mode rolls to and fro. precession: the mean period in which the
-    circulation axis goes round the momentum.
+    Attributes
+    ----------
+    rotation : float or None
+        Period of the rates, in which a long-axis mode turns once about the long axis, and in which
+        the long axis of a short-axis mode rolls to and fro.
+    precession : float or None
+        Mean period in which the circulation axis goes round the momentum.
     """
 
     rotation: float | None
@@ -48,15 +52,25 @@ class Periods:
 def periods(motion: "TorqueFreeMotion") -> Periods:
     """Return the periods of a motion.
 
-    Constant rates have one period, that of the turn, which is returned as the precession.  A body
-    turns about its momentum by psi and about its circulation axis by phi: in one period of the
-    rates they differ by a whole turn, in opposite senses for the two modes.
+    Constant rates have one period, that of the turn, which is returned as the precession.
+
+    Parameters
+    ----------
+    motion : TorqueFreeMotion
+        The motion.
+
+    Returns
+    -------
+    Periods
+        Rotation and precession, s.
     """
     rotation, mean = motion.period, motion.precession_rate
     if mean is None or mean == 0:
         return Periods(None, None)
     if rotation is None or not math.isfinite(rotation) or motion.mode is None:
         return Periods(None, 2 * math.pi / abs(mean))
+    # The body turns about its momentum by psi and about its circulation axis by phi: in one period
+    # of the rates they differ by a whole turn, in opposite senses for the two modes.
     turn = 2 * math.pi / rotation
     rate = mean - turn if motion.mode is Mode.LONG_AXIS else mean + turn
     return Periods(rotation, 2 * math.pi / abs(rate) if rate else math.inf)
@@ -70,9 +84,16 @@ _THIN = 1e-4
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """Predicted states: q (..., 4), omega (..., 3), of the observed axes, with their covariance.
+    """Predicted states of the observed axes, with their covariance.
 
-    covariance (..., 6, 6): of a small turn along inertial axes, rad, and of the rates, rad/s.
+    Attributes
+    ----------
+    q : (..., 4)
+        Attitudes.
+    omega : (..., 3)
+        Rates, rad/s.
+    covariance : (..., 6, 6)
+        Covariance of a small turn along inertial axes, rad, and of the rates, rad/s.
     """
 
     q: np.ndarray

@@ -16,12 +16,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Track:
-    """Attitudes and rates at increasing times.
+    """Attitudes and rates at increasing times; at least one state.
 
-    times (N,) in s; q (N, 4), scalar first, body to inertial; omega (N, 3), rad/s, along the axes
-    of the body.  Quaternions are normalised here and keep their signs.  There is at least one
-    state.  Raises InputError for other shapes, numbers that are not finite, times that do not
-    increase, and a quaternion that is zero.
+    Parameters
+    ----------
+    times : (N,)
+        Times, s, increasing.
+    q : (N, 4)
+        Quaternions, scalar first, body to inertial; they are normalised here and keep their signs.
+    omega : (N, 3)
+        Rates along the axes of the body, rad/s.
+
+    Raises
+    ------
+    InputError
+        For other shapes, numbers that are not finite, times that do not increase, and a quaternion
+        that is zero.
     """
 
     times: np.ndarray
@@ -40,7 +50,25 @@ class Track:
 
 
 def sampled(motion: "TorqueFreeMotion", times: ArrayLike) -> Track:
-    """Return the track of a motion at times (N,), s; raise InputError as both of them do."""
+    """Return the track of a motion.
+
+    Parameters
+    ----------
+    motion : TorqueFreeMotion
+        The motion.
+    times : (N,)
+        Times, s, increasing.
+
+    Returns
+    -------
+    Track
+        The states at the times.
+
+    Raises
+    ------
+    InputError
+        As the motion and `Track` do.
+    """
     given = np.atleast_1d(_array("times", times))
     return Track(given, *motion(given))
 
@@ -84,15 +112,28 @@ def _shape(array: np.ndarray) -> str:
 def rotation_spline(track: Track) -> "RotationSpline":
     """Return a SciPy RotationSpline through the attitudes of a track, body to inertial.
 
-    It is cubic between the times, with continuous rates and angular accelerations: spline(t),
-    spline(t, 1) in rad/s along the axes of the body, spline(t, 2).  Where the times are h apart,
-    the angle between it and the motion decreases as h^4, but at both ends as h^2, because SciPy
-    takes the mean rates of the first and of the last interval for the rates at the ends.  This
-    error decreases by a factor of about 4 with each interval, so sample some intervals further than
-    needed.
+    It is cubic between the times, with continuous rates and angular accelerations.  Where the times
+    are h apart, the angle between it and the motion decreases as h^4, but at both ends as h^2,
+    because SciPy takes the mean rates of the first and of the last interval for the rates at the
+    ends.  This error decreases by a factor of about 4 with each interval, so sample some intervals
+    further than needed.
 
-    Raises InputError for a single state and for steps of half a turn and more, |omega| h >= pi, and
-    ImportError without SciPy.
+    Parameters
+    ----------
+    track : Track
+        At least two states, less than half a turn apart, |omega| h < pi.
+
+    Returns
+    -------
+    scipy.spatial.transform.RotationSpline
+        spline(t), spline(t, 1) in rad/s along the axes of the body, spline(t, 2).
+
+    Raises
+    ------
+    InputError
+        For a single state and for larger steps.
+    ImportError
+        Without SciPy.
     """
     try:
         from scipy.spatial.transform import Rotation, RotationSpline

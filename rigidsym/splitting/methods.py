@@ -15,10 +15,16 @@ _ROUNDING = 1e-15
 
 @dataclass(frozen=True, slots=True)
 class Method:
-    """A symmetric splitting: drift, kick, drift ... kick, drift.
+    """Symmetric splitting: drift, kick, drift ... kick, drift.
 
-    drifts, kicks: the parts of a step, which come out the same from behind; orders: (r, s) as
-    above; source: where the coefficients are from.
+    Attributes
+    ----------
+    drifts, kicks : tuple of float
+        Parts of a step, which are the same in reverse order.
+    orders : tuple of int
+        (r, s) as above.
+    source : str
+        Source of the coefficients.
     """
 
     drifts: tuple[float, ...]

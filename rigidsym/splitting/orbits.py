@@ -13,12 +13,28 @@ _MOST_ITERATIONS = 60
 
 @dataclass(frozen=True, slots=True)
 class KeplerOrbit:
-    """An orbit around a mass point; its attributes are what it is made of.
+    """Orbit around a mass point, elliptic or hyperbolic.
 
-    mu: gravitational parameter, m^3/s^2; periapsis: the least distance, m; eccentricity: from 0
-    up, but not 1; inclination, node, argument: rad, of the inertial axes; epoch: a time at
-    periapsis, s.  Raises InputError.
+    Parameters
+    ----------
+    mu : float
+        Gravitational parameter, m^3/s^2.
+    periapsis : float
+        The least distance, m.
+    eccentricity : float
+        From 0 up, but not 1.
+    inclination, node, argument : float
+        Angles of the orbit in the inertial axes, rad.
+    epoch : float
+        A time at periapsis, s.
 
+    Raises
+    ------
+    InputError
+        For numbers that are not finite or out of range.
+
+    Examples
+    --------
     >>> orbit = KeplerOrbit(mu=3.986004418e14, periapsis=6.778e6)
     >>> orbit.position(orbit.period / 4).round(3)
     array([      0., 6778000.,       0.])

@@ -54,7 +54,10 @@ class DirectionTorque:
 class ConstantInBody(DirectionTorque):
     """Torque that is constant in body axes, as of a thruster.
 
-    torque: (..., 3), N m.
+    Parameters
+    ----------
+    torque : (..., 3)
+        Torque, N m.
     """
 
     def __init__(self, torque: ArrayLike) -> None:
@@ -65,7 +68,10 @@ class ConstantInBody(DirectionTorque):
 class ConstantInSpace(DirectionTorque):
     """Torque that is constant in inertial axes.
 
-    torque: (..., 3), N m.
+    Parameters
+    ----------
+    torque : (..., 3)
+        Torque, N m.
     """
 
     def __init__(self, torque: ArrayLike) -> None:
@@ -76,8 +82,15 @@ class ConstantInSpace(DirectionTorque):
 class FieldPotential(DirectionTorque):
     """Torque of the energy v Q v / 2 - m v in a constant field with components v in body axes.
 
-    field (..., 3); linear (..., 3), m: a dipole's moment in a magnetic field, or the mass times the
-    lever from the pivot where the field is gravity; quadratic (..., 3, 3), Q, symmetric.
+    Parameters
+    ----------
+    field : (..., 3)
+        The field, in inertial axes.
+    linear : (..., 3)
+        m: the moment of a dipole in a magnetic field, or the mass times the lever from the pivot in
+        a field of gravity.
+    quadratic : (..., 3, 3)
+        Q, symmetric.
     """
 
     def __init__(
@@ -101,7 +114,12 @@ class FieldPotential(DirectionTorque):
 class Tide:
     """Gravity gradient of a mass point on one body, 3 mu / r^5  r x I r, by its position.
 
-    mu: m^3/s^2; inertia: (3,), kg m^2, about principal axes.
+    Parameters
+    ----------
+    mu : float
+        Gravitational parameter, m^3/s^2.
+    inertia : (3,)
+        Principal moments, kg m^2.
     """
 
     def __init__(self, mu: float, inertia: np.ndarray) -> None:
@@ -116,7 +134,14 @@ class Tide:
 class GravityGradient(DirectionTorque):
     """Gravity gradient of a mass point, 3 mu / r^5  r x I r, on bodies that follow one orbit.
 
-    inertia: (..., 3), kg m^2, about principal axes.  Hughes, Spacecraft Attitude Dynamics, 8.1.
+    Source: Hughes, Spacecraft Attitude Dynamics, 8.1.
+
+    Parameters
+    ----------
+    inertia : (..., 3)
+        Principal moments, kg m^2.
+    orbit : KeplerOrbit
+        The orbit of all bodies.
     """
 
     def __init__(self, inertia: ArrayLike, orbit: KeplerOrbit) -> None:
@@ -135,9 +160,14 @@ class GravityGradient(DirectionTorque):
 class Potential:
     """Torque of an energy that depends on attitude and time.
 
-    gradient: of the time (s) and attitudes (..., 4); the energy's derivatives, J, by the four
-    components of the quaternion, (..., 4).  Only the change of the energy along rotations counts:
-    the torque is -1/2 of the vector of conj(q) gradient, as q' = q (0, omega) / 2.
+    Only the change of the energy along rotations counts: the torque is -1/2 of the vector of
+    conj(q) gradient, as q' = q (0, omega) / 2.
+
+    Parameters
+    ----------
+    gradient : function
+        Computes the energy's derivatives by the components of the quaternion, J, (..., 4), from the
+        time (s) and attitudes (..., 4).
     """
 
     gradient: Callable[[float, np.ndarray], np.ndarray]
@@ -200,9 +230,16 @@ SIGNATURE = ctypes.CFUNCTYPE(None, ctypes.c_double, _DOUBLES, _DOUBLES, ctypes.c
 class TorqueInC(DirectionTorque):
     """Torque of a C function of time (s) and attitude: N m in body axes.
 
-    function: `void (double t, const double q[4], double torque[3], void *data)`, one of ctypes or
-    an address, such as `numba.cfunc(...).address`; data: the address of data it receives.  It is
-    called from several threads where there are many bodies, and has to live as long as this object.
+    The function is called from several threads where there are many bodies, and has to live as long
+    as this object.
+
+    Parameters
+    ----------
+    function : ctypes function or int
+        `void (double t, const double q[4], double torque[3], void *data)`, or its address, such as
+        `numba.cfunc(...).address`.
+    data : int
+        Address of data that the function receives.
     """
 
     def __init__(self, function: Any, data: int | None = None) -> None:

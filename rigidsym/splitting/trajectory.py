@@ -48,11 +48,26 @@ class Mesh:
 class Trajectory:
     """States that `integrate` returns: `q, omega = trajectory`, or a function of time.
 
-    times (N,), s; q (..., N, 4); omega (..., N, 3), rad/s; mesh: the steps taken; evaluations:
-    calls of the torque in steps, each for all bodies.  With `step=None` also probes: calls of the
-    torque between kicks, in search of jumps and pulses; error: the estimate, rad; order: the order
-    of convergence that was observed, at most the method's; rough: times, s, around which the torque
-    was found not to be smooth.
+    Attributes
+    ----------
+    times : (N,)
+        Times, s.
+    q : (..., N, 4)
+        Attitudes.
+    omega : (..., N, 3)
+        Rates, rad/s.
+    mesh : Mesh
+        The steps taken.
+    evaluations : int
+        Calls of the torque in steps, each for all bodies.
+    error : float or None
+        With `step=None` the estimated error, rad.
+    order : float or None
+        With `step=None` the observed order of convergence, at most the method's.
+    rough : tuple of float
+        With `step=None` times, s, around which the torque is not smooth.
+    probes : int
+        With `step=None` calls of the torque between kicks, in search of jumps and pulses.
     """
 
     times: np.ndarray

@@ -41,6 +41,15 @@ def by_python(torque):
     return lambda t, q, omega: torque(t, q, omega)
 
 
+def both(torque, inertia=BODY, rates=RATES, times=TIMES, reference=None, **options):
+    """Runs of C's engine by a torque, and by what Python, or another torque, makes of it."""
+    options = {"step": 0.5, "engine": "c", **options}
+    return (
+        rigidsym.integrate(inertia, START, rates, x, times, **options)
+        for x in (torque, reference or by_python(torque))
+    )
+
+
 def apart(one, other):
     return max(np.max(np.abs(x - y)) for x, y in zip(one, other, strict=True))
 
@@ -62,10 +71,7 @@ def calls(monkeypatch):
 @pytest.mark.parametrize("count", [1, 3, 20])
 def test_it_is_what_python_makes_of_the_torque(torque, count, calls):
     rates = np.array(RATES) * np.linspace(1.0, 2.0, count)[:, None]
-    found, expected = (
-        rigidsym.integrate(BODY, START, rates, x, TIMES, step=0.25, engine="c")
-        for x in (torque, by_python(torque))
-    )
+    found, expected = both(torque, rates=rates, step=0.25)
     free = rigidsym.propagate(BODY, rates, TIMES, START)
     assert calls
     assert apart(found, expected) < 1e-13 < 1e-2 < apart(found, free)
@@ -74,22 +80,14 @@ def test_it_is_what_python_makes_of_the_torque(torque, count, calls):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_every_method_is(method):
-    torque, start = TORQUES["gravity on an ellipse"], ([BODY, (4.0, 3.0, 2.0)], START, RATES)
-    found, expected = (
-        rigidsym.integrate(*start, x, TIMES, step=0.5, method=method, engine="c")
-        for x in (torque, by_python(torque))
-    )
-    assert apart(found, expected) < 1e-13
+    torque = TORQUES["gravity on an ellipse"]
+    assert apart(*both(torque, [BODY, (4.0, 3.0, 2.0)], method=method)) < 1e-13
 
 
 def test_bodies_may_have_torques_and_fields_of_their_own():
     inertia = np.array([BODY, (4.0, 3.0, 2.0)])
     torque = FieldPotential([(0.0, 0.3, 1.0), (1.0, 0.0, 0.0)], linear=[(0.1, 0.2, 0.3)] * 2)
-    found, expected = (
-        rigidsym.integrate(inertia, START, RATES, x, TIMES, step=0.5, engine="c")
-        for x in (torque, by_python(torque))
-    )
-    assert apart(found, expected) < 1e-13
+    assert apart(*both(torque, inertia)) < 1e-13
 
 
 def test_how_many_steps_go_into_a_call_changes_nothing(monkeypatch):
@@ -126,11 +124,7 @@ def test_a_function_of_c_is_a_torque(lever, engine):
     torque = TorqueInC(lever, moment.ctypes.data)
     field = FieldPotential((0.0, 0.0, 1.0), linear=moment)
     rates = np.array(RATES) * np.linspace(1.0, 2.0, 3)[:, None]
-    found, expected = (
-        rigidsym.integrate(BODY, START, rates, x, TIMES, step=0.5, engine=engine)
-        for x in (torque, field)
-    )
-    assert apart(found, expected) < 1e-13
+    assert apart(*both(torque, rates=rates, reference=field, engine=engine)) < 1e-13
 
 
 def test_it_may_be_an_address(lever):
@@ -168,10 +162,7 @@ def test_threads_change_no_bit(monkeypatch):
 def test_what_it_refuses_is_done_by_python(calls):
     """Drifts of 25 rad."""
     torque = TORQUES["in the body"]
-    found, expected = (
-        rigidsym.integrate(BODY, START, RATES, x, [0.0, 80.0], step=40.0, engine="c")
-        for x in (torque, by_python(torque))
-    )
+    found, expected = both(torque, times=[0.0, 80.0], step=40.0)
     assert calls
     assert apart(found, expected) == 0
     assert found.evaluations == expected.evaluations

@@ -9,7 +9,7 @@ PACKAGES = {
     "rigidsym": "What most programmes need",
     "rigidsym.splitting": "Splitting methods",
     "rigidsym.manoeuvre": "Manoeuvres",
-    "rigidsym.fitting": "Fits",
+    "rigidsym.fitting": "Fitting motions",
     "rigidsym.manoeuvre.flight": "Flights",
     "rigidsym.io": "For other programs",
     "rigidsym.view.scenes": "Pictures",
