@@ -17,7 +17,7 @@ from datetime import UTC, datetime
 from fractions import Fraction
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, PlainValidator, TypeAdapter, ValidationError, with_config
+from pydantic import AfterValidator, PlainValidator, ValidationError, with_config
 
 from rigidsym import inputs
 from rigidsym.errors import InputError
@@ -83,10 +83,6 @@ def _seconds(value: Any) -> Fraction:
     return number
 
 
-def _switch(value: object) -> bool:
-    return inputs.is_true("", value)  # ty: ignore[invalid-argument-type]
-
-
 def _instant(value: object) -> datetime:
     if not isinstance(value, datetime):
         raise InputError("", repr(value), "must be a date and time, 2013-07-17T12:00:00Z")
@@ -131,7 +127,7 @@ Storable = Annotated[
     ),
 ]
 Seconds = Annotated[Fraction, PlainValidator(_seconds)]
-Switch = Annotated[bool, PlainValidator(_switch)]
+Switch = Annotated[bool, PlainValidator(lambda value: inputs.is_true("", value))]
 
 
 @with_config(extra="forbid")
@@ -293,7 +289,6 @@ _NAMES = {
     for name, table in asdict(Flight(thrusters=Thrusters())).items()
     if name != "message"
 }
-_FLIGHT = TypeAdapter(Flight)
 
 
 def read(tables: TomlTable) -> Flight:
@@ -311,11 +306,14 @@ def read(tables: TomlTable) -> Flight:
     InputError
         For the first unknown key or bad value.
     """
+    # Its import takes a while, which flights that are not read from files do without.
+    from pydantic import TypeAdapter
+
     settings = {name: tables[name] for name in _NAMES if name in tables}
     if "thrusters" in tables:
         settings.setdefault("controller", {"natural_frequency": 0.0})
     try:
-        flight = _FLIGHT.validate_python(settings)
+        flight = TypeAdapter(Flight).validate_python(settings)
     except ValidationError as error:
         raise _refused(error) from None
     message = messages.read(tables.get("message", {}), messages.MISSION)

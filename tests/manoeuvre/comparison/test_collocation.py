@@ -1,5 +1,7 @@
 """Collocation against what is known by hand, and natural motions against its constraints."""
 
+from functools import cache
+
 import extra_optimal  # noqa: F401
 import numpy as np
 import pytest
@@ -25,6 +27,7 @@ TARGET = np.array([np.cos(ANGLE / 2), 0, np.sin(ANGLE / 2), 0])
 POSED = Posed(INERTIA, TARGET, LIMIT)
 
 
+@cache
 def slew(task, mesh=None, settings="default"):
     """The optimum of a turn about one principal axis, searched from no motion at all."""
     mesh = mesh or Mesh()
