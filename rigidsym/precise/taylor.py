@@ -29,9 +29,22 @@ def integrate(
     time: Fraction,
     digits: int = 40,
 ) -> tuple[list[mpf], list[mpf]]:
-    """Return (q, omega) at one time as mpf numbers, with errors about 10^-digits (1, |omega0|).
+    """Return the state at one time, by Taylor series.
 
-    The guard digits cover the instability of the middle axis for 30 rad or so.
+    Parameters
+    ----------
+    inertia, omega0, attitude0 : sequences of Fraction
+        Principal moments (3), kg m^2; body rates (3), rad/s; quaternion (4) of any length but zero.
+    time : Fraction
+        The time, s.
+    digits : int, optional
+        Errors of q are about 10^-digits, those of omega about 10^-digits times |omega0|.  The
+        guard digits cover the instability of the middle axis for about 30 rad.
+
+    Returns
+    -------
+    q, omega : list of mpf
+        The unit quaternion (4) and the body rates (3), rad/s.
     """
     ctx = MPContext()
     turned = abs(time) * max(map(abs, omega0))

@@ -47,8 +47,25 @@ Maker = Callable[[str, ExactMotion | None], Symbolic]
 
 
 def symbolic(form: str) -> Symbolic:
-    """Return a form with free symbols; raises InputError for an unknown one.
+    """Return a form of the solution with free symbols.
 
+    Parameters
+    ----------
+    form : str
+        "theorem1", "pi", "theta", "separatrix", "symmetric", "sphere" or "spin".
+
+    Returns
+    -------
+    Symbolic
+        Attitude and body rates as SymPy's expressions of the time.
+
+    Raises
+    ------
+    InputError
+        For an unknown form.
+
+    Examples
+    --------
     >>> solution = symbolic("pi")
     >>> solution.q(0).shape, solution.omega().free_symbols >= {solution.t}
     ((4, 1), True)

@@ -73,15 +73,24 @@ def column(entries: Iterable[Any]) -> ImmutableMatrix:
 class Symbolic:
     """Attitude and rates as SymPy's expressions of the time, in one form.
 
-    form: the name of the form.
-    regime: the regime of the motion whose numbers it contains, or None for free symbols.
-    constants: expressions in earlier constants, or exact numbers.
-    conditions: the conditions on the constants, without those that numbers make true.
-    choices: how to choose signs and roots.
-    facts: the ids of the facts, definitions and readings of the ledger that it follows from.
-    quantities: the energy (J), the momentum (kg m^2 rad/s) and others of the regime.
-
     Quaternions are scalar first, body to inertial; rates are in body axes, rad/s; t is in s.
+
+    Attributes
+    ----------
+    form : str
+        The name of the form.
+    regime : Regime or None
+        The regime of the motion whose numbers it contains; None for free symbols.
+    constants : Mapping
+        Each constant in earlier constants, or as an exact number.
+    conditions : tuple
+        The conditions on the constants, without those that numbers make true.
+    choices : Mapping
+        The choice of each sign and root.
+    facts : tuple of str
+        The ids of the facts, definitions and readings of the ledger that it follows from.
+    quantities : Mapping
+        The energy (J), the momentum (kg m^2 rad/s) and others of the regime.
     """
 
     form: str
@@ -101,19 +110,55 @@ class Symbolic:
         return TIME
 
     def q(self, t: Any = TIME) -> ImmutableMatrix:
-        """Return the attitude at t, a column of 4, in the symbols or numbers of the constants."""
+        """Return the attitude at a time.
+
+        Parameters
+        ----------
+        t : SymPy expression or number, optional
+            The time, s; the symbol t by default.
+
+        Returns
+        -------
+        ImmutableMatrix
+            The unit quaternion (4, 1), scalar first, body to inertial.
+        """
         return self.attitude if t == TIME else self.attitude.subs(TIME, t)
 
     def omega(self, t: Any = TIME) -> ImmutableMatrix:
-        """Return the body rates at t, rad/s, a column of 3."""
+        """Return the body rates at a time.
+
+        Parameters
+        ----------
+        t : SymPy expression or number, optional
+            The time, s; the symbol t by default.
+
+        Returns
+        -------
+        ImmutableMatrix
+            The rates (3, 1) in body axes, rad/s.
+        """
         return self.rates if t == TIME else self.rates.subs(TIME, t)
 
     def taylor(self, n: int = 6, at: Any = 0) -> tuple[ImmutableMatrix, ImmutableMatrix]:
-        """Return the first n terms of the Taylor series of q and omega in t - at.
+        """Return Taylor polynomials of q and omega, by the equations of motion.
 
-        They start from the exact state at t = 0, or else from q(at) and omega(at).
+        Parameters
+        ----------
+        n : int, optional
+            The number of terms.
+        at : SymPy expression or number, optional
+            The time to expand about, s.  At 0 the polynomials start from the exact initial state,
+            elsewhere from q(at) and omega(at).
 
-        Raises InputError for n < 1.
+        Returns
+        -------
+        q, omega : ImmutableMatrix
+            Polynomials in t - at: (4, 1), and (3, 1) in rad/s.
+
+        Raises
+        ------
+        InputError
+            For n < 1.
         """
         if n < 1:
             raise InputError("n", n, "a series has at least one term")
@@ -127,7 +172,18 @@ class Symbolic:
         return q, omega
 
     def explicit(self, expression: Any) -> Any:
-        """Return the expression with every constant replaced, down to the inputs."""
+        """Return an expression with every constant replaced, down to the inputs.
+
+        Parameters
+        ----------
+        expression : SymPy expression or matrix
+            For example `q()` or a value of `quantities`.
+
+        Returns
+        -------
+        SymPy expression or matrix
+            The expression in the inputs alone: their symbols, or a motion's numbers.
+        """
         while found := expression.atoms(Constant) if self.regime else set():
             expression = expression.xreplace({one: one.value for one in found})
         for symbol, value in reversed([*self.constants.items()]):
