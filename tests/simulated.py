@@ -41,7 +41,7 @@ def told(fit, truth):
     apart = np.empty(fit.problem.parameters.count)
     apart[:3] = rotation_vectors(product(fit.point.attitude, conjugate(there.attitude)))
     apart[3:6] = fit.point.omega - there.omega
-    across = fit.problem.parameters.linear(fit.point)[6:9, 6:8]
+    across = fit.problem.parameters.linear_derivatives(fit.point)[6:9, 6:8]
     scaled = fit.moments - there.moments * (fit.moments.max() / there.moments.max())
     apart[6:8] = np.linalg.lstsq(np.column_stack([across, fit.moments]), scaled, rcond=None)[0][:2]
     return np.linalg.lstsq(np.hstack([here.determined, here.undetermined]), apart, rcond=None)[0][

@@ -152,7 +152,7 @@ def _sizes(problem: Problem, point: Point) -> list[float]:
     """
     seen = point.in_observed_axes(*states(point, problem.since, problem.engine))
     found = [0.0]
-    for one, at in zip(problem.sets, problem.places, strict=True):
+    for one, at in zip(problem.sets, problem.indices, strict=True):
         missed = one.residuals(*(x[at] for x in seen))
         chi2 = np.sum(one.whitened(missed[..., None]) ** 2)
         if chi2_law.sf(chi2, missed.size) < _CHANCE:
@@ -268,7 +268,7 @@ def outliers(problem: Problem, found: Observability) -> tuple[Place, ...]:
     """
     total = sum(one.count for one in problem.sets)
     limits = [float(chi2_law.isf(_OUTLIER_CHANCE / total, one.width)) for one in problem.sets]
-    moved, residuals = found.moved.copy(), found.residuals
+    moved, residuals = found.basis.copy(), found.residuals
     named: list[Place] = []
     part = moved
     while len(named) < total // 2:

@@ -68,7 +68,7 @@ def _normal(
     problem: Problem, point: Point, robust: bool
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return chi2 (B,), J^T J (B, p, p) and J^T r (B, p)."""
-    residuals, slopes = problem.linearised(point, problem.parameters.own(point))
+    residuals, slopes = problem.linearised(point, problem.parameters.derivatives(point))
     cost = _sum(residuals, robust)
     good = np.isfinite(cost) & np.isfinite(slopes).all(axis=(1, 2))
     cost[~good], residuals[~good], slopes[~good] = np.inf, 0.0, 0.0
@@ -159,7 +159,7 @@ def minimise(
     if found is None:
         return Minimum(start, np.inf, False, _NOT_FINITE)
     point = problem.parameters.moved(start, basis @ found.x)
-    natural = problem.parameters.natural(point, problem.span) @ basis
+    natural = problem.parameters.natural_sizes(point, problem.span) @ basis
     still = found.status > 0 or _decrease(found.fun, found.jac * natural) < _FALL
     return Minimum(point, 2 * float(found.cost), still, "a minimum" if still else _NO_MINIMUM)
 
@@ -179,7 +179,7 @@ class _Evaluated:
         if z.tobytes() != self.at:
             x = self.basis @ z
             point = self.problem.parameters.moved(self.start, x)
-            own = self.problem.parameters.own(point, x)
+            own = self.problem.parameters.derivatives(point, x)
             residuals, slopes = self.problem.linearised(point, own)
             self.at, self.found = z.tobytes(), (residuals, slopes @ self.basis)
         return self.found

@@ -116,7 +116,7 @@ class Likelihood:
         """
         found = []
         for some in blocks(self.problem, points):
-            own = self.problem.parameters.own(some)
+            own = self.problem.parameters.derivatives(some)
             residuals, slopes = self.problem.linearised(some, own)
             residuals = residuals - self.offset
             transposed = np.swapaxes(slopes, 1, 2)
@@ -133,7 +133,7 @@ def profile(likelihood: Likelihood, which: np.ndarray, level: float = LEVEL) -> 
     """
     parameters, best = likelihood.problem.parameters, likelihood.best
     quantity, sign = np.repeat(which, 2), np.tile([-1.0, 1.0], len(which))
-    floor = np.diag(1 / parameters.natural(best, likelihood.problem.span) ** 2)
+    floor = np.diag(1 / parameters.natural_sizes(best, likelihood.problem.span) ** 2)
     state = tuple(np.repeat(x, len(sign), axis=0) for x in likelihood.normal(best.repeated()))
     level = state[0] + chi2_law.ppf(level, 1)
     points = best.repeated(len(sign))
@@ -216,7 +216,7 @@ def nonlinearity(
     z *= np.sqrt(square) / np.linalg.norm(z, axis=1)[:, None]
     parameters, best = likelihood.problem.parameters, quantities.best
     points = parameters.stepped(best.repeated(_DIRECTIONS), z @ here.determined.T)
-    linear = z @ (quantities.rows(best, parameters.linear(best)) @ here.determined).T
+    linear = z @ (quantities.rows(best, parameters.linear_derivatives(best)) @ here.determined).T
     axes = _axes(covariance, determined)
     said, true = ((x[:, determined] @ axes) ** 2 for x in (linear, quantities.apart(points)))
     excess = np.nan_to_num(true - said, nan=np.inf)

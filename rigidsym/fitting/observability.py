@@ -94,20 +94,20 @@ class Observability:
     slopes: np.ndarray
 
     @cached_property
-    def moved(self) -> np.ndarray:
+    def basis(self) -> np.ndarray:
         """Return an orthonormal basis (M, a) of the changes of residuals by the parameters."""
         return self.slopes @ self.here.determined
 
     @cached_property
-    def ends(self) -> tuple[Errors, ...]:
+    def displaced(self) -> tuple[Errors, ...]:
         """Return the errors at all displaced parameters that have states; see the module."""
-        determined, sides = self.here.determined.T, (1.0, -1.0)
-        ways = np.array([side * one for side in sides for one in determined]).reshape(
-            -1, determined.shape[1]
-        )
-        undetermined = [side * _HALF * one for side in sides for one in self.here.undetermined.T]
-        found = list(self._at([*(reach * x for reach in _REACH for x in ways), *undetermined]))
-        start = np.linalg.det(self.moved.T @ self.moved) if len(determined) else 0.0
+        errors, sides = self.here.determined.T, (1.0, -1.0)
+        ways = np.array([side * one for side in sides for one in errors])
+        ways = ways.reshape(-1, errors.shape[1])
+        null = [side * _HALF * one for side in sides for one in self.here.undetermined.T]
+        found = list(self._at([*(reach * x for reach in _REACH for x in ways), *null]))
+        start = np.linalg.det(self.basis.T @ self.basis) if len(errors) else 0.0
+        # Zeros of the volume, by linear interpolation between points where its sign changes.
         zeros = []
         for k, way in enumerate(ways):
             volumes = [start, *(found[k + place * len(ways)][1] for place in range(len(_REACH)))]
@@ -126,13 +126,13 @@ class Observability:
             return
         start = self.here.point.repeated(len(steps))
         for some in blocks(self.problem, self.problem.parameters.stepped(start, np.array(steps))):
-            own = self.problem.parameters.linear(some)
+            own = self.problem.parameters.linear_derivatives(some)
             _, slopes = self.problem.linearised(some, own)
             for k, one in enumerate(slopes):
                 if not np.isfinite(one).all():
                     yield None, np.nan
                     continue
-                volume = float(np.linalg.det(self.moved.T @ one @ self.here.determined))
+                volume = float(np.linalg.det(self.basis.T @ one @ self.here.determined))
                 yield _errors(self.problem, some[k], one), volume
 
     @cached_property
@@ -141,33 +141,33 @@ class Observability:
 
         They are in units of the natural sizes.
         """
-        every = np.vstack([self.here.null, *(one.null for one in self.ends)])
+        every = np.vstack([self.here.null, *(one.null for one in self.displaced)])
         _, sizes, right = np.linalg.svd(every, full_matrices=False)
         return right[sizes > _MOSTLY]
 
     def covariance(self, rows: Rows) -> np.ndarray:
         """Return the covariance (k, k) of quantities; `rows` gives their derivatives at a point."""
         found = self.here.covariance(rows(self.here.point))
-        there = (one.variance(rows(one.point)) for one in self.ends)
+        there = (one.variance(rows(one.point)) for one in self.displaced)
         return _widened(found, there)
 
     def widest(self, rows: Rows) -> np.ndarray:
         """Return covariances (..., k, k) of rows (..., k, p) with null directions included."""
         found = self.here.widest(rows(self.here.point))
-        there = (one.widest(rows(one.point)) for one in self.ends)
+        there = (one.widest(rows(one.point)) for one in self.displaced)
         return _widened(found, (np.einsum("...ii->...i", x) for x in there))
 
 
 def observability(problem: Problem, point: Point) -> Observability:
     """Return the observability at a minimum; all is null where the motion has no states."""
-    residuals, slopes = problem.linearised(point, problem.parameters.linear(point))
+    residuals, slopes = problem.linearised(point, problem.parameters.linear_derivatives(point))
     if not np.isfinite(residuals).all() or not np.isfinite(slopes).all():
         slopes = np.zeros_like(slopes)
     return Observability(problem, _errors(problem, point, slopes), residuals, slopes)
 
 
 def _errors(problem: Problem, point: Point, slopes: np.ndarray) -> Errors:
-    natural = problem.parameters.natural(point, problem.span)
+    natural = problem.parameters.natural_sizes(point, problem.span)
     rows = np.vstack([slopes * natural, np.zeros((len(natural), len(natural)))])
     _, sizes, right = np.linalg.svd(np.linalg.qr(rows, "r"))
     determined = sizes > _DETERMINED
@@ -247,8 +247,8 @@ class Quantities:
     def rows(self, point: Point, own: np.ndarray) -> np.ndarray:
         """Return the derivatives (..., k, p) by the parameters, at points.
 
-        own (..., 12, p): see `Parameters.own` and `Parameters.linear`.  The turns are those at the
-        points themselves.
+        own (..., 12, p): see `Parameters.derivatives` and `Parameters.linear_derivatives`.  The
+        turns are those at the points themselves.
         """
         _, _, since = sensitivities(point, self._zero, self.problem.engine)
         found = own.copy()

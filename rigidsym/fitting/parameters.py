@@ -102,7 +102,7 @@ class Parameters:
     def _places(self, name: str) -> list[int]:
         return [k for k, x in enumerate(self.names) if x.startswith(name)]
 
-    def natural(self, point: Point, span: float) -> np.ndarray:
+    def natural_sizes(self, point: Point, span: float) -> np.ndarray:
         """Return the natural sizes (count,) of the parameters.
 
         These are 1 rad, the rates as they are or 1 rad in the span of the observations, and the
@@ -129,14 +129,16 @@ class Parameters:
         return found
 
     def stepped(self, point: Point, x: np.ndarray) -> Point:
-        """Return the points at parameters x (..., count) as `linear` counts them.
+        """Return the points at parameters x (..., count) as `linear_derivatives` counts them.
 
         From one point or from as many.  Shapes are steps of the moments, at most to where bodies
         cease to exist.
         """
         level = np.array(x)
         level[..., self._places("shape") + self._places("scale")] = 0.0
-        moments = point.moments + (self.linear(point)[..., 6:9, :] @ x[..., None])[..., 0]
+        moments = (
+            point.moments + (self.linear_derivatives(point)[..., 6:9, :] @ x[..., None])[..., 0]
+        )
         if np.any(moments != point.moments):
             own, _ = _second_moments(np.abs(moments))
             moments = np.sum(own, axis=-1, keepdims=True) - own
@@ -152,7 +154,7 @@ class Parameters:
         thin = np.any(own / total < _INNER, axis=-1, keepdims=True)
         return replace(point, moments=np.where(thin, moved, point.moments))
 
-    def own(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
+    def derivatives(self, point: Point, x: np.ndarray | None = None) -> np.ndarray:
         """Return derivatives (..., 12, count) of (eta0, omega0, moments) and the turn of the axes.
 
         They are at a point; or, for one motion, where x (count,) has moved to that point.
@@ -169,13 +171,13 @@ class Parameters:
             found[..., 9:, places] = np.eye(3) if x is None else left_jacobian(x[places])
         return found
 
-    def linear(self, point: Point) -> np.ndarray:
-        """Return the rows of `own` by the parameters in which errors are expressed.
+    def linear_derivatives(self, point: Point) -> np.ndarray:
+        """Return the rows of `derivatives` by the parameters in which errors are expressed.
 
         Shapes are two directions of the moments across their scale, of the size of the moments:
         unlike logarithms they do not end at flat bodies.
         """
-        found = self.own(point)
+        found = self.derivatives(point)
         if self.shape:
             size = np.linalg.norm(point.moments, axis=-1)[..., None, None]
             across = np.linalg.svd(point.moments[..., None, :])[2][..., 1:, :]
@@ -189,7 +191,7 @@ def observed_derivatives(
     """Return derivatives (..., N, 6, p) of turn and rates of the observed axes by the parameters.
 
     q, omega: states (..., N, 4), (..., N, 3) of the observed axes; sensitivity (..., N, 6, 9): of
-    the principal axes; own (..., 12, p): see `Parameters.own`.
+    the principal axes; own (..., 12, p): see `Parameters.derivatives`.
     """
     own = own[..., None, :, :]
     moved = sensitivity @ own[..., :9, :]

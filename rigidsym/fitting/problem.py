@@ -55,7 +55,7 @@ class Problem:
         return np.unique(np.concatenate([one.t for one in self.sets]))
 
     @cached_property
-    def places(self) -> list[np.ndarray]:
+    def indices(self) -> list[np.ndarray]:
         """Return the indices of the times of each set in `times`."""
         return [np.searchsorted(self.times, one.t) for one in self.sets]
 
@@ -93,7 +93,7 @@ class Problem:
         """Return the residuals of states of the principal axes, (..., N, 4) and (..., N, 3)."""
         seen = point.in_observed_axes(q, omega)
         parts = []
-        for one, at in zip(self.sets, self.places, strict=True):
+        for one, at in zip(self.sets, self.indices, strict=True):
             found = one.residuals(*(x[..., at, :] for x in seen))
             parts.append(_flat(one.whitened(found[..., None]))[..., 0])
         if self.prior:
@@ -103,13 +103,13 @@ class Problem:
     def linearised(self, point: Point, own: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return residuals (..., count) and their derivatives (..., count, p).
 
-        own (..., 12, p): see `Parameters.own`.
+        own (..., 12, p): see `Parameters.derivatives`.
         """
         q, omega, sensitivity = sensitivities(point, self.since, self.engine)
         seen = point.in_observed_axes(q, omega)
         moved = observed_derivatives(point, *seen, sensitivity, own)
         residuals, slopes = [], []
-        for one, at in zip(self.sets, self.places, strict=True):
+        for one, at in zip(self.sets, self.indices, strict=True):
             state = [x[..., at, :] for x in seen]
             found = one.residuals(*state)
             slope = one.derivatives(*state, found) @ moved[..., at, :, :]

@@ -205,7 +205,7 @@ class Estimate(Alternative):
         they are estimated, the axes, rad.  The variance of an unobservable quantity is infinite,
         and its covariances are NaN.  All is NaN where model and data disagree: see `agreement`.
         """
-        linear = self.problem.parameters.linear
+        linear = self.problem.parameters.linear_derivatives
         if self.agreement.hopeless:
             return np.full((len(self.names),) * 2, np.nan)
         found = self.observability.covariance(lambda at: self._quantities.rows(at, linear(at)))
@@ -290,7 +290,7 @@ class Estimate(Alternative):
     @property
     def degrees_of_freedom(self) -> int:
         """Return the number of residuals less that of the parameters they determine."""
-        return self.problem.count - self.observability.moved.shape[1]
+        return self.problem.count - self.observability.basis.shape[1]
 
     @property
     def probability(self) -> float:
@@ -310,7 +310,7 @@ class Estimate(Alternative):
         predict nothing.
         """
         found = self.observability
-        return tuple(against_others(self.problem.rows, found.residuals, found.moved))
+        return tuple(against_others(self.problem.rows, found.residuals, found.basis))
 
     @cached_property
     def outliers(self) -> tuple[tuple[int, int], ...]:
@@ -349,7 +349,7 @@ class Estimate(Alternative):
 
         def rows(point: Point) -> np.ndarray:
             q, omega, sensitivity = sensitivities(point, since, self.problem.engine)
-            own = self.problem.parameters.linear(point)
+            own = self.problem.parameters.linear_derivatives(point)
             return observed_derivatives(point, *point.in_observed_axes(q, omega), sensitivity, own)
 
         covariance = self.observability.widest(rows)

@@ -168,7 +168,7 @@ def aligned(problem: Problem, point: Point) -> Point:
     """Return the motions (B,) turned as a whole so that they agree best with the observations."""
     telling = [
         (one, at)
-        for one, at in zip(problem.sets, problem.places, strict=True)
+        for one, at in zip(problem.sets, problem.indices, strict=True)
         if one.tells_attitude
     ]
     if not telling:

@@ -21,7 +21,7 @@ def test_derivatives_are_those_of_the_move(parameters):
     random = np.random.default_rng(4)
     x = 0.7 * random.normal(size=parameters.count)
     here = parameters.moved(POINT, x)
-    own = parameters.own(here, x)
+    own = parameters.derivatives(here, x)
     step = 1e-6
     for k, unit in enumerate(np.eye(parameters.count)):
         ahead, behind = (parameters.moved(POINT, x + sign * step * unit) for sign in (1, -1))
