@@ -28,8 +28,8 @@ from rigidsym.validate.executors import processes
 from rigidsym.validate.validation import PACKAGES
 from rigidsym.view import style
 from rigidsym.view.pages import (
-    Found,
     Printed,
+    Results,
     errata_page,
     report_markdown,
     report_page,
@@ -109,7 +109,7 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 
 def _pages(result: Reproduction) -> dict[str, str]:
     """All that is for readers, the report last."""
-    told, validation = found(result), result.validation
+    told, validation = results(result), result.validation
     return {
         "validation.json": validation.to_json(),
         "validation.md": validation.to_markdown(),
@@ -162,7 +162,7 @@ def plot(case: Case) -> str:
     )
 
 
-def found(result: Reproduction) -> Found:
+def results(result: Reproduction) -> Results:
     """What the report says."""
     facts = [fact for chapter in result.derivation.chapters for fact in chapter.facts]
     grades = Counter(str(fact.grade) for fact in facts).most_common()
@@ -170,7 +170,7 @@ def found(result: Reproduction) -> Found:
     replayed = "accepted" if result.checked else "REFUSED"
     current = "the ones that are installed" if result.current else "NOT those that are installed"
     paper = paper_case().motion
-    return Found(
+    return Results(
         result.passed,
         (
             f"{len(facts)} facts are decided in {len(chapters)} chapters: "
@@ -199,7 +199,7 @@ def found(result: Reproduction) -> Found:
 def report(result: Reproduction) -> str:
     """The report as Markdown, with the figures of the validation."""
     validation = result.validation.to_markdown().replace("# Validation", "## Validation", 1)
-    return f"{report_markdown(found(result))}\n{validation}"
+    return f"{report_markdown(results(result))}\n{validation}"
 
 
 def _errata(verdicts: Sequence[Verdict]) -> str:

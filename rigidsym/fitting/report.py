@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import asdict, dataclass
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -198,7 +197,7 @@ class Fit(Estimate):
         )
 
     def write(self, directory: Path) -> list[Path]:
-        """Write fit.json, motion.toml, fit.html, and pictures if matplotlib is installed.
+        """Write fit.json, motion.toml, fit.html, and pictures.
 
         Parameters
         ----------
@@ -210,7 +209,7 @@ class Fit(Estimate):
         list of Path
             The files.
         """
-        pictures = self._pictures() if find_spec("matplotlib") else {}
+        pictures = self._pictures()
         drawn = [(title, files["svg"].decode()) for title, files in pictures.values()]
         return [
             write_text(directory / "fit.json", self.to_json()),

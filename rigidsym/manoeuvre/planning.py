@@ -2,7 +2,6 @@
 
 import json
 from dataclasses import dataclass, replace
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -111,7 +110,7 @@ class Plan:
     def write(self, directory: Path) -> list[Path]:
         """Write plan.json, each transfer as a case file for `rigidsym propagate`, and a picture.
 
-        Case files of an earlier plan are removed.  Without matplotlib there is no picture.
+        Case files of an earlier plan are removed.
 
         Parameters
         ----------
@@ -128,14 +127,15 @@ class Plan:
         for path in directory.glob("transfer-*.toml"):
             if path.name not in texts:
                 remove(path)
-        paths = [write_text(directory / "plan.json", self.to_json()), *paths]
-        if find_spec("matplotlib") is not None:
-            from rigidsym.view.plots.figure import rendered
-            from rigidsym.view.plots.flights import transfers
+        from rigidsym.view.plots.figure import rendered
+        from rigidsym.view.plots.flights import transfers
 
-            for suffix, data in rendered(transfers(self.transfers)).items():
-                paths.append(write_bytes(directory / f"transfers.{suffix}", data))
-        return paths
+        pictures = rendered(transfers(self.transfers)).items()
+        return [
+            write_text(directory / "plan.json", self.to_json()),
+            *paths,
+            *(write_bytes(directory / f"transfers.{suffix}", x) for suffix, x in pictures),
+        ]
 
     def to_json(self) -> str:
         """Return the plan as JSON, schema rigidsym.plan/1."""

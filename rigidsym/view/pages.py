@@ -1,4 +1,4 @@
-"""Pages of HTML from templates: each needs nothing but itself, and loads nothing."""
+"""Pages from templates: a page of HTML needs nothing but itself, and loads nothing."""
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
@@ -26,7 +26,7 @@ Table = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 
 
 def render(template: str, **values: object) -> str:
-    """Return a page by its template, with text escaped unless it is `Markup`."""
+    """Return a page by its template; in HTML, text is escaped unless it is `Markup`."""
     return (
         _environment()
         .get_template(template)
@@ -36,11 +36,11 @@ def render(template: str, **values: object) -> str:
 
 @cache
 def _environment() -> "Environment":
-    from jinja2 import Environment, PackageLoader, StrictUndefined
+    from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
     found = Environment(
         loader=PackageLoader("rigidsym.view"),
-        autoescape=True,
+        autoescape=select_autoescape(["html"]),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -71,7 +71,7 @@ def fit_card(title: str, tables: Sequence[Table]) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class Results:
     """The results of `rigidsym reproduce`.
 
     chapters: name, title and number of facts.  modules: the digest of each generated file.
@@ -102,49 +102,22 @@ class Printed:
     said: Sequence[tuple[str, str]]
 
 
-def report_markdown(found: Found) -> str:
+def report_markdown(results: Results) -> str:
     """Return the report of `rigidsym reproduce` in Markdown."""
-    return "\n".join(
-        [
-            "# rigidsym reproduce",
-            "",
-            f"**{found.headline}**  Written by `rigidsym reproduce`; as a page of its own: "
-            "[report.html](report.html).",
-            "",
-            *(f"* {sentence}" for sentence in found.sentences),
-            "",
-            found.motion[0],
-            "",
-            "![attitude and rates](motion.svg)",
-            "",
-            "## Proved",
-            "",
-            *markdown_table(CHAPTERS, found.chapters),
-            "",
-            "## Generated",
-            "",
-            *(f"* `{name}`, sha256 {digest}" for name, digest in found.modules.items()),
-            "",
-            "`numpy.map.json` and `c.map.json` give the equations of each line.",
-            "",
-            "## Versions",
-            "",
-            ", ".join(f"{name} {version}" for name, version in found.versions.items()) + ".",
-            "",
-        ]
-    )
+    proved = "\n".join(markdown_table(CHAPTERS, results.chapters))
+    return render("report.md", results=results, proved=proved)
 
 
-def report_page(found: Found) -> str:
+def report_page(results: Results) -> str:
     """Return the report of `rigidsym reproduce` as a page with links to its other files."""
     links = {
         "validation.html": "what was measured",
         "errata.html": "the paper's equations, one by one",
         "ledger.json": "the proofs, as certificates",
-        **dict.fromkeys(found.modules, "generated code"),
+        **dict.fromkeys(results.modules, "generated code"),
     }
-    picture = scaled(found.motion[1])
-    return render("report.html", found=found, links=links, chapters=CHAPTERS, picture=picture)
+    picture = scaled(results.motion[1])
+    return render("report.html", results=results, links=links, chapters=CHAPTERS, picture=picture)
 
 
 def errata_page(counted: str, printed: Iterable[Printed]) -> str:

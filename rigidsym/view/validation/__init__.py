@@ -19,8 +19,6 @@ from rigidsym.view.html.cards import (
 )
 from rigidsym.view.pages import render
 from rigidsym.view.report_data import (
-    MOST_CONDITION,
-    ByMeasure,
     ByPart,
     Case,
     Cell,
@@ -29,14 +27,13 @@ from rigidsym.view.report_data import (
     Report,
     Stratum,
 )
-from rigidsym.view.validation.figures import Labels, histograms, key, scatter
+from rigidsym.view.validation.figures import VIEWS, histograms, key, scatters
 
 if TYPE_CHECKING:
     from rigidsym.validate.report import ValidationReport
 
 PASSED, BROKEN = "passed", "NOT PASSED"
 INPUTS = {"inertia": "kg m²", "omega0": "rad/s", "attitude0": "", "times": "s"}
-Y_LABELS = {"angle": "angle error (rad)", "omega": "rate error (relative)"}
 NAMES = {"angle": "Angle error (rad)", "omega": "Rate error (relative to |ω|)"}
 
 
@@ -88,50 +85,6 @@ def columns_of(table: str) -> list[Column]:
     return [column for column in COLUMNS if table in column.tables]
 
 
-class View(NamedTuple):
-    """A pair of figures: labels of the abscissa, of its zero, and of values beyond its decades."""
-
-    view: ByMeasure
-    heading: str
-    label: str
-    zero: str
-    beyond: str
-    remark: str
-
-
-VIEWS = (
-    View(
-        "distance",
-        "Error and distance from the separatrix",
-        "distance from the separatrix (1: nothing cancels, 0: on it)",
-        "on it",
-        "∞",
-        "On the separatrix itself (left) and ever nearer to it, where solutions fly apart: "
-        "a sound module shows no rise to the left.",
-    ),
-    View(
-        "turned",
-        "Error and time",
-        "angle turned, |ω₀t| (rad)",
-        "t = 0",
-        "∞",
-        "Times from the start on (left), as the angle that the body has turned by: "
-        "errors that accumulate rise to the right.",
-    ),
-    View(
-        "condition",
-        "Error and condition number",
-        "condition number κ",
-        "0",
-        f"> {formats.power(10, math.log10(MOST_CONDITION))}",
-        "κ is how far a relative change of the inputs moves the true state, by its derivatives. "
-        "A module that is no better than its inputs rises with κ; one that solves the given "
-        "problem stays below the bound: what is ill-conditioned is told apart from what is "
-        "computed badly.",
-    ),
-)
-
-
 class Tile(NamedTuple):
     """A figure of the summary, with its title and a remark."""
 
@@ -159,7 +112,7 @@ def page(data: Report) -> str:
         anchors={case["case"]: f"case-{k}" for k, case in enumerate(data["worst"], 1)},
         inputs=INPUTS,
         keys=[key(k) for k in range(len(everyone))],
-        views=[view._asdict() | {"pictures": _pictures(data, view)} for view in VIEWS],
+        views=[(view, scatters(everyone, view, data["bounds"])) for view in VIEWS],
         sizes=[
             (measure, heading, histograms(everyone, strata, measure, data["bounds"][measure]))
             for measure, heading in NAMES.items()
@@ -276,20 +229,6 @@ def _nearest(data: Report, case: Case) -> tuple[float, str, str]:
         if name in data["campaign"]["targets"]
     )
     return max(shares, default=(0.0, "", ""))
-
-
-def _pictures(data: Report, view: View) -> list[Markup]:
-    everyone, bounds = data["implementations"], data["bounds"]
-    return [
-        scatter(
-            everyone,
-            view.view,
-            measure,
-            bounds[measure],
-            Labels(view.label, y_label, view.zero, view.beyond),
-        )
-        for measure, y_label in Y_LABELS.items()
-    ]
 
 
 def report_html(report: "ValidationReport") -> str:

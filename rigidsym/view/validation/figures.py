@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -20,7 +20,7 @@ from rigidsym.view import formats
 from rigidsym.view.formats import ULP
 from rigidsym.view.pages import render
 from rigidsym.view.plots.figure import defaults, svg
-from rigidsym.view.report_data import ByMeasure, Cell, Implementation
+from rigidsym.view.report_data import MOST_CONDITION, ByMeasure, Cell, Implementation
 from rigidsym.view.style import SERIES
 
 if TYPE_CHECKING:
@@ -37,6 +37,7 @@ STEP = 0.5
 "Octaves of a bar."
 SHORT = 12
 "Octaves up to which a tick is labelled by a number instead of a power."
+Y_LABELS = {"angle": "angle error (rad)", "omega": "rate error (relative)"}
 MARKERS = ("o", "s", "^", "D", "v", "d", "p")
 _SVG = "{http://www.w3.org/2000/svg}"
 _LINK = "{http://www.w3.org/1999/xlink}href"
@@ -177,27 +178,66 @@ class Drawing:
         return Markup(render("drawing.html", **names))
 
 
-@dataclass(frozen=True, slots=True)
-class Labels:
-    """Labels of both axes, of zero on the first, and of values beyond its decades."""
+class View(NamedTuple):
+    """A pair of figures: labels of the abscissa, of its zero, and of values beyond its decades."""
 
-    x: str
-    y: str
-    zero: str = "0"
-    beyond: str = "∞"
+    view: ByMeasure
+    heading: str
+    label: str
+    zero: str
+    beyond: str
+    remark: str
+
+
+VIEWS = (
+    View(
+        "distance",
+        "Error and distance from the separatrix",
+        "distance from the separatrix (1: nothing cancels, 0: on it)",
+        "on it",
+        "∞",
+        "On the separatrix itself (left) and ever nearer to it, where solutions fly apart: "
+        "a sound module shows no rise to the left.",
+    ),
+    View(
+        "turned",
+        "Error and time",
+        "angle turned, |ω₀t| (rad)",
+        "t = 0",
+        "∞",
+        "Times from the start on (left), as the angle that the body has turned by: "
+        "errors that accumulate rise to the right.",
+    ),
+    View(
+        "condition",
+        "Error and condition number",
+        "condition number κ",
+        "0",
+        f"> {formats.power(10, math.log10(MOST_CONDITION))}",
+        "κ is how far a relative change of the inputs moves the true state, by its derivatives. "
+        "A module that is no better than its inputs rises with κ; one that solves the given "
+        "problem stays below the bound: what is ill-conditioned is told apart from what is "
+        "computed badly.",
+    ),
+)
 
 
 @defaults()
-def scatter(
-    implementations: Sequence[Implementation],
-    view: ByMeasure,
-    measure: str,
-    bound: float,
-    labels: Labels,
+def scatters(
+    implementations: Sequence[Implementation], view: View, bounds: Mapping[str, float]
+) -> list[Markup]:
+    """Draw the worst angle and rate error of each decade; `bounds` in units of 2^-53."""
+    return [
+        _scatter(implementations, view, measure, label, bounds[measure])
+        for measure, label in Y_LABELS.items()
+    ]
+
+
+def _scatter(
+    implementations: Sequence[Implementation], view: View, measure: str, label: str, bound: float
 ) -> Markup:
-    """Draw the worst error of each decade of a property; `bound` in units of 2^-53."""
     found = [
-        sorted((formats.decade(part), cell) for part, cell in one[view][measure].items())
+        sorted((formats.decade(part), cell) for part, cell in one[view.view][measure].items())
         for one in implementations
     ]
     limit = math.log10(bound * ULP)
@@ -225,17 +265,17 @@ def scatter(
             marker = MARKERS[k % len(MARKERS)]
             (marks,) = axes.plot(*places, marker=marker, markersize=8, linestyle="none")
             drawing.add(f"mark {colour(k)}", marks, [_title(one["name"], *each) for each in cells])
-    below = x.labels(33 / width, labels.zero, labels.beyond, 10)
+    below = x.labels(33 / width, view.zero, view.beyond, 10)
     beside = y.labels(14 / drawing.inner[1], f"< {formats.power(10, y.low)}", "none", 10)
     axes.set_xticks([*below], [*below.values()])
     axes.set_yticks([*beside], [*beside.values()])
-    drawing.add("label", axes.set_xlabel(labels.x, fontsize=12))
-    drawing.add("label", axes.set_ylabel(labels.y, fontsize=12))
+    drawing.add("label", axes.set_xlabel(view.label, fontsize=12))
+    drawing.add("label", axes.set_ylabel(label, fontsize=12))
     axes.yaxis.set_label_coords(-62 / width, 0.5)
     limits = f"bound {formats.plain(bound)}"
     place = 0.99, y.at(limit) + 0.02
     drawing.add("limit", axes.text(*place, limits, ha="right", va="bottom", fontsize=12))
-    return drawing.svg(f"{labels.y} against {labels.x}, the worst of each decade")
+    return drawing.svg(f"{label} against {view.label}, the worst of each decade")
 
 
 def _exponent(cell: Cell) -> float:
