@@ -263,11 +263,11 @@ def _too_many(asked: Manoeuvre, count: int) -> tuple[str, str, str]:
     spins = {"spin.start": asked.start_spin, "spin.target": asked.target_spin}
     fastest = max(spins, key=lambda name: max(map(abs, spins[name])))
     if any(spins[fastest]):
-        rule = "turns the body so often that the motions are too many: take a shorter duration"
+        rule = "turns the body so often that there are too many motions: take a shorter duration"
         return fastest, inputs.shown(spins[fastest]), rule
     if count > 1:
-        return "families", str(count), "there are too many motions to look at: ask for fewer"
-    rule = "a needle turns so often that the motions are too many to look at"
+        return "families", str(count), "there are too many motions to search: take fewer"
+    rule = "a needle turns so often that there are too many motions to search"
     return "inertia", inputs.shown(asked.inertia), rule
 
 

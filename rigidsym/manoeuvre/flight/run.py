@@ -199,7 +199,7 @@ class Run:
             needed = f"wheel {k + 1} would have to store {found['momentum_needed'][k]:.2e} N m s"
             met.append(("why it misses", f"{needed}; thrusters, [thrusters], need no store"))
         elif missed and met:
-            met.append(("why it misses", "wheels give less than control asks for"))
+            met.append(("why it misses", "wheels give less torque than the controller commands"))
         return met
 
     def check_rows(self) -> Rows:

@@ -238,7 +238,7 @@ class Timing:
     tolerance: Annotated[
         float, _number((lambda x: 1e-14 <= x <= 1e-3, "must be from 1e-14 to 1e-3"))
     ] = 1e-10
-    "Relative, of the integration (chosen: far below what is looked at)."
+    "Relative, of the integration (chosen: far below the errors of interest)."
     settled: Positive = 0.1
     "Degrees: nearer than that the spacecraft counts as settled (chosen)."
 
