@@ -30,30 +30,32 @@ class Quantities:
 
     @cached_property
     def energy(self) -> float:
-        """H, J."""
+        """The kinetic energy H, J."""
         inertia, rates, _ = self.motion.exact
         return float(sum(c * w * w for c, w in zip(inertia, rates, strict=True)) / 2)
 
     @cached_property
     def momentum(self) -> float:
-        """K, N m s."""
+        """The size of the angular momentum K, N m s."""
         inertia, rates, _ = self.motion.exact
         return _root(sum((c * w) ** 2 for c, w in zip(inertia, rates, strict=True)))
 
     @cached_property
     def parameter(self) -> float | None:
-        """m of Jacobi's functions, from 0 for symmetric bodies to 1 on the separatrix; None where
-        the rates are constant."""
+        """The parameter m of Jacobi's functions; None where the rates are constant.
+
+        It is 0 for symmetric bodies, and 1 on the separatrix.
+        """
         return None if self._steady else self._constant("m")
 
     @property
     def modulus(self) -> float | None:
-        """k, the square root of the parameter."""
+        """The modulus k, the square root of the parameter."""
         return None if self.parameter is None else sqrt(self.parameter)
 
     @cached_property
     def period(self) -> float | None:
-        """The time 4 K(m)/lambda after which the rates come back, s; infinite on the separatrix.
+        """The period 4 K(m)/lambda of the rates, s; infinite on the separatrix.
 
         None where the rates are constant.
         """

@@ -49,8 +49,11 @@ Record = Mapping[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """The quantity whose sign decides, the cases for zero, above zero and, of some, below, and the
-    fact that there are no others."""
+    """The split of a context by the sign of a quantity.
+
+    cases: those for zero, above zero and, for some quantities, below.
+    fact: the fact that there are no other cases.
+    """
 
     quantity: str
     cases: tuple[str, ...]
@@ -172,8 +175,7 @@ def check_order(
 
 
 def _leaf(name: str, facts: Iterable[Record], specified: Mapping[str, Theorem]) -> Leaf:
-    """Return a leaf: the fact that states the signs which the specification has there, and the side
-    of the axis that its rates circulate about."""
+    """Return a leaf with the fact that states its signs in the specification, and its side."""
     theorem, wanted = specified[name], (name, "nonnegative", "PROVED")
     required = {lhs for relation, lhs, _ in theorem.then if relation == ">="}
     stating = [

@@ -289,7 +289,7 @@ def _np_tangents(u: Any, steps: list[tuple[Any, Any]]) -> list[Any]:
 
 
 def _np_reduce(u: Any, mc: Any) -> tuple[Any, Any, Any, list[tuple[Any, Any]], list[Any]]:
-    """u = 2 K turns + v: turns, v, whether v is far, past K/2, the AGM and the tangents.
+    """Return turns and v of u = 2 K turns + v, if |v| is past K/2, the AGM and the tangents.
 
     A far |v| is reflected to K - |v| (DLMF 22.4(iii)), so that cn and dn come without
     cancellation.  m = 1, where K is infinite, has its closed forms.

@@ -69,9 +69,9 @@ class Box:
 
     @cached_property
     def limits(self) -> np.ndarray | None:
-        """Ends (n, 2) of the open inputs in the part, less the middles of the box and in units of
-        their radii; None for an empty part.
+        """The ends (n, 2) of the open inputs in the part; None for an empty part.
 
+        They are less the middles of the box, and in units of the inputs' radii.
         A slab and the ends of all other inputs limit each input.  `MARGIN` is far above the
         rounding errors of doubles here.
         """

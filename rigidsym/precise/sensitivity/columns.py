@@ -217,7 +217,7 @@ class TurnColumns:
         return [self._change(parts) for parts in zip(*self.directions.values(), strict=True)]
 
     def _change(self, parts: Sequence[arb]) -> tuple[Named, list[Any]]:
-        """Return one of them; inputs about axis k change the momentum along that axis."""
+        """Return the changes along one direction; inputs about an axis change the momentum there."""
         share = dict(zip(self.directions, parts, strict=True))
         change: Named = {}
         ways = {
@@ -269,7 +269,7 @@ class Point:
         return listed({**rates, **self._columns.turned(t, rates, attitude)})
 
     def _at_rest(self, t: arb, attitude: Sequence[arb]) -> Mapping[str, Any]:
-        """Return those of a body at rest: a small rate turns the body steadily."""
+        """Return the derivatives for a body at rest: a small rate turns it steadily."""
         rotation = self._columns.rotation(attitude)
         known: dict[str, Any] = dict.fromkeys(NAMES, 0)
         for i in NUMBERS:
@@ -307,7 +307,9 @@ STAYS = {f"{x}{i}_by_eta{k}": int(x == "eta" and i == k)
 
 
 def listed(found: Mapping[str, Any]) -> list[arb]:
-    """Return the derivatives of the small turn in space (3, 9) and of the rates (3, 9) by the small
-    turn, rates and moments at t = 0, and then those by the time (3 each)."""
+    """Return the derivatives of the small turn in space (3, 9) and of the rates (3, 9).
+
+    These are by the small turn, rates and moments at t = 0; those by the time (3 each) follow.
+    """
     known = {**found, **STAYS}
     return [ball(known[name]) for name in NAMES]

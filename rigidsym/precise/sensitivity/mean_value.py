@@ -36,8 +36,12 @@ Rows = list[list[arb]]
 
 @dataclass(frozen=True, slots=True)
 class Motions:
-    """Rates with their columns, by name, and their changes along the sides (3, m); the turn since
-    t = 0 (4) with its changes (4, m), or None."""
+    """Rates and turns of all motions of a box at a time.
+
+    rates: the rates with their columns, by name.
+    of_rates: the changes of the rates along the sides (3, m).
+    turn, changes: the turn since t = 0 (4) and its changes (4, m); None without an enclosure.
+    """
 
     rates: Mapping[str, Sloped]
     of_rates: list[list[Sloped]]
@@ -47,8 +51,12 @@ class Motions:
 
 @dataclass(frozen=True, slots=True)
 class Middle:
-    """The middle of a box at a time: functions of elapsed time, the turn (4) and the rates (3), and
-    their changes along the sides (7, m)."""
+    """The middle of a box at a time.
+
+    functions: the functions of elapsed time.
+    turn, omega: the turn since t = 0 (4) and the rates (3).
+    changes: their changes along the sides (7, m).
+    """
 
     functions: Elapsed
     turn: Sequence[arb]

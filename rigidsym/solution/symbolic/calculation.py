@@ -99,8 +99,9 @@ class Calculation:
     def work_out(
         self, sequence: str, known: Mapping[str, Any], constant: Collection[str] = ()
     ) -> dict[str, Any]:
-        """Return the quantities of a sequence, each put into those after it, except for those in
-        `constant`.  Only the facts are added to the calculation.
+        """Return the quantities of a sequence, each put into those after it.
+
+        Those in `constant` are skipped.  Only the facts are added to the calculation.
         """
         found = {**self.known, **known}
         for formula in sealed().sequences[sequence]:
@@ -138,8 +139,7 @@ def _contexts() -> dict[str, Mapping[str, Any]]:
 def conditions_of(
     context: str, known: Mapping[str, Any], given: Iterable[str] = ()
 ) -> tuple[Boolean, ...]:
-    """Return what a context requires not to vanish and not to be negative, of known names, and its
-    relations between the names `given`."""
+    """Return the conditions of a context on known names, and its relations between `given` ones."""
     ledger, inputs = _contexts()[context], {*given}
     clauses = (("units", Ne, {*known}), ("nonnegative", Ge, {*known}), ("relations", Eq, inputs))
     found = (
