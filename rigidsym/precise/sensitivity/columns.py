@@ -217,7 +217,7 @@ class TurnColumns:
         return [self._change(parts) for parts in zip(*self.directions.values(), strict=True)]
 
     def _change(self, parts: Sequence[arb]) -> tuple[Named, list[Any]]:
-        """Return the changes along one direction; inputs about an axis change the momentum there."""
+        """Return the changes along one direction: inputs about an axis change momentum along it."""
         share = dict(zip(self.directions, parts, strict=True))
         change: Named = {}
         ways = {
