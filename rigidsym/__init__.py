@@ -42,7 +42,7 @@ __all__ = [
     "symbolic",
 ]
 
-# Imported at first use, so that `import rigidsym` and the command line's help cost nothing.
+# Imported at first use, so that `import rigidsym` and the help of the command are fast.
 _HOMES = {
     "Generated": "rigidsym.codegen",
     "InputError": "rigidsym.errors",
@@ -66,13 +66,13 @@ _HOMES = {
 def __getattr__(name: str) -> object:
     if name not in _HOMES:
         raise AttributeError(f"module 'rigidsym' has no attribute {name!r}")
-    # Kept, so that this is called once for each name.
+    # Cached, so that this is called once for each name.
     globals()[name] = found = getattr(import_module(_HOMES[name]), name)
     return found
 
 
 def __dir__() -> list[str]:
-    """What a user imports, and modules that are there already: nothing that only serves here."""
+    """Return the public names and the modules that are already imported."""
     public = [
         name for name, x in globals().items() if isinstance(x, ModuleType) or name[:2] == "__"
     ]

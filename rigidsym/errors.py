@@ -25,6 +25,8 @@ def written(value: object, write: Callable[[object], str] = str) -> str:
 class InputError(ValueError):
     """An input that breaks a rule: one line with the field, its value, the rule and what to do.
 
+    All parameters are attributes of the error.
+
     Parameters
     ----------
     field : str
@@ -37,8 +39,6 @@ class InputError(ValueError):
         The number of the body in a batch, counted through all leading axes, and of its time.
     next_step : str, optional
         How to have the value accepted.
-
-    All of them are attributes of the error.
     """
 
     def __init__(

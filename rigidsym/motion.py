@@ -45,15 +45,17 @@ class TorqueFreeMotion:
     """The motion of a torque-free rigid body from its state at t = 0.
 
     A motion is a value: equal to others with the same numbers and engine, hashable, and immutable.
+    Numbers may be floats (exact binary64 values) or strings, Fraction, Decimal and mpf, which are
+    taken exactly; `enclose` also takes uncertain ones, "0.0109 +/- 1e-6" or balls of python-flint.
 
     Parameters
     ----------
-    inertia : (3,)
+    inertia : array_like (3,)
         Principal moments, kg m^2: positive, none larger than the sum of the other two unless
         `allow_nonphysical`.
-    omega0 : (3,)
+    omega0 : array_like (3,)
         Body rates at t = 0, rad/s.
-    attitude0 : (4,)
+    attitude0 : array_like (4,)
         Attitude quaternion at t = 0, scalar first, body to inertial; it is normalised.
     engine : {"numpy", "c"}
         `c` is the generated C source, compiled once on this machine; without a compiler NumPy
@@ -62,9 +64,6 @@ class TorqueFreeMotion:
         Accept moments that no body has.
     degrees : bool
         omega0 is in deg/s.  Returned rates are in rad/s all the same.
-
-    Numbers may be floats (exact binary64 values) or strings, Fraction, Decimal and mpf, which are
-    taken exactly; `enclose` also takes uncertain ones, "0.0109 +/- 1e-6" or balls of python-flint.
 
     Raises
     ------
@@ -189,7 +188,7 @@ class TorqueFreeMotion:
 
         Parameters
         ----------
-        t : number or (N,)
+        t : number or array_like (N,)
             Times, s.
         out : pair of arrays
             C-contiguous float64 arrays of the shapes returned, to fill; they share no memory with
@@ -199,10 +198,10 @@ class TorqueFreeMotion:
 
         Returns
         -------
-        q : (4,) or (N, 4)
+        q : array (4,) or (N, 4)
             Attitude quaternions, continuous in the double cover.  Rotation angles have errors
             below 2e-15 rad for bodies that can exist, as `rigidsym validate` measures.
-        omega : (3,) or (N, 3)
+        omega : array (3,) or (N, 3)
             Body rates, rad/s, with errors below 2e-15 of their size.
 
         Raises
@@ -281,12 +280,12 @@ class TorqueFreeMotion:
         ----------
         t0 : number
             The time of the initial state, s.
-        t : number or (N,)
+        t : number or array_like (N,)
             Times, s.
 
         Returns
         -------
-        (..., 6, 6)
+        array (..., 6, 6)
             The derivative of the small rotation in space and the rates at t by those at t0, as
             vectors of `Sensitivity`: Phi(t2, t0) = Phi(t2, t1) Phi(t1, t0).
 
@@ -323,9 +322,9 @@ class TorqueFreeMotion:
 
         Returns
         -------
-        q : (count, 4)
+        q : array (count, 4)
             Attitude quaternions, as a call returns.
-        omega : (count, 3)
+        omega : array (count, 3)
             Body rates, rad/s.
 
         Raises
@@ -541,7 +540,7 @@ class TorqueFreeMotion:
 
         Parameters
         ----------
-        t : number or (N,)
+        t : number or array_like (N,)
             Times, s, taken exactly as the other inputs are.
         digits : int
             The number of significant digits.
@@ -613,7 +612,7 @@ class TorqueFreeMotion:
 
         Parameters
         ----------
-        t : number or (N,)
+        t : number or array_like (N,)
             Times, s, taken exactly.
         digits : int
             The number of significant digits for exact inputs.
@@ -713,7 +712,7 @@ class TorqueFreeMotion:
 
         Parameters
         ----------
-        t : (N,)
+        t : array_like (N,)
             Times, s: the index of the frame.
         degrees : bool
             Rates are in deg/s, not in rad/s.
@@ -737,7 +736,7 @@ class TorqueFreeMotion:
 
         Parameters
         ----------
-        t : (N,)
+        t : array_like (N,)
             Times, s.
         degrees : bool
             Rates are in deg/s, not in rad/s; their attribute `units` names the unit.
@@ -768,7 +767,7 @@ class TorqueFreeMotion:
 
         Parameters
         ----------
-        times : (N,)
+        times : array_like (N,)
             Times, s; by default some periods of the rates.
 
         Raises
@@ -831,13 +830,13 @@ def propagate(
 
     Parameters
     ----------
-    inertia : (..., 3)
+    inertia : array_like (..., 3)
         Principal moments, kg m^2.
-    omega0 : (..., 3)
+    omega0 : array_like (..., 3)
         Body rates at t = 0, rad/s.
-    t : number, (N,) or (..., N)
+    t : number or array_like (N,) or (..., N)
         Times, s: a number or (N,) for all bodies, (B, N) a row for each.
-    attitude0 : (..., 4)
+    attitude0 : array_like (..., 4)
         Attitude quaternions at t = 0, scalar first, body to inertial; they are normalised.
     engine : {"numpy", "c"}
         As for `TorqueFreeMotion`.
@@ -857,9 +856,9 @@ def propagate(
 
     Returns
     -------
-    q : (..., N, 4)
+    q : array (..., N, 4)
         Attitude quaternions, (..., 4) for a number t.
-    omega : (..., N, 3)
+    omega : array (..., N, 3)
         Body rates, rad/s.
     sensitivity : Sensitivity
         With `sensitivity` alone.

@@ -1,4 +1,4 @@
-"""Principal axes of a body: from its inertia tensor to what `TorqueFreeMotion` takes, and back."""
+"""Principal axes of a body: from its inertia tensor to the inputs of a motion, and back."""
 
 from dataclasses import dataclass
 
@@ -10,23 +10,29 @@ from rigidsym.errors import InputError
 from rigidsym.quaternions import conjugate, matrices, of_matrix, product
 from rigidsym.sensitivity import Sensitivity
 
-# Of the largest entry: tensors are often known to a few digits, but these are the same ones twice.
+# The tolerance of symmetry, relative to the largest entry: both entries of a pair are copies.
 SYMMETRY = 1e-9
-# Of the largest moment: what rounding makes of an eigenvalue.
+# The rounding error of an eigenvalue, relative to the largest moment.
 ROUNDING = 4 * float(np.finfo(float).eps)
 
-# Which entries of a tensor there are: xx, yy, zz, xy, xz, yz.
+# The entries of a tensor: xx, yy, zz, xy, xz, yz.
 _ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PrincipalAxes:
-    """Principal moments (3,), ascending, in kg m^2, and where their axes lie in the body.
+    """Principal moments and axes of a body.
 
-    matrix (3, 3): its columns are the axes, right-handed: tensor = matrix diag(moments) matrix^T,
-    and v = matrix v' where v' are components along the principal axes and v along the given ones.
-    quaternion (4,): the same rotation, principal to given axes, scalar first, scalar part not
-    negative: a body whose given axes have the attitude q has q' = q quaternion along the others.
+    Parameters
+    ----------
+    moments : array (3,)
+        Principal moments, ascending, kg m^2.
+    matrix : array (3, 3)
+        Its columns are the axes, right-handed: tensor = matrix diag(moments) matrix^T, and
+        v = matrix v' where v' are components along the principal axes and v along the given ones.
+    quaternion : array (4,)
+        The same rotation, principal to given axes, scalar first, scalar part not negative: a body
+        whose given axes have the attitude q has q' = q quaternion along the principal ones.
     """
 
     moments: np.ndarray
@@ -34,14 +40,18 @@ class PrincipalAxes:
     quaternion: np.ndarray
 
     def to_principal(self, omega: ArrayLike, attitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Rates (..., 3) and attitudes (..., 4) of the principal axes, from those of the given
-        ones: `omega0` and `attitude0` of a motion.  Raises InputError for other shapes."""
+        """Convert rates (..., 3) and attitudes (..., 4) of the given axes to the principal ones.
+
+        Returns omega0 and attitude0 of a motion.  Raises InputError for other shapes.
+        """
         rates, q = _array("omega", omega, 3), _array("attitude", attitude, 4)
         return rates @ self.matrix, product(q, self.quaternion)
 
     def from_principal(self, q: ArrayLike, omega: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Attitudes (..., 4) and rates (..., 3) of the given axes, from what a motion returns for
-        the principal ones.  Raises InputError for other shapes."""
+        """Convert attitudes (..., 4) and rates (..., 3) of a motion to the given axes.
+
+        Returns both in this order.  Raises InputError for other shapes.
+        """
         attitude, rates = _array("q", q, 4), _array("omega", omega, 3)
         return product(attitude, conjugate(self.quaternion)), rates @ self.matrix.T
 
@@ -52,15 +62,31 @@ class PrincipalAxes:
         omega: ArrayLike,
         found: Sensitivity,
     ) -> Sensitivity:
-        """The same for the given axes: by a small turn, their rates at t = 0, and the tensor.
+        """Convert the sensitivities of a motion to the given axes and the inertia tensor.
 
-        start: q (4,) and omega (3,) at t = 0; q, omega and found: what `motion.sensitivity`
-        returns; all of them for the principal axes.  In the result attitude and rates are
-        (..., 3, 12): after the small turn in space and omega0 along the given axes come the
-        entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz of the tensor, an entry and its mirror image together.
-        Where two moments are equal the axes have no derivative: raises InputError.  Where they
-        nearly are, digits are lost as the moments come closer.
+        Digits are lost where two moments are nearly equal.
 
+        Parameters
+        ----------
+        start : pair of array_like (4,) and (3,)
+            q and omega at t = 0, for the principal axes as the others.
+        q, omega, found
+            The results of `motion.sensitivity`.
+
+        Returns
+        -------
+        Sensitivity
+            With attitude and rates (..., 3, 12): by the small rotation in space, omega0 along the
+            given axes, and the entries Ixx, Iyy, Izz, Ixy, Ixz, Iyz of the tensor, an entry and its
+            mirror image together.
+
+        Raises
+        ------
+        InputError
+            Where two moments are equal: then the axes have no derivative.
+
+        Examples
+        --------
         >>> from rigidsym import TorqueFreeMotion
         >>> body = principal_axes([[2, 0, 0.1], [0, 3, 0], [0.1, 0, 4]])
         >>> rates, attitude = body.to_principal([0.1, 0.2, 0.3], [1, 0, 0, 0])
@@ -69,12 +95,12 @@ class PrincipalAxes:
         (2, 3, 12)
         """
         if len(found.columns) < 4:
-            raise InputError("columns", ", ".join(found.columns), "all are needed for a tensor's")
+            raise InputError("columns", ", ".join(found.columns), "a tensor's need all of them")
         turns, moments = self._by_tensor()
         q0, omega0 = _array("start[0]", start[0], 4), _array("start[1]", start[1], 3)
         rates = _array("omega", omega, 3)
         here = matrices(_array("q", q, 4))
-        # What inputs along the principal axes change by with those along the given ones.
+        # Derivatives of inputs along the principal axes by those along the given ones.
         inputs_by = np.zeros((9, 12))
         inputs_by[:3, :3], inputs_by[3:6, 3:6] = np.eye(3), self.matrix.T
         inputs_by[:3, 6:] = matrices(q0) @ turns
@@ -88,7 +114,7 @@ class PrincipalAxes:
         )
 
     def _by_tensor(self) -> tuple[np.ndarray, np.ndarray]:
-        """(3, 6) each: the axes' small turn, along themselves, and the moments, by each entry."""
+        """Return the derivatives (3, 6) of axes, along themselves, and moments by entries."""
         m, axes = self.moments, self.matrix
         for i, j in ((0, 1), (1, 2)):
             if m[i] == m[j]:
@@ -107,14 +133,25 @@ class PrincipalAxes:
 
 
 def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
-    """The principal moments and axes of an inertia tensor (3, 3) in kg m^2.
+    """Return the principal moments and axes of an inertia tensor.
 
-    The tensor has to be symmetric to 1e-9 of its largest entry, and is then made so; the signs of
-    its products of inertia are those of -integral xy dm.  The first two axes point to the side of
-    their largest component; axes of equal moments are any.  Diagonal tensors are only put in order,
-    without rounding.  Raises InputError for what is not symmetric, finite and positive definite;
-    whether a body can have such moments, `TorqueFreeMotion` asks.
+    The first two axes point to the side of their largest component; axes of equal moments are
+    arbitrary.  Diagonal tensors are only put in order, without rounding.  `TorqueFreeMotion` checks
+    that a body can have such moments.
 
+    Parameters
+    ----------
+    tensor : array_like (3, 3)
+        The inertia tensor, kg m^2; its products of inertia have the signs of -integral xy dm.  It
+        has to be symmetric to 1e-9 of its largest entry, and is then made so.
+
+    Raises
+    ------
+    InputError
+        For a tensor that is not symmetric, finite and positive definite.
+
+    Examples
+    --------
     >>> body = principal_axes([[2, 0, 0], [0, 5, 1], [0, 1, 5]])
     >>> body.moments
     array([2., 4., 6.])
@@ -131,7 +168,9 @@ def principal_axes(tensor: ArrayLike) -> PrincipalAxes:
     if not moments[0] > 0:
         value = f"one of principal moments {_shown(moments)}"
         raise InputError("tensor", value, "principal moments must be positive")
-    matrix = _right_handed(axes)
+    # Two axes point to the side of their largest component, the third makes them right-handed.
+    first, second = (x * np.copysign(1.0, x[np.argmax(np.abs(x))]) for x in axes.T[:2])
+    matrix = np.stack([first, second, np.cross(first, second)], axis=1)
     return PrincipalAxes(moments, matrix, of_matrix(matrix))
 
 
@@ -148,21 +187,15 @@ def _entries(tensor: ArrayLike) -> np.ndarray:
 
 
 def _solved(tensor: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Moments, ascending, zero where rounding may have made them, and axes as columns."""
+    """Return ascending moments, zero where they are below rounding, and axes as columns."""
     if np.array_equal(tensor, np.diag(np.diag(tensor))):
         order = np.argsort(np.diag(tensor), kind="stable")
         return np.diag(tensor)[order], np.eye(3)[:, order]
-    # A power of two keeps squares in the range and rounds nothing.
+    # Scaling by a power of two keeps squares in range, and rounds nothing.
     scale = np.exp2(np.floor(np.log2(np.max(np.abs(tensor)))))
     moments, axes = np.linalg.eigh(tensor / scale)
     small = np.abs(moments) < ROUNDING * np.max(moments)
     return np.where(small, 0.0, moments) * scale, axes
-
-
-def _right_handed(axes: np.ndarray) -> np.ndarray:
-    """The same axes: two point to the side of their largest component, the third as it has to."""
-    first, second = (x * np.copysign(1.0, x[np.argmax(np.abs(x))]) for x in axes.T[:2])
-    return np.stack([first, second, np.cross(first, second)], axis=1)
 
 
 def _array(field: str, values: ArrayLike, size: int) -> np.ndarray:

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-# Angles below this are as good as none: sin x = x.
+# Below this angle sin x = x in binary64.
 _TINY = 1e-8
 # [e_k] times a vector is e_k x that vector.
 _CROSS = np.cross(np.eye(3), np.eye(3)[:, None])
 
 
 def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
-    """Hamilton's product p q.
+    """Return Hamilton's product p q.
 
     >>> product(np.array([0.0, 1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0, 0.0]))
     array([0., 0., 0., 1.])
@@ -20,32 +20,32 @@ def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
 
 def conjugate(q: np.ndarray) -> np.ndarray:
-    """The opposite rotation, for a unit quaternion."""
+    """Return the conjugate: the inverse rotation, for a unit quaternion."""
     return q * [1.0, -1.0, -1.0, -1.0]
 
 
 def rotated(q: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Vectors (..., 3) turned by unit quaternions."""
+    """Rotate vectors (..., 3) by unit quaternions."""
     scalar, axis = q[..., :1], q[..., 1:]
     twice = 2 * np.cross(axis, vectors)
     return vectors + scalar * twice + np.cross(axis, twice)
 
 
 def cross_matrices(vectors: np.ndarray) -> np.ndarray:
-    """The matrices (..., 3, 3) that take x to v x x, of vectors v (..., 3)."""
+    """Return the matrices (..., 3, 3) of the cross products v x, of vectors v (..., 3)."""
     return np.tensordot(vectors, _CROSS, 1)
 
 
 def matrices(q: np.ndarray) -> np.ndarray:
-    """The rotation matrices (..., 3, 3) of unit quaternions."""
+    """Return the rotation matrices (..., 3, 3) of unit quaternions."""
     turn = cross_matrices(q[..., 1:])
     return np.eye(3) + 2 * q[..., :1, None] * turn + 2 * turn @ turn
 
 
 def of_matrix(m: np.ndarray) -> np.ndarray:
-    """The unit quaternion (4,) of a rotation matrix (3, 3), scalar part not negative.
+    """Return the unit quaternion (4,) of a rotation matrix (3, 3), scalar part not negative.
 
-    Of the four squares the largest is rooted (Shepperd, J. Guidance and Control 1, 1978).
+    The root is taken of the largest of four squares (Shepperd, J. Guidance and Control 1, 1978).
     """
     k = int(np.argmax([np.trace(m), *np.diag(m)])) - 1
     if k < 0:
@@ -59,7 +59,7 @@ def of_matrix(m: np.ndarray) -> np.ndarray:
 
 
 def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
-    """Of unit quaternions (..., 4), by the shorter way round (..., 3), rad."""
+    """Return the shorter rotation vectors (..., 3) of unit quaternions (..., 4), rad."""
     scalar, vector = quaternions[..., :1], quaternions[..., 1:]
     length = np.linalg.norm(vector, axis=-1, keepdims=True)
     half = np.arctan2(length, np.abs(scalar))
@@ -68,9 +68,9 @@ def rotation_vectors(quaternions: np.ndarray) -> np.ndarray:
 
 
 def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
-    """(..., 3, 3): what rotation vectors (..., 3) change by with a small turn after theirs.
+    """Return the derivative (..., 3, 3) of rotation vectors (..., 3) by a later small rotation.
 
-    At angles below a whole turn, rad.  Source: Sola, Deray and Atchuthan, arXiv:1812.01537, (146).
+    Angles are below a whole turn, rad.  Source: Sola, Deray and Atchuthan, arXiv:1812.01537, (146).
 
     >>> inverse_left_jacobian(np.array([np.pi, 0.0, 0.0])).round(3)
     array([[ 1.   ,  0.   ,  0.   ],
@@ -85,7 +85,7 @@ def inverse_left_jacobian(vectors: np.ndarray) -> np.ndarray:
 
 
 def of_rotation_vectors(vectors: np.ndarray) -> np.ndarray:
-    """The unit quaternions (..., 4) of rotation vectors (..., 3), rad; the other way round.
+    """Return the unit quaternions (..., 4) of rotation vectors (..., 3), rad.
 
     >>> of_rotation_vectors(np.array([np.pi, 0.0, 0.0])).round(12)
     array([0., 1., 0., 0.])

@@ -1,4 +1,4 @@
-"""What the state of a motion changes by with each of its inputs."""
+"""Derivatives of the state of a motion by its inputs."""
 
 from dataclasses import dataclass
 
@@ -9,17 +9,24 @@ from rigidsym.errors import InputError
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sensitivity:
-    """Derivatives of the state at some times; ... is the shape of the times, after that of bodies.
+    """Derivatives of the state at some times; ... is the shape of the bodies, then of the times.
 
-    attitude (..., 3, 9): a small turn eta of the attitude, as a vector in space, rad: the matrix
-    from body to space changes by [eta] times itself.  rates (..., 3, 9): the body rates, rad/s.
-    Their columns: the small turn at t = 0 (3, rad), omega0 (3, rad/s) and the principal moments
-    (3, kg m^2), in the order in which they are given.  attitude_t, rates_t (..., 3): both by the
-    time, rad/s and rad/s^2.
+    The columns of `attitude` and `rates` are by the small rotation at t = 0 (3, rad), omega0 (3,
+    rad/s) and the principal moments (3, kg m^2), in the order of the inputs.
 
-    columns: the names of those that there are, always in this order.  Where only some were asked
-    for, attitude and rates have three columns for each of the first three names among them, and
-    attitude_t and rates_t are (..., 0) without "t".
+    Parameters
+    ----------
+    attitude : array (..., 3, 9)
+        Derivatives of the attitude as a small rotation eta, a vector in space, rad: the matrix from
+        body to space changes by [eta] times itself.
+    rates : array (..., 3, 9)
+        Derivatives of the body rates, rad/s.
+    attitude_t, rates_t : array (..., 3)
+        Derivatives of both by the time, rad/s and rad/s^2.
+    columns : tuple
+        The names of the columns, always in the order "attitude0", "omega0", "inertia", "t".  With
+        only some of them, attitude and rates have three columns for each of the first three names
+        among them, and attitude_t and rates_t are (..., 0) without "t".
     """
 
     attitude: np.ndarray
@@ -30,7 +37,7 @@ class Sensitivity:
 
     @property
     def transition(self) -> np.ndarray:
-        """(..., 6, 6): the small turn and the rates by those at t = 0.
+        """The state transition matrix (..., 6, 6): the small rotation and rates by those at t = 0.
 
         Raises InputError without the columns of attitude0 and omega0.
         """

@@ -30,13 +30,13 @@ def step(
 
     Parameters
     ----------
-    inertia : (..., 3)
+    inertia : array_like (..., 3)
         Principal moments, kg m^2.
-    q : (..., 4)
+    q : array_like (..., 4)
         Attitude quaternions, scalar first, body to inertial, of any length but zero.
-    omega : (..., 3)
+    omega : array_like (..., 3)
         Body rates, rad/s.
-    dt : number or (...)
+    dt : number or array_like (...)
         Time, s, forwards or back; |omega dt| may be up to 8 rad.
     engine : {"numpy", "c"}
         As for `TorqueFreeMotion`.
@@ -47,10 +47,10 @@ def step(
 
     Returns
     -------
-    q : (..., 4)
+    q : array (..., 4)
         Unit quaternions, continuous in the double cover.  Up to |omega dt| = 2 pi rotation angles
         have errors below 1e-15 rad.
-    omega : (..., 3)
+    omega : array (..., 3)
         Body rates, rad/s, with errors below 1e-15 of |omega|.
 
     Raises

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
 
+import docstrings  # noqa: F401  (before the package is imported)
 from sphinx.cmd.build import main as sphinx
 
 from generate import (

@@ -1,25 +1,43 @@
 """The project's docstrings, which are plain text, as reStructuredText for autodoc.
 
-Paragraphs with a drawn line, and indented ones, are kept as they are drawn; single backticks are
-code; doctests stay; all other marks mean themselves.
+NumPy's sections become lists; other paragraphs with a drawn line, and indented ones, are kept as
+they are drawn; single backticks are code; doctests stay; all other marks mean themselves.
+Signatures show ArrayLike by its name, not by the union that it stands for: import this module
+before modules that take the name from NumPy.
 """
 
 import re
 from collections.abc import Iterable, Iterator
-from itertools import groupby
-from typing import Any
+from itertools import groupby, pairwise
+from typing import Any, NewType
 
+import numpy.typing
 from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.ext.napoleon.docstring import NumpyDocstring
+
+ArrayLike = NewType("ArrayLike", object)
+ArrayLike.__module__ = "numpy.typing"
+vars(numpy.typing)["ArrayLike"] = ArrayLike
+_SECTION = re.compile("Parameters|Returns|Raises|Examples")
 
 
 def converted(lines: Iterable[str]) -> list[str]:
-    """The lines of a docstring, without its indentation, as reStructuredText."""
+    """Convert the lines of a docstring, without its indentation, to reStructuredText."""
+    lines = list(lines)
+    pairs = enumerate(pairwise(lines))
+    heads = (k for k, (head, line) in pairs if _SECTION.fullmatch(head) and set(line) == {"-"})
+    first = next(heads, len(lines))
     result: list[str] = []
-    for blank, group in groupby(lines, key=lambda line: not line.strip()):
+    for blank, group in groupby(lines[:first], key=lambda line: not line.strip()):
         if not blank:
             result += [*_paragraph(list(group)), ""]
-    return result
+    sections: list[str] = []
+    for blank, group in groupby(lines[first:], key=lambda line: not line.strip()):
+        rows = list(group)
+        verbatim = blank or rows[0].lstrip().startswith(">>>")
+        sections += rows if verbatim else map(_inline, rows)
+    return [*result, *NumpyDocstring(sections).lines()]
 
 
 def _paragraph(lines: list[str]) -> Iterator[str]:

@@ -172,6 +172,10 @@ def test_the_reference_has_what_plans_and_examines(html):
                  "rigidsym.validate.examine"):  # fmt: skip
         page = every[f"reference/api/{name.rpartition('.')[0]}.html"]
         assert f'id="{name}"' in page, name
+    page = every["reference/api/rigidsym.html"]
+    assert "ArrayLike" in page
+    assert not any("_SupportsArray" in page for page in every.values())
+    assert "<strong>allow_nonphysical</strong>" in page, "parameters are a list"
 
 
 def test_links_into_the_repository_lead_to_pages_that_show_it(html):
