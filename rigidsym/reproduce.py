@@ -4,7 +4,7 @@ import json
 import subprocess
 import sys
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from importlib.metadata import version
@@ -44,7 +44,7 @@ Value = TypeVar("Value")
 
 @dataclass(frozen=True, slots=True)
 class Reproduction:
-    """Everything one run found."""
+    """The results of one run."""
 
     derivation: Derivation
     checked: bool
@@ -55,22 +55,23 @@ class Reproduction:
 
     @property
     def passed(self) -> bool:
-        """All proved, replayed, current and valid."""
+        """True if all is proved, replayed, current and valid."""
         return self.checked and self.current and self.validation.passed
 
 
 def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
-    """Run every stage and write the results into a directory; `say` hears of each stage,
-    `progress` names a stage and gets what is done of it and the total.
+    """Run every stage and write the results into a directory.
 
-    Raises InputError where the directory cannot be written and DerivationError where a proof
-    fails; what an earlier run has written stays until its successor is complete.
+    say: is called with each stage, its result, its seconds and whether it passed.  progress: takes
+    the name of a stage, and returns a function of the work done and the total.  Raises InputError
+    where the directory cannot be written and DerivationError where a proof fails; results of an
+    earlier run stay until their successors are complete.
     """
-    # A process of its own derives while others validate: they read the installed ledger alone, and
+    # A separate process derives while others validate: they read the installed ledger alone, and
     # precision is global, so that threads could not.
     with processes(1) as deriving:
         derived = deriving.submit(_derived)
-        # The last digits of the C module depend on the machine, and the report must not.
+        # Without C, because the last digits of that module depend on the machine.
         validation, validating = _timed(
             lambda: validate(["numpy"], workers=None, progress=progress("validate"))
         )
@@ -79,11 +80,15 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
     say("derive", f"{sum(claims)} facts in {len(claims)} chapters", seconds, True)
     ledger = write_text(directory / "ledger.json", derivation.ledger)
 
-    # The kernel replays in a process of its own, beside the generation of code.
+    # The kernel replays in another process while this one generates code.
+    command = [sys.executable, "-m", "rigidsym", "check", str(ledger)]
     with ThreadPoolExecutor(1) as beside:
-        replayed = beside.submit(lambda: _timed(lambda: _replayed(ledger)))
+        replayed = beside.submit(
+            lambda: _timed(lambda: subprocess.run(command, capture_output=True, check=False))
+        )
         generated, generation = _timed(lambda: _all_targets(load(derivation.ledger)))
-        checked, seconds = replayed.result()
+        process, seconds = replayed.result()
+    checked = process.returncode == 0
     say("check", "certificates replayed in a fresh process", seconds, checked)
 
     current = all(module.files == generate(target).files for target, module in generated.items())
@@ -97,7 +102,7 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 
     ruled = tuple(verdicts(json.loads(derivation.ledger)))
     modules = tuple(generated.values())
-    # How and where it was run is not to be in what is written.
+    # The files do not say how and where they were computed.
     validation = replace(validation, run={})
     result = Reproduction(derivation, checked, modules, current, validation, ruled)
     for module in modules:
@@ -108,13 +113,15 @@ def reproduce(directory: Path, say: Say, progress: Progress) -> Reproduction:
 
 
 def _pages(result: Reproduction) -> dict[str, str]:
-    """All that is for readers, the report last."""
+    """Return the pages for readers by file name, the report last."""
     told, validation = results(result), result.validation
+    verdicts = result.verdicts
+    printed = (Printed(v.equation.number, str(v.ruling), list(details(v))) for v in verdicts)
     return {
         "validation.json": validation.to_json(),
         "validation.md": validation.to_markdown(),
         "validation.html": page(validation.to_data()),
-        "errata.html": _errata(result.verdicts),
+        "errata.html": errata_page(counted(result.verdicts), printed),
         "motion.svg": told.motion[1],
         "report.md": report(result),
         "report.html": report_page(told),
@@ -126,7 +133,7 @@ def _derived() -> tuple[Derivation, float]:
 
 
 def _all_targets(solution: Solution) -> dict[str, Generated]:
-    """Every module, after the kernel has decided that it is what was derived."""
+    """Generate every module; the kernel decides that it is what was derived."""
     seal(solution)
     generated = {target: generate(target, solution) for target in TARGETS}
     for module in generated.values():
@@ -139,13 +146,8 @@ def _timed(stage: Callable[[], Value]) -> tuple[Value, float]:
     return stage(), perf_counter() - start
 
 
-def _replayed(ledger: Path) -> bool:
-    command = [sys.executable, "-m", "rigidsym", "check", str(ledger)]
-    return subprocess.run(command, capture_output=True, check=False).returncode == 0
-
-
 def plot(case: Case) -> str:
-    """Quaternion and body rates of a motion over time, by the generated module."""
+    """Plot quaternion and body rates of a motion over time, by the generated module, as SVG."""
     times = [float(t) for t in case.times]
     if not times:
         raise InputError("times", "[]", "a plot needs at least one time")
@@ -163,7 +165,7 @@ def plot(case: Case) -> str:
 
 
 def results(result: Reproduction) -> Results:
-    """What the report says."""
+    """Return the contents of the report."""
     facts = [fact for chapter in result.derivation.chapters for fact in chapter.facts]
     grades = Counter(str(fact.grade) for fact in facts).most_common()
     chapters = [chapter for chapter in result.derivation.chapters if chapter.facts]
@@ -197,11 +199,6 @@ def results(result: Reproduction) -> Results:
 
 
 def report(result: Reproduction) -> str:
-    """The report as Markdown, with the figures of the validation."""
+    """Write the report as Markdown, with the figures of the validation."""
     validation = result.validation.to_markdown().replace("# Validation", "## Validation", 1)
     return f"{report_markdown(results(result))}\n{validation}"
-
-
-def _errata(verdicts: Sequence[Verdict]) -> str:
-    said = (Printed(v.equation.number, str(v.ruling), list(details(v))) for v in verdicts)
-    return errata_page(counted(verdicts), said)

@@ -54,6 +54,12 @@ def once(tmp_path_factory):
     return folder
 
 
+@pytest.fixture(params=["numpy", "c"])
+def engine(request):
+    """The name of each engine in turn."""
+    return request.param
+
+
 @pytest.fixture
 def replayed_once(monkeypatch):
     """The sealed ledger, which several commands of a test ask for, is replayed for the first."""

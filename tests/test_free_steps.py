@@ -14,11 +14,6 @@ BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
 START = (1.0, 0.0, 0.0, 0.0)
 
 
-@pytest.fixture(params=["numpy", "c"])
-def engine(request):
-    return request.param
-
-
 def bodies(count, seed=0):
     draw = np.random.default_rng(seed)
     x, y, z = draw.uniform(0.05, 1, (3, count))

@@ -53,7 +53,6 @@ def test_blocks_do_not_show():
         np.testing.assert_allclose(omega[k], one_omega, rtol=0, atol=1e-17)
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
 @pytest.mark.parametrize(
     ("start", "step", "count"), [(0.0, 0.5, 361), (2, -1, 3), (1.5, 0, 2), (7.0, 1.0, 0)]
 )
@@ -68,7 +67,6 @@ def test_a_grid_is_the_states_at_its_times(engine, start, step, count):
     assert states[1] is out[1]
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
 @pytest.mark.parametrize(
     ("given", "line"),
     [
@@ -93,7 +91,6 @@ def test_grids_that_are_none(engine, given, line):
     assert str(caught.value) == line
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
 def test_what_a_grid_is_to_fill_is_checked(engine):
     with pytest.raises(InputError, match=r"^out = as given: omega is float64 of shape \(4, 3\)"):
         TorqueFreeMotion(BODY, RATES, engine=engine).grid(

@@ -36,11 +36,6 @@ CASES = {
 }
 
 
-@pytest.fixture(params=["numpy", "c"])
-def engine(request):
-    return request.param
-
-
 def shuffled(case, number):
     """A case with its axes in some order and its rates of some signs."""
     inertia, omega = CASES[case]

@@ -40,7 +40,6 @@ def test_columns_are_those_of_differences(stratum):
 SPINS = [(0.73, 1.21, 1.58), (1.58, 0.73, 1.21), (1.21, 1.58, 0.73)]
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("across", [1e-3, 4.6e-13, 1e-40, 1e-85])
 @pytest.mark.parametrize("inertia", SPINS)
 def test_columns_by_the_moments_keep_their_digits_near_a_spin(inertia, across, engine):
@@ -61,7 +60,6 @@ def test_columns_by_the_moments_keep_their_digits_near_a_spin(inertia, across, e
             assert max(apart) < BOUND * max(map(abs, column))
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("inertia", SPINS)
 def test_columns_by_the_moments_are_zero_at_a_spin(inertia, engine):
     one = TorqueFreeMotion(inertia, (1.3, 0, 0), (2, -1, 3, 1), engine=engine)
@@ -70,7 +68,6 @@ def test_columns_by_the_moments_are_zero_at_a_spin(inertia, engine):
     assert not found.attitude[..., 6:].any()
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_at_the_start_changes_are_those_given(engine):
     for stratum in ("paper", "separatrix", "sphere", "spin", "rest", "symmetric"):
         _, _, found = motion(draw(stratum, 0, 1), engine).sensitivity([0.0, -0.0])
@@ -81,7 +78,6 @@ def test_at_the_start_changes_are_those_given(engine):
             assert not found.rates[part, :, 6:].any()
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_states_are_those_of_a_call(engine):
     one = TorqueFreeMotion(*PAPER, engine=engine)
     times = np.linspace(-50, 300, 37)
@@ -114,7 +110,6 @@ def test_transitions_compose():
     assert np.array_equal(one.state_transition(5.0, 5.0), np.eye(6))
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_a_batch_is_its_bodies(engine):
     random = np.random.default_rng(3)
     inertia = random.uniform(2, 3, (4, 3))
@@ -132,7 +127,6 @@ def test_a_batch_is_its_bodies(engine):
                 assert np.array_equal(getattr(found, name)[k], getattr(alone[2], name))
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_one_time_and_many_have_the_same_bits(engine):
     one = TorqueFreeMotion(*PAPER, engine=engine)
     times = np.linspace(-50.0, 300.0, 40_001)
@@ -144,7 +138,6 @@ def test_one_time_and_many_have_the_same_bits(engine):
         assert np.array_equal(part[9], found)
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_a_batch_goes_on_past_what_is_refused(engine):
     inertia = np.array([(3.0, 2.0, 1.0)] * 4)
     omega0 = np.array([(1.0, 0.5, 2.0), (np.nan, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 1e300)])
@@ -166,7 +159,6 @@ def _parts(found):
     return q, omega, S.attitude, S.rates, S.attitude_t, S.rates_t
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_what_grows_beyond_binary64_is_refused(engine):
     spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0), engine=engine)
     assert np.isfinite(spin.sensitivity(500.0)[2].rates).all()
@@ -195,7 +187,6 @@ def _chosen(whole, names):
     return q, omega, *some
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize("names", SOME, ids="+".join)
 def test_some_columns_have_the_bits_of_all(engine, names):
     times = np.append(np.linspace(-50.0, 300.0, 70), 0.0)
@@ -219,7 +210,6 @@ def test_some_columns_have_the_bits_of_all(engine, names):
         np.testing.assert_array_equal(part, true)
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_columns_of_exact_inputs(engine):
     exact = TorqueFreeMotion(("0.0109", "0.04", "0.0506"), ("0.05", "0.03", "-0.02"), engine=engine)
     whole = exact.sensitivity([1.0, 9.0])
@@ -229,7 +219,6 @@ def test_columns_of_exact_inputs(engine):
             np.testing.assert_array_equal(part, true)
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 def test_only_columns_that_are_asked_for_are_refused(engine):
     spin = TorqueFreeMotion((3, 2, 1), (0, 1, 0), engine=engine)
     late = [1.0, 1e4]
@@ -244,7 +233,6 @@ def test_only_columns_that_are_asked_for_are_refused(engine):
     assert np.isfinite(spin.sensitivity(late, columns=["attitude0", "t"])[2].rates).all()
 
 
-@pytest.mark.parametrize("engine", ENGINES)
 @pytest.mark.parametrize(
     "bad",
     ["omega", ["omega0", "omega0"], [], ["attitude0", "moments"], 5, [None], "", np.ones((1, 2))],

@@ -15,11 +15,6 @@ from rigidsym.validate.strata import STRATA, draw
 BODY, START, RATES = (0.0109, 0.04, 0.0506), (1.0, 0.0, 0.0, 0.0), (0.05, 0.03, -0.02)
 
 
-@pytest.fixture(params=["numpy", "c"])
-def engine(request):
-    return request.param
-
-
 def drawn(seed, cases=4):
     """Rows of moments, attitude, rates and a time within a turn, of every stratum."""
     rows = []

@@ -11,7 +11,7 @@ import os
 import platform
 import sys
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from importlib import resources
 from pathlib import Path
@@ -68,7 +68,10 @@ def processor() -> list[str]:
 
 
 def _cached(sources: Mapping[str, str], key: str, remarks: list[str]) -> Library | None:
-    for path in _kept(key):
+    cached: list[Path] = []
+    with suppress(CacheError, OSError):
+        cached = sorted(cache_directory().glob(f"{_PREFIX}-{key}-*{_SUFFIX}"))
+    for path in cached:
         try:
             if not is_whole(path):
                 raise LibraryError(f"{path} is damaged")
@@ -126,12 +129,6 @@ def cache_directory() -> Path:
         return Path.home() / ".cache" / "rigidsym"
     except RuntimeError:
         raise CacheError("there is no home directory for a cache") from None
-
-
-def _kept(key: str) -> Iterator[Path]:
-    """Yield the cached libraries of a key."""
-    with suppress(CacheError, OSError):
-        yield from sorted(cache_directory().glob(f"{_PREFIX}-{key}-*{_SUFFIX}"))
 
 
 def is_whole(path: Path) -> bool:

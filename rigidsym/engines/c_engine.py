@@ -5,7 +5,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from ctypes import addressof, c_double
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
@@ -170,42 +170,68 @@ class CEngine(Engine):
         return q, omega
 
     def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
-        t, count = batch.times, batch.count
-        bodies = [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
-        times = t.shape[1]
-        own = times if len(t) > 1 else 0
-        work = times + PREPARATION
-        parts = threads.threads(count * work)
-        if count < parts and not lenient:
-            # Few bodies at many times: threads share the times.
-            q, omega = (x.reshape(count, times, x.shape[-1]) for x in states)
-            for k in range(count):
-                self._one_of_batch(k, bodies, t[k if own else 0], (q[k], omega[k]))
+        t, bodies = batch.times, self._rows(batch)
+        count, times = batch.count, t.shape[1]
+        if lenient or count >= threads.threads(count * (times + PREPARATION)):
+            function = self.library.propagate
+            self._fill(function, (), bodies, t, states, lenient, times, self.states)
             return
-        addresses = [x.ctypes.data for x in (*bodies, t, *states)]
+        # Few bodies at many times: threads share the times.
+        q, omega = (x.reshape(count, times, x.shape[-1]) for x in states)
+        for k in range(count):
+            self._alone(k, bodies, t, partial(self.states, out=(q[k], omega[k])))
+
+    def _rows(self, batch: Batch) -> list[np.ndarray]:
+        """Return inertia, omega0 and attitude0 of a batch, a row for each body."""
+        return [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
+
+    def _fill(
+        self,
+        function: Callable[..., int],
+        flags: tuple[int, ...],
+        bodies: Sequence[np.ndarray],
+        t: np.ndarray,
+        found: Sequence[np.ndarray],
+        lenient: bool,
+        cost: int,
+        compute: Callable[[Prepared, np.ndarray], object],
+    ) -> None:
+        """Fill arrays by a function of C for many bodies; threads share the bodies.
+
+        flags: arguments before the outputs.  cost: that of a body after preparing it, in states.
+        compute: does the same for one prepared motion, and finds the time that is refused.
+        """
+        count, times = len(bodies[0]), t.shape[1]
+        own = times if len(t) > 1 else 0
         codes = np.empty(count if lenient else 0, np.intc)
-        sizes = (3, 3, 4, own, 4 * times, 3 * times)
+        addresses = [x.ctypes.data for x in (*bodies, t, *found)]
+        sizes = 3, 3, 4, own, *(x.size // max(1, count) for x in found)
 
         def piece(begin: int, end: int) -> int | None:
             failed = ctypes.c_size_t(0)
-            *given, at, q, omega = _rows_from(begin, addresses, sizes)
+            rows = _rows_from(begin, addresses, sizes)
             body_codes = codes[begin:].ctypes.data if lenient else None
-            rows = *given, times, at, own, q, omega
-            code = self.library.propagate(end - begin, *rows, body_codes, addressof(failed))
+            given = (end - begin, *rows[:3], times, rows[3], own, *flags, *rows[4:])
+            code = function(*given, body_codes, addressof(failed))
             return begin + failed.value if code else None
 
-        shared = min(parts, max(1, count)), max(1, threads.PIECE // work)
-        for body in threads.in_parts(piece, count, *shared):
+        work = cost + PREPARATION
+        parts = min(threads.threads(count * work), max(1, count))
+        for body in threads.in_parts(piece, count, parts, max(1, threads.PIECE // work)):
             if body is not None:
-                # Again, because only a prepared motion says which times are too late.
-                self._one_of_batch(body, bodies, t[body if own else 0])
+                self._alone(body, bodies, t, compute)
+                raise AssertionError("a body that was refused is not")
 
-    def _one_of_batch(
-        self, k: int, bodies: Sequence[np.ndarray], t: np.ndarray, out: Outputs = None
+    def _alone(
+        self,
+        k: int,
+        bodies: Sequence[np.ndarray],
+        t: np.ndarray,
+        compute: Callable[[Prepared, np.ndarray], object],
     ) -> None:
-        """Compute the states of body k by itself; errors have its index."""
+        """Prepare body k and compute at its times; errors have its index."""
         try:
-            self.states(self.prepare(*(array[k] for array in bodies)), t, out)
+            compute(self.prepare(*(array[k] for array in bodies)), t[k if len(t) > 1 else 0])
         except EngineError as error:
             raise EngineError(error.field, error.rule, k, error.time) from None
 
@@ -276,34 +302,10 @@ class CEngine(Engine):
     def _fill_sensitivities(
         self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
     ) -> None:
-        t, count, chosen = batch.times, batch.count, _columns(columns)
-        bodies = [arrays.rows(array, batch.leading) for array in batch.bodies.values()]
-        times = t.shape[1]
-        own = times if len(t) > 1 else 0
-        codes = np.empty(count if lenient else 0, np.intc)
-        addresses = [x.ctypes.data for x in (*bodies, t, *found)]
-        sizes = 3, 3, 4, own, *(times * size for size in chosen.sizes)
-
-        def piece(begin: int, end: int) -> int | None:
-            failed = ctypes.c_size_t(0)
-            inertia, omega0, attitude0, at, *rows = _rows_from(begin, addresses, sizes)
-            given = end - begin, inertia, omega0, attitude0, times, at, own, chosen.flags
-            body_codes = codes[begin:].ctypes.data if lenient else None
-            code = self.library.propagate_with_columns(*given, *rows, body_codes, addressof(failed))
-            return begin + failed.value if code else None
-
-        work = _SENSITIVITY * times + PREPARATION
-        parts = min(threads.threads(count * work), max(1, count))
-        for body in threads.in_parts(piece, count, parts, max(1, threads.PIECE // work)):
-            if body is None:
-                continue
-            # Again by itself, which finds the time that is refused.
-            try:
-                prepared = self.prepare(*(array[body] for array in bodies))
-                self.sensitivities(prepared, t[body if own else 0], columns=columns)
-            except EngineError as error:
-                raise EngineError(error.field, error.rule, body, error.time) from None
-            raise AssertionError("a body that was refused is not")
+        t, bodies = batch.times, self._rows(batch)
+        function, flags = self.library.propagate_with_columns, (_columns(columns).flags,)
+        compute, cost = partial(self.sensitivities, columns=columns), _SENSITIVITY * t.shape[1]
+        self._fill(function, flags, bodies, t, found, lenient, cost, compute)
 
 
 def _one_body(given: Mapping[str, ArrayLike], tail: tuple[int, ...]) -> dict[str, np.ndarray]:

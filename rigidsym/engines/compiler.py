@@ -11,9 +11,9 @@ from pathlib import Path
 NAMES = ("cc", "gcc", "clang")
 # gcc prefers 256 bits where it has 512, and the loops gain a fifth by them.
 NATIVE = ("-march=native", "-mprefer-vector-width=512")
-# Python has asked already whether a body can have its moments, and may have been told to pass any.
+# Python has checked already that a body can have its moments, or has allowed any.
 ANY_MOMENTS = "-DALLOW_NONPHYSICAL"
-# Contraction is off because the sources write every fused product themselves: else their exact
+# Contraction is off because the sources write every fused product themselves: otherwise their exact
 # error terms, and with them the last digits, would depend on the compiler.
 FLAGS = (
     "-std=c99",
@@ -36,14 +36,14 @@ class CompilerError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Compiler:
-    """A command that compiles C, and what it says of itself."""
+    """A command that compiles C, and the text of its --version."""
 
     command: tuple[str, ...]
     version: str
 
 
 def find() -> Compiler:
-    """The compiler that $CC names, else the first of cc, gcc and clang on the path."""
+    """Return the compiler that $CC names, else the first of cc, gcc and clang on the path."""
     given = os.environ.get("CC", "")
     try:
         named = shlex.split(given)
@@ -70,7 +70,10 @@ def compile_library(
         portable = tuple(flag for flag in flags if flag not in NATIVE)
         done = _compile(compiler, portable, units, directory)
     if done.returncode:
-        raise CompilerError(f"{compiler.command[0]} failed: {_first_error(done)}")
+        lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
+        errors = [line for line in lines if "error" in line.lower()]
+        reason = next(iter(errors + lines), f"exit status {done.returncode}")
+        raise CompilerError(f"{compiler.command[0]} failed: {reason}")
     built = directory / _OUTPUT
     if not built.is_file():
         raise CompilerError(f"{compiler.command[0]} wrote no library")
@@ -98,9 +101,3 @@ def _run(command: list[str], directory: Path | None = None) -> subprocess.Comple
         )
     except OSError as error:
         raise CompilerError(f"{command[0]} cannot be run: {error.strerror}") from None
-
-
-def _first_error(done: subprocess.CompletedProcess[str]) -> str:
-    lines = [line.strip() for line in done.stderr.splitlines() if line.strip()]
-    errors = [line for line in lines if "error" in line.lower()]
-    return next(iter(errors + lines), f"exit status {done.returncode}")

@@ -21,12 +21,12 @@ _ELEMENTS = {"double": np.dtype(np.float64), "int": np.dtype(np.intc), "size_t":
 
 
 class LibraryError(Exception):
-    """A file that is not the library it should be."""
+    """A file that is not the library of the sources."""
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A parameter as a prototype declares it; `least`: elements that a pointer must have."""
+    """A parameter as a prototype declares it; least: the elements that a pointer must have."""
 
     text: str
     name: str
@@ -37,7 +37,7 @@ class Parameter:
     may_be_null: bool
 
     def given(self, value: Any, sizes: Mapping[str, int]) -> Any:
-        """The value as ctypes passes it; raises TypeError where it is not what is declared.
+        """Return the value as ctypes passes it; raise TypeError for another type than declared.
 
         A pointer is an array of NumPy, contiguous and of this type, or an object of ctypes.
         """
@@ -47,9 +47,15 @@ class Parameter:
             return None
         if isinstance(value, np.ndarray) and self._is_memory_of(value):
             return value.ctypes.data
-        known = isinstance(value, ctypes.Array | ctypes.Structure | ctypes._SimpleCData)
-        if known and self._is_of_type(value) and ctypes.sizeof(value) >= self._bytes(sizes):
-            return ctypes.addressof(value)
+        if isinstance(value, ctypes.Array | ctypes.Structure | ctypes._SimpleCData):
+            # A struct may be any memory of its size.
+            wanted, least = _PLAIN.get(self.type), sizes.get(self.type, 1)
+            fits = wanted is None
+            if wanted is not None:
+                least = self.least * ctypes.sizeof(wanted)
+                fits = isinstance(value, wanted) or getattr(value, "_type_", 0) is wanted
+            if fits and ctypes.sizeof(value) >= least:
+                return ctypes.addressof(value)
         raise self._refused(value)
 
     def _is_memory_of(self, value: np.ndarray) -> bool:
@@ -74,16 +80,6 @@ class Parameter:
             raise self._refused(value)
         return whole
 
-    def _bytes(self, sizes: Mapping[str, int]) -> int:
-        if self.type in _PLAIN:
-            return self.least * ctypes.sizeof(_PLAIN[self.type])
-        return sizes.get(self.type, 1)
-
-    def _is_of_type(self, value: Any) -> bool:
-        """Whether elements have the type; of a struct, memory of any kind will do."""
-        wanted = _PLAIN.get(self.type)
-        return wanted is None or isinstance(value, wanted) or getattr(value, "_type_", 0) is wanted
-
     def _refused(self, value: Any) -> TypeError:
         shown = f"{type(value).__name__}"
         if isinstance(value, np.ndarray):
@@ -100,7 +96,7 @@ class Signature:
     parameters: tuple[Parameter, ...]
 
     def arguments(self, given: tuple[Any, ...], sizes: Mapping[str, int]) -> list[Any]:
-        """The arguments as ctypes passes them; raises TypeError for a wrong number or type."""
+        """Return arguments as ctypes passes them; raise TypeError for a wrong number or type."""
         if len(given) != len(self.parameters):
             names = ", ".join(x.name for x in self.parameters)
             rule = f"{self.name} takes {len(self.parameters)} arguments ({names})"
@@ -109,7 +105,7 @@ class Signature:
 
 
 def signatures(header: str) -> dict[str, Signature]:
-    """What a generated header declares, by name.
+    """Return the functions that a generated header declares, by name.
 
     >>> found = signatures("int f(size_t n, const double x[3], int *codes /* or NULL */);")
     >>> [x.text for x in found["f"].parameters]
@@ -141,8 +137,8 @@ class Library:
     """The functions of a header, as attributes by their names without the module's prefix.
 
     A call with a wrong number of arguments, or a wrong one, raises TypeError.  `raw` has the same
-    functions for engines, which hand over addresses, of arrays that are known to be right: what is
-    no address raises there, too.  It also has the header's constants, in capitals.
+    functions for engines, which pass addresses of arrays that they have checked: other types raise
+    there, too.  It also has the header's constants, in capitals.
     """
 
     def __init__(self, shared: ctypes.CDLL, header: str, stem: str) -> None:
@@ -179,13 +175,14 @@ class Library:
 
 
 def load(path: Path, sources: Mapping[str, str]) -> Library:
-    """The library in a file; raises LibraryError where it was not built from the sources."""
+    """Load the library in a file; raise LibraryError unless it was built from the sources."""
     header = next(name for name in sources if name.endswith(".h"))
     try:
         library = Library(ctypes.CDLL(str(path)), sources[header], PurePath(header).stem)
         digest = library.raw.digest().decode("ascii", "replace")
     except (OSError, AttributeError) as error:
-        raise LibraryError(f"{path} cannot be loaded ({_reason(error, path)})") from None
+        reason = " ".join(str(error).removeprefix(f"{path}: ").split())
+        raise LibraryError(f"{path} cannot be loaded ({reason})") from None
     expected = written_digest(sources)
     if expected and digest != expected:
         raise LibraryError(f"{path} was built from other sources")
@@ -193,26 +190,19 @@ def load(path: Path, sources: Mapping[str, str]) -> Library:
 
 
 def check_arithmetic(library: Library) -> None:
-    """Raise LibraryError where none will be prepared: options in $CC can do that."""
-    one = np.ones(4)
+    """Raise LibraryError where the library prepares nothing: options in $CC can do that."""
+    one, size = np.ones(4), ctypes.sizeof(c_double)
     if "body_init" in library.signatures:
-        code = library.body_init(_room(library.body_size()), one)
+        code = library.body_init((c_double * -(-library.body_size() // size))(), one)
     else:
-        code = library.motion_init(_room(library.motion_size()), one, one, one)
+        memory = (c_double * -(-library.motion_size() // size))()
+        code = library.motion_init(memory, one, one, one)
     if code == library.raw.ARITHMETIC:
         raise LibraryError(f"the C module refuses: {library.message(code).decode()}")
 
 
-def _room(size: int) -> ctypes.Array[c_double]:
-    return (c_double * -(-size // ctypes.sizeof(c_double)))()
-
-
 def written_digest(sources: Mapping[str, str]) -> str | None:
-    """The digest that the comment of the sources names, if one does."""
+    """Return the digest in the comment of the sources, if there is one."""
     text = "\n".join(sources.values())
     found = re.search(r"^\W*digest ([0-9a-f]{64})\b", text, re.MULTILINE)
     return found[1] if found else None
-
-
-def _reason(error: Exception, path: Path) -> str:
-    return " ".join(str(error).removeprefix(f"{path}: ").split())

@@ -44,7 +44,12 @@ def in_parts(
     left, done = deque(begins), dict[int, Result]()
 
     def run() -> None:
-        while (begin := _next(left)) is not None:
+        while True:
+            # Threads have to test and take in one step.
+            try:
+                begin = left.popleft()
+            except IndexError:
+                return
             done[begin] = work(begin, min(begin + piece, count))
 
     helpers = _started(run, parts - 1)
@@ -65,13 +70,6 @@ def processors() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
-
-
-def _next(left: deque[int]) -> int | None:
-    """Take the next begin that is left, in one step as threads need it; None where none is."""
-    with suppress(IndexError):
-        return left.popleft()
-    return None
 
 
 def _started(run: Callable[[], None], count: int) -> list[Future[None]]:

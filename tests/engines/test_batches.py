@@ -16,11 +16,6 @@ BODY, RATES = (0.0109, 0.04, 0.0506), (0.05, 0.03, -0.02)
 FLAT, IMPOSSIBLE = (1, 2, 3.0000000000000004), (1, 1, 5)
 
 
-@pytest.fixture(params=["numpy", "c"])
-def engine(request):
-    return request.param
-
-
 @pytest.mark.parametrize(
     ("moments", "exists"),
     [

@@ -100,7 +100,6 @@ def test_exact_numbers_are_not_rounded_first(c, inertia, omega0):
     assert_near(c.states(prepared, t), expected, [float(x) for x in omega0])
 
 
-@pytest.mark.parametrize("engine", ["numpy", "c"])
 @pytest.mark.parametrize(
     "inertia",
     [
@@ -236,7 +235,6 @@ def test_leading_shapes_broadcast_as_numpy_has_it(c):
         np.testing.assert_allclose(got, wanted, rtol=0, atol=1e-13)
 
 
-@pytest.mark.parametrize("engine", ["c", "numpy"])
 def test_given_arrays_are_filled_and_returned(c, engine):
     engine = c if engine == "c" else NUMPY
     given, t = BODIES["smallest"], np.linspace(0, 9, 10)
@@ -266,7 +264,6 @@ SINGLE = np.zeros((5, 4), "f4")
 Q, OMEGA, SHARED = np.empty((5, 4)), np.empty((5, 3)), np.empty(35)
 
 
-@pytest.mark.parametrize("engine", ["c", "numpy"])
 @pytest.mark.parametrize(
     ("out", "rule"),
     [
