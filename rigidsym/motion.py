@@ -882,7 +882,7 @@ def propagate(
     }
     if inputs.is_true("degrees", degrees):
         given["omega0"] = np.deg2rad(given["omega0"])
-    bodies = given | {"inertia": batches.possible(given["inertia"], allow_nonphysical, lenient)}
+    moments = batches.possible(given["inertia"], allow_nonphysical, lenient)
     chosen, times = engines.engine(engine), batches.array("t", t, lenient)
     with_sensitivity = inputs.is_true("sensitivity", sensitivity)
     if with_sensitivity and out is not None:
@@ -890,10 +890,11 @@ def propagate(
     if not with_sensitivity and columns is not None:
         raise InputError("columns", repr(columns), "are of sensitivities: set sensitivity=True")
     try:
+        bodies = moments, given["omega0"], given["attitude0"]
         if not with_sensitivity:
-            return chosen.propagate(**bodies, t=times, out=out, errors=errors)
+            return chosen.propagate(*bodies, times, out, errors)
         names = engines.columns(columns)
-        found = chosen.propagate_sensitivities(**bodies, t=times, errors=errors, columns=names)
+        found = chosen.propagate_sensitivities(*bodies, times, errors, names)
         return found[0], found[1], Sensitivity(*found[2:], names)
     except EngineError as error:
         raise batches.input_error(error, given | {"t": times, "engine": engine}) from None

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,8 +28,7 @@ ERRORS = ("raise", "nan")
 _DOUBLE = np.dtype(np.float64)
 
 
-@dataclass(frozen=True, slots=True)
-class Batch:
+class Batch(NamedTuple):
     """Bodies and times as arrays that broadcast.
 
     bodies: inertia (..., 3), omega0 (..., 3) and attitude0 (..., 4) by name.  t: (), (N,) or
@@ -41,7 +40,7 @@ class Batch:
     leading: tuple[int, ...]
 
     @property
-    def count(self) -> int:
+    def number(self) -> int:
         """The number of bodies."""
         return math.prod(self.leading)
 

@@ -171,7 +171,7 @@ class CEngine(Engine):
 
     def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
         t, bodies = batch.times, self._rows(batch)
-        count, times = batch.count, t.shape[1]
+        count, times = batch.number, t.shape[1]
         if lenient or count >= threads.threads(count * (times + PREPARATION)):
             function = self.library.propagate
             self._fill(function, (), bodies, t, states, lenient, times, self.states)

@@ -90,7 +90,7 @@ class NumpyEngine(Engine):
 
     def _fill_states(self, batch: Batch, states: States, lenient: bool) -> None:
         t = batch.times
-        rows = [x.reshape(batch.count, t.shape[1], x.shape[-1]) for x in states]
+        rows = [x.reshape(batch.number, t.shape[1], x.shape[-1]) for x in states]
 
         def run(prepared: Prepared, times: np.ndarray, some: slice, errors: str) -> None:
             self.module.states(prepared, times, (rows[0][some], rows[1][some]), errors)
@@ -101,7 +101,7 @@ class NumpyEngine(Engine):
         self, batch: Batch, found: Sensitivities, columns: tuple[str, ...], lenient: bool
     ) -> None:
         t, lasts = batch.times, arrays.sensitivity_shapes(columns)
-        rows = [x.reshape(batch.count, t.shape[1], *y) for x, y in zip(found, lasts, strict=True)]
+        rows = [x.reshape(batch.number, t.shape[1], *y) for x, y in zip(found, lasts, strict=True)]
 
         def run(prepared: Prepared, times: np.ndarray, some: slice, errors: str) -> None:
             block = self.module.sensitivities(prepared, times, errors, columns)
@@ -131,9 +131,9 @@ def _blocks(batch: Batch) -> Iterator[tuple[slice, list[np.ndarray]]]:
     """Yield blocks of bodies as slices of all of them, with their rows (B, 3), (B, 3), (B, 4)."""
     leading = batch.leading
     whole = [np.broadcast_to(x, (*leading, x.shape[-1])) for x in batch.bodies.values()]
-    for first in range(0, batch.count, _BODIES):
+    for first in range(0, batch.number, _BODIES):
         some = slice(first, first + _BODIES)
-        index = np.unravel_index(range(batch.count)[some], leading) if leading else ()
+        index = np.unravel_index(range(batch.number)[some], leading) if leading else ()
         yield some, [x[index].reshape(-1, x.shape[-1]) for x in whole]
 
 
