@@ -131,3 +131,13 @@ def test_the_kernel_imports_the_polynomials_of_sympy_alone():
     taken = {other for path in kernel.values() for other in imported(path) if "sympy" in other}
     assert taken
     assert all(other.startswith("sympy.polys") for other in taken)
+
+
+def test_imports_for_types_are_apart_in_views_alone(tmp_path):
+    path = tmp_path / "one.py"
+    path.write_text("import a\nif TYPE_CHECKING:\n    from b import c\n")
+    assert imported(path) == ("a", "b.c")
+    assert imported(path, types=False) == ("a",)
+    motion = "rigidsym.motion"
+    assert motion in imported(modules()["rigidsym.view.geometry"])[-1]
+    assert motion not in GRAPH["rigidsym.view.geometry"]

@@ -1,5 +1,6 @@
 """motion.plot: the right data, labelled with units, without touching pyplot's state."""
 
+import re
 import subprocess
 import sys
 
@@ -8,6 +9,7 @@ import pytest
 from picture_motions import MOTIONS
 
 from rigidsym import InputError, Regime
+from rigidsym.view.plots.figure import svg
 
 PNG = b"\x89PNG\r\n\x1a\n"
 
@@ -76,3 +78,12 @@ def test_neither_pyplot_nor_sympy_is_loaded():
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.strip() == ""
+
+
+def test_an_svg_has_no_digits_that_a_processor_decides():
+    text = svg(MOTIONS["paper"].plot())
+    drawn = " ".join(re.findall(r' d="([^"]*)"', text))
+    assert max(len(x) for x in re.findall(r"\.(\d+)", drawn)) <= 2
+    assert not re.search(r'id="[a-zA-Z][0-9a-f]{10}"', text)
+    assert "date" not in text
+    assert text == svg(MOTIONS["paper"].plot())

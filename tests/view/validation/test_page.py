@@ -5,9 +5,11 @@ import re
 
 import pytest
 from html_cards import Elements
-from validation_reports import STRATA, direct, failed, passed, with_peer
+from validation_reports import STRATA, direct, failed, passed, whole, with_peer
 
-from rigidsym.view.validation import page
+from rigidsym.validate import report as reports
+from rigidsym.view import validation
+from rigidsym.view.validation import COLUMNS, Column, page
 from rigidsym.view.validation.figures import fitted
 
 HOSTILE = """</title><script src="https://x.example/y.js">&'"""
@@ -123,3 +125,15 @@ def test_an_axis_keeps_room_for_what_is_not_tiny():
     assert axis.at(-20) == pytest.approx(0.22)
     assert axis.at(-10) == pytest.approx(0.61)
     assert axis.ticks == [-200, -20, -15, -10, -5, 0]
+
+
+def test_a_new_column_on_strata_is_one_entry(monkeypatch):
+    tables = ("page", "card", "markdown", "terminal")
+    new = Column("used", "part used", lambda x, name: x.share("numpy", name), str, bool, tables)
+    for module in (validation, reports):
+        monkeypatch.setattr(module, "COLUMNS", (*COLUMNS, new))
+    report = whole()
+    data = report.to_data()
+    assert all(0 < stratum["used"] <= 1 for stratum in data["strata"])
+    shown = (page(data), report._repr_html_(), report.to_markdown(), report.summary()[0])
+    assert all("part used" in text for text in shown)
