@@ -172,7 +172,7 @@ def _is_serial(problem: Problem, residuals: np.ndarray) -> bool:
 
 
 def _readings(problem: Problem, chi2: float, search: Search) -> Iterator[Reading]:
-    """Yield the conventions by which the data fit, or chi2 is a small part of what it was."""
+    """Yield the conventions by which the data fit, or by which chi2 is far smaller."""
     found: dict[str, float] = {}
     for names, posed, point in _minima(problem, search):
         freedom = posed.count - posed.parameters.count

@@ -99,7 +99,7 @@ class Likelihood:
         return self.problem.parameters.inner(self.quantities.best)
 
     def rise(self, points: Point) -> np.ndarray:
-        """Return chi2 of motions (B,); NaN where there are no states."""
+        """Return chi2 of motions (B,) less that of the best; NaN where there are no states."""
         every = [points, self.quantities.best.repeated()]
         *found, least = (
             np.sum((self.problem.residuals(some) - self.offset) ** 2, axis=-1)

@@ -205,7 +205,7 @@ def lose(covariance: np.ndarray, lost: np.ndarray) -> None:
 
 
 def is_bent(sigma: np.ndarray, omega: np.ndarray) -> np.ndarray:
-    """Return which of the errors (12,) second-order errors of the axes exceed.
+    """Return which errors (12,) are exceeded by second-order errors of the axes.
 
     sigma: of turn, rates, moments and axes; omega (3,): rates.  A turn theta of the principal axes
     changes rates along them by theta x omega, which linear errors contain, and by theta x (theta x

@@ -7,7 +7,7 @@ Astronautical Sciences 55, 2007).
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from scipy.stats import qmc
@@ -27,14 +27,6 @@ _MARGIN = 1.5
 _STEP = np.pi / 2
 # The fewest attitudes that tops are fitted to, and the fewest rates of their grid.
 _FEWEST = 8
-
-
-@dataclass(frozen=True, slots=True)
-class Body:
-    """Bodies of starts: moments (S, 3), and their axes `mount` (S, 4)."""
-
-    moments: np.ndarray
-    mount: np.ndarray
 
 
 def starts(problem: Problem, known: np.ndarray | None, count: int, fastest: float) -> Point:
@@ -64,10 +56,11 @@ def fastest_rate(sets: tuple[Observations, ...]) -> float:
 
 def _from_rates(problem: Problem, known: np.ndarray | None) -> Iterator[Point]:
     """Yield motions with the first, a middle and the last rates of each series, for many bodies."""
-    bodies = _bodies(problem.parameters, known)
+    moments, mount = _bodies(problem.parameters, known)
     for times, rates in (series for one in problem.sets for series in one.rate_series()):
         for k in sorted({0, len(times) // 2, len(times) - 1}):
-            yield _at(problem, times[k], np.broadcast_to(rates[k], bodies.moments.shape), bodies)
+            every = np.broadcast_to(rates[k], moments.shape)
+            yield _at(problem, times[k], every, moments, mount)
 
 
 def _from_tops(
@@ -93,12 +86,12 @@ def _from_tops(
         # Along frames whose z is the symmetry axis.
         across = np.stack([ratio, ratio, np.ones_like(ratio)], axis=-1)
         if problem.parameters.axes:
-            bodies = Body(across, conjugate(frame))
+            moments, mount = across, conjugate(frame)
         else:
-            own = np.abs(np.einsum("bji,bj->bi", matrices(frame), across))
-            own = own if known is None else np.broadcast_to(known, own.shape)
-            bodies = Body(own, np.broadcast_to(IDENTITY, (best.size, 4)))
-        yield _at(problem, at, found.omega[best], bodies)
+            moments = np.abs(np.einsum("bji,bj->bi", matrices(frame), across))
+            moments = moments if known is None else np.broadcast_to(known, moments.shape)
+            mount = np.broadcast_to(IDENTITY, (best.size, 4))
+        yield _at(problem, at, found.omega[best], moments, mount)
 
 
 def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, fastest: float) -> Point:
@@ -119,26 +112,22 @@ def _from_anywhere(problem: Problem, known: np.ndarray | None, count: int, faste
     return Point(attitude, omega, moments, mount)
 
 
-def _at(problem: Problem, time: float, rates: np.ndarray, bodies: Body) -> Point:
+def _at(
+    problem: Problem, time: float, rates: np.ndarray, moments: np.ndarray, mount: np.ndarray
+) -> Point:
     """Return motions that have rates (B, 3), along the observed axes, at a time, s."""
-    own = rotated(conjugate(bodies.mount), rates)
-    _, omega = propagate(
-        bodies.moments,
-        own,
-        np.array([problem.epoch - time]),
-        errors="nan",
-        engine=problem.engine,
-    )
-    attitude = np.broadcast_to(IDENTITY, (len(own), 4))
-    return Point(attitude, omega[:, 0], bodies.moments, bodies.mount)
+    own = rotated(conjugate(mount), rates)
+    since = np.array([problem.epoch - time])
+    _, omega = propagate(moments, own, since, errors="nan", engine=problem.engine)
+    return Point(np.broadcast_to(IDENTITY, (len(own), 4)), omega[:, 0], moments, mount)
 
 
-def _bodies(parameters: Parameters, known: np.ndarray | None) -> Body:
-    """Return bodies of all shapes, in all orders of the axes; or the one that is known."""
+def _bodies(parameters: Parameters, known: np.ndarray | None) -> tuple[np.ndarray, np.ndarray]:
+    """Return moments (S, 3) and mounts (S, 4) of bodies of all shapes, or of the known one."""
     shares = (np.array([(i, j, 9 - i - j) for i in range(10) for j in range(10 - i)]) + 1 / 3) / 10
     moments = 1 - shares if known is None else np.asarray(known, float)[None]
     mounts = conjugate(_sphere()) if parameters.axes else IDENTITY[None]
-    return Body(np.repeat(moments, len(mounts), axis=0), np.tile(mounts, (len(moments), 1)))
+    return np.repeat(moments, len(mounts), axis=0), np.tile(mounts, (len(moments), 1))
 
 
 def _sphere(count: int = 24) -> np.ndarray:

@@ -160,8 +160,11 @@ class Splitting:
         return _checked(self.torque(t, q, omega), t, omega.shape) / self.bodies.inertia
 
     def probe(self, times: np.ndarray, q: np.ndarray, omega: np.ndarray) -> np.ndarray:
-        """Return the torque at times (M,) on attitudes (..., M, 4) and rates (..., M, 3), N m in
-        inertial axes, (M, ..., 3); raises InputError for one that is not finite."""
+        """Return the torque at times (M,), N m in inertial axes, (M, ..., 3).
+
+        q, omega: attitudes (..., M, 4) and rates (..., M, 3).  Raises InputError for a torque that
+        is not finite.
+        """
         self.probes += times.size
         found = [
             self._probed(t, State(q[..., k, :], omega[..., k, :]))

@@ -83,7 +83,7 @@ class Trajectory:
 
     @property
     def step(self) -> float:
-        """The step, s; the longest where steps differ."""
+        """Return the step, s; the longest where steps differ."""
         return max(self.mesh.steps, default=np.nan)
 
     def __iter__(self) -> Iterator[np.ndarray]:
