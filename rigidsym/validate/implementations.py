@@ -96,7 +96,17 @@ Implementation = Engine | Peer | Steps
 
 
 def check_target(target: str) -> None:
-    """Raise InputError for a target there is no module of, or that does not compile here."""
+    """Check that a target can be measured on this machine.
+
+    Parameters
+    ----------
+    target : a name such as "numpy", "c", "c-pi" or "numpy-step"
+
+    Raises
+    ------
+    InputError
+        If there is no module of this name, or it does not compile here.
+    """
     if target not in TARGETS:
         raise InputError("target", target, f"must be one of: {', '.join(TARGETS)}")
     try:

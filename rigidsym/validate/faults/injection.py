@@ -134,7 +134,10 @@ class FaultReport:
             (name, f"{self.caught(name)} of {total}", str(self.alone(name))) for name in self.strata
         )
         faults = (
-            (x.fault.line, x.fault.kind, str(len(x.strata)), self._which(x.strata), _measures(x))
+            (
+                *(x.fault.line, x.fault.kind, str(len(x.strata)), self._which(x.strata)),
+                ", ".join(dict.fromkeys(name for found in x.detections for name in found.measures)),
+            )
             for x in self.outcomes
         )
         return "\n".join(
@@ -163,10 +166,6 @@ class FaultReport:
 
 
 _WRITTEN = ("target", "name", "kind", "old", "new")
-
-
-def _measures(outcome: Outcome) -> str:
-    return ", ".join(dict.fromkeys(name for x in outcome.detections for name in x.measures))
 
 
 def inject(

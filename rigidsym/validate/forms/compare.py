@@ -121,7 +121,10 @@ class FormCosts:
     @property
     def conclusion(self) -> str:
         """A recommendation, in a sentence."""
-        ratio = [one / other for one, other in zip(*map(self._in_c, (PI, THETA)), strict=True)]
+        in_c = {
+            form: [x.c_ns for x in self.costs if x.form == form and x.c_ns] for form in (PI, THETA)
+        }
+        ratio = [one / other for one, other in zip(in_c[PI], in_c[THETA], strict=True)]
         last = [one for one in self.costs if one.form == FOURIER and one.terms]
         most = max(last, key=lambda one: one.terms or 0)
         return (
@@ -130,9 +133,6 @@ class FormCosts:
             f"{min(one.terms or 0 for one in last)} terms far from the separatrix, need "
             f"{most.terms} at k1^2 = {most.parameter:.6g} and more without end."
         )
-
-    def _in_c(self, form: str) -> list[float]:
-        return [one.c_ns for one in self.costs if one.form == form and one.c_ns is not None]
 
     def to_json(self) -> str:
         """Return the schema rigidsym.forms/1."""
@@ -175,7 +175,10 @@ def compare_forms(
     progress: Callable[[int, int], None] = lambda done, total: None, cases: int = CASES
 ) -> FormCosts:
     """Measure all forms, in `cases` cases of each stratum; without a C compiler none is in C."""
-    costs = [one for away in AWAY for one in _costs(_Motion.off(away))]
+    costs = []
+    for motion in map(_Motion.off, AWAY):
+        costs += [_generated(form, motion) for form in (THETA, PI)]
+        costs.append(_fourier(motion))
     sizes = {form: code_bytes(form) for form in (THETA, PI)}
     forms = {form: engines.exactly(key("numpy", form)) for form in (THETA, PI)}
     errors: list[StratumError] = []
@@ -226,12 +229,6 @@ class _Motion:
     def branch(self) -> str:
         """The functions that generated modules use for it."""
         return "circular" if self.parameter <= 0.5 else "hyperbolic"
-
-
-def _costs(motion: _Motion) -> Iterator[FormCost]:
-    for form in (THETA, PI):
-        yield _generated(form, motion)
-    yield _fourier(motion)
 
 
 def _generated(form: str, motion: _Motion) -> FormCost:
