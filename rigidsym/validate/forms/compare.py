@@ -121,10 +121,8 @@ class FormCosts:
     @property
     def conclusion(self) -> str:
         """A recommendation, in a sentence."""
-        in_c = {
-            form: [x.c_ns for x in self.costs if x.form == form and x.c_ns] for form in (PI, THETA)
-        }
-        ratio = [one / other for one, other in zip(in_c[PI], in_c[THETA], strict=True)]
+        c_ns = {(x.form, x.away): x.c_ns for x in self.costs if x.c_ns is not None}
+        ratio = [c_ns[PI, away] / c_ns[THETA, away] for form, away in c_ns if form == PI]
         last = [one for one in self.costs if one.form == FOURIER and one.terms]
         most = max(last, key=lambda one: one.terms or 0)
         return (
