@@ -237,6 +237,10 @@ def inertia(
 
     next_step: how the message says to have other moments accepted.
     """
+    rows = isinstance(values, list | tuple) and all(isinstance(x, list | tuple) for x in values)
+    if getattr(values, "shape", None) == (3, 3) or (rows and values):
+        first = "of an inertia tensor, rigidsym.principal_axes(tensor) has them"
+        raise InputError("inertia", values, "must be a list of numbers", next_step=first)
     given = sequence("inertia", values)
     moments = vector("inertia", given, 3)
     least, most = ([_end(moment, side) for moment in moments] for side in (-1, 1))

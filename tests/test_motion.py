@@ -257,6 +257,7 @@ def test_whole_numbers_and_arrays_are_what_they_say(given, whole):
         ((("1", "x", "2"), RATES), r"inertia\[1\] = 'x': must be a finite decimal number"),
         ((("1", "1e999999999", "2"), RATES), r"inertia\[1\] = .*exponents go up to"),
         ((7, RATES), r"inertia = 7: must be a list of numbers"),
+        (([[2, 0.1, 0], [0.1, 3, 0], [0, 0, 4]], RATES), r"inertia = .*principal_axes\(tensor\)"),
         ((BODY, (1, math.nan, 2)), r"omega0\[1\] = nan: must be finite"),
         ((BODY, (1, None, 2)), r"omega0\[1\] = None: must be a number"),
         ((BODY, (1, 1j, 2)), r"omega0\[1\] = 1j: must be a number"),
