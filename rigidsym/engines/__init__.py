@@ -9,7 +9,7 @@ import warnings
 from functools import cache
 from typing import Any
 
-from rigidsym.engines.arrays import SIZES, Outputs, States, columns, is_lenient
+from rigidsym.engines.arrays import Outputs, States, columns, is_lenient
 from rigidsym.engines.base import Engine, Prepared
 from rigidsym.engines.numpy_engine import NumpyEngine
 from rigidsym.engines.steps import CStepper, Kicks, NumpyStepper, Stepper
@@ -18,7 +18,6 @@ from rigidsym.errors import EngineError, InputError
 __all__ = [
     "ENGINES",
     "EVERY",
-    "SIZES",
     "STEPPERS",
     "Engine",
     "EngineError",
